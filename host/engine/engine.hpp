@@ -1,0 +1,37 @@
+// What an engine does: computes a tile.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/result.hpp"
+#include "plan/plan.hpp"
+
+namespace gearsweep {
+
+// The answers for the points of a tile, in the tile's order.
+struct TileResult {
+  std::vector<std::uint8_t> status;       // [point]
+  std::vector<double> outputs;            // [output of the selection][point]
+  std::vector<double> samples;            // [point][chosen state][sample]
+  std::vector<double> final_states;       // [point][state], at phase 0 after the last period
+};
+
+// Called after each round with the integration steps that it took; false asks the engine to stop.
+using RoundCallback = std::function<bool(double steps)>;
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual EngineInfo info() const = 0;
+  // Points per tile that suit this engine, when the study does not say.
+  virtual std::size_t preferred_tile() const = 0;
+  // initial: [point][state]. Nothing when the callback asked to stop. Throws RunError.
+  virtual std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
+                                            const std::vector<double>& initial,
+                                            const RoundCallback& after_round) = 0;
+};
+
+}  // namespace gearsweep

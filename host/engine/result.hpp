@@ -1,0 +1,30 @@
+// The maps of a finished sweep, in memory.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// What computed the maps; goes into the result file.
+struct EngineInfo {
+  std::string device;  // "pthread-skylake-avx512 (PoCL)"
+  std::string driver;  // driver version
+  std::string macros;  // the kernel's build options; empty for the reference engine
+};
+
+// Point (ix, iy) has index iy * nx + ix. A point that did not end `ok` has NaN in every map.
+struct SweepResult {
+  Study study;
+  EngineInfo engine;
+  std::vector<std::uint8_t> status;         // [point], codes of kernels/sweep_types.h
+  std::vector<std::vector<double>> values;  // [quantity of study.selection][point]
+  std::vector<double> samples;              // [point][chosen state][sample]; empty without poincare
+  double steps = 0.0;                       // integration steps in all
+  double seconds = 0.0;                     // wall time of the computation
+};
+
+}  // namespace gearsweep

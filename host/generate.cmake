@@ -1,0 +1,51 @@
+# What is generated at configure time: bindings of each model and observable in kernels/, and the
+# embedded kernels and studies. A new file in kernels/ is picked up by globbing; nothing lists it.
+
+function(gearsweep_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                         $<$<BOOL:${GEARSWEEP_WERROR}>:-Werror>)
+endfunction()
+
+set(GENERATED ${CMAKE_CURRENT_BINARY_DIR}/generated)
+set(KERNELS ${PROJECT_SOURCE_DIR}/kernels)
+
+set(DECLARATIONS "")
+foreach(kind model observable)
+  string(TOUPPER ${kind}S list)
+  string(SUBSTRING ${kind} 0 1 first)
+  string(TOUPPER ${first} first)
+  string(SUBSTRING ${kind} 1 -1 rest)
+  set(${list} "")
+  file(GLOB headers CONFIGURE_DEPENDS ${KERNELS}/${kind}s/*.h)
+  foreach(header ${headers})
+    get_filename_component(NAME ${header} NAME_WE)
+    string(TOUPPER ${NAME} UPPER)
+    configure_file(model/bind_${kind}.cpp.in ${GENERATED}/${kind}_${NAME}.cpp @ONLY)
+    list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/${kind}_${NAME}.cpp)
+    string(APPEND DECLARATIONS "namespace ${kind}_${NAME} {\n${first}${rest} bind();\n}\n")
+    string(APPEND ${list} "${kind}_${NAME}::bind(), ")
+  endforeach()
+endforeach()
+configure_file(model/registry.cpp.in ${GENERATED}/registry.cpp @ONLY)
+list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/registry.cpp)
+
+# gearsweep_embed(OUTPUT FUNCTION HEADER FILES...): a C++ file that defines
+# FUNCTION() -> map from relative path to text, declared in HEADER.
+function(gearsweep_embed output function header base)
+  set(script ${PROJECT_SOURCE_DIR}/host/embed.cmake)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DFUNCTION=${function} -DHEADER=${header}
+            -DBASE=${base} "-DFILES=${ARGN}" -P ${script}
+    DEPENDS ${ARGN} ${script} VERBATIM)
+endfunction()
+
+file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${KERNELS}/*.h ${KERNELS}/*.cl)
+gearsweep_embed(${GENERATED}/kernel_sources.cpp kernel_sources opencl/kernel_sources.hpp ${KERNELS}
+                ${kernel_files})
+set(GEARSWEEP_KERNEL_SOURCES ${GENERATED}/kernel_sources.cpp)
+
+set(STUDIES ${PROJECT_SOURCE_DIR}/host/studies)
+file(GLOB study_files CONFIGURE_DEPENDS ${STUDIES}/*.toml)
+gearsweep_embed(${GENERATED}/builtin_studies.cpp builtin_studies study/builtin_studies.hpp
+                ${STUDIES} ${study_files})
+set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp)

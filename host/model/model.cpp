@@ -1,0 +1,37 @@
+#include "model/model.hpp"
+
+namespace gearsweep {
+namespace {
+
+template <class Info>
+int index_of(const std::vector<Info>& infos, std::string_view name) {
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    if (infos[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+int Model::find_parameter(std::string_view parameter) const {
+  return index_of(parameters, parameter);
+}
+int Model::find_state(std::string_view state) const { return index_of(states, state); }
+int Model::find_signal(std::string_view signal) const { return index_of(signals, signal); }
+int Model::find_option(std::string_view option) const { return index_of(options, option); }
+
+ModelSetting Model::default_setting() const {
+  ModelSetting setting;
+  for (const ParameterInfo& parameter : parameters) {
+    setting.parameters.push_back(parameter.default_value);
+  }
+  setting.options.assign(options.size(), 0);
+  return setting;
+}
+
+const Model* find_model(std::string_view name) {
+  const int index = index_of(models(), name);
+  return index < 0 ? nullptr : &models()[static_cast<std::size_t>(index)];
+}
+
+}  // namespace gearsweep

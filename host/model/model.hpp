@@ -1,0 +1,89 @@
+// A model as the host sees it: the lists of its header in kernels/models/ and its functions in
+// double precision. Each header is bound by a generated file (bind_model.cpp.in).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gearsweep {
+
+// A state or a signal: `unit` in the model's dimensionless units.
+struct ChannelInfo {
+  std::string name, unit, meaning;
+};
+
+struct ParameterInfo {
+  std::string name, unit;
+  double default_value = 0.0;
+  double least = 0.0, greatest = 0.0;  // allowed range, both ends included
+  bool shapes_phase = false;           // changes break phases or phase coefficients
+  std::string meaning;
+};
+
+struct OptionInfo {
+  std::string name;
+  std::vector<std::string> choices;  // the default first
+  std::string meaning;
+};
+
+// `toml` assigns parameters, options and the initial policy that differ from the defaults.
+struct PresetInfo {
+  std::string name, meaning, toml;
+};
+
+// Parameter values in the model's order, and option choices (indices) in the model's order.
+struct ModelSetting {
+  std::vector<double> parameters;
+  std::vector<int> options;
+};
+
+// One point's right-hand side, with everything that does not change in time worked out.
+class PreparedPoint {
+ public:
+  virtual ~PreparedPoint() = default;
+  // Forcing period in dimensionless time.
+  virtual double period() const = 0;
+  // dx = dx/dtau; coefs: one row of phase coefficients; x, dx: one number per state.
+  virtual void rhs(const double* coefs, const double* x, double* dx) const = 0;
+  // out: one number per signal.
+  virtual void signals(const double* coefs, const double* x, double* out) const = 0;
+};
+
+struct Model {
+  std::string name, summary;
+  std::vector<ChannelInfo> states, signals;
+  std::vector<ParameterInfo> parameters;
+  std::vector<OptionInfo> options;
+  std::vector<PresetInfo> presets;
+  std::vector<ChannelInfo> phase_coefs;
+
+  // What is wrong with a setting whose ranges are right; empty if nothing.
+  std::string (*check)(const ModelSetting&);
+  // Phases in [0, 1) at which the right-hand side jumps; unsorted, may repeat.
+  std::vector<double> (*break_phases)(const ModelSetting&);
+  // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
+  // `inside`, a phase strictly between the break phases that enclose psi.
+  void (*phase_coefs_at)(const ModelSetting&, double psi, double inside, double* row);
+  // The static equilibrium, one number per state: where the policy "shifted" starts.
+  std::vector<double> (*equilibrium)(const ModelSetting&);
+  std::unique_ptr<PreparedPoint> (*prepare)(const ModelSetting&);
+
+  // Index of a name, or -1.
+  int find_parameter(std::string_view parameter) const;
+  int find_state(std::string_view state) const;
+  int find_signal(std::string_view signal) const;
+  int find_option(std::string_view option) const;
+
+  ModelSetting default_setting() const;
+};
+
+// All built-in models, by name.
+const std::vector<Model>& models();
+
+// nullptr when there is none of that name.
+const Model* find_model(std::string_view name);
+
+}  // namespace gearsweep

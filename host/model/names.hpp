@@ -1,0 +1,17 @@
+// Help with names that a user mistyped.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gearsweep {
+
+// "; did you mean 'omega'?" when one of the known names is close to `name` (by edit distance),
+// otherwise "; known: a, b, c" (shortened after a dozen).
+std::string suggest_name(std::string_view name, const std::vector<std::string>& known);
+
+// The words of a list such as "consistent printed".
+std::vector<std::string> split_words(std::string_view words);
+
+}  // namespace gearsweep

@@ -1,0 +1,33 @@
+// The observables of kernels/observables/ as the host sees them: their lists, nothing else.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gearsweep {
+
+enum class ObservableKind {
+  channel,  // one instance per state or signal; quantities are CHANNEL_suffix
+  step,     // sees each step; quantities are NAME_suffix
+  section,  // a series of values at phase 0; the quantity is NAME
+};
+
+struct ObservableOutput {
+  std::string suffix;
+  std::string unit;                // empty: the unit of the channel
+  std::vector<std::string> flags;  // names of the classes 0, 1, ... when the value is a class
+  std::string meaning;
+};
+
+struct Observable {
+  std::string name;
+  ObservableKind kind;
+  std::vector<std::string> needed_signals;  // what a model must offer
+  std::vector<ObservableOutput> outputs;
+};
+
+// All built-in observables, by name.
+const std::vector<Observable>& observables();
+
+}  // namespace gearsweep

@@ -1,0 +1,12 @@
+// The text of kernels/, embedded in the binary.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace gearsweep {
+
+// By path relative to kernels/, as in "models/gear5.h".
+const std::map<std::string, std::string>& kernel_sources();
+
+}  // namespace gearsweep

@@ -1,0 +1,53 @@
+// How a study is cut into work: points, what each starts from, and the tiles.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "plan/phase_grid.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// The points that one launch sequence computes; those that share a phase grid stand together.
+struct Tile {
+  std::vector<std::size_t> points;       // point indices
+  std::vector<std::size_t> grid_starts;  // position in `points` where each phase grid begins
+  double work = 0.0;                     // integration steps in all
+};
+
+// Tiles of one stage do not depend on each other; a stage starts from the final states of the one
+// before it (policies forward and backward; otherwise there is one stage).
+struct Stage {
+  std::vector<Tile> tiles;
+};
+
+class Plan {
+ public:
+  // Throws InputError when a point's setting is wrong or a period would need too many steps.
+  Plan(const Study& study, std::size_t tile_points);
+
+  const Study& study() const { return study_; }
+  const std::vector<Stage>& stages() const { return stages_; }
+  double total_work() const;
+
+  ModelSetting setting_of(std::size_t point) const;
+  // Steps asked of the phase grid of a point (the grid may have a few more).
+  std::size_t steps_of(std::size_t point) const;
+  PhaseGrid phase_grid_of(std::size_t point) const;
+  // The point whose final state this one goes on from; nothing for the first of a chain.
+  std::optional<std::size_t> predecessor(std::size_t point) const;
+  // The state that a point starts from when no predecessor gives one.
+  std::vector<double> own_initial_state(std::size_t point) const;
+
+ private:
+  double axis_value(std::size_t axis, std::size_t point) const;
+  std::size_t axis_index(std::size_t axis, std::size_t point) const;
+  void add_stage(std::vector<std::size_t> points, std::size_t tile_points);
+
+  const Study study_;
+  std::vector<Stage> stages_;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,41 @@
+// Which observables run and which of their outputs become maps.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/observable.hpp"
+
+namespace gearsweep {
+
+// One observable at work; `channel` is a state or signal, empty unless the kind is `channel`.
+struct Observer {
+  const Observable* observable = nullptr;
+  std::string channel;
+};
+
+// One map.
+struct Quantity {
+  std::string name, unit, meaning;
+  std::vector<std::string> flags;  // class names when the value is a class
+  std::size_t output = 0;          // index among the outputs of all observers, in their order
+};
+
+struct Selection {
+  std::vector<Observer> observers;    // those of kind channel and step
+  std::vector<Quantity> quantities;   // without status (always there) and poincare
+  std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
+
+  std::size_t output_count() const;
+};
+
+// Every quantity that a model offers, `poincare` and `status` included.
+std::vector<Quantity> offered_quantities(const Model& model);
+
+// Resolves quantity names. Throws InputError with the nearest known name (the caller adds the place).
+Selection select_quantities(const Model& model, const std::vector<std::string>& names,
+                            const std::vector<std::string>& poincare_states);
+
+}  // namespace gearsweep

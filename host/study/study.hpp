@@ -1,0 +1,89 @@
+// A study: what to compute. Read from TOML and checked, so that what holds a Study can rely on it.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "study/selection.hpp"
+
+namespace gearsweep {
+
+// One swept quantity: a parameter or an initial state of the model.
+struct Axis {
+  std::string name, unit, meaning;
+  bool is_state = false;
+  std::size_t index = 0;  // of the parameter or state in the model
+  std::vector<double> values;
+  bool logarithmic = false;
+};
+
+enum class InitialPolicy {
+  fixed,     // a given state
+  shifted,   // the static equilibrium of each point
+  forward,   // goes on from the neighbour before it along one axis
+  backward,  // ... from the neighbour behind it
+};
+
+struct Initial {
+  InitialPolicy policy = InitialPolicy::shifted;
+  std::vector<double> state;  // of policy fixed, one per state of the model
+  std::size_t along = 0;      // axis index, of forward and backward
+};
+
+enum class EngineKind { opencl, reference };
+
+// How to integrate. The last five never change a result, only how it is computed; 0 means that the
+// engine chooses.
+struct Integrate {
+  bool fp64 = true;
+  double max_step = 0.05;            // greatest step in dimensionless time, when steps_per_period = 0
+  std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
+  std::size_t settle = 400;          // periods
+  std::size_t record = 200;          // periods
+  EngineKind engine = EngineKind::opencl;
+  std::size_t lanes = 0;       // points per work-item
+  std::size_t tile = 0;        // points per tile
+  std::size_t local_size = 0;  // work-items per work-group
+  std::size_t round = 0;       // periods per kernel launch
+  bool contract = true;        // fused multiply-add allowed
+};
+
+// Dimensional scales of a study that was given as a [gear] table; zero when it was not.
+// Lengths are in half backlashes b_n, forces in k0 b_n, time in 1/varpi.
+struct Scales {
+  double varpi = 0.0;          // rad/s
+  double b_n = 0.0;            // m
+  double k0 = 0.0;             // N/m
+  double rpm_per_omega = 0.0;  // pinion speed in rpm at omega = 1
+  bool known() const { return varpi > 0.0; }
+};
+
+struct Study {
+  std::string title;
+  const Model* model = nullptr;
+  std::string preset;
+  ModelSetting setting;                        // of every point, before the axes
+  std::vector<std::string> parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
+  std::vector<std::string> option_origins;
+  std::vector<std::string> gear_notes;  // how each number of a [gear] table came about
+  Scales scales;
+  std::vector<Axis> axes;  // one or two; the first is x, the fastest
+  Initial initial;
+  Integrate integrate;
+  Selection selection;
+  std::string toml;  // the whole study as TOML, overrides included: reading it gives this study
+
+  std::size_t points() const;
+};
+
+// Reads a study file, the study in a result file (by its NetCDF attribute, see io), or a built-in
+// study by name is the cli's business; this reads TOML text. `source` names it in messages.
+// Each override is "path=value", as in "integrate.record=20" or "axes.omega.count=40".
+// Throws InputError.
+Study read_study(const std::string& text, const std::string& source,
+                 const std::vector<std::string>& overrides = {});
+
+}  // namespace gearsweep

@@ -1,0 +1,28 @@
+// Least and greatest value of a state or signal over the recorded periods, taken at the steps' ends;
+// at a break phase both one-sided values count.
+
+#define EXTREMA_KIND channel
+// X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
+#define EXTREMA_OUTPUTS(X)                                    \
+  X(min, "", "", "least value over the recorded periods")     \
+  X(max, "", "", "greatest value over the recorded periods")
+
+#ifdef __OPENCL_VERSION__
+enum { extrema_least, extrema_greatest, extrema_accumulators };
+enum { extrema_outputs = 2 };
+
+SHARED_FN void extrema_init(real* sums, real value) {
+  sums[extrema_least] = value;
+  sums[extrema_greatest] = value;
+}
+
+SHARED_FN void extrema_update(real* sums, real before, real after, scalar weight) {
+  sums[extrema_least] = lane_min(sums[extrema_least], lane_min(before, after));
+  sums[extrema_greatest] = lane_max(sums[extrema_greatest], lane_max(before, after));
+}
+
+SHARED_FN void extrema_finish(const real* sums, scalar periods, real* out) {
+  out[0] = sums[extrema_least];
+  out[1] = sums[extrema_greatest];
+}
+#endif

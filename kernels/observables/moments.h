@@ -1,0 +1,39 @@
+// Mean, RMS and standard deviation of a state or signal over the recorded periods, by the
+// trapezoidal rule on the phase grid. The sums are of the difference to the first value, so that
+// the standard deviation keeps its digits in fp32.
+
+#define MOMENTS_KIND channel
+// X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
+#define MOMENTS_OUTPUTS(X)                                                 \
+  X(mean, "", "", "time average over the recorded periods")                \
+  X(rms, "", "", "root mean square over the recorded periods")             \
+  X(std, "", "", "standard deviation over the recorded periods")
+
+#ifdef __OPENCL_VERSION__
+enum { moments_origin, moments_sum, moments_squares, moments_accumulators };
+enum { moments_outputs = 3 };
+
+SHARED_FN void moments_init(real* sums, real value) {
+  sums[moments_origin] = value;
+  sums[moments_sum] = 0;
+  sums[moments_squares] = 0;
+}
+
+// `weight` is the step's share of a period.
+SHARED_FN void moments_update(real* sums, real before, real after, scalar weight) {
+  const scalar half_weight = (scalar)(0.5) * weight;
+  const real a = before - sums[moments_origin];
+  const real b = after - sums[moments_origin];
+  sums[moments_sum] = sums[moments_sum] + half_weight * (a + b);
+  sums[moments_squares] = sums[moments_squares] + half_weight * (a * a + b * b);
+}
+
+SHARED_FN void moments_finish(const real* sums, scalar periods, real* out) {
+  const real offset = sums[moments_sum] / periods;
+  const real mean = sums[moments_origin] + offset;
+  const real variance = lane_max(sums[moments_squares] / periods - offset * offset, (real)(0));
+  out[0] = mean;
+  out[1] = lane_sqrt(mean * mean + variance);
+  out[2] = lane_sqrt(variance);
+}
+#endif

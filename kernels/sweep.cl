@@ -1,0 +1,188 @@
+// The sweep kernels: a work-item advances LANES points by a round of whole periods.
+//
+// Build macros: REAL_BITS (32, 64), LANES (1, 2, 4, 8, 16), CONTRACT (0: no fused multiply-add).
+// The host writes selection.h for each study. It includes the model and the observables and defines
+//   MODEL_OPTION_VALUES             the model's options, as an initialiser
+//   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
+//   OBSERVERS(CHANNEL, STEP)        CHANNEL(observable, channel, value of it) or STEP(observable)
+//   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
+//
+// Device buffers are structures of arrays: state, swept, accumulators and outputs are
+// [component][item], each element a `real` of LANES neighbouring points.
+#include "dialect.h"
+#include "sweep_types.h"
+
+#include "selection.h"
+
+#define LOAD_PARAMETER(name, ...) parameters.name = (real)(PARAMETER_##name);
+
+// A point that has diverged carries NaN in its first state: from then on it stays out of the maps.
+#define IS_DIVERGED(x) ((x)[0] != (x)[0])
+
+SHARED_FN void load_point(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
+                          ModelPoint* point) {
+  const ModelOptions options = MODEL_OPTION_VALUES;
+  ModelParameters parameters;
+  MODEL_PARAMETERS(LOAD_PARAMETER)
+  model_prepare(&parameters, options, point);
+}
+
+SHARED_FN void load_components(__global const real* buffer, uint items, uint item, uint first,
+                               int count, real* values) {
+  UNROLL
+  for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
+}
+
+SHARED_FN void store_components(__global real* buffer, uint items, uint item, uint first,
+                                int count, const real* values) {
+  UNROLL
+  for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
+}
+
+SHARED_FN void mark_diverged(real* x) {
+  const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
+  mask inside = lane_abs(x[0]) < limit;
+  UNROLL
+  for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limit);
+  x[0] = lane_select(inside, x[0], (real)(NAN));
+}
+
+__kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
+                     TABLE uint* item_grid, TABLE SweepGrid* grids, TABLE uint* segment_steps,
+                     TABLE scalar* segment_fractions, TABLE PhaseCoefs* stages,
+                     __global real* state) {
+  const uint items = round.items;
+  const uint item = get_global_id(0);
+  if (item >= items) return;
+  real x[MODEL_STATE_COUNT];
+  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  if (all_lanes(IS_DIVERGED(x))) return;
+  ModelPoint point;
+  load_point(items, item, uniform, swept, &point);
+  const SweepGrid grid = grids[item_grid[item]];
+
+  for (uint period = 0; period < round.periods; ++period) {
+    TABLE PhaseCoefs* stage = stages + grid.first_stage;
+    for (uint segment = 0; segment < grid.segments; ++segment) {
+      const uint steps = segment_steps[grid.first_segment + segment];
+      const real h = segment_fractions[grid.first_segment + segment] * point.period;
+      for (uint step = 0; step < steps; ++step) {
+        rk4_step(&point, stage, h, x);
+        stage += RK4_STAGES_PER_STEP;
+      }
+      stage += 1;
+    }
+    mark_diverged(x);
+  }
+  store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+}
+
+// What an observable sees of a moment.
+typedef struct {
+  ModelSignals signals;
+  real x[MODEL_STATE_COUNT];
+} Sample;
+
+SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, const real* x,
+                           Sample* sample) {
+  const PhaseCoefs phase = *stage;
+  model_signals(point, &phase, x, &sample->signals);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) sample->x[i] = x[i];
+}
+
+#include "observables.h"
+
+#define CHANNEL_DECLARE(kind, channel, value) real kind##_of_##channel[kind##_accumulators];
+#define CHANNEL_INIT(kind, channel, value) kind##_init(kind##_of_##channel, value(before));
+#define CHANNEL_UPDATE(kind, channel, value) \
+  kind##_update(kind##_of_##channel, value(before), value(after), weight);
+#define CHANNEL_LOAD(kind, channel, value) \
+  OBSERVER_MOVE(load, accumulators, kind##_accumulators, kind##_of_##channel)
+#define CHANNEL_STORE(kind, channel, value) \
+  OBSERVER_MOVE(store, accumulators, kind##_accumulators, kind##_of_##channel)
+#define CHANNEL_FINISH(kind, channel, value) OBSERVER_FINISH(kind, kind##_of_##channel)
+
+#define STEP_DECLARE(kind) real kind##_sums[kind##_accumulators];
+#define STEP_INIT(kind) kind##_init(kind##_sums, &before);
+#define STEP_UPDATE(kind) kind##_update(kind##_sums, &before, &after, weight);
+#define STEP_LOAD(kind) OBSERVER_MOVE(load, accumulators, kind##_accumulators, kind##_sums)
+#define STEP_STORE(kind) OBSERVER_MOVE(store, accumulators, kind##_accumulators, kind##_sums)
+#define STEP_FINISH(kind) OBSERVER_FINISH(kind, kind##_sums)
+
+// Each observer's accumulators follow those of the one before it.
+#define OBSERVER_MOVE(verb, buffer, count, values)               \
+  verb##_components(buffer, items, item, first, count, values); \
+  first += count;
+#define OBSERVER_FINISH(kind, sums)                                                     \
+  {                                                                                     \
+    real out[kind##_outputs];                                                           \
+    load_components(accumulators, items, item, first, kind##_accumulators, sums);       \
+    kind##_finish(sums, (scalar)(round.record), out);                                   \
+    store_components(outputs, items, item, first_output, kind##_outputs, out);          \
+    first += kind##_accumulators;                                                       \
+    first_output += kind##_outputs;                                                     \
+  }
+
+__kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
+                     TABLE uint* item_grid, TABLE SweepGrid* grids, TABLE uint* segment_steps,
+                     TABLE scalar* segment_fractions, TABLE PhaseCoefs* stages,
+                     __global real* state, __global real* accumulators, __global real* series) {
+  const uint items = round.items;
+  const uint item = get_global_id(0);
+  if (item >= items) return;
+  real x[MODEL_STATE_COUNT];
+  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  if (all_lanes(IS_DIVERGED(x))) return;
+  ModelPoint point;
+  load_point(items, item, uniform, swept, &point);
+  const SweepGrid grid = grids[item_grid[item]];
+
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE)
+  Sample before;
+  Sample after;
+  if (round.recorded == 0) {
+    take_sample(&point, stages + grid.first_stage, x, &before);
+    OBSERVERS(CHANNEL_INIT, STEP_INIT)
+  } else {
+    uint first = 0;
+    OBSERVERS(CHANNEL_LOAD, STEP_LOAD)
+  }
+
+  for (uint period = 0; period < round.periods; ++period) {
+    TABLE PhaseCoefs* stage = stages + grid.first_stage;
+    for (uint segment = 0; segment < grid.segments; ++segment) {
+      const uint steps = segment_steps[grid.first_segment + segment];
+      const scalar weight = segment_fractions[grid.first_segment + segment];
+      const real h = weight * point.period;
+      take_sample(&point, stage, x, &before);
+      for (uint step = 0; step < steps; ++step) {
+        rk4_step(&point, stage, h, x);
+        stage += RK4_STAGES_PER_STEP;
+        take_sample(&point, stage, x, &after);
+        OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE)
+        before = after;
+      }
+      stage += 1;
+    }
+    mark_diverged(x);
+#ifdef POINCARE_STATES
+    poincare_section(series, round.recorded + period, items, item, x);
+#endif
+  }
+  store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  uint first = 0;
+  OBSERVERS(CHANNEL_STORE, STEP_STORE)
+}
+
+// Turns accumulators into outputs, once all periods are recorded.
+__kernel void finish(const SweepRound round, __global const real* accumulators,
+                     __global real* outputs) {
+  const uint items = round.items;
+  const uint item = get_global_id(0);
+  if (item >= items) return;
+  uint first = 0;
+  uint first_output = 0;
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE)
+  OBSERVERS(CHANNEL_FINISH, STEP_FINISH)
+}

@@ -1,0 +1,35 @@
+// What crosses the border between host and device: launch arguments and status codes.
+#ifndef GEARSWEEP_SWEEP_TYPES_H
+#define GEARSWEEP_SWEEP_TYPES_H
+
+#ifdef __OPENCL_VERSION__
+typedef uint sweep_uint;
+#else
+#include <cstdint>
+typedef std::uint32_t sweep_uint;
+#endif
+
+// Why a point ended: X(NAME, code, meaning).
+#define SWEEP_STATUSES(X)                                                  \
+  X(ok, 0, "integrated and recorded to the end")                           \
+  X(diverged, 1, "left the range in which the numbers mean anything")
+
+// A state component beyond this (in the model's own units) counts as diverged.
+#define SWEEP_DIVERGED_BEYOND 1e6
+
+// One kernel launch. A work-item is LANES points, so `items` is the tile's padded points / LANES.
+typedef struct {
+  sweep_uint items;     // work-items that hold points; the global size is rounded up beyond it
+  sweep_uint periods;   // periods to advance in this round
+  sweep_uint recorded;  // periods recorded before this round (record rounds only)
+  sweep_uint record;    // periods that will be recorded in all (finish only needs this one)
+} SweepRound;
+
+// Where one phase grid lies in the tables of its tile.
+typedef struct {
+  sweep_uint first_stage;    // index of the first PhaseCoefs
+  sweep_uint first_segment;  // index of the first segment
+  sweep_uint segments;       // segments (parts of the period between break phases)
+} SweepGrid;
+
+#endif
