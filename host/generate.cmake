@@ -49,3 +49,13 @@ file(GLOB study_files CONFIGURE_DEPENDS ${STUDIES}/*.toml)
 gearsweep_embed(${GENERATED}/builtin_studies.cpp builtin_studies study/builtin_studies.hpp
                 ${STUDIES} ${study_files})
 set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp)
+
+# The version and a hash of all sources that decide a result.
+file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS ${KERNELS}/*.h ${KERNELS}/*.cl
+     ${PROJECT_SOURCE_DIR}/host/*.cpp ${PROJECT_SOURCE_DIR}/host/*.hpp
+     ${PROJECT_SOURCE_DIR}/host/*.in)
+add_custom_command(OUTPUT ${GENERATED}/version.cpp
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${GENERATED}/version.cpp -DVERSION=${PROJECT_VERSION}
+          -DBASE=${PROJECT_SOURCE_DIR} "-DFILES=${hashed_files}" -P ${PROJECT_SOURCE_DIR}/host/hash.cmake
+  DEPENDS ${hashed_files} ${PROJECT_SOURCE_DIR}/host/hash.cmake VERBATIM)
+list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/version.cpp)

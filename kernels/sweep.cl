@@ -14,7 +14,8 @@
 
 #include "selection.h"
 
-#define LOAD_PARAMETER(name, ...) parameters.name = (real)(PARAMETER_##name);
+#define LOAD_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
+  parameters.name = (real)(PARAMETER_##name);
 
 // A point that has diverged carries NaN in its first state: from then on it stays out of the maps.
 #define IS_DIVERGED(x) ((x)[0] != (x)[0])
@@ -91,6 +92,8 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) sample->x[i] = x[i];
 }
 
+// Each observable counts its outputs from its list.
+#define COUNT_OUTPUT(suffix, unit, flags, meaning) +1
 #include "observables.h"
 
 #define CHANNEL_DECLARE(kind, channel, value) real kind##_of_##channel[kind##_accumulators];

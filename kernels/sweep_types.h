@@ -13,6 +13,8 @@ typedef std::uint32_t sweep_uint;
 #define SWEEP_STATUSES(X)                                                  \
   X(ok, 0, "integrated and recorded to the end")                           \
   X(diverged, 1, "left the range in which the numbers mean anything")
+#define SWEEP_STATUS_CODE(name, code, meaning) STATUS_##name = code,
+enum { SWEEP_STATUSES(SWEEP_STATUS_CODE) };
 
 // A state component beyond this (in the model's own units) counts as diverged.
 #define SWEEP_DIVERGED_BEYOND 1e6

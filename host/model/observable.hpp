@@ -1,6 +1,7 @@
 // The observables of kernels/observables/ as the host sees them: their lists, nothing else.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,7 @@ struct ObservableOutput {
 struct Observable {
   std::string name;
   ObservableKind kind;
+  std::size_t accumulators;  // numbers that it keeps for each point between rounds
   std::vector<std::string> needed_signals;  // what a model must offer
   std::vector<ObservableOutput> outputs;
 };

@@ -28,7 +28,8 @@ struct Selection {
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
 
-  std::size_t output_count() const;
+  std::size_t output_count() const;       // of all observers
+  std::size_t accumulator_count() const;  // of all observers
 };
 
 // Every quantity that a model offers, `poincare` and `status` included.

@@ -22,7 +22,8 @@ std::string describe(const toml::node& node) {
 
 std::string place_of(const toml::node& node) {
   const toml::source_region& region = node.source();
-  const std::string path = region.path ? *region.path : std::string("study");
+  // Tables that an override made on its way have no place of their own.
+  const std::string path = region.path ? *region.path : std::string("--set");
   if (path.starts_with("--set")) return path;
   return fmt::format("{}:{}", path, region.begin.line);
 }

@@ -13,9 +13,10 @@
   X(losses, "1", "", "contact losses (either flank left) per period")                      \
   X(class, "", "no_impact single_sided double_sided", "which flanks take part in impacts")
 
-#ifdef __OPENCL_VERSION__
 enum { contact_drive, contact_back, contact_losses, contact_gap_seen, contact_accumulators };
-enum { contact_outputs = 5 };
+
+#ifdef __OPENCL_VERSION__
+enum { contact_outputs = CONTACT_OUTPUTS(COUNT_OUTPUT) };
 
 SHARED_FN void contact_init(real* sums, const Sample* start) {
   sums[contact_drive] = 0;

@@ -7,9 +7,10 @@
   X(min, "", "", "least value over the recorded periods")     \
   X(max, "", "", "greatest value over the recorded periods")
 
-#ifdef __OPENCL_VERSION__
 enum { extrema_least, extrema_greatest, extrema_accumulators };
-enum { extrema_outputs = 2 };
+
+#ifdef __OPENCL_VERSION__
+enum { extrema_outputs = EXTREMA_OUTPUTS(COUNT_OUTPUT) };
 
 SHARED_FN void extrema_init(real* sums, real value) {
   sums[extrema_least] = value;

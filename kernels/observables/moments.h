@@ -9,9 +9,10 @@
   X(rms, "", "", "root mean square over the recorded periods")             \
   X(std, "", "", "standard deviation over the recorded periods")
 
-#ifdef __OPENCL_VERSION__
 enum { moments_origin, moments_sum, moments_squares, moments_accumulators };
-enum { moments_outputs = 3 };
+
+#ifdef __OPENCL_VERSION__
+enum { moments_outputs = MOMENTS_OUTPUTS(COUNT_OUTPUT) };
 
 SHARED_FN void moments_init(real* sums, real value) {
   sums[moments_origin] = value;

@@ -4,6 +4,8 @@
 // X(suffix of the quantity's name, unit (empty: the state's), flag meanings, meaning)
 #define POINCARE_OUTPUTS(X) X(, "", "", "state at phase 0 of each recorded period")
 
+enum { poincare_accumulators = 0 };
+
 #ifdef __OPENCL_VERSION__
 // Writes one sample; series is [sample][chosen state][item], POINCARE_STATES lists the choice.
 SHARED_FN void poincare_section(__global real* series, uint sample, uint items, uint item,

@@ -1,0 +1,121 @@
+#include "distribute/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "distribute/assembly.hpp"
+#include "journal/journal.hpp"
+#include "model/version.hpp"
+#include "opencl/opencl_engine.hpp"
+#include "reference/reference_engine.hpp"
+
+namespace gearsweep {
+namespace {
+
+std::unique_ptr<Engine> make_engine(const Study& study, std::optional<std::size_t> device) {
+  if (study.integrate.engine == EngineKind::reference) return make_reference_engine();
+  return make_opencl_engine(study, device);
+}
+
+// What two runs must have in common for one to continue the other's journal.
+std::string fingerprint(const Study& study, const EngineInfo& engine, std::size_t tile_points) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\ntile {}", study.toml, source_hash(), engine.device,
+                     engine.driver, engine.macros, tile_points);
+}
+
+// Counts what is done and tells the caller.
+class Progress {
+ public:
+  Progress(const Plan& plan, const SweepOptions& options)
+      : total_(plan.total_work()), options_(options), start_(std::chrono::steady_clock::now()) {
+    progress_.points = plan.study().points();
+  }
+
+  // false when the sweep is to stop. `steps` of the running tile are done.
+  bool round(double steps) {
+    steps_ += steps;
+    partial_ += steps;
+    tell();
+    return options_.stop == nullptr || !*options_.stop;
+  }
+
+  void tile_done(const Tile& tile, bool resumed) {
+    done_ += tile.work;
+    partial_ = 0.0;
+    progress_.points_done += tile.points.size();
+    if (resumed) progress_.points_resumed += tile.points.size();
+    tell();
+  }
+
+  double steps() const { return steps_; }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  void tell() {
+    // A phase grid may hold a few steps more than the plan counted.
+    progress_.share = total_ > 0.0 ? std::min(1.0, (done_ + partial_) / total_) : 1.0;
+    progress_.seconds = seconds();
+    if (options_.on_progress) options_.on_progress(progress_);
+  }
+
+  double total_, done_ = 0.0, partial_ = 0.0, steps_ = 0.0;
+  SweepProgress progress_;
+  const SweepOptions& options_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+// Computes every tile that the journal does not have; false when stopped.
+bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine,
+                   Journal* journal, Progress* progress, Assembly* assembly) {
+  std::size_t number = 0;
+  for (const Stage& stage : plan.stages()) {
+    for (const Tile& tile : stage.tiles) {
+      if (options.stop != nullptr && *options.stop) return false;
+      std::optional<TileResult> result;
+      if (journal != nullptr) result = journal->find(number);
+      const bool resumed = result.has_value();
+      if (!resumed) {
+        result = engine->compute(plan, tile, assembly->initial_states(plan, tile),
+                                 [&](double steps) { return progress->round(steps); });
+        if (!result) return false;
+        if (journal != nullptr) journal->store(number, *result);
+      }
+      assembly->add(tile, *result);
+      progress->tile_done(tile, resumed);
+      ++number;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& options) {
+  const std::unique_ptr<Engine> engine = make_engine(study, options.device);
+  const std::size_t tile_points =
+      study.integrate.tile > 0 ? study.integrate.tile : engine->preferred_tile();
+  const Plan plan(study, tile_points);
+  std::optional<Journal> journal;
+  if (!options.journal_path.empty()) {
+    journal.emplace(options.journal_path, fingerprint(study, engine->info(), tile_points));
+  }
+
+  Progress progress(plan, options);
+  Assembly assembly(study);
+  if (!compute_tiles(plan, options, engine.get(), journal ? &*journal : nullptr, &progress,
+                     &assembly)) {
+    return std::nullopt;
+  }
+  SweepResult result = assembly.take();
+  result.engine = engine->info();
+  result.steps = progress.steps();
+  result.seconds = progress.seconds();
+  if (options.deliver) options.deliver(result);
+  if (journal) journal->remove();
+  return result;
+}
+
+}  // namespace gearsweep

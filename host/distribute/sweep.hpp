@@ -1,0 +1,34 @@
+// Runs a study: plans it, computes tile after tile, journals each, assembles the maps.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "engine/result.hpp"
+
+namespace gearsweep {
+
+struct SweepProgress {
+  double share = 0.0;  // of the work, 0 to 1
+  std::size_t points_done = 0, points = 0;
+  std::size_t points_resumed = 0;  // of points_done, those that the journal gave
+  double seconds = 0.0;            // since the computation began
+};
+
+struct SweepOptions {
+  std::optional<std::size_t> device;  // of list_devices(); nothing: the default one
+  // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the same
+  // sweep that is already there is continued.
+  std::string journal_path;
+  std::function<void(const SweepProgress&)> on_progress;
+  const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
+  // Puts the finished maps in a safe place; the journal is removed once it returns.
+  std::function<void(const SweepResult&)> deliver;
+};
+
+// Nothing when `stop` was set. Throws InputError (bad study or device) or RunError.
+std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& options);
+
+}  // namespace gearsweep

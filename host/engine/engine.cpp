@@ -1,0 +1,1 @@
+#include "engine/engine.hpp"  // checks that the interface stands on its own

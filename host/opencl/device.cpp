@@ -1,0 +1,108 @@
+#include "opencl/device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/error.hpp"
+#include "opencl/cl.hpp"
+
+namespace gearsweep {
+namespace {
+
+// OpenCL strings may carry a terminating zero.
+std::string trimmed(std::string text) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+DeviceInfo describe(const cl::Device& device) {
+  DeviceInfo info;
+  info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+  info.platform = trimmed(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>())
+                              .getInfo<CL_PLATFORM_NAME>());
+  info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
+  info.is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+  info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+  info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+  if (info.is_cpu) {
+    const auto lanes = [](cl_uint width) {
+      return static_cast<std::size_t>(std::clamp<cl_uint>(width, 1, 16));
+    };
+    info.lanes_fp64 = lanes(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>());
+    info.lanes_fp32 = lanes(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
+  }
+  return info;
+}
+
+}  // namespace
+
+std::string describe_code(cl_int code) {
+  const auto name = [code]() -> const char* {
+    switch (code) {
+      case CL_DEVICE_NOT_FOUND: return "CL_DEVICE_NOT_FOUND";
+      case CL_DEVICE_NOT_AVAILABLE: return "CL_DEVICE_NOT_AVAILABLE";
+      case CL_COMPILER_NOT_AVAILABLE: return "CL_COMPILER_NOT_AVAILABLE";
+      case CL_MEM_OBJECT_ALLOCATION_FAILURE: return "CL_MEM_OBJECT_ALLOCATION_FAILURE";
+      case CL_OUT_OF_RESOURCES: return "CL_OUT_OF_RESOURCES";
+      case CL_OUT_OF_HOST_MEMORY: return "CL_OUT_OF_HOST_MEMORY";
+      case CL_BUILD_PROGRAM_FAILURE: return "CL_BUILD_PROGRAM_FAILURE";
+      case CL_INVALID_VALUE: return "CL_INVALID_VALUE";
+      case CL_INVALID_BUFFER_SIZE: return "CL_INVALID_BUFFER_SIZE";
+      case CL_INVALID_KERNEL_ARGS: return "CL_INVALID_KERNEL_ARGS";
+      case CL_INVALID_ARG_SIZE: return "CL_INVALID_ARG_SIZE";
+      case CL_INVALID_WORK_GROUP_SIZE: return "CL_INVALID_WORK_GROUP_SIZE";
+      case CL_INVALID_COMMAND_QUEUE: return "CL_INVALID_COMMAND_QUEUE";
+      case -1001: return "CL_PLATFORM_NOT_FOUND_KHR";
+      default: return "OpenCL error";
+    }
+  };
+  return fmt::format("{}, {}", name(), code);
+}
+
+std::string describe_error(const std::string& doing, const cl::Error& error) {
+  return fmt::format("{} failed: {} ({})", doing, error.what(), describe_code(error.err()));
+}
+
+std::vector<cl::Device> find_devices() {
+  std::vector<cl::Device> devices;
+  std::vector<cl::Platform> platforms;
+  try {
+    cl::Platform::get(&platforms);
+  } catch (const cl::Error&) {
+    return devices;  // the loader reports "no platform" as an error
+  }
+  for (const cl::Platform& platform : platforms) {
+    std::vector<cl::Device> found;
+    try {
+      platform.getDevices(CL_DEVICE_TYPE_CPU | CL_DEVICE_TYPE_GPU, &found);
+    } catch (const cl::Error&) {
+      continue;  // a platform without devices must not hide the others
+    }
+    devices.insert(devices.end(), found.begin(), found.end());
+  }
+  return devices;
+}
+
+std::vector<DeviceInfo> list_devices() {
+  try {
+    std::vector<DeviceInfo> infos;
+    for (const cl::Device& device : find_devices()) infos.push_back(describe(device));
+    return infos;
+  } catch (const cl::Error& error) {
+    throw RunError(describe_error("asking for the OpenCL devices", error));
+  }
+}
+
+std::size_t default_device(const std::vector<DeviceInfo>& devices) {
+  if (devices.empty()) {
+    throw InputError("no OpenCL device was found; install a driver (on Debian, "
+                     "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"");
+  }
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    if (!devices[i].is_cpu && devices[i].fp64) return i;
+  }
+  return 0;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,26 @@
+// The OpenCL devices of this machine.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gearsweep {
+
+struct DeviceInfo {
+  std::string name, platform, driver;
+  bool is_cpu = false;
+  bool fp64 = false;
+  unsigned compute_units = 0;
+  std::size_t lanes_fp64 = 1, lanes_fp32 = 1;  // points per work-item that suit the device
+};
+
+// All devices of all platforms, CPUs and GPUs; the order gives their numbers. Empty when there is
+// none. Throws RunError when OpenCL itself fails.
+std::vector<DeviceInfo> list_devices();
+
+// The device that a run uses when none is named: the first GPU that can do fp64, else the first
+// device. Throws InputError when there is none.
+std::size_t default_device(const std::vector<DeviceInfo>& devices);
+
+}  // namespace gearsweep

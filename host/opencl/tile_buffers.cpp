@@ -1,0 +1,93 @@
+#include "opencl/tile_buffers.hpp"
+
+#include <cstring>
+
+namespace gearsweep {
+
+Slots arrange_slots(const Tile& tile, std::size_t lanes) {
+  Slots slots;
+  slots.lanes = lanes;
+  slots.slot_of.resize(tile.points.size());
+  for (std::size_t grid = 0; grid < tile.grid_starts.size(); ++grid) {
+    const bool last = grid + 1 == tile.grid_starts.size();
+    const std::size_t end = last ? tile.points.size() : tile.grid_starts[grid + 1];
+    for (std::size_t position = tile.grid_starts[grid]; position < end; ++position) {
+      slots.slot_of[position] = slots.position.size();
+      slots.position.push_back(position);
+    }
+    while (slots.position.size() % lanes != 0) slots.position.push_back(end - 1);
+    slots.item_grid.resize(slots.position.size() / lanes, static_cast<std::uint32_t>(grid));
+  }
+  return slots;
+}
+
+GridTables make_grid_tables(const Plan& plan, const Tile& tile) {
+  const std::size_t width = plan.study().model->phase_coefs.size();
+  GridTables tables;
+  for (const std::size_t start : tile.grid_starts) {
+    const PhaseGrid grid = plan.phase_grid_of(tile.points[start]);
+    tables.grids.push_back({static_cast<sweep_uint>(tables.coefs.size() / width),
+                            static_cast<sweep_uint>(tables.segment_steps.size()),
+                            static_cast<sweep_uint>(grid.segment_steps.size())});
+    const auto append = [](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(grid.segment_steps, tables.segment_steps);
+    append(grid.segment_fractions, tables.segment_fractions);
+    append(grid.coefs, tables.coefs);
+    tables.steps.push_back(grid.steps);
+  }
+  return tables;
+}
+
+std::vector<std::byte> pack(const std::vector<double>& values, bool fp64) {
+  std::vector<std::byte> bytes(values.size() * (fp64 ? sizeof(double) : sizeof(float)));
+  if (fp64) {
+    if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto rounded = static_cast<float>(values[i]);
+    std::memcpy(bytes.data() + i * sizeof rounded, &rounded, sizeof rounded);
+  }
+  return bytes;
+}
+
+std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64) {
+  std::vector<double> values(bytes.size() / (fp64 ? sizeof(double) : sizeof(float)));
+  if (fp64) {
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    float value = 0.0F;
+    std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
+    values[i] = value;
+  }
+  return values;
+}
+
+std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
+  std::vector<double> values;
+  for (const Axis& axis : plan.study().axes) {
+    if (axis.is_state) continue;
+    for (const std::size_t position : slots.position) {
+      values.push_back(plan.setting_of(tile.points[position]).parameters[axis.index]);
+    }
+  }
+  return values;
+}
+
+std::vector<double> spread_states(const std::vector<double>& states, std::size_t state_count,
+                                  const Slots& slots) {
+  std::vector<double> out;
+  out.reserve(state_count * slots.position.size());
+  for (std::size_t state = 0; state < state_count; ++state) {
+    for (const std::size_t position : slots.position) {
+      out.push_back(states[position * state_count + state]);
+    }
+  }
+  return out;
+}
+
+}  // namespace gearsweep

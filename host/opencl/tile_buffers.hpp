@@ -1,0 +1,48 @@
+// What a tile's launches read and write, packed for the device. Private to this folder.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "opencl/cl.hpp"
+#include "plan/plan.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+
+// A tile's points in the lanes of work-items: slot s is lane s % lanes of item s / lanes. Items never
+// mix phase grids; spare lanes repeat the last point of their grid.
+struct Slots {
+  std::vector<std::size_t> position;    // in the tile, of each slot
+  std::vector<std::size_t> slot_of;     // of each position in the tile
+  std::vector<std::uint32_t> item_grid;  // phase grid of each item
+  std::size_t lanes = 1;
+  std::size_t items() const { return item_grid.size(); }
+};
+
+Slots arrange_slots(const Tile& tile, std::size_t lanes);
+
+// The phase grids of a tile, one after the other.
+struct GridTables {
+  std::vector<SweepGrid> grids;
+  std::vector<std::uint32_t> segment_steps;
+  std::vector<double> segment_fractions;
+  std::vector<double> coefs;
+  std::vector<std::size_t> steps;  // of a period, per grid
+};
+
+GridTables make_grid_tables(const Plan& plan, const Tile& tile);
+
+// Numbers as the device holds them: double, or rounded to float.
+std::vector<std::byte> pack(const std::vector<double>& values, bool fp64);
+std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64);
+
+// [parameter axis][slot]: the swept parameters, in the order of the study's axes.
+std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
+
+// [state][slot] from [point of the tile][state].
+std::vector<double> spread_states(const std::vector<double>& states, std::size_t state_count,
+                                  const Slots& slots);
+
+}  // namespace gearsweep

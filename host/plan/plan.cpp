@@ -1,0 +1,152 @@
+#include "plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kMostSteps = 65536;  // per period
+
+std::vector<std::size_t> all_points(std::size_t count) {
+  std::vector<std::size_t> points(count);
+  std::iota(points.begin(), points.end(), std::size_t{0});
+  return points;
+}
+
+bool is_chained(const Study& study) {
+  return study.initial.policy == InitialPolicy::forward ||
+         study.initial.policy == InitialPolicy::backward;
+}
+
+// What makes two points share a phase grid: the number of steps and the phase-shaping parameters.
+std::vector<double> grid_key(const Plan& plan, std::size_t point) {
+  const ModelSetting setting = plan.setting_of(point);
+  std::vector<double> key = {static_cast<double>(plan.steps_of(point))};
+  for (const Axis& axis : plan.study().axes) {
+    if (axis.is_state || !plan.study().model->parameters[axis.index].shapes_phase) continue;
+    key.push_back(setting.parameters[axis.index]);
+  }
+  return key;
+}
+
+}  // namespace
+
+Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
+  for (const std::size_t point : all_points(study_.points())) {
+    const std::string wrong = study_.model->check(setting_of(point));
+    if (!wrong.empty()) throw InputError(wrong);
+    steps_of(point);
+  }
+  if (!is_chained(study_)) {
+    add_stage(all_points(study_.points()), tile_points);
+    return;
+  }
+  const std::size_t length = study_.axes[study_.initial.along].values.size();
+  for (std::size_t i = 0; i < length; ++i) {
+    const std::size_t index = study_.initial.policy == InitialPolicy::forward ? i : length - 1 - i;
+    const std::size_t nx = study_.axes[0].values.size();
+    std::vector<std::size_t> points = all_points(study_.points() / length);
+    for (std::size_t& point : points) {
+      point = study_.initial.along == 0 ? point * nx + index : index * nx + point;
+    }
+    add_stage(std::move(points), tile_points);
+  }
+}
+
+double Plan::total_work() const {
+  double work = 0.0;
+  for (const Stage& stage : stages_) {
+    for (const Tile& tile : stage.tiles) work += tile.work;
+  }
+  return work;
+}
+
+std::size_t Plan::axis_index(std::size_t axis, std::size_t point) const {
+  const std::size_t nx = study_.axes[0].values.size();
+  return axis == 0 ? point % nx : point / nx;
+}
+
+double Plan::axis_value(std::size_t axis, std::size_t point) const {
+  return study_.axes[axis].values[axis_index(axis, point)];
+}
+
+ModelSetting Plan::setting_of(std::size_t point) const {
+  ModelSetting setting = study_.setting;
+  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
+    if (study_.axes[axis].is_state) continue;
+    setting.parameters[study_.axes[axis].index] = axis_value(axis, point);
+  }
+  return setting;
+}
+
+std::size_t Plan::steps_of(std::size_t point) const {
+  if (study_.integrate.steps_per_period > 0) return study_.integrate.steps_per_period;
+  const double wanted =
+      study_.model->prepare(setting_of(point))->period() / study_.integrate.max_step;
+  if (!(wanted <= kMostSteps)) {
+    throw InputError(fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
+                                 "possible: raise integrate.max_step, or give "
+                                 "integrate.steps_per_period",
+                                 wanted, study_.integrate.max_step, kMostSteps));
+  }
+  return ladder_steps(wanted);
+}
+
+PhaseGrid Plan::phase_grid_of(std::size_t point) const {
+  return make_phase_grid(*study_.model, setting_of(point), steps_of(point));
+}
+
+std::optional<std::size_t> Plan::predecessor(std::size_t point) const {
+  if (!is_chained(study_)) return std::nullopt;
+  const std::size_t along = study_.initial.along;
+  const std::size_t index = axis_index(along, point);
+  const std::size_t stride = along == 0 ? 1 : study_.axes[0].values.size();
+  if (study_.initial.policy == InitialPolicy::forward) {
+    return index == 0 ? std::nullopt : std::optional(point - stride);
+  }
+  const bool last = index + 1 == study_.axes[along].values.size();
+  return last ? std::nullopt : std::optional(point + stride);
+}
+
+std::vector<double> Plan::own_initial_state(std::size_t point) const {
+  std::vector<double> state = study_.initial.policy == InitialPolicy::fixed
+                                  ? study_.initial.state
+                                  : study_.model->equilibrium(setting_of(point));
+  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
+    if (study_.axes[axis].is_state) state[study_.axes[axis].index] = axis_value(axis, point);
+  }
+  return state;
+}
+
+void Plan::add_stage(std::vector<std::size_t> points, std::size_t tile_points) {
+  std::map<std::vector<double>, std::vector<std::size_t>> by_grid;
+  for (const std::size_t point : points) by_grid[grid_key(*this, point)].push_back(point);
+
+  const auto periods =
+      static_cast<double>(study_.integrate.settle) + static_cast<double>(study_.integrate.record);
+  Stage stage;
+  Tile tile;
+  const auto close_tile = [&] {
+    if (!tile.points.empty()) stage.tiles.push_back(std::move(tile));
+    tile = {};
+  };
+  for (const auto& [key, members] : by_grid) {
+    const double steps = key.front() * periods;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (tile.points.size() == tile_points) close_tile();
+      if (i == 0 || tile.points.empty()) tile.grid_starts.push_back(tile.points.size());
+      tile.points.push_back(members[i]);
+      tile.work += steps;
+    }
+  }
+  close_tile();
+  stages_.push_back(std::move(stage));
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,132 @@
+#include "reference/meters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Reads a state or a signal from a moment.
+class Channel {
+ public:
+  Channel(const Model& model, const std::string& name)
+      : is_state_(model.find_state(name) >= 0),
+        index_(is_state_ ? model.find_state(name) : model.find_signal(name)) {}
+  double operator()(const Moment& moment) const {
+    return is_state_ ? moment.state[index_] : moment.signals[index_];
+  }
+
+ private:
+  bool is_state_;
+  Eigen::Index index_;
+};
+
+class Extrema final : public Meter {
+ public:
+  explicit Extrema(const Channel& channel) : channel_(channel) {}
+  void step(const Moment& before, const Moment& after, double) override {
+    const auto [low, high] = std::minmax({channel_(before), channel_(after)});
+    least_ = std::min(least_, low);
+    greatest_ = std::max(greatest_, high);
+  }
+  std::vector<double> finish(std::size_t) const override { return {least_, greatest_}; }
+
+ private:
+  Channel channel_;
+  double least_ = std::numeric_limits<double>::infinity();
+  double greatest_ = -std::numeric_limits<double>::infinity();
+};
+
+// Weighted mean and variance by West's recurrence (Communications of the ACM 22, 1979): each step
+// gives half of its share to each of its ends.
+class Moments final : public Meter {
+ public:
+  explicit Moments(const Channel& channel) : channel_(channel) {}
+  void step(const Moment& before, const Moment& after, double share) override {
+    add(channel_(before), 0.5 * share);
+    add(channel_(after), 0.5 * share);
+  }
+  std::vector<double> finish(std::size_t) const override {
+    const double variance = squares_ / weight_;
+    return {mean_, std::sqrt(mean_ * mean_ + variance), std::sqrt(variance)};
+  }
+
+ private:
+  void add(double value, double weight) {
+    weight_ += weight;
+    const double offset = value - mean_;
+    mean_ += offset * weight / weight_;
+    squares_ += weight * offset * (value - mean_);
+  }
+
+  Channel channel_;
+  double weight_ = 0.0, mean_ = 0.0, squares_ = 0.0;
+};
+
+enum class Region { drive, gap, back };
+
+class Contact final : public Meter {
+ public:
+  explicit Contact(const Model& model)
+      : deflection_(model, "deflection"), backlash_(model, "backlash") {}
+
+  void step(const Moment& before, const Moment& after, double share) override {
+    drive_ += share * share_beyond(deflection_(before) - backlash_(before),
+                                   deflection_(after) - backlash_(after));
+    back_ += share * share_beyond(-deflection_(before) - backlash_(before),
+                                  -deflection_(after) - backlash_(after));
+    const Region from = region(before);
+    const Region to = region(after);
+    if (from != Region::gap && to != from) ++losses_;
+    seen_gap_ = seen_gap_ || to == Region::gap;
+  }
+
+  std::vector<double> finish(std::size_t periods) const override {
+    const auto count = static_cast<double>(periods);
+    const bool on_drive = drive_ > 0.0;
+    const bool on_back = back_ > 0.0;
+    double contact_class = 0.0;
+    if (on_drive && on_back) {
+      contact_class = 2.0;
+    } else if ((on_drive || on_back) && seen_gap_) {
+      contact_class = 1.0;
+    }
+    const double gap = seen_gap_ ? std::max(0.0, 1.0 - (drive_ + back_) / count) : 0.0;
+    return {drive_ / count, gap, back_ / count, losses_ / count, contact_class};
+  }
+
+ private:
+  // Share of a step for which the straight line from a to b is above zero.
+  static double share_beyond(double a, double b) {
+    if (a > 0.0 && b > 0.0) return 1.0;
+    if (a <= 0.0 && b <= 0.0) return 0.0;
+    const double crossing = a / (a - b);
+    return a > 0.0 ? crossing : 1.0 - crossing;
+  }
+
+  Region region(const Moment& moment) const {
+    if (deflection_(moment) > backlash_(moment)) return Region::drive;
+    return deflection_(moment) < -backlash_(moment) ? Region::back : Region::gap;
+  }
+
+  Channel deflection_, backlash_;
+  double drive_ = 0.0, back_ = 0.0, losses_ = 0.0;
+  bool seen_gap_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer) {
+  const std::string& kind = observer.observable->name;
+  if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.channel));
+  if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.channel));
+  if (kind == "contact") return std::make_unique<Contact>(model);
+  throw RunError(fmt::format("the reference engine does not compute observable '{}'", kind));
+}
+
+}  // namespace gearsweep

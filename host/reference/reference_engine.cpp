@@ -1,0 +1,121 @@
+#include "reference/reference_engine.hpp"
+
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "reference/meters.hpp"
+#include "reference/trajectory.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+// The answers for one point.
+struct PointResult {
+  bool diverged = false;
+  Eigen::VectorXd state;
+  std::vector<double> outputs, samples;
+};
+
+PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial) {
+  const Study& study = plan.study();
+  Trajectory trajectory(plan, point, initial);
+  PointResult result;
+  for (std::size_t i = 0; i < study.integrate.settle && !result.diverged; ++i) {
+    result.diverged = !trajectory.advance_period();
+  }
+  std::vector<std::unique_ptr<Meter>> meters;
+  for (const Observer& observer : study.selection.observers) {
+    meters.push_back(make_meter(*study.model, observer));
+  }
+  const std::vector<std::size_t>& sampled = study.selection.poincare;
+  const std::size_t record = study.integrate.record;
+  result.samples.resize(sampled.size() * record);
+  for (std::size_t i = 0; i < record && !result.diverged; ++i) {
+    result.diverged = !trajectory.advance_period(
+        [&](const Moment& before, const Moment& after, double share) {
+          for (const auto& meter : meters) meter->step(before, after, share);
+        });
+    for (std::size_t j = 0; j < sampled.size(); ++j) {
+      result.samples[j * record + i] = trajectory.state()[static_cast<Eigen::Index>(sampled[j])];
+    }
+  }
+  result.state = trajectory.state();
+  for (const auto& meter : meters) {
+    const std::vector<double> outputs = meter->finish(record);
+    result.outputs.insert(result.outputs.end(), outputs.begin(), outputs.end());
+  }
+  return result;
+}
+
+class ReferenceEngine final : public Engine {
+ public:
+  EngineInfo info() const override { return {"reference engine (Eigen)", "", ""}; }
+  std::size_t preferred_tile() const override { return 256; }
+
+  std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
+                                    const std::vector<double>& initial,
+                                    const RoundCallback& after_round) override {
+    const std::size_t count = tile.points.size();
+    const auto states = static_cast<Eigen::Index>(plan.study().model->states.size());
+    std::vector<PointResult> results(count);
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> stop = false;
+    std::mutex mutex;  // guards `failure` and the callback
+    std::exception_ptr failure;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < count && !stop; i = next++) {
+        try {
+          const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(
+              initial.data() + static_cast<Eigen::Index>(i) * states, states);
+          results[i] = compute_point(plan, tile.points[i], start);
+          const std::lock_guard lock(mutex);
+          if (!after_round(tile.work / static_cast<double>(count))) stop = true;
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          failure = std::current_exception();
+          stop = true;
+        }
+      }
+    };
+    {
+      std::vector<std::jthread> threads;
+      for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+        threads.emplace_back(work);
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
+    if (stop) return std::nullopt;
+    return collect(plan.study(), results);
+  }
+
+ private:
+  static TileResult collect(const Study& study, const std::vector<PointResult>& points) {
+    const std::size_t outputs = study.selection.output_count();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    TileResult result;
+    result.outputs.resize(outputs * points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const PointResult& point = points[i];
+      result.status.push_back(point.diverged ? STATUS_diverged : STATUS_ok);
+      for (std::size_t j = 0; j < outputs; ++j) {
+        result.outputs[j * points.size() + i] = point.diverged ? nan : point.outputs[j];
+      }
+      for (const double sample : point.samples) {
+        result.samples.push_back(point.diverged ? nan : sample);
+      }
+      result.final_states.insert(result.final_states.end(), point.state.begin(),
+                                 point.state.end());
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_reference_engine() { return std::make_unique<ReferenceEngine>(); }
+
+}  // namespace gearsweep

@@ -1,0 +1,147 @@
+#include "study/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/error.hpp"
+#include "model/names.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Where a quantity comes from.
+struct Source {
+  const Observable* observable;
+  std::string channel;
+  std::size_t output_in_observable;
+};
+
+struct Offer {
+  Quantity quantity;
+  Source source;
+};
+
+bool model_has_signals(const Model& model, const Observable& observable) {
+  return std::all_of(observable.needed_signals.begin(), observable.needed_signals.end(),
+                     [&](const std::string& signal) { return model.find_signal(signal) >= 0; });
+}
+
+// The offers of one observable: once for each channel, or once.
+void add_offers(const Observable& observable, const ChannelInfo& channel,
+                std::vector<Offer>* offers) {
+  for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
+    const ObservableOutput& output = observable.outputs[i];
+    const bool per_channel = observable.kind == ObservableKind::channel;
+    const std::string& stem = per_channel ? channel.name : observable.name;
+    Quantity quantity;
+    quantity.name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
+    quantity.unit = output.unit.empty() && output.flags.empty() ? channel.unit : output.unit;
+    quantity.meaning =
+        per_channel ? fmt::format("{}: {}", channel.meaning, output.meaning) : output.meaning;
+    quantity.flags = output.flags;
+    offers->push_back({quantity, {&observable, per_channel ? channel.name : "", i}});
+  }
+}
+
+std::vector<Offer> offers_of(const Model& model) {
+  std::vector<Offer> offers;
+  for (const Observable& observable : observables()) {
+    if (!model_has_signals(model, observable)) continue;
+    if (observable.kind != ObservableKind::channel) {
+      add_offers(observable, {}, &offers);
+      continue;
+    }
+    for (const ChannelInfo& state : model.states) add_offers(observable, state, &offers);
+    for (const ChannelInfo& signal : model.signals) add_offers(observable, signal, &offers);
+  }
+  return offers;
+}
+
+// Index of the first output of an observer, which is added when the selection has it not yet.
+std::size_t first_output_of(const Source& source, Selection* selection) {
+  std::size_t first = 0;
+  for (const Observer& observer : selection->observers) {
+    if (observer.observable == source.observable && observer.channel == source.channel) {
+      return first;
+    }
+    first += observer.observable->outputs.size();
+  }
+  selection->observers.push_back({source.observable, source.channel});
+  return first;
+}
+
+std::vector<std::size_t> find_states(const Model& model, const std::vector<std::string>& names) {
+  std::vector<std::size_t> found;
+  for (const std::string& name : names) {
+    const int index = model.find_state(name);
+    if (index < 0) {
+      std::vector<std::string> known;
+      for (const ChannelInfo& state : model.states) known.push_back(state.name);
+      throw InputError(fmt::format("unknown state '{}' of model '{}'{}", name, model.name,
+                                   suggest_name(name, known)));
+    }
+    const auto state = static_cast<std::size_t>(index);
+    if (std::find(found.begin(), found.end(), state) != found.end()) {
+      throw InputError(fmt::format("state '{}' is listed twice", name));
+    }
+    found.push_back(state);
+  }
+  if (found.empty()) throw InputError("observe.poincare names no state");
+  return found;
+}
+
+}  // namespace
+
+std::size_t Selection::output_count() const {
+  std::size_t count = 0;
+  for (const Observer& observer : observers) count += observer.observable->outputs.size();
+  return count;
+}
+
+std::size_t Selection::accumulator_count() const {
+  std::size_t count = 0;
+  for (const Observer& observer : observers) count += observer.observable->accumulators;
+  return count;
+}
+
+std::vector<Quantity> offered_quantities(const Model& model) {
+  std::vector<Quantity> out;
+  for (const Offer& offer : offers_of(model)) out.push_back(offer.quantity);
+  out.push_back({"status", "", "why the point ended", {}, 0});
+  return out;
+}
+
+Selection select_quantities(const Model& model, const std::vector<std::string>& names,
+                            const std::vector<std::string>& poincare_states) {
+  const std::vector<Offer> offers = offers_of(model);
+  Selection selection;
+  for (const std::string& name : names) {
+    if (name == "status") continue;  // always there
+    const auto offer = std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
+      return candidate.quantity.name == name;
+    });
+    if (offer == offers.end()) {
+      std::vector<std::string> known = {"status"};
+      for (const Offer& candidate : offers) known.push_back(candidate.quantity.name);
+      throw InputError(fmt::format("unknown quantity '{}' of model '{}'{}", name, model.name,
+                                   suggest_name(name, known)));
+    }
+    const bool listed_before =
+        std::any_of(selection.quantities.begin(), selection.quantities.end(),
+                    [&](const Quantity& quantity) { return quantity.name == name; }) ||
+        (offer->source.observable->kind == ObservableKind::section && !selection.poincare.empty());
+    if (listed_before) throw InputError(fmt::format("quantity '{}' is listed twice", name));
+    if (offer->source.observable->kind == ObservableKind::section) {
+      selection.poincare = find_states(model, poincare_states);
+      continue;
+    }
+    Quantity quantity = offer->quantity;
+    quantity.output =
+        first_output_of(offer->source, &selection) + offer->source.output_in_observable;
+    selection.quantities.push_back(quantity);
+  }
+  return selection;
+}
+
+}  // namespace gearsweep

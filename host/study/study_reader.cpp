@@ -1,0 +1,287 @@
+// read_study: TOML to a checked Study, from the outside in.
+#include <toml++/toml.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "model/error.hpp"
+#include "model/names.hpp"
+#include "study/axis_reader.hpp"
+#include "study/gear_table.hpp"
+#include "study/overrides.hpp"
+#include "study/study.hpp"
+#include "study/toml_access.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kMostPoints = 1e8;
+constexpr double kMostNumbers = 1e9;  // in the result: 8 GB
+const std::vector<std::string> kPolicies = {"fixed", "shifted", "forward", "backward"};
+
+toml::table parse(const std::string& text, const std::string& source) {
+  if (std::all_of(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; })) {
+    throw InputError(fmt::format("{}: the file is empty; 'gearsweep studies NAME' prints a study "
+                                 "to start from",
+                                 source));
+  }
+  if (text.find('\0') != std::string::npos) {
+    throw InputError(fmt::format("{}: not a text file; a study is TOML text", source));
+  }
+  try {
+    return toml::parse(text, source);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}", source, error.source().begin.line,
+                                 error.description()));
+  }
+}
+
+template <class Info>
+std::vector<std::string> names_of(const std::vector<Info>& infos) {
+  std::vector<std::string> names;
+  for (const Info& info : infos) names.push_back(info.name);
+  return names;
+}
+
+void set_parameter(const toml::node& node, const std::string& name, const std::string& origin,
+                   Study* study) {
+  const Model& model = *study->model;
+  const int found = model.find_parameter(name);
+  if (found < 0) {
+    fail_at(node, fmt::format("unknown parameter '{}' of model '{}'{}", name, model.name,
+                              suggest_name(name, names_of(model.parameters))));
+  }
+  const auto index = static_cast<std::size_t>(found);
+  const ParameterInfo& info = model.parameters[index];
+  study->setting.parameters[index] = read_number(node, name, info.least, info.greatest);
+  study->parameter_origins[index] = origin;
+}
+
+// A list under a plain name fills NAME, NAME_2, NAME_3, ...
+void set_parameter_or_list(const toml::node& node, const std::string& name,
+                           const std::string& origin, Study* study) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) {
+    set_parameter(node, name, origin, study);
+    return;
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string element = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
+    if (study->model->find_parameter(element) < 0 && study->model->find_parameter(name) >= 0) {
+      fail_at(node, fmt::format("parameter '{}' takes at most {} numbers", name, i));
+    }
+    set_parameter((*list)[i], element, origin, study);
+  }
+}
+
+// What a preset assigns: options, the initial policy, parameters.
+void apply_preset(const PresetInfo& preset, Study* study) {
+  const std::string origin = "preset " + preset.name;
+  const toml::table table = toml::parse(preset.toml, origin);
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (name == "policy") {
+      TableReader reader(&table, "[preset]");
+      study->initial.policy = static_cast<InitialPolicy>(reader.choice(name, 0, kPolicies));
+    } else if (const int option = study->model->find_option(name); option >= 0) {
+      const auto index = static_cast<std::size_t>(option);
+      TableReader reader(&table, "[preset]");
+      study->setting.options[index] =
+          static_cast<int>(reader.choice(name, 0, study->model->options[index].choices));
+      study->option_origins[index] = origin;
+    } else {
+      set_parameter(node, name, origin, study);
+    }
+  }
+}
+
+void read_model(const toml::table* table, Study* study) {
+  TableReader reader(table, "[model]");
+  const std::string name = reader.text("name", "gear5");
+  study->model = find_model(name);
+  if (study->model == nullptr) {
+    fail_at(*reader.find("name"),
+            fmt::format("unknown model '{}'{}", name, suggest_name(name, names_of(models()))));
+  }
+  const Model& model = *study->model;
+  study->setting = model.default_setting();
+  study->parameter_origins.assign(model.parameters.size(), "default");
+  study->option_origins.assign(model.options.size(), "default");
+  study->preset = model.presets.empty() ? "" : model.presets.front().name;
+  if (const toml::node* node = reader.find("preset")) {
+    study->preset = reader.text("preset", "");
+    const auto preset =
+        std::find_if(model.presets.begin(), model.presets.end(),
+                     [&](const PresetInfo& candidate) { return candidate.name == study->preset; });
+    if (preset == model.presets.end()) {
+      fail_at(*node, fmt::format("unknown preset '{}' of model '{}'{}", study->preset, model.name,
+                                 suggest_name(study->preset, names_of(model.presets))));
+    }
+    study->parameter_origins.assign(model.parameters.size(), "preset " + study->preset);
+    study->option_origins.assign(model.options.size(), "preset " + study->preset);
+    apply_preset(*preset, study);
+  }
+  for (std::size_t i = 0; i < model.options.size(); ++i) {
+    const OptionInfo& option = model.options[i];
+    const toml::node* node = reader.find(option.name);
+    if (node == nullptr) continue;
+    study->setting.options[i] = static_cast<int>(reader.choice(option.name, 0, option.choices));
+    study->option_origins[i] = place_of(*node);
+  }
+  reader.refuse_unknown();
+}
+
+void read_gear(const toml::table* gear, Study* study) {
+  if (gear == nullptr) return;
+  if (study->model->name != "gear5") {
+    fail_at(*gear, "a [gear] table belongs to model 'gear5'");
+  }
+  const GearConversion conversion = convert_gear(*gear);
+  study->scales = conversion.scales;
+  study->gear_notes = conversion.notes;
+  for (const GearParameter& parameter : conversion.parameters) {
+    const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
+    const ParameterInfo& info = study->model->parameters[index];
+    if (!(parameter.value >= info.least && parameter.value <= info.greatest)) {
+      fail_at(*gear, fmt::format("the gear gives {} = {} ({}), which is out of range; from {} to "
+                                 "{} is allowed",
+                                 parameter.name, parameter.value, parameter.note, info.least,
+                                 info.greatest));
+    }
+    study->setting.parameters[index] = parameter.value;
+    study->parameter_origins[index] = "[gear]: " + parameter.note;
+  }
+}
+
+void read_initial(const toml::table* table, Study* study) {
+  const Model& model = *study->model;
+  TableReader reader(table, "[initial]");
+  Initial& initial = study->initial;
+  initial.policy = static_cast<InitialPolicy>(
+      reader.choice("policy", static_cast<std::size_t>(initial.policy), kPolicies));
+  initial.state.assign(model.states.size(), 0.0);
+  const toml::table* state = reader.table("state");
+  if (state != nullptr && initial.policy != InitialPolicy::fixed) {
+    fail_at(*state, "state belongs to policy = \"fixed\"");
+  }
+  TableReader state_reader(state, "initial.state");
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    initial.state[i] = state_reader.number(model.states[i].name, 0.0, -SWEEP_DIVERGED_BEYOND,
+                                           SWEEP_DIVERGED_BEYOND);
+  }
+  state_reader.refuse_unknown();
+  const bool chained =
+      initial.policy == InitialPolicy::forward || initial.policy == InitialPolicy::backward;
+  if (const toml::node* along = reader.find("along"); along != nullptr && !chained) {
+    fail_at(*along, "along belongs to policy = \"forward\" or \"backward\"");
+  }
+  if (chained) initial.along = reader.choice("along", 0, names_of(study->axes));
+  reader.refuse_unknown();
+  if (chained && study->axes[initial.along].is_state) {
+    throw InputError(fmt::format("{}: a chain cannot go along axis '{}', an initial state; name a "
+                                 "parameter's axis with along = \"...\"",
+                                 place_of(*table), study->axes[initial.along].name));
+  }
+}
+
+void read_integrate(const toml::table* table, Study* study) {
+  TableReader reader(table, "[integrate]");
+  Integrate& integrate = study->integrate;
+  integrate.fp64 = reader.choice("precision", 1, {"fp32", "fp64"}) == 1;
+  integrate.max_step = reader.number("max_step", integrate.max_step, 1e-6, 1.0);
+  integrate.steps_per_period = reader.count("steps_per_period", 0, 8, 65536);
+  if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
+    fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");
+  }
+  integrate.settle = reader.count("settle", integrate.settle, 0, 100'000'000);
+  integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
+  integrate.engine =
+      reader.choice("engine", 0, {"opencl", "reference"}) == 0 ? EngineKind::opencl
+                                                               : EngineKind::reference;
+  integrate.lanes = reader.count("lanes", 0, 0, 16);
+  if ((integrate.lanes & (integrate.lanes - 1)) != 0) {
+    fail_at(*reader.find("lanes"), "lanes must be 1, 2, 4, 8 or 16 (0: the engine chooses)");
+  }
+  integrate.tile = reader.count("tile", 0, 0, 100'000'000);
+  integrate.local_size = reader.count("local_size", 0, 0, 4096);
+  integrate.round = reader.count("round", 0, 0, 1'000'000);
+  integrate.contract = reader.boolean("contract", true);
+  reader.refuse_unknown();
+}
+
+void read_observe(const toml::table* table, const toml::table& root, Study* study) {
+  TableReader reader(table, "[observe]");
+  const std::string first_state = study->model->states.front().name;
+  std::vector<std::string> quantities = reader.texts("quantities");
+  std::vector<std::string> states = reader.texts("poincare");
+  if (reader.find("quantities") == nullptr) {
+    quantities = {first_state + "_rms"};
+    if (study->axes.size() == 1) quantities.push_back("poincare");
+  }
+  if (reader.find("poincare") == nullptr) states = {first_state};
+  reader.refuse_unknown();
+  const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
+  if (const toml::node* node = reader.find("quantities")) place = node;
+  try {
+    study->selection = select_quantities(*study->model, quantities, states);
+  } catch (const InputError& error) {
+    fail_at(*place, error.what());
+  }
+}
+
+void check_size(const toml::table& root, const Study& study) {
+  double points = 1.0;
+  for (const Axis& axis : study.axes) points *= static_cast<double>(axis.values.size());
+  if (points > kMostPoints) {
+    fail_at(*root.get("axes"), fmt::format("the axes span {:.3g} points; at most {:.0g} are "
+                                           "possible",
+                                           points, kMostPoints));
+  }
+  const double numbers =
+      points * static_cast<double>(study.selection.quantities.size() + 1 +
+                                   study.selection.poincare.size() * study.integrate.record);
+  if (numbers > kMostNumbers) {
+    throw InputError(fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "
+                                 "possible: sample fewer states or periods (integrate.record), or "
+                                 "leave out 'poincare'",
+                                 place_of(root), numbers, kMostNumbers));
+  }
+}
+
+}  // namespace
+
+Study read_study(const std::string& text, const std::string& source,
+                 const std::vector<std::string>& overrides) {
+  toml::table root = parse(text, source);
+  for (const std::string& assignment : overrides) apply_override(assignment, &root);
+
+  Study study;
+  TableReader reader(&root, "the study");
+  study.title = reader.text("title", "");
+  read_model(reader.table("model"), &study);
+  const toml::table* parameters = reader.table("parameters");
+  read_gear(reader.table("gear"), &study);
+  for (const char* key : {"axes", "initial", "integrate", "observe"}) reader.know(key);
+  reader.refuse_unknown();
+
+  if (parameters != nullptr) {
+    for (const auto& [key, node] : *parameters) {
+      set_parameter_or_list(node, std::string(key.str()), place_of(node), &study);
+    }
+  }
+  study.axes = read_axes(root, *study.model);
+  read_initial(reader.table("initial"), &study);
+  read_integrate(reader.table("integrate"), &study);
+  read_observe(reader.table("observe"), root, &study);
+  check_size(root, study);
+
+  std::ostringstream canonical;
+  canonical << root << '\n';
+  study.toml = canonical.str();
+  return study;
+}
+
+}  // namespace gearsweep
