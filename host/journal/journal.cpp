@@ -103,14 +103,13 @@ void delete_files(const std::string& path) {
 
 }  // namespace
 
-// Settings. locking_mode EXCLUSIVE keeps the lock of the first transaction until the file is closed;
-// the system drops it with the process. The rollback journal (SQLite's default) writes each byte of
-// an appended tile once, a write-ahead log would write it twice. Either keeps a commit through
-// kill -9, since the system has the bytes then; synchronous FULL brings them to the disk before the
-// commit returns, which a power cut needs.
+// Settings. locking_mode EXCLUSIVE keeps the lock of the first transaction until the file is
+// closed; the system drops it with the process. The rollback journal (SQLite's default) writes each
+// byte of an appended tile once, a write-ahead log would write it twice. Either keeps a commit
+// through kill -9, since the system has the bytes then; synchronous FULL brings them to the disk
+// before the commit returns, which a power cut needs.
 Journal::Journal(const std::string& path, const std::string& fingerprint)
-    : path_(path),
-      database_(std::make_unique<Database>(std::filesystem::absolute(path).string())) {
+    : path_(path), database_(std::make_unique<Database>(std::filesystem::absolute(path).string())) {
   database_->execute("PRAGMA locking_mode = EXCLUSIVE");
   database_->execute("PRAGMA synchronous = FULL");
   Transaction transaction(*database_);
@@ -152,7 +151,8 @@ std::optional<TileResult> Journal::find(std::size_t tile_number) const {
       const std::span<const std::byte> bytes = pieces.bytes(0);
       const std::size_t before = values.size();
       values.resize(before + bytes.size() / sizeof(values[0]));
-      std::memcpy(values.data() + before, bytes.data(), (values.size() - before) * sizeof(values[0]));
+      std::memcpy(values.data() + before, bytes.data(),
+                  (values.size() - before) * sizeof(values[0]));
     }
     if (values.size() != static_cast<std::uint64_t>(row.integer(part))) {
       database_->refuse(fmt::format("tile {} is incomplete", tile_number));

@@ -14,9 +14,9 @@ namespace gearsweep {
 
 class Database;
 
-// May be used by several threads. Beside what is said below, its functions throw InputError when the
-// file turns out to be damaged (the message says to delete it) and RunError when it cannot be read or
-// written.
+// May be used by several threads. Beside what is said below, its functions throw InputError when
+// the file turns out to be damaged (the message says to delete it) and RunError when it cannot be
+// read or written.
 class Journal {
  public:
   // Opens the journal at `path`, or creates it, for the sweep with this fingerprint, and holds it

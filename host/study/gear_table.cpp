@@ -2,96 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <utility>
 
-#include "study/toml_access.hpp"
+#include "study/gear_keys.hpp"
 
 namespace gearsweep {
 namespace {
-
-// A key of the table with its allowed range, in its own unit.
-struct Key {
-  std::string_view name;
-  double least, greatest;
-  std::string_view meaning;
-};
-
-constexpr Key kTeeth{"teeth", 3.0, 1000.0, "numbers of teeth, [pinion, gear]"};
-constexpr Key kModule{"module_mm", 1e-3, 1e3, "module"};
-constexpr Key kPressureAngle{"pressure_angle_deg", 5.0, 45.0, "pressure angle of the tool"};
-constexpr Key kCentreDistance{"centre_distance_mm", 1e-3, 1e6, "centre distance"};
-constexpr Key kContactRatio{"contact_ratio", 0.0, 10.0, "contact ratio"};
-constexpr Key kAddendum{"addendum_mm", 0.0, 1e4, "addendum, one number or [pinion, gear]"};
-constexpr Key kInertia{"inertia_kg_mm2", 1e-9, 1e15, "moment of inertia, one or [pinion, gear]"};
-constexpr Key kMass{"mass_kg", 1e-9, 1e9, "mass, one number or [pinion, gear]"};
-constexpr Key kBearingStiffness{"bearing_stiffness_N_per_mm", 1e-6, 1e15,
-                                "bearing stiffness, one number or 4"};
-constexpr Key kBearingDamping{"bearing_damping_N_s_per_mm", 0.0, 1e12,
-                              "bearing damping, one number or 4"};
-constexpr Key kMeshDamping{"mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping"};
-constexpr Key kHalfBacklash{"half_backlash_mm", 1e-9, 1e3, "half backlash, the unit of length"};
-constexpr Key kMeshStiffness{"mesh_stiffness_N_per_m", 1e-3, 1e15, "mean mesh stiffness"};
-constexpr Key kFaceWidth{"face_width_mm", 1e-3, 1e5, "face width"};
-constexpr Key kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
-constexpr Key kTransmissionError{"transmission_error_um", 0.0, 1e9,
-                                 "amplitude of the transmission error"};
-constexpr Key kSpeed{"pinion_speed_rpm", 1e-6, 1e9, "speed of the pinion"};
-
-constexpr std::array kKeys = {
-    kTeeth,        kModule,          kPressureAngle, kCentreDistance,   kContactRatio,
-    kAddendum,     kInertia,         kMass,          kBearingStiffness, kBearingDamping,
-    kMeshDamping,  kHalfBacklash,    kMeshStiffness, kFaceWidth,        kTorque,
-    kTransmissionError, kSpeed};
-
-// The table by keys. All its numbers are in the units of the keys.
-class GearReader {
- public:
-  explicit GearReader(const toml::table& gear) : gear_(gear), reader_(&gear, "[gear]") {
-    for (const Key& key : kKeys) reader_.know(std::string(key.name));
-    reader_.refuse_unknown();
-  }
-
-  bool has(const Key& key) const { return gear_.contains(key.name); }
-
-  // What a message about this key should point at: the key, or the table that lacks it.
-  const toml::node& node(const Key& key) const {
-    const toml::node* found = gear_.get(key.name);
-    return found == nullptr ? gear_ : *found;
-  }
-
-  std::optional<double> optional(const Key& key) {
-    return reader_.optional_number(std::string(key.name), key.least, key.greatest);
-  }
-
-  double required(const Key& key) {
-    need(key);
-    return *optional(key);
-  }
-
-  // `count` numbers, or one that stands for all of them.
-  std::vector<double> list(const Key& key, std::size_t count) {
-    need(key);
-    std::vector<double> values = reader_.numbers(std::string(key.name), key.least, key.greatest);
-    if (!node(key).is_array()) values.assign(count, values.front());
-    if (values.size() != count) {
-      fail_at(node(key), fmt::format("{} has {} numbers; it needs one number or a list of {}",
-                                     key.name, values.size(), count));
-    }
-    return values;
-  }
-
- private:
-  void need(const Key& key) const {
-    if (!has(key)) fail_at(gear_, fmt::format("[gear] needs '{}' ({})", key.name, key.meaning));
-  }
-
-  const toml::table& gear_;
-  TableReader reader_;
-};
 
 // Collects the parameters; each is checked against the range that gear5 gives it.
 class Parameters {
@@ -99,13 +19,14 @@ class Parameters {
   explicit Parameters(const GearReader& in) : in_(in), model_(*find_model("gear5")) {}
 
   // `origin`: the key that a message about this number should point at.
-  void add(std::string_view name, double value, const Key& origin, std::string note) {
+  void add(std::string_view name, double value, const GearKey& origin, std::string note) {
     const auto index = static_cast<std::size_t>(model_.find_parameter(name));
     const ParameterInfo& info = model_.parameters[index];
     if (!(value >= info.least && value <= info.greatest)) {
-      fail_at(in_.node(origin),
-              fmt::format("[gear] gives {} = {:.6g} ({}; {}), out of range; from {} to {} is allowed",
-                          name, value, info.meaning, note, info.least, info.greatest));
+      fail_at(
+          in_.node(origin),
+          fmt::format("[gear] gives {} = {:.6g} ({}; {}), out of range; from {} to {} is allowed",
+                      name, value, info.meaning, note, info.least, info.greatest));
     }
     list_.push_back({std::string(name), value, std::move(note)});
   }
@@ -186,12 +107,13 @@ void refuse_interference(const GearReader& in, const Geometry& geometry, const P
   const auto check = [&](double share, double base, const char* whose) {
     const double beyond = share * geometry.base_pitch - base * std::tan(geometry.alpha);
     if (beyond > 1e-9 * base) {
-      const Key& origin = in.has(kContactRatio) ? kContactRatio : kAddendum;
-      fail_at(in.node(origin),
-              fmt::format("the path of contact reaches {:.3g} mm beyond the point where the line of "
-                          "action touches the {}'s base circle (interference); a smaller "
-                          "addendum_mm or contact_ratio is needed",
-                          beyond, whose));
+      const GearKey& origin = in.has(kContactRatio) ? kContactRatio : kAddendum;
+      fail_at(
+          in.node(origin),
+          fmt::format("the path of contact reaches {:.3g} mm beyond the point where the line of "
+                      "action touches the {}'s base circle (interference); a smaller "
+                      "addendum_mm or contact_ratio is needed",
+                      beyond, whose));
     }
   };
   check(path.approach, geometry.pinion_base, "pinion");
@@ -221,9 +143,9 @@ Path read_path(GearReader& in, const Geometry& geometry, Parameters* parameters,
                          : fmt::format("contact ratio {:.6g} from {}", eps, formula));
   parameters->add("eps", eps, given ? kContactRatio : kAddendum,
                   given ? "contact_ratio as given" : formula);
-  parameters->add("approach", approach, kAddendum,
-                  fmt::format("eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}", drawn.approach,
-                              from_geometry));
+  parameters->add(
+      "approach", approach, kAddendum,
+      fmt::format("eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}", drawn.approach, from_geometry));
   const Path used{approach * eps, (1.0 - approach) * eps};
   refuse_interference(in, geometry, used);
   return used;
@@ -276,9 +198,10 @@ Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
   out.pinion_mesh_mass = inertia[0] / (geometry.pinion_base * geometry.pinion_base);
   out.gear_mesh_mass = inertia[1] / (geometry.gear_base * geometry.gear_base);
   out.me = out.pinion_mesh_mass * out.gear_mesh_mass / (out.pinion_mesh_mass + out.gear_mesh_mass);
-  notes->push_back(fmt::format("me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
-                               "Ig/Rg^2 = {:.6g} kg",
-                               out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
+  notes->push_back(
+      fmt::format("me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
+                  "Ig/Rg^2 = {:.6g} kg",
+                  out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
   out.k0 = read_mesh_stiffness(in, geometry, contact_ratio, notes);
   out.b_n = in.required(kHalfBacklash) * 1e-3;
   out.varpi = std::sqrt(out.k0 / out.me);
@@ -290,27 +213,28 @@ Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
 void add_geometry(const GearReader& in, const Geometry& geometry, Parameters* parameters,
                   std::vector<std::string>* notes) {
   const double degrees = geometry.alpha * 180.0 / std::numbers::pi;
-  notes->push_back(fmt::format("base radii Rp = {:.7g} mm, Rg = {:.7g} mm (module z/2 cos(alpha)); "
-                               "base pitch {:.7g} mm",
-                               geometry.pinion_base, geometry.gear_base, geometry.base_pitch));
+  notes->push_back(
+      fmt::format("base radii Rp = {:.7g} mm, Rg = {:.7g} mm (module z/2 cos(alpha)); "
+                  "base pitch {:.7g} mm",
+                  geometry.pinion_base, geometry.gear_base, geometry.base_pitch));
   notes->push_back(fmt::format("working pressure angle {:.6g} degrees at centre distance {:.6g} mm",
                                degrees, geometry.centre));
   parameters->add("zp", geometry.pinion_teeth, kTeeth, "teeth of the pinion as given");
   parameters->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth,
                   fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
-  const Key& origin = in.has(kCentreDistance) ? kCentreDistance : kPressureAngle;
+  const GearKey& origin = in.has(kCentreDistance) ? kCentreDistance : kPressureAngle;
   parameters->add("alpha", degrees, origin,
                   fmt::format("working pressure angle at a = {:.6g} mm", geometry.centre));
 }
 
 void add_masses(GearReader& in, const Bases& bases, Parameters* parameters) {
   const double sum = bases.pinion_mesh_mass + bases.gear_mesh_mass;
-  parameters->add("rho_p", bases.gear_mesh_mass / sum, kInertia,
-                  fmt::format("me/(Ip/Rp^2) = {:.6g} kg / {:.6g} kg", bases.me,
-                              bases.pinion_mesh_mass));
-  parameters->add("rho_g", bases.pinion_mesh_mass / sum, kInertia,
-                  fmt::format("me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me,
-                              bases.gear_mesh_mass));
+  parameters->add(
+      "rho_p", bases.gear_mesh_mass / sum, kInertia,
+      fmt::format("me/(Ip/Rp^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.pinion_mesh_mass));
+  parameters->add(
+      "rho_g", bases.pinion_mesh_mass / sum, kInertia,
+      fmt::format("me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.gear_mesh_mass));
   const std::vector<double> mass = in.list(kMass, 2);
   parameters->add("m1", bases.me / mass[0], kMass,
                   fmt::format("me/mp = {:.6g} kg / {:.6g} kg", bases.me, mass[0]));

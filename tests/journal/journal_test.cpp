@@ -1,0 +1,336 @@
+// The journal's promises: what was stored comes back to the bit, also after kill -9; nothing that
+// is not a journal of this sweep is taken for one.
+#include "journal/journal.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+bool same_bits(const TileResult& a, const TileResult& b) {
+  return a.status == b.status && same_bits(a.outputs, b.outputs) &&
+         same_bits(a.samples, b.samples) && same_bits(a.final_states, b.final_states);
+}
+
+// Numbers of any size and sign, drawn from the tile's number.
+TileResult example_tile(std::size_t number, std::size_t points = 100) {
+  std::mt19937_64 random(number + 1);
+  std::normal_distribution<double> normal;
+  TileResult tile;
+  for (std::size_t i = 0; i < points; ++i) {
+    tile.status.push_back(static_cast<std::uint8_t>(random()));
+    for (int j = 0; j < 3; ++j) tile.outputs.push_back(std::exp(20.0 * normal(random)));
+    for (int j = 0; j < 10; ++j) tile.final_states.push_back(normal(random));
+    for (int j = 0; j < 20; ++j) tile.samples.push_back(normal(random));
+  }
+  return tile;
+}
+
+// A folder of its own for each test.
+class JournalTest : public testing::Test {
+ protected:
+  JournalTest() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("gearsweep_journal_" + std::string(test->name()) + "_" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    path_ = (folder_ / "map.nc.journal").string();
+  }
+  ~JournalTest() override { fs::remove_all(folder_); }
+
+  std::string refusal(const std::string& fingerprint = "sweep A") const {
+    try {
+      const Journal journal(path_, fingerprint);
+      for (std::size_t i = 0; i < journal.finished_tiles(); ++i) journal.find(i);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  bool folder_is_empty() const { return fs::is_empty(folder_); }
+
+  std::string read_file() const {
+    std::ifstream in(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  void write_file(const std::string& content) const {
+    for (const char* suffix : {"", "-journal"}) fs::remove(path_ + suffix);
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+
+  fs::path folder_;
+  std::string path_;
+};
+
+TEST_F(JournalTest, ANewJournalIsEmpty) {
+  const Journal journal(path_, "sweep A");
+  EXPECT_EQ(journal.finished_tiles(), 0U);
+  EXPECT_FALSE(journal.find(0).has_value());
+}
+
+TEST_F(JournalTest, ATileComesBackToTheBit) {
+  TileResult tile = example_tile(7);
+  double signalling = 0.0;
+  const std::uint64_t nan_with_payload = 0xfff4000000000123U;
+  std::memcpy(&signalling, &nan_with_payload, sizeof signalling);
+  tile.outputs[0] = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(&tile.outputs[1], &signalling, sizeof signalling);
+  tile.outputs[2] = -0.0;
+  tile.outputs[3] = std::numeric_limits<double>::denorm_min();
+  tile.outputs[4] = -std::numeric_limits<double>::infinity();
+
+  Journal journal(path_, "sweep A");
+  journal.store(7, tile);
+  EXPECT_EQ(journal.finished_tiles(), 1U);
+  ASSERT_TRUE(journal.find(7).has_value());
+  EXPECT_TRUE(same_bits(*journal.find(7), tile));
+  EXPECT_FALSE(journal.find(6).has_value());
+}
+
+TEST_F(JournalTest, EmptyVectorsAreKept) {
+  Journal journal(path_, "sweep A");
+  journal.store(0, TileResult{});
+  ASSERT_TRUE(journal.find(0).has_value());
+  EXPECT_TRUE(same_bits(*journal.find(0), TileResult{}));
+}
+
+TEST_F(JournalTest, TheLastResultOfATileStands) {
+  Journal journal(path_, "sweep A");
+  journal.store(3, example_tile(1, 200));
+  journal.store(3, example_tile(2, 50));
+  EXPECT_EQ(journal.finished_tiles(), 1U);
+  EXPECT_TRUE(same_bits(*journal.find(3), example_tile(2, 50)));
+}
+
+TEST_F(JournalTest, AVectorLongerThanOnePieceComesBack) {
+  TileResult tile;
+  // 80 MiB: more than the 64 MiB of one piece.
+  tile.samples.resize(std::size_t{10} << 20);
+  for (std::size_t i = 0; i < tile.samples.size(); ++i) tile.samples[i] = static_cast<double>(i);
+  Journal journal(path_, "sweep A");
+  journal.store(0, tile);
+  EXPECT_TRUE(same_bits(*journal.find(0), tile));
+}
+
+TEST_F(JournalTest, ReopeningGoesOn) {
+  {
+    Journal journal(path_, "sweep A");
+    journal.store(0, example_tile(0));
+    journal.store(2, example_tile(2));
+  }
+  Journal journal(path_, "sweep A");
+  EXPECT_EQ(journal.finished_tiles(), 2U);
+  journal.store(1, example_tile(1));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(same_bits(*journal.find(i), example_tile(i)));
+}
+
+TEST_F(JournalTest, AnotherSweepIsRefusedAndItsJournalKept) {
+  { Journal(path_, "sweep B").store(0, example_tile(0)); }
+  EXPECT_THAT(refusal("sweep A"), AllOf(HasSubstr(path_), HasSubstr("another sweep"),
+                                        HasSubstr("delete it"), HasSubstr("another output")));
+  EXPECT_TRUE(same_bits(*Journal(path_, "sweep B").find(0), example_tile(0)));
+}
+
+TEST_F(JournalTest, AFileOfAnotherKindIsRefusedAndKept) {
+  const std::string text(5000, 'x');
+  write_file(text);
+  EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("not a journal of gearsweep"),
+                               HasSubstr("delete it")));
+  EXPECT_EQ(read_file(), text);
+}
+
+TEST_F(JournalTest, ADatabaseOfAnotherProgramIsRefused) {
+  sqlite3* other = nullptr;
+  ASSERT_EQ(sqlite3_open(path_.c_str(), &other), SQLITE_OK);
+  sqlite3_exec(other, "CREATE TABLE tile(number)", nullptr, nullptr, nullptr);
+  sqlite3_close(other);
+  EXPECT_THAT(refusal(), HasSubstr("not a journal of gearsweep"));
+}
+
+TEST_F(JournalTest, AnEmptyFileIsANewJournal) {
+  write_file("");
+  EXPECT_EQ(refusal(), "accepted");
+}
+
+TEST_F(JournalTest, AFolderThatIsMissingIsARunError) {
+  EXPECT_THROW(Journal((folder_ / "none" / "map.journal").string(), "sweep A"), RunError);
+  EXPECT_TRUE(folder_is_empty());
+}
+
+TEST_F(JournalTest, ATruncatedJournalIsRefused) {
+  {
+    Journal journal(path_, "sweep A");
+    for (std::size_t i = 0; i < 4; ++i) journal.store(i, example_tile(i));
+  }
+  const std::string whole = read_file();
+  for (const std::size_t length : {std::size_t{1}, std::size_t{99}, std::size_t{100},
+                                   std::size_t{4096}, whole.size() / 2, whole.size() - 1}) {
+    write_file(whole.substr(0, length));
+    EXPECT_THAT(refusal(), HasSubstr("not a journal of gearsweep")) << length << " bytes";
+  }
+}
+
+// A changed byte is either harmless (in a part of the file that holds nothing), hides a tile, which
+// is then computed again, or is refused. What comes back is never wrong.
+TEST_F(JournalTest, AChangedByteNeverGivesAWrongResult) {
+  {
+    Journal journal(path_, "sweep A");
+    for (std::size_t i = 0; i < 3; ++i) journal.store(i, example_tile(i, 20));
+  }
+  const std::string whole = read_file();
+  std::mt19937_64 random(1);
+  int refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    std::string changed = whole;
+    // Every other trial in the first pages, where the tables are described.
+    const std::size_t range =
+        trial % 2 == 0 ? whole.size() : std::min<std::size_t>(8192, whole.size());
+    char& byte = changed[random() % range];
+    byte = static_cast<char>(byte ^ static_cast<char>(1 + random() % 255));
+    write_file(changed);
+    try {
+      const Journal journal(path_, "sweep A");
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<TileResult> found = journal.find(i);
+        EXPECT_TRUE(!found || same_bits(*found, example_tile(i, 20))) << "trial " << trial;
+      }
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  // Most bytes of the file are results.
+  EXPECT_GT(refused, 100);
+}
+
+TEST_F(JournalTest, ASecondRunOnTheSameOutputIsRefused) {
+  Journal first(path_, "sweep A");
+  EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("in use by another run")));
+  first.store(0, example_tile(0));
+  EXPECT_TRUE(same_bits(*first.find(0), example_tile(0)));
+}
+
+TEST_F(JournalTest, TheLockEndsWithTheJournal) {
+  { const Journal first(path_, "sweep A"); }
+  EXPECT_EQ(refusal(), "accepted");
+}
+
+TEST_F(JournalTest, RemoveLeavesNothing) {
+  Journal journal(path_, "sweep A");
+  journal.store(0, example_tile(0));
+  journal.remove();
+  EXPECT_TRUE(folder_is_empty());
+  EXPECT_EQ(Journal(path_, "sweep B").finished_tiles(), 0U);
+}
+
+TEST_F(JournalTest, AnInterruptedRunLeavesOneFile) {
+  { Journal(path_, "sweep A").store(0, example_tile(0)); }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(JournalTest, ThreadsMayStoreAtTheSameTime) {
+  Journal journal(path_, "sweep A");
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < 4; ++t) {
+    threads.emplace_back([&journal, t] {
+      for (std::size_t i = 0; i < 5; ++i) journal.store(5 * t + i, example_tile(5 * t + i));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_TRUE(same_bits(*journal.find(i), example_tile(i)));
+}
+
+// A child process that stores tiles 0, 1, ... and writes one byte to the pipe for each that it was
+// told is durable.
+struct Writer {
+  pid_t process;
+  int acknowledged;  // end of the pipe to read from
+};
+
+Writer start_writer(const std::string& path, std::size_t points) {
+  int ends[2];
+  if (pipe(ends) != 0) throw RunError("no pipe");
+  const pid_t process = fork();
+  if (process == 0) {
+    try {
+      Journal journal(path, "sweep A");
+      for (std::size_t i = 0;; ++i) {
+        journal.store(i, example_tile(i, points));
+        if (write(ends[1], "+", 1) != 1) _exit(1);
+      }
+    } catch (...) {
+      _exit(1);
+    }
+  }
+  close(ends[1]);
+  return {process, ends[0]};
+}
+
+// Waits for `tiles` acknowledgements, kills, and returns how many tiles were acknowledged in all.
+std::size_t kill_after(const Writer& writer, std::size_t tiles) {
+  std::size_t count = 0;
+  char byte = 0;
+  while (count < tiles && read(writer.acknowledged, &byte, 1) == 1) ++count;
+  kill(writer.process, SIGKILL);
+  waitpid(writer.process, nullptr, 0);
+  while (read(writer.acknowledged, &byte, 1) == 1) ++count;
+  close(writer.acknowledged);
+  return count;
+}
+
+TEST_F(JournalTest, WhatWasStoredSurvivesKillNine) {
+  for (std::size_t trial = 0; trial < 5; ++trial) {
+    const std::size_t points = 40 + 400 * trial;
+    const Writer writer = start_writer(path_, points);
+    const std::size_t stored = kill_after(writer, 3 + 2 * trial);
+    ASSERT_GE(stored, 3 + 2 * trial);
+    Journal journal(path_, "sweep A");
+    // The kill may fall between the commit of one more tile and its acknowledgement.
+    EXPECT_GE(journal.finished_tiles(), stored);
+    EXPECT_LE(journal.finished_tiles(), stored + 1);
+    for (std::size_t i = 0; i < stored; ++i) {
+      const std::optional<TileResult> found = journal.find(i);
+      EXPECT_TRUE(found && same_bits(*found, example_tile(i, points))) << "tile " << i;
+    }
+    journal.remove();
+    EXPECT_TRUE(folder_is_empty());
+  }
+}
+
+TEST_F(JournalTest, TheLockOfAnotherProcessEndsWhenItIsKilled) {
+  const Writer writer = start_writer(path_, 10);
+  char byte = 0;
+  EXPECT_EQ(read(writer.acknowledged, &byte, 1), 1);
+  EXPECT_THAT(refusal(), HasSubstr("in use by another run"));
+  kill_after(writer, 0);
+  EXPECT_EQ(refusal(), "accepted");
+}
+
+}  // namespace
+}  // namespace gearsweep
