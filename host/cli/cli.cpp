@@ -1,2 +1,63 @@
 #include "cli/cli.hpp"
-namespace gearsweep { int run_cli(int, char**) { return 0; } }
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "cli/commands.hpp"
+#include "model/error.hpp"
+#include "model/version.hpp"
+
+namespace gearsweep {
+namespace {
+
+void add_commands(CLI::App* app, int* status) {
+  app->set_version_flag("--version", "gearsweep " + version());
+  app->require_subcommand(1);
+  app->footer(
+      "A first map:\n"
+      "  gearsweep studies                          what is built in\n"
+      "  gearsweep run coarse-map -o map.nc --plot map.png\n"
+      "  gearsweep plot map.nc -q dmf_max -o dmf.png\n\n"
+      "'gearsweep COMMAND --help' shows each command with examples.\n"
+      "Exit status: 0 done, 1 failed while running, 2 the input was wrong, 130 interrupted.");
+  add_run_command(app, status);
+  add_plot_command(app);
+  add_export_command(app);
+  add_studies_command(app);
+  add_model_command(app);
+  add_devices_command(app);
+}
+
+// Runs the command that the arguments name; its exit status.
+int dispatch(int argc, char** argv) {
+  CLI::App app("gearsweep: maps of gear dynamics and non-smooth oscillators from massively parallel "
+               "parameter sweeps",
+               "gearsweep");
+  int status = kDone;
+  add_commands(&app, &status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // The parser's own codes tell help (0) from errors, which are all wrong input to us.
+    return app.exit(error) == 0 ? kDone : kWrongInput;
+  }
+  return status;
+}
+
+}  // namespace
+
+int run_cli(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "gearsweep: {}\n", error.what());
+    return kWrongInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "gearsweep: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace gearsweep

@@ -90,15 +90,15 @@ void check_fingerprint(const Database& database, const std::string& path,
   }
 }
 
-// The journal last: if the process dies in between, the next run still has all that it needs.
-void delete_files(const std::string& path) {
+// Deletes the journal and what SQLite keeps beside it; returns what went wrong, empty if nothing.
+// The journal goes last: if the process dies in between, the next run still has all that it needs.
+std::string delete_files(const std::string& path) {
   for (const char* suffix : {"-journal", "-wal", "-shm", ""}) {
     std::error_code error;
     std::filesystem::remove(path + suffix, error);
-    if (error) {
-      throw RunError(fmt::format("cannot delete '{}{}': {}", path, suffix, error.message()));
-    }
+    if (error) return fmt::format("cannot delete '{}{}': {}", path, suffix, error.message());
   }
+  return "";
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ void delete_files(const std::string& path) {
 // through kill -9, since the system has the bytes then; synchronous FULL brings them to the disk
 // before the commit returns, which a power cut needs.
 Journal::Journal(const std::string& path, const std::string& fingerprint)
-    : path_(path), database_(std::make_unique<Database>(std::filesystem::absolute(path).string())) {
+    : path_(path), database_(std::make_unique<Database>(path)) {
   database_->execute("PRAGMA locking_mode = EXCLUSIVE");
   database_->execute("PRAGMA synchronous = FULL");
   Transaction transaction(*database_);
@@ -188,8 +188,9 @@ void Journal::store(std::size_t tile_number, const TileResult& result) {
 void Journal::remove() {
   const std::lock_guard lock(mutex_);
   // Deleted while the lock is held, so that another run cannot take the file up in between.
-  delete_files(path_);
+  const std::string failure = delete_files(path_);
   database_.reset();
+  if (!failure.empty()) throw RunError(failure);
 }
 
 }  // namespace gearsweep

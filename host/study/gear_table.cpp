@@ -25,8 +25,9 @@ class Parameters {
     if (!(value >= info.least && value <= info.greatest)) {
       fail_at(
           in_.node(origin),
-          fmt::format("[gear] gives {} = {:.6g} ({}; {}), out of range; from {} to {} is allowed",
-                      name, value, info.meaning, note, info.least, info.greatest));
+          fmt::format("{} gives {} = {:.6g}, out of range; from {:g} to {:g} is allowed ({}: {})",
+                      in_.has(origin) ? origin.name : "[gear]", name, value, info.least,
+                      info.greatest, info.meaning, note));
     }
     list_.push_back({std::string(name), value, std::move(note)});
   }
@@ -125,11 +126,12 @@ Path read_path(GearReader& in, const Geometry& geometry, Parameters* parameters,
                std::vector<std::string>* notes) {
   const std::vector<double> addenda =
       in.has(kAddendum) ? in.list(kAddendum, 2) : std::vector<double>(2, geometry.module);
+  const GearKey& drawing = in.has(kAddendum) ? kAddendum : kCentreDistance;
   const Path drawn = path_from_addenda(geometry, addenda);
   if (!(drawn.approach > 0.0 && drawn.recess > 0.0)) {
-    fail_at(in.node(in.has(kAddendum) ? kAddendum : kCentreDistance),
-            fmt::format("the addenda ({:.6g} and {:.6g} mm) do not reach over the pitch point at "
-                        "the centre distance {:.6g} mm",
+    fail_at(in.node(drawing),
+            fmt::format("the addenda ({:.6g} and {:.6g} mm) do not reach over the pitch point "
+                        "at centre_distance_mm = {:.6g}",
                         addenda[0], addenda[1], geometry.centre));
   }
   const double from_geometry = drawn.contact_ratio();
@@ -141,10 +143,10 @@ Path read_path(GearReader& in, const Geometry& geometry, Parameters* parameters,
                   addenda[0], addenda[1], drawn.approach, drawn.recess, from_geometry);
   notes->push_back(given ? fmt::format("contact ratio {:.6g} as given ({})", eps, formula)
                          : fmt::format("contact ratio {:.6g} from {}", eps, formula));
-  parameters->add("eps", eps, given ? kContactRatio : kAddendum,
+  parameters->add("eps", eps, given ? kContactRatio : drawing,
                   given ? "contact_ratio as given" : formula);
   parameters->add(
-      "approach", approach, kAddendum,
+      "approach", approach, drawing,
       fmt::format("eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}", drawn.approach, from_geometry));
   const Path used{approach * eps, (1.0 - approach) * eps};
   refuse_interference(in, geometry, used);

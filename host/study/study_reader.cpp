@@ -144,13 +144,6 @@ void read_gear(const toml::table* gear, Study* study) {
   study->gear_notes = conversion.notes;
   for (const GearParameter& parameter : conversion.parameters) {
     const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
-    const ParameterInfo& info = study->model->parameters[index];
-    if (!(parameter.value >= info.least && parameter.value <= info.greatest)) {
-      fail_at(*gear, fmt::format("the gear gives {} = {} ({}), which is out of range; from {} to "
-                                 "{} is allowed",
-                                 parameter.name, parameter.value, parameter.note, info.least,
-                                 info.greatest));
-    }
     study->setting.parameters[index] = parameter.value;
     study->parameter_origins[index] = "[gear]: " + parameter.note;
   }

@@ -1,0 +1,180 @@
+// gearsweep model: what a model offers, and the values that a preset or a study gives it.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/study_source.hpp"
+#include "model/error.hpp"
+#include "model/names.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct ModelArguments {
+  std::string name, preset, study;
+  bool as_json = false;
+};
+
+// The model with a preset's values. A study needs an axis; one of an initial state changes none of
+// the parameters.
+Study study_of_preset(const Model& model, const std::string& preset) {
+  std::string text = fmt::format("[model]\nname = '{}'\n", model.name);
+  if (!preset.empty()) text += fmt::format("preset = '{}'\n", preset);
+  text += fmt::format("[[axes]]\nname = '{}'\nvalues = [0.0]\n", model.states.front().name);
+  return read_study(text, "--preset");
+}
+
+Study study_of(const ModelArguments& arguments) {
+  if (!arguments.study.empty()) return load_study(arguments.study, {});
+  const Model* model = find_model(arguments.name);
+  if (model == nullptr) {
+    std::vector<std::string> known;
+    for (const Model& candidate : models()) known.push_back(candidate.name);
+    throw InputError(fmt::format("unknown model '{}'{}", arguments.name,
+                                 suggest_name(arguments.name, known)));
+  }
+  return study_of_preset(*model, arguments.preset);
+}
+
+// Where a parameter's value comes from; swept ones say so.
+std::string origin_of(const Study& study, std::size_t parameter) {
+  for (const Axis& axis : study.axes) {
+    if (!axis.is_state && axis.index == parameter) {
+      return fmt::format("axis, {} .. {}, {} values", axis.values.front(), axis.values.back(),
+                         axis.values.size());
+    }
+  }
+  return study.parameter_origins[parameter];
+}
+
+void print_models() {
+  for (const Model& model : models()) fmt::print("{:<10} {}\n", model.name, model.summary);
+  fmt::print("'gearsweep model NAME' shows one in full\n");
+}
+
+void print_parameters(const Study& study) {
+  const Model& model = *study.model;
+  fmt::print("\nparameters (value, unit, allowed range, meaning; origin)\n");
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const ParameterInfo& info = model.parameters[i];
+    fmt::print("  {:<12} {:<12.10g} {:<7} {:g} .. {:g}  {}; {}\n", info.name,
+               study.setting.parameters[i], info.unit, info.least, info.greatest, info.meaning,
+               origin_of(study, i));
+  }
+  fmt::print("\noptions\n");
+  for (std::size_t i = 0; i < model.options.size(); ++i) {
+    const OptionInfo& option = model.options[i];
+    const auto chosen = static_cast<std::size_t>(study.setting.options[i]);
+    fmt::print("  {:<12} {:<12} of {}: {}; {}\n", option.name, option.choices[chosen],
+               fmt::join(option.choices, ", "), option.meaning, study.option_origins[i]);
+  }
+}
+
+void print_channels(const Model& model) {
+  for (const auto& [title, channels] : {std::pair("states", &model.states),
+                                        std::pair("signals", &model.signals)}) {
+    fmt::print("\n{}\n", title);
+    for (const ChannelInfo& info : *channels) {
+      fmt::print("  {:<12} {:<10} {}\n", info.name, info.unit, info.meaning);
+    }
+  }
+}
+
+// Quantities that every channel has are listed once, by their suffix.
+void print_quantities(const Model& model) {
+  fmt::print("\nquantities\n");
+  for (const Observable& observable : observables()) {
+    for (const ObservableOutput& output : observable.outputs) {
+      const bool per_channel = observable.kind == ObservableKind::channel;
+      const std::string stem = per_channel ? "CHANNEL" : observable.name;
+      const std::string name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
+      fmt::print("  {:<16} {}{}\n", name, output.meaning,
+                 output.flags.empty() ? "" : fmt::format(" ({})", fmt::join(output.flags, ", ")));
+    }
+  }
+  fmt::print("  {:<16} why the point ended; always there\nCHANNEL is a state or a signal, as in "
+             "{}_rms\n",
+             "status", model.states.front().name);
+}
+
+void print_model(const Study& study) {
+  const Model& model = *study.model;
+  fmt::print("{}: {}\npreset {}\n", model.name, model.summary, study.preset);
+  print_parameters(study);
+  if (!study.gear_notes.empty()) {
+    fmt::print("\nfrom the [gear] table\n");
+    for (const std::string& note : study.gear_notes) fmt::print("  {}\n", note);
+    fmt::print("  one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
+               "N; varpi = {:.6g} rad/s\n",
+               study.scales.rpm_per_omega, 1e6 * study.scales.b_n,
+               study.scales.k0 * study.scales.b_n, study.scales.varpi);
+  }
+  print_channels(model);
+  print_quantities(model);
+  fmt::print("\npresets\n");
+  for (const PresetInfo& preset : model.presets) {
+    fmt::print("  {:<12} {}\n", preset.name, preset.meaning);
+  }
+}
+
+void print_model_as_json(const Study& study) {
+  const Model& model = *study.model;
+  nlohmann::json json = {{"name", model.name}, {"preset", study.preset}};
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const ParameterInfo& info = model.parameters[i];
+    json["parameters"].push_back({{"name", info.name},
+                                  {"value", study.setting.parameters[i]},
+                                  {"unit", info.unit},
+                                  {"range", {info.least, info.greatest}},
+                                  {"meaning", info.meaning},
+                                  {"origin", origin_of(study, i)}});
+  }
+  for (std::size_t i = 0; i < model.options.size(); ++i) {
+    const auto chosen = static_cast<std::size_t>(study.setting.options[i]);
+    json["options"][model.options[i].name] = model.options[i].choices[chosen];
+  }
+  for (const ChannelInfo& info : model.states) json["states"].push_back(info.name);
+  for (const ChannelInfo& info : model.signals) json["signals"].push_back(info.name);
+  for (const Quantity& quantity : offered_quantities(model)) {
+    json["quantities"].push_back(quantity.name);
+  }
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void add_model_command(CLI::App* app) {
+  CLI::App* command = app->add_subcommand(
+      "model", "List the models, or show one: parameters, states, quantities, presets");
+  const auto arguments = std::make_shared<ModelArguments>();
+  command->add_option("name", arguments->name, "The model to show");
+  CLI::Option* preset =
+      command->add_option("--preset", arguments->preset, "Show the values of this preset");
+  command->add_option("--study", arguments->study,
+                      "Show the values that this study gives, [gear] table included")
+      ->excludes(preset);
+  command->add_flag("--json", arguments->as_json, "For scripts");
+  command->footer("Examples:\n"
+                  "  gearsweep model\n"
+                  "  gearsweep model gear5 --preset consistent\n"
+                  "  gearsweep model --study mine.toml");
+  command->callback([arguments] {
+    if (arguments->name.empty() && arguments->study.empty()) {
+      print_models();
+      return;
+    }
+    const Study study = study_of(*arguments);
+    if (arguments->as_json) {
+      print_model_as_json(study);
+    } else {
+      print_model(study);
+    }
+  });
+}
+
+}  // namespace gearsweep

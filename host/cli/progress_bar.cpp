@@ -1,0 +1,68 @@
+#include "cli/progress_bar.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace gearsweep {
+namespace {
+
+constexpr double kBarEvery = 0.1;    // seconds
+constexpr double kLineEvery = 10.0;  // seconds
+
+// "1240 points/s, 3 s left"; what a journal gave does not count as speed.
+std::string describe_speed(const SweepProgress& progress) {
+  const auto points = static_cast<double>(progress.points);
+  const double resumed = static_cast<double>(progress.points_resumed) / points;
+  const double computed = progress.share - resumed;
+  if (computed <= 0.0 || progress.seconds <= 0.0) return "";
+  return fmt::format("{:.0f} points/s, {} left", computed * points / progress.seconds,
+                     format_duration(progress.seconds * (1.0 - progress.share) / computed));
+}
+
+}  // namespace
+
+std::string format_duration(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+ProgressBar::ProgressBar() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void ProgressBar::show(const SweepProgress& progress) {
+  const bool last = progress.points_done == progress.points;
+  const double pause = on_terminal_ ? kBarEvery : kLineEvery;
+  if (!last && progress.seconds - last_shown_ < pause) return;
+  last_shown_ = progress.seconds;
+  if (on_terminal_) {
+    show_bar(progress);
+  } else {
+    show_line(progress);
+  }
+}
+
+void ProgressBar::close() {
+  if (bar_open_) fmt::print(stderr, "\n");
+  bar_open_ = false;
+}
+
+void ProgressBar::show_bar(const SweepProgress& progress) {
+  constexpr int kWidth = 30;
+  const int full = static_cast<int>(progress.share * kWidth);
+  // The escape sequence clears what a longer line left behind.
+  fmt::print(stderr, "\r[{:=>{}}{:>{}}] {:5.1f} %  {}\033[K", "", full, "", kWidth - full,
+             100.0 * progress.share, describe_speed(progress));
+  std::fflush(stderr);
+  bar_open_ = true;
+}
+
+void ProgressBar::show_line(const SweepProgress& progress) {
+  fmt::print(stderr, "{:5.1f} %  {} of {} points  {}\n", 100.0 * progress.share,
+             progress.points_done, progress.points, describe_speed(progress));
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,137 @@
+// gearsweep run: from a study to finished maps.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/signal_watch.hpp"
+#include "cli/study_source.hpp"
+#include "cli/summary.hpp"
+#include "io/plot.hpp"
+#include "io/result_file.hpp"
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct RunArguments {
+  std::string study, output, plot, quantity;
+  std::optional<std::size_t> device;
+  std::optional<std::size_t> lanes;
+  std::vector<std::string> overrides;
+  bool quiet = false;
+  bool as_json = false;
+};
+
+// The command as it would be typed again.
+std::string command_line(const RunArguments& arguments, const std::string& output) {
+  std::string line = fmt::format("gearsweep run {} -o {}", arguments.study, output);
+  if (arguments.device) line += fmt::format(" --device {}", *arguments.device);
+  for (const std::string& assignment : arguments.overrides) {
+    line += fmt::format(" --set '{}'", assignment);
+  }
+  return line;
+}
+
+std::string output_path(const RunArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  const std::string path =
+      std::filesystem::path(arguments.study).stem().string() + ".nc";
+  std::error_code error;
+  if (std::filesystem::equivalent(path, arguments.study, error)) {
+    throw InputError(fmt::format("{}: running a result file again needs another output: -o OUT.nc",
+                                 arguments.study));
+  }
+  return path;
+}
+
+void warn_of_diverged(const SweepResult& result) {
+  bool any_ok = false;
+  for (const std::uint8_t status : result.status) any_ok = any_ok || status == 0;
+  if (!any_ok) fmt::print(stderr, "gearsweep: warning: every point diverged; the maps are empty\n");
+}
+
+int run(const RunArguments& given) {
+  RunArguments arguments = given;
+  if (arguments.lanes) {
+    arguments.overrides.push_back(fmt::format("integrate.lanes={}", *arguments.lanes));
+  }
+  const Study study = load_study(arguments.study, arguments.overrides);
+  const std::string output = output_path(arguments);
+  const std::string journal = output + ".journal";
+  ensure_writable(output);
+  if (!arguments.plot.empty()) {
+    ensure_plottable(arguments.plot);
+    ensure_writable(arguments.plot);
+  }
+
+  const SignalWatch signals;
+  ProgressBar bar;
+  double share = 0.0;
+  SweepOptions options;
+  options.device = arguments.device;
+  options.journal_path = journal;
+  options.stop = &signals.interrupted();
+  options.on_progress = [&](const SweepProgress& progress) {
+    share = progress.share;
+    if (!arguments.quiet) bar.show(progress);
+  };
+  options.deliver = [&](const SweepResult& result) {
+    write_result(result, output, command_line(arguments, output));
+  };
+  const std::optional<SweepResult> result = run_sweep(study, options);
+  bar.close();
+  if (!result) {
+    fmt::print(stderr, "gearsweep: interrupted at {:.0f} %; what is finished is kept in {}: the same "
+                       "command continues from there\n",
+               100.0 * share, journal);
+    return kInterrupted;
+  }
+  warn_of_diverged(*result);
+  if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
+  if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(*result, output));
+  if (!arguments.plot.empty()) {
+    plot_map({.result = output, .quantity = arguments.quantity, .output = arguments.plot});
+    if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.plot);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App* app, int* status) {
+  CLI::App* command = app->add_subcommand("run", "Compute the maps of a study");
+  const auto arguments = std::make_shared<RunArguments>();
+  command->add_option("study", arguments->study,
+                      "A study file, a built-in study, or a result file to compute again")
+      ->required();
+  command->add_option("-o,--output", arguments->output,
+                      "The result file (default: the study's name with .nc)");
+  command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf");
+  command->add_option("-q,--quantity", arguments->quantity,
+                      "The quantity to draw (default: the study's first)");
+  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'");
+  command->add_option("--lanes", arguments->lanes,
+                      "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)");
+  command
+      ->add_option("--set", arguments->overrides,
+                   "Override a key of the study, PATH=VALUE; may be given several times")
+      ->allow_extra_args(false);
+  command->add_flag("--quiet", arguments->quiet, "No progress and no summary");
+  command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep run coarse-map -o map.nc --plot map.png\n"
+      "  gearsweep run mine.toml --set parameters.mu=0 --set axes.omega.count=100\n"
+      "  gearsweep run mine.toml --set model.backlash=dynamic --set integrate.record=20\n"
+      "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n\n"
+      "An interrupted run (Ctrl-C, SIGTERM, kill -9, power cut) keeps what is finished in\n"
+      "OUT.nc.journal; the same command continues from there.");
+  command->callback([arguments, status] { *status = run(*arguments); });
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,66 @@
+#include "cli/study_source.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "io/result_file.hpp"
+#include "model/error.hpp"
+#include "model/names.hpp"
+#include "study/builtin_studies.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr std::uintmax_t kMostStudyBytes = std::uintmax_t{16} << 20U;
+
+std::string read_text(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(fmt::format("{}: is a directory, not a study", path));
+  }
+  if (std::filesystem::is_regular_file(path, error) &&
+      std::filesystem::file_size(path, error) > kMostStudyBytes) {
+    throw InputError(fmt::format("{}: too large for a study; a study is a short TOML text", path));
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw InputError(fmt::format("{}: cannot be read", path));
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<std::string> builtin_study_names() {
+  std::vector<std::string> names;
+  for (const auto& [file, text] : builtin_studies()) {
+    names.push_back(std::filesystem::path(file).stem().string());
+  }
+  return names;
+}
+
+const std::string& builtin_study_text(const std::string& name) {
+  const auto found = builtin_studies().find(name + ".toml");
+  if (found == builtin_studies().end()) {
+    throw InputError(fmt::format("there is no built-in study '{}'{}", name,
+                                 suggest_name(name, builtin_study_names())));
+  }
+  return found->second;
+}
+
+Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+  if (std::filesystem::exists(name_or_path)) {
+    const std::string text =
+        is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);
+    return read_study(text, name_or_path, overrides);
+  }
+  if (name_or_path.find_first_of("./") != std::string::npos) {
+    throw InputError(fmt::format("{}: there is no such file", name_or_path));
+  }
+  return read_study(builtin_study_text(name_or_path), name_or_path, overrides);
+}
+
+}  // namespace gearsweep

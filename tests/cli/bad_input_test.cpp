@@ -1,0 +1,192 @@
+// Bad input: a clear message that names the place, exit status 2, no file left behind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+const char* const kGood = R"([model]
+name = "gear5"
+preset = "coarse"
+[parameters]
+mu = 0.05
+[[axes]]
+name = "omega"
+from = 0.6
+to = 0.7
+count = 2
+[integrate]
+settle = 1
+record = 1
+[observe]
+quantities = ["x1_rms"]
+)";
+
+struct BadStudy {
+  std::string name;
+  std::string from, to;               // what is replaced in the good study
+  std::vector<std::string> messages;  // all must be in the message
+};
+
+void PrintTo(const BadStudy& study, std::ostream* out) { *out << study.name; }
+
+std::string replaced(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the good study has no " + from);
+  return text.replace(at, from.size(), to);
+}
+
+class BadStudyTest : public ::testing::TestWithParam<BadStudy> {};
+
+TEST_P(BadStudyTest, IsRefusedWithPlaceAndAdvice) {
+  const Folder folder;
+  folder.write("study.toml", replaced(GetParam().from, GetParam().to));
+  const Outcome outcome = gearsweep(folder, "run study.toml -o out.nc");
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  for (const std::string& message : GetParam().messages) {
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+  }
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(folder.files(), std::set<std::string>{"study.toml"});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadStudyTest,
+    ::testing::Values(
+        BadStudy{"unknown_table", "[integrate]", "[integrat]",
+                 {"study.toml:11:", "unknown key 'integrat'", "did you mean 'integrate'?"}},
+        BadStudy{"unknown_key", "settle = 1", "setle = 1",
+                 {"study.toml:12:", "unknown key 'setle' in [integrate]", "'settle'"}},
+        BadStudy{"unknown_model", "\"gear5\"", "\"gear6\"",
+                 {"study.toml:2:", "unknown model 'gear6'", "'gear5'"}},
+        BadStudy{"unknown_preset", "\"coarse\"", "\"corse\"",
+                 {"study.toml:3:", "unknown preset 'corse'", "did you mean 'coarse'?"}},
+        BadStudy{"unknown_parameter", "mu = 0.05", "omga = 0.05",
+                 {"study.toml:5:", "unknown parameter 'omga' of model 'gear5'",
+                  "did you mean 'omega'?"}},
+        BadStudy{"unknown_axis", "\"omega\"", "\"omgea\"",
+                 {"study.toml:7:", "axis 'omgea'", "did you mean 'omega'?"}},
+        BadStudy{"unknown_quantity", "\"x1_rms\"", "\"x1_rsm\"",
+                 {"study.toml:15:", "unknown quantity 'x1_rsm'", "did you mean 'x1_rms'?"}},
+        BadStudy{"unknown_engine", "record = 1", "record = 1\nengine = \"cuda\"",
+                 {"study.toml:14:", "unknown engine 'cuda'", "opencl, reference"}},
+        BadStudy{"nan", "mu = 0.05", "mu = nan", {"study.toml:5:", "mu must be finite"}},
+        BadStudy{"infinity", "to = 0.7", "to = inf", {"study.toml:9:", "to must be finite"}},
+        BadStudy{"out_of_range", "mu = 0.05", "mu = -1",
+                 {"study.toml:5:", "mu = -1 is out of range", "from 0 to 1"}},
+        BadStudy{"not_a_number", "mu = 0.05", "mu = \"much\"",
+                 {"study.toml:5:", "mu must be a number"}},
+        BadStudy{"count_zero", "count = 2", "count = 0",
+                 {"study.toml:10:", "axis 'omega' has count = 0; at least 1 is needed"}},
+        BadStudy{"count_negative", "count = 2", "count = -5", {"study.toml:10:", "count = -5"}},
+        BadStudy{"count_enormous", "count = 2", "count = 1000000000000",
+                 {"study.toml:10:", "count = 1000000000000", "at most"}},
+        BadStudy{"count_fraction", "count = 2", "count = 2.5",
+                 {"study.toml:10:", "must be a whole number"}},
+        BadStudy{"from_equals_to", "to = 0.7", "to = 0.6",
+                 {"study.toml:6:", "goes from 0.6 to 0.6", "must be greater"}},
+        BadStudy{"no_values", "from = 0.6\nto = 0.7\ncount = 2", "values = []",
+                 {"study.toml:8:", "has no values"}},
+        BadStudy{"log_from_zero", "from = 0.6", "scale = \"log\"\nfrom = 0",
+                 {"study.toml:9:", "out of range"}},
+        BadStudy{"axis_twice", "[integrate]",
+                 "[[axes]]\nname = \"omega\"\nvalues = [1.0]\n[integrate]",
+                 {"study.toml:11:", "axis 'omega' is given twice"}},
+        BadStudy{"too_many_steps", "from = 0.6", "from = 0.0001",
+                 {"steps", "integrate.max_step"}},
+        BadStudy{"both_step_keys", "record = 1",
+                 "record = 1\nmax_step = 0.1\nsteps_per_period = 64",
+                 {"study.toml:15:", "not both"}},
+        BadStudy{"bad_toml", "mu = 0.05", "mu = = 0.05", {"study.toml:5:", "not valid TOML"}},
+        BadStudy{"printed_with_unequal_gears", "mu = 0.05",
+                 "mu = 0.05\nteeth_ratio = 2\n[model.x]", {"study.toml"}}),
+    [](const auto& info) { return info.param.name; });
+
+class BadCommandTest : public ::testing::Test {
+ protected:
+  // The command is refused with these words, and leaves the folder as it was.
+  void expect_refused(const std::string& arguments, const std::vector<std::string>& messages,
+                      const std::string& environment = "") {
+    const std::set<std::string> before = folder_.files();
+    const Outcome outcome =
+        run_in(folder_, environment + " " + std::string(GEARSWEEP_BINARY) + " " + arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments << "\n" << outcome.err;
+    for (const std::string& message : messages) EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(folder_.files(), before);
+  }
+
+  Folder folder_;
+};
+
+TEST_F(BadCommandTest, EmptyStudyIsRefused) {
+  folder_.write("empty.toml", "");
+  expect_refused("run empty.toml -o out.nc", {"empty.toml", "empty"});
+}
+
+TEST_F(BadCommandTest, BinaryStudyIsRefused) {
+  folder_.write("binary.toml", std::string("\x7f"
+                                           "ELF\0\1\2\3\xff\xfe",
+                                           10));
+  expect_refused("run binary.toml -o out.nc", {"binary.toml"});
+}
+
+TEST_F(BadCommandTest, MissingStudyIsRefused) {
+  expect_refused("run nowhere.toml", {"nowhere.toml", "no such file"});
+  expect_refused("run coarse-mpa", {"no built-in study 'coarse-mpa'", "did you mean"});
+}
+
+TEST_F(BadCommandTest, UnwritableOutputIsRefusedBeforeTheRun) {
+  folder_.write("study.toml", kGood);
+  expect_refused("run study.toml -o missing/out.nc", {"missing"});
+  expect_refused("run study.toml -o study.toml/out.nc", {"study.toml/out.nc"});
+  expect_refused("run study.toml -o .", {"directory"});
+  expect_refused("run study.toml -o out.nc --plot missing/map.png", {"missing"});
+  expect_refused("run study.toml -o out.nc --plot map.jpg", {"map.jpg", ".png"});
+}
+
+TEST_F(BadCommandTest, UnknownDeviceIsRefused) {
+  folder_.write("study.toml", kGood);
+  expect_refused("run study.toml -o out.nc --device 99", {"no device 99", "gearsweep devices"});
+}
+
+TEST_F(BadCommandTest, NoOpenClDeviceIsRefused) {
+  folder_.write("study.toml", kGood);
+  folder_.write("no-vendors", "");
+  expect_refused("run study.toml -o out.nc", {"no OpenCL device", "pocl-opencl-icd"},
+                 "OCL_ICD_VENDORS=/nonexistent-vendors");
+}
+
+TEST_F(BadCommandTest, WrongOverridesAreRefused) {
+  folder_.write("study.toml", kGood);
+  expect_refused("run study.toml -o out.nc --set integrate.setle=3",
+                 {"--set integrate.setle=3", "unknown key 'setle'"});
+  expect_refused("run study.toml -o out.nc --set settle", {"PATH=VALUE"});
+  expect_refused("run study.toml -o out.nc --set axes.b.count=3", {"no element 'b'"});
+}
+
+TEST_F(BadCommandTest, WrongArgumentsAreRefused) {
+  expect_refused("", {"subcommand"});
+  expect_refused("rum coarse-map", {"rum"});
+  expect_refused("run", {"study"});
+  expect_refused("run coarse-map --device first", {"device"});
+  expect_refused("model gear6", {"unknown model 'gear6'"});
+  expect_refused("studies nothing", {"no built-in study"});
+}
+
+TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {
+  folder_.write("text.nc", "not a map");
+  expect_refused("plot text.nc -o map.png", {"text.nc"});
+  expect_refused("plot missing.nc -o map.png", {"missing.nc"});
+  expect_refused("export text.nc -q x1_rms -o map.csv", {"text.nc"});
+}
+
+}  // namespace
+}  // namespace gearsweep::testing

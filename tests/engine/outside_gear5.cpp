@@ -1,0 +1,158 @@
+#include "engine/outside_gear5.hpp"
+
+#include <algorithm>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "support/settings.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// Widens `range` by x1 on a step of length h, which the cubic of Hermite follows to fourth order.
+void widen(const OutsideState& before, const OutsideState& after, double h, OutsideRange* range) {
+  constexpr int kParts = 32;
+  for (int i = 0; i <= kParts; ++i) {
+    const double t = static_cast<double>(i) / kParts;
+    const double r = 1.0 - t;
+    const double x1 = r * r * (1.0 + 2.0 * t) * before[0] + t * t * (3.0 - 2.0 * t) * after[0] +
+                      h * t * r * (r * before[5] - t * after[5]);
+    range->least = std::min(range->least, x1);
+    range->greatest = std::max(range->greatest, x1);
+  }
+}
+
+}  // namespace
+
+OutsideGear::OutsideGear(const ModelSetting& setting) {
+  const auto value = [&](const char* name) { return parameter_of(setting, name); };
+  omega_ = value("omega");
+  b_ = value("b");
+  mu_ = value("mu");
+  F1_ = value("F1");
+  e0_ = value("e0");
+  zeta_ = value("zeta");
+  m1_ = value("m1");
+  m2_ = value("m2");
+  k_ = {value("k1"), value("k2"), value("k3"), value("k4")};
+  c_ = {value("c1"), value("c2"), value("c3"), value("c4")};
+  eps_ = value("eps");
+  pitch_point_ = value("approach") * eps_;
+  alpha_ = value("alpha") * std::numbers::pi / 180.0;
+  A_ = value("A");
+  rho_p_ = value("rho_p");
+  rho_g_ = value("rho_g");
+  zp_ = value("zp");
+  ratio_ = value("teeth_ratio");
+  q_ = value("q");
+  kappa_ = value("kappa");
+  phase_ = value("phase");
+  formulation_ = option_of(setting, "formulation");
+  stiffness_ = option_of(setting, "stiffness");
+  dynamic_ = option_of(setting, "backlash") == "dynamic";
+  breaks_ = {0.0, eps_ - 1.0, std::fmod(pitch_point_, 1.0), 1.0};
+  std::sort(breaks_.begin(), breaks_.end());
+}
+
+double OutsideGear::period() const { return kTurn / omega_; }
+
+double OutsideGear::pair_stiffness(std::size_t pair, double psi, bool in_contact) const {
+  if (stiffness_ == "fourier") return (1.0 + kappa_ * std::cos(kTurn * psi + phase_)) / 2.0;
+  if (!in_contact) return 0.0;
+  if (stiffness_ == "rectangular") return 1.0 / eps_;
+  const double position = psi + static_cast<double>(pair);
+  const double middle = eps_ / 2.0;
+  const double A0 = 1.0 / (eps_ * (1.0 - q_ / 3.0));
+  return A0 * (1.0 - q_ * std::pow((position - middle) / middle, 2));
+}
+
+OutsideGear::Phase OutsideGear::sums(double psi, double inside) const {
+  const double tan_alpha = std::tan(alpha_);
+  const double base_pitch = kTurn / zp_;  // pb/Rp
+  std::array<double, 2> kappa{}, g{}, h{};  // of pair 1 and 2: stiffness, mesh and sliding factors
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double position = psi + static_cast<double>(i);
+    const double side = inside + static_cast<double>(i);
+    const bool in_contact = side < eps_;
+    double lambda = 0.0;
+    if (in_contact) lambda = side < pitch_point_ ? 1.0 : -1.0;
+    // s_p/Rp is tan(alpha) at the pitch point and grows by pb per base pitch; the line of action
+    // has the length (Rp + Rg) tan(alpha) = s_p + s_g.
+    const double arm_p = tan_alpha + (position - pitch_point_) * base_pitch;
+    const double arm_g = ((1.0 + ratio_) * tan_alpha - arm_p) / ratio_;
+    kappa[i] = pair_stiffness(i, psi, in_contact);
+    if (formulation_ == "printed") {
+      const double sigma = -lambda;
+      g[i] = 1.0 + mu_ * sigma * arm_g;
+      h[i] = mu_ * sigma;
+    } else {
+      g[i] = 1.0 - mu_ * lambda * (rho_p_ * arm_p + rho_g_ * arm_g);
+      h[i] = mu_ * lambda;
+    }
+  }
+  return {kappa[0] + kappa[1], g[0] + g[1], h[0] + h[1], g[0] * kappa[0] + g[1] * kappa[1],
+          h[0] * kappa[0] + h[1] * kappa[1]};
+}
+
+void OutsideGear::slope(double psi, double inside, const OutsideState& x, OutsideState* dx) const {
+  const Phase s = sums(psi, inside);
+  const double sign = formulation_ == "printed" ? 1.0 : -1.0;
+  const double D = x[0] + sign * (x[2] - x[4]);
+  const double Dp = x[5] + sign * (x[7] - x[9]);
+  double backlash = b_;
+  if (dynamic_) {
+    const double u = x[3] - x[1];
+    const double v = x[2] - x[4];
+    const double n = 2.0 * A_ * (u * std::cos(alpha_) + v * std::sin(alpha_)) + u * u + v * v;
+    const double S = std::hypot(A_ * std::cos(alpha_) + u, -v - A_ * std::sin(alpha_));
+    backlash = b_ + n / (S + A_) * std::tan(alpha_);
+  }
+  double f = 0.0;
+  if (D > backlash) f = D - backlash;
+  if (D < -backlash) f = D + backlash;
+
+  const double two_zeta = 2.0 * zeta_;
+  for (std::size_t i = 0; i < 5; ++i) (*dx)[i] = x[i + 5];
+  (*dx)[5] = F1_ + e0_ * omega_ * omega_ * std::sin(kTurn * psi) - s.Q * f - two_zeta * s.G * Dp;
+  (*dx)[6] = -two_zeta * m1_ * c_[0] * x[6] - m1_ * k_[0] * x[1] - m1_ * (s.C * f + two_zeta * s.H * Dp);
+  (*dx)[7] = -two_zeta * m1_ * c_[1] * x[7] - m1_ * k_[1] * x[2] + m1_ * (s.B * f + 2.0 * two_zeta * Dp);
+  (*dx)[8] = -two_zeta * m2_ * c_[2] * x[8] - m2_ * k_[2] * x[3] + m2_ * (s.C * f + two_zeta * s.H * Dp);
+  (*dx)[9] = -two_zeta * m2_ * c_[3] * x[9] - m2_ * k_[3] * x[4] - m2_ * (s.B * f + 2.0 * two_zeta * Dp);
+  (*dx)[10] = x[0] / period();
+  (*dx)[11] = x[0] * x[0] / period();
+}
+
+void OutsideGear::advance_period(double tolerance, OutsideState* x, OutsideRange* range) const {
+  namespace odeint = boost::numeric::odeint;
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+    const double from = breaks_[i];
+    const double to = breaks_[i + 1];
+    if (!(to > from)) continue;
+    const double inside = 0.5 * (from + to);
+    const auto by_phase = [&](const OutsideState& at, OutsideState& dx, double psi) {
+      slope(psi, inside, at, &dx);
+      for (double& d : dx) d *= period();
+    };
+    auto stepper = odeint::make_controlled(tolerance, tolerance,
+                                           odeint::runge_kutta_dopri5<OutsideState>());
+    OutsideState before = *x;
+    double psi_before = from;
+    const auto each_step = [&](const OutsideState& at, double psi) {
+      if (range != nullptr) widen(before, at, (psi - psi_before) * period(), range);
+      before = at;
+      psi_before = psi;
+    };
+    odeint::integrate_adaptive(stepper, by_phase, *x, from, to, 1e-3 * (to - from), each_step);
+  }
+}
+
+OutsideState outside_state(const std::vector<double>& model_state) {
+  OutsideState x{};
+  std::copy(model_state.begin(), model_state.end(), x.begin());
+  return x;
+}
+
+}  // namespace gearsweep::testing

@@ -1,0 +1,55 @@
+// gear5 written a second time, from its published equations and not from the shared header, and
+// integrated by Boost.odeint: the outside opinion on formula and trajectory.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gearsweep::testing {
+
+// x1..x5, x1'..x5', then the integrals of x1 and of x1^2 over the phase.
+using OutsideState = std::array<double, 12>;
+
+// Least and greatest x1, between the steps' ends too.
+struct OutsideRange {
+  double least, greatest;
+};
+
+class OutsideGear {
+ public:
+  explicit OutsideGear(const ModelSetting& setting);
+
+  double period() const;
+
+  // The derivative by dimensionless time at phase psi; `inside` is a phase strictly between the
+  // break phases around psi and tells on which side of a break psi is meant. The two integrals'
+  // derivatives are x1 and x1^2 divided by the period.
+  void slope(double psi, double inside, const OutsideState& x, OutsideState* dx) const;
+
+  // One period from phase 0 by the controlled Dormand-Prince method of order 5, restarted at each
+  // break phase. The tolerance is absolute and relative. `range` is widened by what x1 does.
+  void advance_period(double tolerance, OutsideState* x, OutsideRange* range = nullptr) const;
+
+ private:
+  struct Phase {
+    double B, G, H, Q, C;  // the sums over the tooth pairs
+  };
+  Phase sums(double psi, double inside) const;
+  double pair_stiffness(std::size_t pair, double psi, bool in_contact) const;
+
+  double omega_, b_, mu_, F1_, e0_, zeta_, m1_, m2_;
+  std::array<double, 4> k_, c_;
+  double eps_, pitch_point_, alpha_, A_, rho_p_, rho_g_, zp_, ratio_, q_, kappa_, phase_;
+  std::string formulation_, stiffness_;
+  bool dynamic_;
+  std::vector<double> breaks_;
+};
+
+// The ten states of the model as the start of an outside integration, integrals at zero.
+OutsideState outside_state(const std::vector<double>& model_state);
+
+}  // namespace gearsweep::testing
