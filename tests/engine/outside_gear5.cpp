@@ -69,7 +69,7 @@ double OutsideGear::pair_stiffness(std::size_t pair, double psi, bool in_contact
   return A0 * (1.0 - q_ * std::pow((position - middle) / middle, 2));
 }
 
-OutsideGear::Phase OutsideGear::sums(double psi, double inside) const {
+MeshSums OutsideGear::sums(double psi, double inside) const {
   const double tan_alpha = std::tan(alpha_);
   const double base_pitch = kTurn / zp_;  // pb/Rp
   std::array<double, 2> kappa{}, g{}, h{};  // of pair 1 and 2: stiffness, mesh and sliding factors
@@ -98,7 +98,7 @@ OutsideGear::Phase OutsideGear::sums(double psi, double inside) const {
 }
 
 void OutsideGear::slope(double psi, double inside, const OutsideState& x, OutsideState* dx) const {
-  const Phase s = sums(psi, inside);
+  const MeshSums s = sums(psi, inside);
   const double sign = formulation_ == "printed" ? 1.0 : -1.0;
   const double D = x[0] + sign * (x[2] - x[4]);
   const double Dp = x[5] + sign * (x[7] - x[9]);

@@ -19,15 +19,23 @@ struct OutsideRange {
   double least, greatest;
 };
 
+// Sums over the tooth pairs, by the names of the model's equations.
+struct MeshSums {
+  double B, G, H, Q, C;
+};
+
 class OutsideGear {
  public:
   explicit OutsideGear(const ModelSetting& setting);
 
   double period() const;
 
-  // The derivative by dimensionless time at phase psi; `inside` is a phase strictly between the
-  // break phases around psi and tells on which side of a break psi is meant. The two integrals'
-  // derivatives are x1 and x1^2 divided by the period.
+  // At phase psi; `inside` is a phase strictly between the break phases around psi and tells on
+  // which side of a break psi is meant.
+  MeshSums sums(double psi, double inside) const;
+
+  // The derivative by dimensionless time. The two integrals' derivatives are x1 and x1^2 divided by
+  // the period.
   void slope(double psi, double inside, const OutsideState& x, OutsideState* dx) const;
 
   // One period from phase 0 by the controlled Dormand-Prince method of order 5, restarted at each
@@ -35,10 +43,6 @@ class OutsideGear {
   void advance_period(double tolerance, OutsideState* x, OutsideRange* range = nullptr) const;
 
  private:
-  struct Phase {
-    double B, G, H, Q, C;  // the sums over the tooth pairs
-  };
-  Phase sums(double psi, double inside) const;
   double pair_stiffness(std::size_t pair, double psi, bool in_contact) const;
 
   double omega_, b_, mu_, F1_, e0_, zeta_, m1_, m2_;

@@ -1,0 +1,13 @@
+// The floating-point operations of a step, counted by running the kernel's own source on numbers
+// that count.
+#pragma once
+
+#include "study/study.hpp"
+
+namespace gearsweep::bench {
+
+// Of one point over one Runge-Kutta step of gear5 with the study's options; what counts is said at
+// Tally (counted.hpp).
+double flops_per_step(const Study& study);
+
+}  // namespace gearsweep::bench

@@ -1,0 +1,186 @@
+// Speed of the kernels, beside what the same device can do at most (FmaPeak) and what a native
+// program does on the same equations (OdeintSweep). The machine's speed drifts, so each iteration
+// measures all of them in turn, and the counters are medians over the iterations.
+//
+//   steps/s        integration steps of single points per second, rounds after the first only
+//   flops_per_step counted on the kernel's source (see Tally in counted.hpp)
+//   flop/s         steps/s x flops_per_step
+//   peak_flop/s    of the FMA micro-kernel, on the same device
+//   peak_share     of the two
+//   odeint_steps/s native, all cores, -O3 -march=native
+//   vs_odeint      steps/s / odeint_steps/s
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "flop_count.hpp"
+#include "fma_peak.hpp"
+#include "odeint_sweep.hpp"
+#include "opencl/device.hpp"
+#include "opencl/opencl_engine.hpp"
+
+namespace gearsweep::bench {
+namespace {
+
+// Both axes of the usual map, so that phase grids and their tables are those of real work.
+constexpr const char* kStudy = R"(
+[model]
+name = "gear5"
+preset = "coarse"
+[[axes]]
+name = "omega"
+from = 0.4
+to = 2.0
+count = 64
+[[axes]]
+name = "b"
+from = 0.3
+to = 1.5
+count = 64
+[integrate]
+settle = 24
+record = 1
+round = 4
+[observe]
+quantities = ["x1_max"]
+)";
+constexpr std::size_t kOdeintStride = 16;  // of the points: enough for some 30 ms
+constexpr std::size_t kOdeintPeriods = 16;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct Case {
+  std::string name;
+  std::vector<std::string> overrides;  // of kStudy
+  bool settling = true;                // otherwise recording
+  bool odeint = false;
+};
+
+// Everything that one benchmark measures, ready to run.
+class Contest {
+ public:
+  explicit Contest(const Case& what)
+      : study_(read_study(kStudy, "settle_bench", what.overrides)),
+        plan_(study_, study_.points()),
+        settling_(what.settling),
+        engine_(make_opencl_engine(study_, std::nullopt)),
+        peak_(default_device(list_devices()), study_.integrate.fp64) {
+    for (const std::size_t point : tile().points) {
+      const std::vector<double> state = plan_.own_initial_state(point);
+      initial_.insert(initial_.end(), state.begin(), state.end());
+    }
+    if (what.odeint) odeint_ = std::make_unique<OdeintSweep>(plan_, tile(), kOdeintStride);
+    run_kernel();  // the first launch finishes the build
+  }
+
+  void measure(benchmark::State& state) {
+    const double flops = settling_ ? flops_per_step(study_) : 0.0;
+    std::vector<double> rates, peaks, shares, rivals, ratios;
+    for ([[maybe_unused]] auto turn : state) {
+      peaks.push_back(peak_.flops_per_second());
+      const Rounds rounds = run_kernel();
+      state.SetIterationTime(rounds.seconds);
+      rates.push_back(rounds.steps / rounds.seconds);
+      shares.push_back(rates.back() * flops / peaks.back());
+      if (!odeint_) continue;
+      rivals.push_back(odeint_->steps_per_second(kOdeintPeriods));
+      ratios.push_back(rates.back() / rivals.back());
+    }
+    const auto counter = [](double value) {
+      return benchmark::Counter(value, benchmark::Counter::kDefaults,
+                                benchmark::Counter::OneK::kIs1000);
+    };
+    state.counters["steps/s"] = counter(median(rates));
+    if (settling_) {
+      state.counters["flops_per_step"] = counter(flops);
+      state.counters["flop/s"] = counter(median(rates) * flops);
+      state.counters["peak_flop/s"] = counter(median(peaks));
+      state.counters["peak_share"] = counter(median(shares));
+    }
+    if (!odeint_) return;
+    state.counters["odeint_steps/s"] = counter(median(rivals));
+    state.counters["vs_odeint"] = counter(median(ratios));
+  }
+
+ private:
+  struct Rounds {
+    double steps = 0.0, seconds = 0.0;
+  };
+
+  const Tile& tile() const { return plan_.stages().front().tiles.front(); }
+
+  // Times the launches alone: from the end of the first round of the kernel in question to the end
+  // of its last one.
+  Rounds run_kernel() {
+    const Integrate& integrate = study_.integrate;
+    const std::size_t periods = settling_ ? integrate.settle : integrate.record;
+    const std::size_t last = periods / integrate.round;
+    std::size_t round = 0;
+    Rounds rounds;
+    std::chrono::steady_clock::time_point start;
+    engine_->compute(plan_, tile(), initial_, [&](double steps) {
+      const auto now = std::chrono::steady_clock::now();
+      ++round;
+      if (round == 1) start = now;
+      if (round > 1 && round <= last) rounds.steps += steps;
+      if (round == last) rounds.seconds = std::chrono::duration<double>(now - start).count();
+      return true;
+    });
+    return rounds;
+  }
+
+  const Study study_;
+  const Plan plan_;
+  const bool settling_;
+  const std::unique_ptr<Engine> engine_;
+  FmaPeak peak_;
+  std::vector<double> initial_;
+  std::unique_ptr<OdeintSweep> odeint_;
+};
+
+std::vector<Case> cases() {
+  const std::string everything =
+      "observe.quantities=[\"x1_min\", \"x1_max\", \"x1_mean\", \"x1_rms\", \"x1_std\", "
+      "\"dmf_max\", \"dmf_rms\", \"contact_drive\", \"contact_losses\", \"contact_class\", "
+      "\"poincare\"]";
+  const std::vector<std::string> recording = {"integrate.settle=0", "integrate.record=12",
+                                              everything};
+  return {
+      {"settle/fp64/constant", {}, true, true},
+      {"settle/fp64/constant/lanes:1", {"integrate.lanes=1"}, true, false},
+      {"settle/fp64/dynamic", {"model.backlash=dynamic"}, true, true},
+      {"settle/fp32/constant", {"integrate.precision=fp32"}, true, false},
+      {"settle/fp32/dynamic", {"integrate.precision=fp32", "model.backlash=dynamic"}, true, false},
+      {"record/fp64/constant", recording, false, false},
+  };
+}
+
+// Built when it first runs, as a filter may leave it out; Google Benchmark calls `measure` again
+// until it has enough iterations.
+void add_benchmark(const Case& what) {
+  const auto contest = std::make_shared<std::unique_ptr<Contest>>();
+  benchmark::RegisterBenchmark(what.name.c_str(),
+                               [what, contest](benchmark::State& state) {
+                                 if (*contest == nullptr)
+                                   *contest = std::make_unique<Contest>(what);
+                                 (*contest)->measure(state);
+                               })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+const bool registered = [] {
+  for (const Case& what : cases()) add_benchmark(what);
+  return true;
+}();
+
+}  // namespace
+}  // namespace gearsweep::bench

@@ -1,0 +1,189 @@
+#include "io/netcdf_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "io/result_file.hpp"
+#include "model/error.hpp"
+
+namespace gearsweep {
+
+NetcdfFile NetcdfFile::create(const std::string& path, const std::string& shown_name) {
+  int id = -1;
+  const int code = nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
+  NetcdfFile file(code == NC_NOERR ? id : -1, shown_name);
+  file.check(code, "create");
+  return file;
+}
+
+NetcdfFile NetcdfFile::open(const std::string& path) {
+  if (!is_netcdf(path)) {
+    const bool readable = std::ifstream(path).good();
+    throw InputError(readable ? fmt::format("'{}' is not a NetCDF file; give a result that "
+                                            "gearsweep wrote",
+                                            path)
+                              : fmt::format("cannot open '{}'; give an existing result file", path));
+  }
+  int id = -1;
+  const int code = nc_open(path.c_str(), NC_NOWRITE, &id);
+  if (code != NC_NOERR) {
+    throw InputError(fmt::format("'{}' looks like a NetCDF file but cannot be opened ({}); it may "
+                                 "be cut short",
+                                 path, nc_strerror(code)));
+  }
+  return {id, path};
+}
+
+NetcdfFile::~NetcdfFile() {
+  if (id_ >= 0) nc_close(id_);
+}
+
+NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept
+    : id_(std::exchange(other.id_, -1)), shown_name_(std::move(other.shown_name_)) {}
+
+void NetcdfFile::check(int code, std::string_view doing) const {
+  if (code == NC_NOERR) return;
+  throw RunError(
+      fmt::format("cannot {} in '{}': {} ({})", doing, shown_name_, nc_strerror(code), code));
+}
+
+void NetcdfFile::close() { check(nc_close(std::exchange(id_, -1)), "write the last data"); }
+
+int NetcdfFile::define_dimension(const std::string& dimension, std::size_t size) {
+  int made = -1;
+  check(nc_def_dim(id_, dimension.c_str(), size, &made),
+        fmt::format("define the dimension '{}'", dimension));
+  return made;
+}
+
+int NetcdfFile::define_variable(const std::string& variable, nc_type type,
+                                const std::vector<int>& dimensions) {
+  int made = -1;
+  check(nc_def_var(id_, variable.c_str(), type, static_cast<int>(dimensions.size()),
+                   dimensions.data(), &made),
+        fmt::format("define the variable '{}'", variable));
+  return made;
+}
+
+void NetcdfFile::put_attribute(int variable, const std::string& attribute,
+                               const std::string& text) {
+  check(nc_put_att_text(id_, variable, attribute.c_str(), text.size(), text.data()),
+        fmt::format("write the attribute '{}'", attribute));
+}
+
+void NetcdfFile::put_attribute(int variable, const std::string& attribute, double number) {
+  check(nc_put_att_double(id_, variable, attribute.c_str(), NC_DOUBLE, 1, &number),
+        fmt::format("write the attribute '{}'", attribute));
+}
+
+void NetcdfFile::put_attribute(int variable, const std::string& attribute,
+                               const std::vector<signed char>& numbers) {
+  check(nc_put_att_schar(id_, variable, attribute.c_str(), NC_BYTE, numbers.size(), numbers.data()),
+        fmt::format("write the attribute '{}'", attribute));
+}
+
+std::vector<std::string> NetcdfFile::variables() const {
+  int count = 0;
+  check(nc_inq_nvars(id_, &count), "count the variables");
+  std::vector<std::string> names;
+  for (int variable = 0; variable < count; ++variable) {
+    std::array<char, NC_MAX_NAME + 1> name{};
+    check(nc_inq_varname(id_, variable, name.data()), "read the name of a variable");
+    names.emplace_back(name.data());
+  }
+  return names;
+}
+
+int NetcdfFile::find_variable(const std::string& variable) const {
+  int found = -1;
+  const int code = nc_inq_varid(id_, variable.c_str(), &found);
+  if (code == NC_ENOTVAR) return -1;
+  check(code, fmt::format("find the variable '{}'", variable));
+  return found;
+}
+
+std::vector<int> NetcdfFile::dimensions_of(int variable) const {
+  int count = 0;
+  check(nc_inq_varndims(id_, variable, &count), "count the dimensions of a variable");
+  std::vector<int> dimensions(static_cast<std::size_t>(count));
+  check(nc_inq_vardimid(id_, variable, dimensions.data()), "read the dimensions of a variable");
+  return dimensions;
+}
+
+std::string NetcdfFile::dimension_name(int dimension) const {
+  std::array<char, NC_MAX_NAME + 1> name{};
+  check(nc_inq_dimname(id_, dimension, name.data()), "read the name of a dimension");
+  return name.data();
+}
+
+std::size_t NetcdfFile::dimension_size(int dimension) const {
+  std::size_t size = 0;
+  check(nc_inq_dimlen(id_, dimension, &size), "read the size of a dimension");
+  return size;
+}
+
+std::optional<std::string> NetcdfFile::text_attribute(int variable,
+                                                      const std::string& attribute) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  const int code = nc_inq_att(id_, variable, attribute.c_str(), &type, &length);
+  if (code == NC_ENOTATT) return std::nullopt;
+  const std::string doing = fmt::format("read the attribute '{}'", attribute);
+  check(code, doing);
+  // Other programs that copy a file may turn the text into a NetCDF-4 string.
+  if (type == NC_STRING && length == 1) {
+    char* stored = nullptr;
+    check(nc_get_att_string(id_, variable, attribute.c_str(), &stored), doing);
+    std::string text = stored == nullptr ? "" : stored;
+    nc_free_string(1, &stored);
+    return text;
+  }
+  if (type != NC_CHAR) return std::nullopt;
+  std::string text(length, '\0');
+  check(nc_get_att_text(id_, variable, attribute.c_str(), text.data()), doing);
+  return text;
+}
+
+std::vector<double> NetcdfFile::number_attribute(int variable, const std::string& attribute) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  const int code = nc_inq_att(id_, variable, attribute.c_str(), &type, &length);
+  if (code == NC_ENOTATT || type == NC_CHAR || type == NC_STRING) return {};
+  const std::string doing = fmt::format("read the attribute '{}'", attribute);
+  check(code, doing);
+  std::vector<double> numbers(length);
+  check(nc_get_att_double(id_, variable, attribute.c_str(), numbers.data()), doing);
+  return numbers;
+}
+
+std::vector<double> NetcdfFile::read(int variable, const std::vector<std::size_t>& start,
+                                     const std::vector<std::size_t>& count) const {
+  std::vector<double> values(
+      std::accumulate(count.begin(), count.end(), std::size_t{1}, std::multiplies<>()));
+  check(nc_get_vara_double(id_, variable, start.data(), count.data(), values.data()),
+        "read the values of a variable");
+  return values;
+}
+
+std::vector<std::string> NetcdfFile::read_texts(int variable) const {
+  const std::vector<int> dimensions = dimensions_of(variable);
+  if (dimensions.size() != 2) check(NC_EDIMSIZE, "read a list of texts");
+  const std::size_t count = dimension_size(dimensions[0]);
+  const std::size_t width = dimension_size(dimensions[1]);
+  std::string all(count * width, '\0');
+  check(nc_get_var_text(id_, variable, all.data()), "read a list of texts");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string text = all.substr(i * width, width);
+    text.erase(text.find_last_not_of(std::string(" \0", 2)) + 1);
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,64 @@
+// A thin owner of an open NetCDF file, with errors as exceptions. Private to this folder.
+#pragma once
+
+#include <netcdf.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gearsweep {
+
+// Ids of variables and dimensions are those of the NetCDF library. Unless said otherwise, functions
+// throw RunError: what was being done, the file, the library's reason.
+class NetcdfFile {
+ public:
+  // Creates a NetCDF-4 file over whatever is at `path`. Messages call it `shown_name`.
+  static NetcdfFile create(const std::string& path, const std::string& shown_name);
+  // Opens for reading. Throws InputError when there is no such file or it is not NetCDF.
+  static NetcdfFile open(const std::string& path);
+  ~NetcdfFile();
+  NetcdfFile(NetcdfFile&& other) noexcept;
+  NetcdfFile& operator=(NetcdfFile&&) = delete;
+
+  int id() const { return id_; }
+  const std::string& name() const { return shown_name_; }
+  // doing: "define the variable 'x1_rms'".
+  void check(int code, std::string_view doing) const;
+  // Writes all that is still in memory; nothing may be called after.
+  void close();
+
+  int define_dimension(const std::string& dimension, std::size_t size);
+  int define_variable(const std::string& variable, nc_type type,
+                      const std::vector<int>& dimensions);
+  // `variable` may be NC_GLOBAL.
+  void put_attribute(int variable, const std::string& attribute, const std::string& text);
+  void put_attribute(int variable, const std::string& attribute, double number);
+  void put_attribute(int variable, const std::string& attribute,
+                     const std::vector<signed char>& numbers);
+
+  std::vector<std::string> variables() const;
+  // -1 when there is none of that name.
+  int find_variable(const std::string& variable) const;
+  std::vector<int> dimensions_of(int variable) const;
+  std::string dimension_name(int dimension) const;
+  std::size_t dimension_size(int dimension) const;
+  std::optional<std::string> text_attribute(int variable, const std::string& attribute) const;
+  // Empty when there is none.
+  std::vector<double> number_attribute(int variable, const std::string& attribute) const;
+  // A block of a variable of any numeric type; start and count have one entry per dimension.
+  std::vector<double> read(int variable, const std::vector<std::size_t>& start,
+                           const std::vector<std::size_t>& count) const;
+  // A character array [entry][width]; trailing zeros and blanks are not part of an entry.
+  std::vector<std::string> read_texts(int variable) const;
+
+ private:
+  NetcdfFile(int id, std::string shown_name) : id_(id), shown_name_(std::move(shown_name)) {}
+
+  int id_ = -1;
+  std::string shown_name_;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,321 @@
+// Writes a sweep as NetCDF-4, so that xarray, MATLAB, Octave and ncview open it without help.
+// The file claims no CF convention: the dimensionless units are not units of UDUNITS.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "io/netcdf_file.hpp"
+#include "io/result_file.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+constexpr signed char kNoClass = -1;
+
+// The SI unit of a dimensionless unit; the scale is 0 where there is none.
+struct SiUnit {
+  double scale = 0.0;
+  std::string name;
+};
+
+SiUnit si_unit(const std::string& unit, const Scales& scales) {
+  if (!scales.known()) return {};
+  if (unit == "b_n") return {scales.b_n, "m"};
+  if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
+  if (unit == "varpi") return {scales.varpi, "rad/s"};
+  if (unit == "k0") return {scales.k0, "N/m"};
+  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+  return {};
+}
+
+int put_values(int file, int variable, const std::size_t* start, const std::size_t* count,
+               const std::vector<double>& values) {
+  return nc_put_vara_double(file, variable, start, count, values.data());
+}
+
+int put_values(int file, int variable, const std::size_t* start, const std::size_t* count,
+               const std::vector<float>& values) {
+  return nc_put_vara_float(file, variable, start, count, values.data());
+}
+
+int put_values(int file, int variable, const std::size_t* start, const std::size_t* count,
+               const std::vector<signed char>& values) {
+  return nc_put_vara_schar(file, variable, start, count, values.data());
+}
+
+// Defines all of the file, then fills it.
+class Writer {
+ public:
+  Writer(const SweepResult& result, NetcdfFile* file)
+      : result_(result), study_(result.study), file_(*file) {}
+
+  void write(const Provenance& provenance) {
+    write_provenance(provenance);
+    for (auto axis = study_.axes.rbegin(); axis != study_.axes.rend(); ++axis) write_axis(*axis);
+    write_status();
+    for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
+      write_quantity(study_.selection.quantities[i], result_.values[i]);
+    }
+    if (!study_.selection.poincare.empty()) write_poincare();
+  }
+
+ private:
+  void write_provenance(const Provenance& provenance) {
+    const auto put = [&](const char* name, const auto& value) {
+      file_.put_attribute(NC_GLOBAL, name, value);
+    };
+    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    put("title", study_.title);
+    put("study", study_.toml);
+    put("gearsweep_version", provenance.version);
+    put("source_hash", provenance.source_hash);
+    put("device", result_.engine.device);
+    put("driver", result_.engine.driver);
+    put("kernel_macros", result_.engine.macros);
+    put("command_line", provenance.command_line);
+    put("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
+    put("integration_steps", result_.steps);
+    put("compute_seconds", result_.seconds);
+    const Scales& scales = study_.scales;
+    if (!scales.known()) return;
+    put("scale_varpi_rad_per_s", scales.varpi);
+    put("scale_b_n_m", scales.b_n);
+    put("scale_k0_N_per_m", scales.k0);
+    put("scale_force_N", scales.k0 * scales.b_n);
+    put("scale_rpm_per_omega", scales.rpm_per_omega);
+  }
+
+  void write_axis(const Axis& axis) {
+    const int dimension = file_.define_dimension(axis.name, axis.values.size());
+    map_dimensions_.push_back(dimension);
+    const int variable = file_.define_variable(axis.name, NC_DOUBLE, {dimension});
+    describe(variable, axis.unit, axis.meaning);
+    file_.put_attribute(variable, "scale", axis.logarithmic ? "log" : "linear");
+    put_all(variable, axis.values);
+  }
+
+  void write_status() {
+    const int variable = file_.define_variable("status", NC_BYTE, map_dimensions_);
+    describe(variable, "", "why the point ended");
+    std::vector<std::string> names, meanings;
+    std::vector<signed char> codes;
+    const auto add = [&](const char* name, int code, const char* meaning) {
+      names.emplace_back(name);
+      codes.push_back(static_cast<signed char>(code));
+      meanings.push_back(fmt::format("{}: {}", name, meaning));
+    };
+#define GEARSWEEP_ADD_STATUS(name, code, meaning) add(#name, code, meaning);
+    SWEEP_STATUSES(GEARSWEEP_ADD_STATUS)
+#undef GEARSWEEP_ADD_STATUS
+    put_flags(variable, codes, names);
+    file_.put_attribute(variable, "comment", fmt::format("{}", fmt::join(meanings, "; ")));
+    compress(variable);
+    put_all(variable, std::vector<signed char>(result_.status.begin(), result_.status.end()));
+  }
+
+  void write_quantity(const Quantity& quantity, const std::vector<double>& values) {
+    const bool is_class = !quantity.flags.empty();
+    const int variable =
+        file_.define_variable(quantity.name, is_class ? NC_BYTE : real_type(), map_dimensions_);
+    describe(variable, quantity.unit, quantity.meaning);
+    set_fill(variable, is_class);
+    if (is_class) {
+      std::vector<signed char> codes(quantity.flags.size());
+      std::iota(codes.begin(), codes.end(), static_cast<signed char>(0));
+      put_flags(variable, codes, quantity.flags);
+    }
+    compress(variable);
+    if (is_class) {
+      put_all(variable, classes(values));
+    } else {
+      put_reals(variable, std::vector<std::size_t>(map_dimensions_.size(), 0), map_shape(), values);
+    }
+  }
+
+  void write_poincare() {
+    const std::size_t record = study_.integrate.record;
+    const int state = write_states();
+    const int sample = file_.define_dimension("sample", record);
+    const int sample_variable = file_.define_variable("sample", NC_INT, {sample});
+    describe(sample_variable, "", "recorded period");
+    std::vector<double> numbers(record);
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    put_all(sample_variable, numbers);
+
+    std::vector<int> dimensions = map_dimensions_;
+    dimensions.insert(dimensions.end(), {state, sample});
+    const int variable = file_.define_variable("poincare", real_type(), dimensions);
+    const std::vector<ChannelInfo> states = chosen_states();
+    const bool one_unit = std::all_of(states.begin(), states.end(), [&](const ChannelInfo& other) {
+      return other.unit == states.front().unit;
+    });
+    describe(variable, one_unit ? states.front().unit : "see state_units",
+             "states at phase 0 of each recorded period");
+    file_.put_attribute(variable, "coordinates", "state_units state_long_name");
+    set_fill(variable, false);
+    put_samples(variable, states.size() * record);
+  }
+
+  // One row of points in blocks of about a mebibyte: a block is a chunk of the file, so that it is
+  // compressed once and one point can be read without the rest.
+  void put_samples(int variable, std::size_t per_point) {
+    const std::size_t row = study_.axes.front().values.size();
+    constexpr std::size_t kBlock = std::size_t{1} << 20;
+    const std::size_t block = std::clamp(kBlock / (per_point * sizeof(double)), std::size_t{1}, row);
+    std::vector<std::size_t> chunk(map_dimensions_.size(), 1);
+    chunk.back() = block;
+    const std::size_t states = study_.selection.poincare.size();
+    chunk.insert(chunk.end(), {states, per_point / states});
+    file_.check(nc_def_var_chunking(file_.id(), variable, NC_CHUNKED, chunk.data()),
+                "set the chunks of 'poincare'");
+    compress(variable);
+    const std::size_t points = result_.status.size();
+    for (std::size_t first = 0; first < points;) {
+      const std::size_t x = first % row;
+      const std::size_t count = std::min(block, row - x);
+      std::vector<std::size_t> start(chunk.size(), 0), shape = chunk;
+      start[map_dimensions_.size() - 1] = x;
+      if (map_dimensions_.size() == 2) start[0] = first / row;
+      shape[map_dimensions_.size() - 1] = count;
+      const auto begin = result_.samples.begin() + static_cast<std::ptrdiff_t>(first * per_point);
+      put_reals(variable, start, shape,
+                {begin, begin + static_cast<std::ptrdiff_t>(count * per_point)});
+      first += count;
+    }
+  }
+
+  // Returns the dimension. Names are character arrays, not NetCDF-4 strings: every reader knows
+  // them.
+  int write_states() {
+    std::vector<std::string> names, units, meanings;
+    for (const ChannelInfo& state : chosen_states()) {
+      names.push_back(state.name);
+      units.push_back(state.unit);
+      meanings.push_back(state.meaning);
+    }
+    const int dimension = file_.define_dimension("state", names.size());
+    write_texts("state", dimension, names);
+    write_texts("state_units", dimension, units);
+    write_texts("state_long_name", dimension, meanings);
+    return dimension;
+  }
+
+  void write_texts(const std::string& name, int dimension, const std::vector<std::string>& texts) {
+    std::size_t width = 1;
+    for (const std::string& text : texts) width = std::max(width, text.size());
+    const int length = file_.define_dimension(name + "_strlen", width);
+    const int variable = file_.define_variable(name, NC_CHAR, {dimension, length});
+    file_.put_attribute(variable, "_Encoding", "utf-8");
+    std::string all;
+    for (std::string text : texts) {
+      text.resize(width, '\0');
+      all += text;
+    }
+    file_.check(nc_put_var_text(file_.id(), variable, all.data()),
+                fmt::format("write the variable '{}'", name));
+  }
+
+  std::vector<ChannelInfo> chosen_states() const {
+    std::vector<ChannelInfo> states;
+    for (const std::size_t state : study_.selection.poincare) {
+      states.push_back(study_.model->states[state]);
+    }
+    return states;
+  }
+
+  void describe(int variable, const std::string& unit, const std::string& meaning) {
+    file_.put_attribute(variable, "units", unit.empty() ? "1" : unit);
+    file_.put_attribute(variable, "long_name", meaning);
+    const SiUnit si = si_unit(unit, study_.scales);
+    if (si.scale <= 0.0) return;
+    file_.put_attribute(variable, "scale_to_SI", si.scale);
+    file_.put_attribute(variable, "SI_units", si.name);
+  }
+
+  void put_flags(int variable, const std::vector<signed char>& codes,
+                 const std::vector<std::string>& names) {
+    file_.put_attribute(variable, "flag_values", codes);
+    file_.put_attribute(variable, "flag_meanings", fmt::format("{}", fmt::join(names, " ")));
+  }
+
+  void set_fill(int variable, bool is_class) {
+    const double real = std::numeric_limits<double>::quiet_NaN();
+    const float single = std::numeric_limits<float>::quiet_NaN();
+    const void* fill = &single;
+    if (study_.integrate.fp64) fill = &real;
+    if (is_class) fill = &kNoClass;
+    file_.check(nc_def_var_fill(file_.id(), variable, NC_FILL, fill), "set a fill value");
+  }
+
+  void compress(int variable) {
+    constexpr int kShuffle = 1, kDeflate = 1, kLevel = 1;
+    file_.check(nc_def_var_deflate(file_.id(), variable, kShuffle, kDeflate, kLevel),
+                "set the compression of a variable");
+  }
+
+  static std::vector<signed char> classes(const std::vector<double>& values) {
+    std::vector<signed char> out(values.size(), kNoClass);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::isfinite(values[i])) out[i] = static_cast<signed char>(std::lround(values[i]));
+    }
+    return out;
+  }
+
+  // The library would call it an error when an infinity is to become a float.
+  void put_reals(int variable, const std::vector<std::size_t>& start,
+                 const std::vector<std::size_t>& shape, const std::vector<double>& values) {
+    if (study_.integrate.fp64) return put(variable, start, shape, values);
+    std::vector<float> singles(values.size());
+    std::transform(values.begin(), values.end(), singles.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    put(variable, start, shape, singles);
+  }
+
+  template <typename T>
+  void put(int variable, const std::vector<std::size_t>& start,
+           const std::vector<std::size_t>& shape, const std::vector<T>& values) {
+    file_.check(put_values(file_.id(), variable, start.data(), shape.data(), values),
+                "write the values of a variable");
+  }
+
+  // The whole of a variable over the map's dimensions, or over its own single one.
+  template <typename T>
+  void put_all(int variable, const std::vector<T>& values) {
+    const bool is_map = file_.dimensions_of(variable) == map_dimensions_;
+    const std::vector<std::size_t> shape =
+        is_map ? map_shape() : std::vector<std::size_t>{values.size()};
+    put(variable, std::vector<std::size_t>(shape.size(), 0), shape, values);
+  }
+
+  std::vector<std::size_t> map_shape() const {
+    std::vector<std::size_t> shape;
+    for (const int dimension : map_dimensions_) shape.push_back(file_.dimension_size(dimension));
+    return shape;
+  }
+
+  nc_type real_type() const { return study_.integrate.fp64 ? NC_DOUBLE : NC_FLOAT; }
+
+  const SweepResult& result_;
+  const Study& study_;
+  NetcdfFile& file_;
+  std::vector<int> map_dimensions_;  // (y, x) or (x)
+};
+
+}  // namespace
+
+void write_result(const SweepResult& result, const std::string& path,
+                  const Provenance& provenance) {
+  OutputFile output(path);
+  NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
+  Writer(result, &file).write(provenance);
+  file.close();
+  output.commit();
+}
+
+}  // namespace gearsweep

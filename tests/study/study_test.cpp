@@ -1,0 +1,147 @@
+// A study reads as it is written: presets, then dimensions, then parameters, then overrides.
+#include "study/study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const char* const kAxis = "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7]\n";
+
+double parameter(const Study& study, const std::string& name) {
+  return study.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
+}
+
+std::string origin(const Study& study, const std::string& name) {
+  return study.parameter_origins[static_cast<std::size_t>(study.model->find_parameter(name))];
+}
+
+int option(const Study& study, const std::string& name) {
+  return study.setting.options[static_cast<std::size_t>(study.model->find_option(name))];
+}
+
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    read_study(text, "s.toml", overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Study, GivenParametersOverrideThePreset) {
+  const Study study = read_study(
+      std::string("[model]\npreset = 'paper'\n[parameters]\nmu = 0.1\n") + kAxis, "s.toml");
+  EXPECT_EQ(parameter(study, "F1"), 0.173386);
+  EXPECT_EQ(origin(study, "F1"), "preset paper");
+  EXPECT_EQ(parameter(study, "mu"), 0.1);
+  EXPECT_EQ(origin(study, "mu"), "s.toml:4");
+  EXPECT_EQ(option(study, "formulation"), 1);
+  EXPECT_EQ(study.initial.policy, InitialPolicy::fixed);
+}
+
+TEST(Study, GivenOptionsOverrideThePreset) {
+  const Study study = read_study(
+      std::string("[model]\npreset = 'paper'\nformulation = 'consistent'\n") + kAxis, "s.toml");
+  EXPECT_EQ(option(study, "formulation"), 0);
+  EXPECT_EQ(option(study, "stiffness"), 2);
+}
+
+TEST(Study, AListFillsTheNumberedParameters) {
+  const Study study = read_study(
+      std::string("[model]\nstiffness = 'fourier'\n[parameters]\nkappa = [0.1, 0.02]\n") + kAxis,
+      "s.toml");
+  EXPECT_EQ(parameter(study, "kappa"), 0.1);
+  EXPECT_EQ(parameter(study, "kappa_2"), 0.02);
+  EXPECT_THAT(refusal(std::string("[parameters]\nkappa = [0, 0, 0, 0, 0]\n") + kAxis),
+              HasSubstr("at most 4 numbers"));
+}
+
+TEST(Study, OverridesReachEveryKey) {
+  const Study study =
+      read_study(std::string("[model]\npreset = 'coarse'\n") + kAxis, "s.toml",
+                 {"integrate.record=7", "model.backlash=dynamic", "parameters.mu=0",
+                  "axes.omega.values=[0.1, 0.2, 0.3]", "axes.0.scale=log"});
+  EXPECT_EQ(study.integrate.record, 7U);
+  EXPECT_EQ(option(study, "backlash"), 1);
+  EXPECT_EQ(parameter(study, "mu"), 0.0);
+  EXPECT_EQ(study.points(), 3U);
+  EXPECT_TRUE(study.axes[0].logarithmic);
+}
+
+TEST(Study, ItsTomlGivesTheSameStudyWithoutTheOverrides) {
+  const Study study = read_study(kAxis, "s.toml", {"integrate.record=7", "title=again"});
+  const Study again = read_study(study.toml, "again.toml");
+  EXPECT_EQ(again.toml, study.toml);
+  EXPECT_EQ(again.integrate.record, 7U);
+  EXPECT_EQ(again.title, "again");
+  EXPECT_EQ(again.axes[0].values, study.axes[0].values);
+}
+
+TEST(Study, ALogAxisHasAConstantRatio) {
+  const Study study = read_study(
+      "[[axes]]\nname = 'F1'\nfrom = 0.1\nto = 10.0\ncount = 3\nscale = 'log'\n", "s.toml");
+  // pow and the product round once each.
+  EXPECT_THAT(study.axes[0].values,
+              ElementsAre(0.1, ::testing::DoubleNear(1.0, 1e-15), 10.0));
+}
+
+TEST(Study, ASingleValueIsAnAxis) {
+  const Study study =
+      read_study("[[axes]]\nname = 'b'\nfrom = 1.0\nto = 1.0\ncount = 1\n", "s.toml");
+  EXPECT_THAT(study.axes[0].values, ElementsAre(1.0));
+}
+
+TEST(Study, AnInitialStateIsAnAxis) {
+  const Study study = read_study("[[axes]]\nname = 'v1'\nvalues = [-0.5, 0.5]\n", "s.toml");
+  EXPECT_TRUE(study.axes[0].is_state);
+  EXPECT_EQ(study.axes[0].index, 5U);
+}
+
+TEST(Study, WithoutQuantitiesTheFirstStateIsObserved) {
+  const Study study = read_study(kAxis, "s.toml");
+  ASSERT_EQ(study.selection.quantities.size(), 1U);
+  EXPECT_EQ(study.selection.quantities[0].name, "x1_rms");
+  EXPECT_THAT(study.selection.poincare, ElementsAre(0U));
+}
+
+TEST(Study, QuantitiesOfOneChannelShareAnObserver) {
+  const Study study =
+      read_study(std::string(kAxis) + "[observe]\nquantities = ['x1_rms', 'x1_mean', 'dmf_max']\n",
+                 "s.toml");
+  EXPECT_EQ(study.selection.observers.size(), 2U);
+}
+
+TEST(Study, ContradictionsInTheInitialPolicyAreRefused) {
+  const std::string text(kAxis);
+  EXPECT_THAT(refusal(text + "[initial]\nstate = {x1 = 1.0}\n"), HasSubstr("policy = \"fixed\""));
+  EXPECT_THAT(refusal(text + "[initial]\nalong = 'omega'\n"), HasSubstr("forward"));
+  EXPECT_THAT(refusal(text + "[initial]\npolicy = 'forward'\nalong = 'b'\n"),
+              HasSubstr("unknown along 'b'"));
+  EXPECT_THAT(refusal("[[axes]]\nname = 'x1'\nvalues = [0.0]\n[initial]\npolicy = 'forward'\n"),
+              HasSubstr("initial state"));
+  EXPECT_THAT(refusal(text + "[initial]\npolicy = 'fixed'\nstate = {x6 = 1.0}\n"),
+              HasSubstr("unknown key 'x6'"));
+}
+
+TEST(Study, TooMuchOutputIsRefused) {
+  EXPECT_THAT(refusal("[[axes]]\nname = 'b'\nfrom = 0.1\nto = 1.0\ncount = 100000\n[integrate]\n"
+                      "record = 100000\n[observe]\nquantities = ['poincare']\n"),
+              HasSubstr("integrate.record"));
+}
+
+TEST(Study, AStudyNeedsOneOrTwoAxes) {
+  EXPECT_THAT(refusal("title = 'x'\n"), HasSubstr("no axes"));
+  EXPECT_THAT(refusal(std::string(kAxis) + "[[axes]]\nname = 'b'\nvalues = [1.0]\n[[axes]]\n"
+                                           "name = 'mu'\nvalues = [0.1]\n"),
+              HasSubstr("one or two"));
+}
+
+}  // namespace
+}  // namespace gearsweep
