@@ -33,11 +33,11 @@ void add_plot_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("plot", "Draw a map of a result file");
   const auto request = std::make_shared<PlotRequest>();
   const auto cut = std::make_shared<std::string>();
-  command->add_option("result", request->result, "A result file, OUT.nc")->required();
+  command->add_option("result", request->result_path, "A result file, OUT.nc")->required();
   command->add_option("-q,--quantity", request->quantity,
                       "What to draw (default: the file's first); poincare:v1 picks a sampled state");
-  command->add_option("-o,--output", request->output, "The picture: .png, .svg or .pdf")->required();
-  command->add_option("--script", request->script,
+  command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")->required();
+  command->add_option("--script", request->script_path,
                       "Keep the gnuplot script (FILE.gp) and its data beside it, to restyle");
   command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis, AXIS=VALUE");
   command->footer("Examples:\n"

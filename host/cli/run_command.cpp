@@ -14,6 +14,7 @@
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
+#include "model/version.hpp"
 
 namespace gearsweep {
 namespace {
@@ -65,7 +66,6 @@ int run(const RunArguments& given) {
   const std::string journal = output + ".journal";
   ensure_writable(output);
   if (!arguments.plot.empty()) {
-    ensure_plottable(arguments.plot);
     ensure_writable(arguments.plot);
   }
 
@@ -81,7 +81,8 @@ int run(const RunArguments& given) {
     if (!arguments.quiet) bar.show(progress);
   };
   options.deliver = [&](const SweepResult& result) {
-    write_result(result, output, command_line(arguments, output));
+    write_result(result, output,
+                 {command_line(arguments, output), version(), source_hash()});
   };
   const std::optional<SweepResult> result = run_sweep(study, options);
   bar.close();
@@ -95,7 +96,7 @@ int run(const RunArguments& given) {
   if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
   if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(*result, output));
   if (!arguments.plot.empty()) {
-    plot_map({.result = output, .quantity = arguments.quantity, .output = arguments.plot});
+    plot_map({output, arguments.quantity, arguments.plot, "", std::nullopt});
     if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.plot);
   }
   return kDone;

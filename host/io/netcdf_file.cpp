@@ -24,17 +24,19 @@ NetcdfFile NetcdfFile::create(const std::string& path, const std::string& shown_
 NetcdfFile NetcdfFile::open(const std::string& path) {
   if (!is_netcdf(path)) {
     const bool readable = std::ifstream(path).good();
-    throw InputError(readable ? fmt::format("'{}' is not a NetCDF file; give a result that "
-                                            "gearsweep wrote",
-                                            path)
-                              : fmt::format("cannot open '{}'; give an existing result file", path));
+    throw InputError(readable
+                         ? fmt::format("'{}' is not a NetCDF file; give a result that "
+                                       "gearsweep wrote",
+                                       path)
+                         : fmt::format("cannot open '{}'; give an existing result file", path));
   }
   int id = -1;
   const int code = nc_open(path.c_str(), NC_NOWRITE, &id);
   if (code != NC_NOERR) {
-    throw InputError(fmt::format("'{}' looks like a NetCDF file but cannot be opened ({}); it may "
-                                 "be cut short",
-                                 path, nc_strerror(code)));
+    throw InputError(
+        fmt::format("'{}' looks like a NetCDF file but cannot be opened ({}); it may "
+                    "be cut short",
+                    path, nc_strerror(code)));
   }
   return {id, path};
 }

@@ -25,8 +25,7 @@ struct Provenance {
 // Writes the file whole or not at all: a failure leaves what was at `path` before. Maps have the
 // dimensions (y, x), or (x) with one axis; `poincare` has (y, x, state, sample).
 // Throws InputError as ensure_writable does, RunError when the disk or the library fails.
-void write_result(const SweepResult& result, const std::string& path,
-                  const Provenance& provenance);
+void write_result(const SweepResult& result, const std::string& path, const Provenance& provenance);
 
 // By its first bytes. False when there is no such file.
 bool is_netcdf(const std::string& path);
@@ -43,9 +42,9 @@ struct ResultAxis {
 // One quantity over the axes; `unit` is in the model's dimensionless units, "1" without any.
 struct ResultMap {
   std::string name, unit, meaning;
-  std::vector<std::string> flags;  // class names when the value is a class, by value
-  std::vector<ResultAxis> axes;    // x, then y; a cut takes one away
-  std::vector<double> values;      // [point]; of poincare [point][state][sample]. NaN: no value
+  std::vector<std::string> flags;   // class names when the value is a class, by value
+  std::vector<ResultAxis> axes;     // x, then y; a cut takes one away
+  std::vector<double> values;       // [point]; of poincare [point][state][sample]. NaN: no value
   std::vector<ChannelInfo> states;  // of poincare only
   std::size_t samples = 1;          // per point and state; 1 unless poincare
 

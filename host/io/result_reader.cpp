@@ -20,9 +20,10 @@ constexpr std::string_view kClassicMark = "CDF";
 constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
 
 [[noreturn]] void refuse_foreign(const std::string& path, const std::string& lacks) {
-  throw InputError(fmt::format("'{}' is a NetCDF file that gearsweep did not write: it has no {}; "
-                               "give a result of 'gearsweep run'",
-                               path, lacks));
+  throw InputError(
+      fmt::format("'{}' is a NetCDF file that gearsweep did not write: it has no {}; "
+                  "give a result of 'gearsweep run'",
+                  path, lacks));
 }
 
 std::string text_or_empty(const NetcdfFile& file, int variable, const std::string& attribute) {
@@ -96,8 +97,8 @@ ResultFile::ResultFile(const std::string& path)
   }
   for (const std::string& name : file_->variables()) {
     const std::vector<int> own = file_->dimensions_of(file_->find_variable(name));
-    const bool is_axis =
-        std::any_of(axes_.begin(), axes_.end(), [&](const auto& axis) { return axis.name == name; });
+    const bool is_axis = std::any_of(axes_.begin(), axes_.end(),
+                                     [&](const auto& axis) { return axis.name == name; });
     if (!is_axis && own.size() >= dimensions.size() &&
         std::equal(dimensions.begin(), dimensions.end(), own.begin())) {
       quantities_.push_back(name);
@@ -151,12 +152,13 @@ Cut ResultFile::find_cut(const std::string& axis, double value) const {
   const std::vector<double>& values = axes_[cut.axis].values;
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   // Half a mean step beyond the ends is still nearest to a point of the grid.
-  const double reach =
-      0.5 * (*greatest - *least) / static_cast<double>(std::max<std::size_t>(1, values.size() - 1)) +
-      1e-9 * std::max(std::abs(*least), std::abs(*greatest));
+  const double reach = 0.5 * (*greatest - *least) /
+                           static_cast<double>(std::max<std::size_t>(1, values.size() - 1)) +
+                       1e-9 * std::max(std::abs(*least), std::abs(*greatest));
   if (!(value >= *least - reach && value <= *greatest + reach)) {
-    throw InputError(fmt::format("{} = {} is outside the axis '{}' of '{}', which goes from {} to {}",
-                                 axis, value, axis, path_, *least, *greatest));
+    throw InputError(
+        fmt::format("{} = {} is outside the axis '{}' of '{}', which goes from {} to {}", axis,
+                    value, axis, path_, *least, *greatest));
   }
   const auto nearest = std::min_element(values.begin(), values.end(), [&](double a, double b) {
     return std::abs(a - value) < std::abs(b - value);
@@ -168,8 +170,8 @@ Cut ResultFile::find_cut(const std::string& axis, double value) const {
 void ResultFile::refuse_unknown(const std::string& quantity) const {
   std::vector<std::string> known = quantities_;
   for (const std::string& state : poincare_states()) known.push_back("poincare:" + state);
-  throw InputError(fmt::format("'{}' has no quantity '{}'{}", path_, quantity,
-                               suggest_name(quantity, known)));
+  throw InputError(
+      fmt::format("'{}' has no quantity '{}'{}", path_, quantity, suggest_name(quantity, known)));
 }
 
 ResultMap ResultFile::read(const std::string& quantity, const std::optional<Cut>& cut) const {

@@ -167,7 +167,8 @@ class Writer {
   void put_samples(int variable, std::size_t per_point) {
     const std::size_t row = study_.axes.front().values.size();
     constexpr std::size_t kBlock = std::size_t{1} << 20;
-    const std::size_t block = std::clamp(kBlock / (per_point * sizeof(double)), std::size_t{1}, row);
+    const std::size_t block =
+        std::clamp(kBlock / (per_point * sizeof(double)), std::size_t{1}, row);
     std::vector<std::size_t> chunk(map_dimensions_.size(), 1);
     chunk.back() = block;
     const std::size_t states = study_.selection.poincare.size();

@@ -214,14 +214,14 @@ TEST(Exact, TranslationInTheBacklashAsPrinted) {
 // impacts leave 1e-7; m = 1e-12 moves the shafts by at most m f t^2/2 = 1e-7.
 TEST(Exact, WithoutMassRatioItIsTheOneDegreeOfFreedomPair) {
   const SweepResult result =
-      run("[model]\npreset = 'coarse'\n[parameters]\nmu = 0.0\nomega = 0.8\n[[axes]]\n"
+      run("[model]\npreset = 'consistent'\n[parameters]\nmu = 0.0\nomega = 0.9\n[[axes]]\n"
           "name = 'm1'\nvalues = [0.0, 1e-12]\n[[axes]]\nname = 'm2'\nvalues = [0.0, 1e-12]\n"
           "[initial]\npolicy = 'fixed'\nstate = {x1 = 1.1}\n[integrate]\nsettle = 59\n"
           "record = 1\nsteps_per_period = 4096\n[observe]\nquantities = ['contact_losses', "
           "'poincare']\npoincare = ['x1', 'v1']\n");
   using Pair = std::array<double, 2>;
   const OutsideGear gear(result.study.setting);
-  const double omega = 0.8, F1 = 0.1, e0 = 0.6, z = 2.0 * 0.04008, eps = 1.718;
+  const double omega = 0.9, F1 = 0.1, e0 = 0.2, z = 2.0 * 0.04008, eps = 1.718;
   Pair x = {1.1, 0.0};
   for (int period = 0; period < 60; ++period) {
     for (const auto& [from, to] : {Pair{0.0, eps - 1.0}, Pair{eps - 1.0, 1.0}}) {

@@ -1,0 +1,95 @@
+#include "io/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "model/error.hpp"
+
+extern char** environ;
+
+namespace gearsweep {
+namespace {
+
+// Both ends of a pipe; what is open is closed in the end.
+class Pipe {
+ public:
+  Pipe() {
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) {
+      throw RunError(fmt::format("cannot make a pipe to gnuplot: {}", std::strerror(errno)));
+    }
+  }
+  ~Pipe() {
+    close(ends_[0]);
+    close_writer();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  int writer() const { return ends_[1]; }
+  void close_writer() {
+    if (ends_[1] >= 0) close(ends_[1]);
+    ends_[1] = -1;
+  }
+  // All until the other side closes.
+  std::string read_all() const {
+    std::string all;
+    std::array<char, 4096> buffer;
+    for (;;) {
+      const ssize_t count = read(ends_[0], buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return all;
+      all.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+// Starts gnuplot with its output and messages going to the pipe. Returns errno's kind of code.
+int spawn(const std::vector<std::string>& arguments, const Pipe& messages, pid_t* child) {
+  std::vector<std::string> words = {"gnuplot", "--default-settings"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, messages.writer(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages.writer(), STDERR_FILENO);
+  const int code = posix_spawnp(child, "gnuplot", &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return code;
+}
+
+}  // namespace
+
+void run_gnuplot(const std::vector<std::string>& arguments) {
+  constexpr int kNotFoundByShell = 127;
+  const std::string not_found =
+      "cannot draw: there is no gnuplot on the PATH; install it (Debian, Ubuntu: gnuplot-nox)";
+  Pipe messages;
+  pid_t child = -1;
+  const int code = spawn(arguments, messages, &child);
+  if (code == ENOENT) throw RunError(not_found);
+  if (code != 0) throw RunError(fmt::format("cannot start gnuplot: {}", std::strerror(code)));
+  messages.close_writer();
+  const std::string said = messages.read_all();
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kNotFoundByShell) throw RunError(not_found);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw RunError(fmt::format("gnuplot failed; it said: {}", said.empty() ? "nothing" : said));
+  }
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,106 @@
+// Poincare samples over one axis: dots, or the density of the samples where there are too many.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/plot_picture.hpp"
+#include "io/plot_scale.hpp"
+#include "io/plot_text.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct Range {
+  double least, greatest;
+};
+
+// Of all samples, with a margin; what is drawn never touches the frame.
+Range padded_range(const std::vector<double>& samples) {
+  double least = INFINITY, greatest = -INFINITY;
+  for (const double sample : samples) {
+    if (!std::isfinite(sample)) continue;
+    least = std::min(least, sample);
+    greatest = std::max(greatest, sample);
+  }
+  if (!(least <= greatest)) return {-1.0, 1.0};
+  const double margin =
+      greatest > least ? 0.04 * (greatest - least) : std::max(0.05 * std::abs(least), 1e-6);
+  return {least - margin, greatest + margin};
+}
+
+// How many samples of each point fall in each of `bins` equal parts of the range: [bin][point].
+std::vector<double> histogram(const ResultMap& map, Range range, std::size_t bins) {
+  const std::size_t points = map.points();
+  std::vector<double> counts(bins * points, 0.0);
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    if (!std::isfinite(map.values[i])) continue;
+    const double part = (map.values[i] - range.least) / (range.greatest - range.least);
+    const auto bin = std::min(static_cast<std::size_t>(part * static_cast<double>(bins)), bins - 1);
+    counts[bin * points + i / map.samples] += 1.0;
+  }
+  return counts;
+}
+
+void draw_density(const ResultMap& map, Range range, PlotScript* script) {
+  // About one bin for every second pixel of the picture's height.
+  constexpr std::size_t kBins = 400;
+  const auto per_point = static_cast<double>(map.samples);
+  for (const double count : histogram(map, range, kBins)) {
+    append_numbers({count > 0.0 ? count / per_point : std::nan("")}, &script->data);
+  }
+  const std::vector<double> edges = cell_edges(map.axes[0]);
+  const double step = (range.greatest - range.least) / static_cast<double>(kBins);
+  script->text += fmt::format(
+      "set palette defined (0 '#a6bddb', 0.35 '#3690c0', 0.7 '#034e7b', 1 '#01121f')\n"
+      "set logscale cb\nset cbrange [{}:1]\nset cblabel 'share of the samples'\n"
+      "plot files.'.dat' binary array=({},{}) origin=({},{}) dx={} dy={} format='%double' using 1 "
+      "with image notitle",
+      1.0 / per_point, map.points(), kBins, map.axes[0].values.front(), range.least + 0.5 * step,
+      (edges.back() - edges.front()) / static_cast<double>(map.points()), step);
+}
+
+void draw_dots(const ResultMap& map, Range range, PlotScript* script) {
+  // Samples that would fall on the same dot are drawn once.
+  constexpr std::size_t kBins = 4000;
+  const std::vector<double> counts = histogram(map, range, kBins);
+  const double step = (range.greatest - range.least) / static_cast<double>(kBins);
+  std::size_t dots = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] <= 0.0) continue;
+    const double bin = static_cast<double>(i / map.points());
+    append_numbers({map.axes[0].values[i % map.points()], range.least + (bin + 0.5) * step},
+                   &script->data);
+    ++dots;
+  }
+  script->text += fmt::format(
+      "plot files.'.dat' binary record=({}) format='%double%double' "
+      "using 1:2 with points pointtype 7 pointsize 0.25 "
+      "linecolor rgb '#01325a' notitle",
+      dots);
+}
+
+}  // namespace
+
+PlotScript draw_bifurcation(const Picture& picture) {
+  const ResultMap& map = picture.map;
+  const Range range = padded_range(map.values);
+  const ChannelInfo& state = map.states.front();
+  PlotScript script;
+  script.text = frame(picture) + axis_lines('x', map.axes[0]) +
+                fmt::format("set ylabel {}\nset yrange [{}:{}]\nset y2range [0:1]\n",
+                            quote(label_of(state.name, state.unit)), range.least, range.greatest);
+  constexpr std::size_t kManySamples = 20000;
+  // Columns of an image with fewer points would be bars, not a diagram.
+  constexpr std::size_t kManyPoints = 150;
+  if (map.values.size() > kManySamples && map.points() >= kManyPoints && is_even(map.axes[0])) {
+    draw_density(map, range, &script);
+  } else {
+    draw_dots(map, range, &script);
+  }
+  script.text += missing_marks(picture) + "\n";
+  script.missing = missing_places(picture);
+  return script;
+}
+
+}  // namespace gearsweep

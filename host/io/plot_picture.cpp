@@ -1,0 +1,68 @@
+#include "io/plot_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/plot_scale.hpp"
+#include "io/plot_text.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The study's title, below it smaller what the quantity is.
+std::string title_of(const Picture& picture) {
+  constexpr std::size_t kTitleWidth = 70, kSubtitleWidth = 100;
+  const std::string& meaning =
+      picture.map.states.empty() ? picture.map.meaning : picture.map.states.front().meaning;
+  std::string subtitle = meaning;
+  if (!picture.map.states.empty()) subtitle += ", at phase 0 of each recorded period";
+  if (!picture.remark.empty()) subtitle += "; at " + picture.remark;
+  std::string markup = wrapped(picture.title, kTitleWidth);
+  if (!subtitle.empty()) {
+    markup += fmt::format("\n{{/*0.8 {}}}", wrapped(subtitle, kSubtitleWidth));
+  }
+  return quote(markup);
+}
+
+}  // namespace
+
+std::string frame(const Picture& picture) {
+  return fmt::format(
+      "set title {}\n"
+      "set border linewidth 1\n"
+      "set tics out nomirror\n"
+      "set key bmargin center horizontal Left reverse samplen 1.5\n",
+      title_of(picture));
+}
+
+std::string axis_lines(char letter, const ResultAxis& axis) {
+  const std::vector<double> edges = cell_edges(axis);
+  return fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n{4}", letter, quote(label_of(axis)),
+                     edges.front(), edges.back(),
+                     axis.logarithmic ? fmt::format("set logscale {}\n", letter) : "");
+}
+
+std::string missing_marks(const Picture& picture) {
+  if (picture.missing.note.empty()) return "";
+  const auto count = std::count(picture.missing.mask.begin(), picture.missing.mask.end(), true);
+  return fmt::format(
+      ", \\\n     files.'-missing.dat' binary record=({}) format='%double' using 1:(0.012) "
+      "axes x1y2 \\\n     with points pointtype 9 pointsize 0.8 linecolor rgb '{}' title {}",
+      count, kMissingColour, quote(literal(picture.missing.note)));
+}
+
+std::string missing_places(const Picture& picture) {
+  std::string bytes;
+  const std::vector<double>& x = picture.map.axes.front().values;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (picture.missing.mask[i]) append_numbers({x[i]}, &bytes);
+  }
+  return bytes;
+}
+
+void append_numbers(std::initializer_list<double> numbers, std::string* out) {
+  out->append(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(double));
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,149 @@
+#include "io/plot_scale.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "io/plot_text.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Viridis, 16 of its colours.
+constexpr std::array<const char*, 16> kSequential = {
+    "#440154", "#481a6c", "#472f7d", "#414487", "#39568c", "#31688e", "#2a788e", "#23888e",
+    "#1f988b", "#22a884", "#35b779", "#54c568", "#7ad151", "#a5db36", "#d2e21b", "#fde725"};
+
+// Okabe and Ito's colours, which the colour-blind tell apart too.
+constexpr std::array<const char*, 8> kDistinct = {"#0072b2", "#e69f00", "#009e73", "#cc79a7",
+                                                  "#56b4e9", "#d55e00", "#f0e442", "#000000"};
+
+std::vector<double> finite(const std::vector<double>& values) {
+  std::vector<double> out;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(out),
+               [](double value) { return std::isfinite(value); });
+  return out;
+}
+
+ClassScale named_classes(const std::vector<std::string>& flags) {
+  ClassScale scale;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    scale.values.push_back(static_cast<double>(i));
+    scale.names.push_back(flags[i]);
+    scale.colours.emplace_back(kDistinct[i % kDistinct.size()]);
+  }
+  return scale;
+}
+
+// Numbers have an order, so their colours come from the sequential palette.
+ClassScale numbered_classes(const std::set<double>& numbers) {
+  ClassScale scale;
+  for (const double number : numbers) {
+    const std::size_t colour =
+        numbers.size() == 1 ? kSequential.size() / 2
+                            : scale.values.size() * (kSequential.size() - 1) / (numbers.size() - 1);
+    scale.values.push_back(number);
+    scale.names.push_back(fmt::format("{}", number));
+    scale.colours.emplace_back(kSequential[colour]);
+  }
+  return scale;
+}
+
+}  // namespace
+
+std::vector<double> cell_edges(const ResultAxis& axis) {
+  std::vector<double> values = axis.values;
+  const bool logarithmic = axis.logarithmic;
+  const auto transform = [&](double value) { return logarithmic ? std::log10(value) : value; };
+  const auto back = [&](double value) { return logarithmic ? std::pow(10.0, value) : value; };
+  std::transform(values.begin(), values.end(), values.begin(), transform);
+  if (values.size() == 1) {
+    const double half = logarithmic ? 0.05 : std::max(0.05 * std::abs(values[0]), 1e-3);
+    return {back(values[0] - half), back(values[0] + half)};
+  }
+  const std::size_t last = values.size() - 1;
+  std::vector<double> edges = {back(values[0] - 0.5 * (values[1] - values[0]))};
+  for (std::size_t i = 0; i < last; ++i) edges.push_back(back(0.5 * (values[i] + values[i + 1])));
+  edges.push_back(back(values[last] + 0.5 * (values[last] - values[last - 1])));
+  return edges;
+}
+
+bool is_even(const ResultAxis& axis) {
+  if (axis.logarithmic && axis.values.size() > 1) return false;
+  if (axis.values.size() < 3) return true;
+  // Far less than a pixel, and more than the rounding of decimal values.
+  constexpr double kTolerance = 1e-2;
+  const double step =
+      (axis.values.back() - axis.values.front()) / static_cast<double>(axis.values.size() - 1);
+  for (std::size_t i = 0; i < axis.values.size(); ++i) {
+    const double even = axis.values.front() + static_cast<double>(i) * step;
+    if (std::abs(axis.values[i] - even) > kTolerance * step) return false;
+  }
+  return true;
+}
+
+std::string sequential_palette() {
+  std::vector<std::string> anchors;
+  for (std::size_t i = 0; i < kSequential.size(); ++i) {
+    anchors.push_back(fmt::format("{} '{}'", i, kSequential[i]));
+  }
+  return fmt::format("set palette defined ({})\n", fmt::join(anchors, ", "));
+}
+
+double ClassScale::index_of(double value) const {
+  const auto found = std::find(values.begin(), values.end(), value);
+  return found == values.end() ? std::nan("") : static_cast<double>(found - values.begin());
+}
+
+std::string ClassScale::palette() const {
+  std::vector<std::string> bands, tics;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    bands.push_back(fmt::format("{} '{}', {} '{}'", i, colours[i], i + 1, colours[i]));
+    tics.push_back(fmt::format("{} {}", quote(literal(names[i])), i));
+  }
+  return fmt::format(
+      "set palette maxcolors {0}\nset palette defined ({1})\nset cbrange [-0.5:{0}-0.5]\n"
+      "set cbtics ({2}) scale 0\n",
+      values.size(), fmt::join(bands, ", "), fmt::join(tics, ", "));
+}
+
+std::optional<ClassScale> class_scale(const ResultMap& map) {
+  if (!map.flags.empty()) return named_classes(map.flags);
+  constexpr std::size_t kFew = 10;
+  std::set<double> numbers;
+  for (const double value : map.values) {
+    if (!std::isfinite(value)) continue;
+    if (value != std::round(value)) return std::nullopt;
+    numbers.insert(value);
+    if (numbers.size() > kFew) return std::nullopt;
+  }
+  if (numbers.empty()) return std::nullopt;
+  return numbered_classes(numbers);
+}
+
+ColourRange colour_range(const std::vector<double>& values) {
+  std::vector<double> sorted = finite(values);
+  if (sorted.empty()) return {};
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t left_out = sorted.size() / 1000;
+  ColourRange range = {sorted.front(), sorted.back(), false};
+  const double least = sorted[left_out];
+  const double greatest = sorted[sorted.size() - 1 - left_out];
+  constexpr double kMuchWider = 3.0;
+  if (greatest > least && sorted.back() - sorted.front() > kMuchWider * (greatest - least)) {
+    range = {least, greatest, true};
+  }
+  // A constant map needs a range that is not empty.
+  const double smallest = std::max(1e-9 * std::abs(range.least), 1e-300);
+  if (range.greatest - range.least < smallest) {
+    const double half = range.least == 0.0 ? 0.5 : 0.05 * std::abs(range.least);
+    range = {range.least - half, range.least + half, false};
+  }
+  return range;
+}
+
+}  // namespace gearsweep

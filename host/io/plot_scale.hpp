@@ -1,0 +1,45 @@
+// Where the cells of a map lie and what colours they have. Private to this folder.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/result_file.hpp"
+
+namespace gearsweep {
+
+inline constexpr const char* kMissingColour = "#b3b3b3";
+
+// Edges of the cells around the values of an axis, which go upwards: one more than values.
+std::vector<double> cell_edges(const ResultAxis& axis);
+
+// True when the values are so even on a linear scale that an image shows them in their places.
+bool is_even(const ResultAxis& axis);
+
+// Colours from dark to bright that are perceptually uniform, as a "set palette" line.
+std::string sequential_palette();
+
+// The classes of a map, each with its colour; `values` are what the map holds for them.
+struct ClassScale {
+  std::vector<double> values;
+  std::vector<std::string> names, colours;
+
+  // The map's value as an index into the classes; NaN stays NaN.
+  double index_of(double value) const;
+  // "set" lines of a palette and a colour bar with one colour per class.
+  std::string palette() const;
+};
+
+// Classes with names, or the few whole numbers (such as periods) that are all a map holds.
+std::optional<ClassScale> class_scale(const ResultMap& map);
+
+// The range of the colours. Where a few outliers would take all contrast from the rest, it leaves
+// out one in a thousand at either end, and is then `clipped`.
+struct ColourRange {
+  double least = 0.0, greatest = 1.0;
+  bool clipped = false;
+};
+ColourRange colour_range(const std::vector<double>& values);
+
+}  // namespace gearsweep

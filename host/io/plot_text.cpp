@@ -1,0 +1,99 @@
+#include "io/plot_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <map>
+
+#include "model/names.hpp"
+
+namespace gearsweep {
+namespace {
+
+bool is_word_letter(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+}
+
+std::string typeset_symbol(const std::string& word) {
+  static const std::map<std::string, std::string> kSymbols = {
+      {"varpi", "ϖ"}, {"theta", "θ"}, {"tau", "τ"}, {"k0", "k_{0}"}};
+  const auto symbol = kSymbols.find(word);
+  return symbol == kSymbols.end() ? literal(word) : symbol->second;
+}
+
+// One letter after the only underscore is a subscript.
+std::string typeset_word(const std::string& word) {
+  const std::size_t underscore = word.find('_');
+  if (underscore == 0 || underscore == std::string::npos || underscore + 2 != word.size()) {
+    return typeset_symbol(word);
+  }
+  return fmt::format("{}_{{{}}}", typeset_symbol(word.substr(0, underscore)),
+                     word.substr(underscore + 1));
+}
+
+}  // namespace
+
+std::string quote(std::string_view markup) {
+  std::string quoted = "'";
+  for (const char letter : markup) {
+    // gnuplot would run what stands between backquotes.
+    if (letter == '`') {
+      quoted += "''";
+    } else if (letter == '\'') {
+      quoted += "''";
+    } else {
+      quoted += letter == '\n' ? std::string("'.\"\\n\".'") : std::string(1, letter);
+    }
+  }
+  return quoted + "'";
+}
+
+std::string literal(std::string_view text) {
+  std::string markup;
+  for (const char letter : text) {
+    if (std::string_view("\\{}^_@&~").find(letter) != std::string_view::npos) markup += '\\';
+    markup += letter;
+  }
+  return markup;
+}
+
+std::string typeset(std::string_view text) {
+  std::string markup, word;
+  for (const char letter : text) {
+    if (is_word_letter(letter)) {
+      word += letter;
+      continue;
+    }
+    markup += typeset_word(word) + literal(std::string(1, letter));
+    word.clear();
+  }
+  return markup + typeset_word(word);
+}
+
+std::string label_of(const std::string& name, const std::string& unit) {
+  if (unit.empty() || unit == "1") return literal(name);
+  return fmt::format("{} [{}]", literal(name), typeset(unit));
+}
+
+std::string label_of(const ResultAxis& axis) {
+  constexpr std::size_t kLongest = 45;
+  // A meaning such as "mesh frequency / varpi" says the unit already.
+  const bool says_unit = axis.meaning.ends_with("/ " + axis.unit);
+  const std::string name = label_of(axis.name, says_unit ? "1" : axis.unit);
+  if (axis.meaning.empty() || axis.meaning.size() > kLongest) return label_of(axis.name, axis.unit);
+  return fmt::format("{}, {}", typeset(axis.meaning), name);
+}
+
+std::string wrapped(std::string_view text, std::size_t width) {
+  std::string markup, line;
+  for (const std::string& word : split_words(text)) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      markup += typeset(line) + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return markup + typeset(line);
+}
+
+}  // namespace gearsweep

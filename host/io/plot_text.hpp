@@ -1,0 +1,30 @@
+// Text for gnuplot: literal strings, labels and units as in print. Private to this folder.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/result_file.hpp"
+
+namespace gearsweep {
+
+// A gnuplot string with this markup; nothing in it is taken for a command or a variable.
+std::string quote(std::string_view markup);
+
+// Markup that shows exactly this text.
+std::string literal(std::string_view text);
+
+// Markup of a unit or a meaning with its symbols as in print: b_n with a subscript, varpi as the
+// letter.
+std::string typeset(std::string_view text);
+
+// Markup "x1_rms [b_n]"; the unit "1" is left out.
+std::string label_of(const std::string& name, const std::string& unit);
+
+// Markup "mesh frequency, omega [varpi]"; without the meaning where that is too long for an axis.
+std::string label_of(const ResultAxis& axis);
+
+// Markup lines, broken at blanks, of at most `width` letters where that can be done.
+std::string wrapped(std::string_view text, std::size_t width);
+
+}  // namespace gearsweep

@@ -1,0 +1,144 @@
+// Kernel programs: put together, built, and what is said when that fails.
+#include "opencl/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/error.hpp"
+#include "opencl/device.hpp"
+#include "opencl/kernel_sources.hpp"
+#include "opencl/opencl_engine.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// What building `source` says.
+std::string build_error(const std::string& source, const std::string& options) {
+  const cl::Device device = find_devices().at(default_device(list_devices()));
+  const cl::Context context(device);
+  try {
+    build_program(context, device, source, options);
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string default_device_name() {
+  const std::vector<DeviceInfo> devices = list_devices();
+  return devices[default_device(devices)].name;
+}
+
+Study some_study(const std::string& rest = "") {
+  return read_study("[[axes]]\nname = 'omega'\nvalues = [0.7]\n" + rest, "test.toml");
+}
+
+TEST(Flatten, MarksEachFileWithLine) {
+  const std::map<std::string, std::string> sources = {
+      {"main.cl", "first\n#include \"part/inner.h\"\nlast\n"},
+      {"part/inner.h", "inside\n#include <system.h>\n"}};
+  EXPECT_EQ(flatten("main.cl", sources),
+            "#line 1 \"kernels/main.cl\"\nfirst\n"
+            "#line 1 \"kernels/part/inner.h\"\ninside\n#include <system.h>\n"
+            "#line 3 \"kernels/main.cl\"\nlast\n");
+}
+
+TEST(Flatten, NamesTheMissingFile) {
+  const std::map<std::string, std::string> sources = {{"main.cl", "#include \"gone.h\"\n"}};
+  try {
+    flatten("main.cl", sources);
+    FAIL() << "a missing file was not noticed";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'gone.h'"));
+  }
+}
+
+TEST(ProgramSource, IncludesNothingMore) {
+  EXPECT_THAT(program_source(some_study()), Not(HasSubstr("#include \"")));
+}
+
+TEST(ProgramSource, HasTheObservablesThatTheStudyAsksFor) {
+  const std::string source = program_source(some_study("[observe]\nquantities = ['x1_rms']\n"));
+  EXPECT_THAT(source, AllOf(HasSubstr("kernels/observables/moments.h"),
+                            Not(HasSubstr("kernels/observables/contact.h")),
+                            Not(HasSubstr("kernels/observables/poincare.h"))));
+}
+
+TEST(SelectionHeader, ReadsAxesFromTheSweptTable) {
+  const std::string header = selection_header(
+      read_study("[[axes]]\nname = 'x1'\nvalues = [0.5]\n[[axes]]\nname = 'omega'\n"
+                 "values = [0.7]\n",
+                 "test.toml"));
+  // An initial state is no parameter, so omega is the first of the swept parameters.
+  EXPECT_THAT(header, AllOf(HasSubstr("#define PARAMETER_omega swept[0 * items + item]"),
+                            HasSubstr("#define PARAMETER_b uniform[1]")));
+}
+
+TEST(BuildOptions, SayPrecisionLanesAndContraction) {
+  const Study study = some_study("[integrate]\nprecision = 'fp32'\ncontract = false\n");
+  EXPECT_THAT(build_options(study, 8),
+              AllOf(HasSubstr("-DREAL_BITS=32"), HasSubstr("-DLANES=8"), HasSubstr("-DCONTRACT=0"),
+                    HasSubstr("-cl-std=CL1.2")));
+}
+
+TEST(BuildProgram, AcceptsTheKernels) {
+  const Study study = some_study();
+  EXPECT_EQ(build_error(program_source(study), build_options(study, 1)), "");
+}
+
+// An error that someone makes in kernels/integrators/rk4.h, say.
+TEST(BuildProgram, NamesFileAndLineOfAnError) {
+  const Study study = some_study();
+  std::map<std::string, std::string> sources = kernel_sources();
+  std::string& text = sources["integrators/rk4.h"];
+  const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  text += "this_is_no_type broken;\n";
+  const std::string source = flatten("dialect.h", sources) +
+                             flatten("models/gear5.h", sources) +
+                             flatten("integrators/rk4.h", sources);
+  const std::string options = build_options(study, 1);
+  EXPECT_THAT(build_error(source, options),
+              AllOf(HasSubstr("kernels/integrators/rk4.h:" + std::to_string(lines + 1)),
+                    HasSubstr("this_is_no_type"), HasSubstr(default_device_name()),
+                    HasSubstr("options: " + options)));
+}
+
+TEST(Devices, AnUnknownNumberIsTheUsersError) {
+  try {
+    make_opencl_engine(some_study(), 999);
+    FAIL() << "device 999 was found";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no device 999"));
+  }
+}
+
+TEST(Devices, WithoutOneTheReferenceEngineIsNamed) {
+  try {
+    default_device({});
+    FAIL() << "a device was chosen from none";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("integrate.engine = \"reference\""));
+  }
+}
+
+DeviceInfo device_like(bool is_cpu, bool fp64) {
+  DeviceInfo info;
+  info.is_cpu = is_cpu;
+  info.fp64 = fp64;
+  return info;
+}
+
+TEST(Devices, TheFirstGpuWithFp64IsPreferred) {
+  const DeviceInfo cpu = device_like(true, true);
+  const DeviceInfo small_gpu = device_like(false, false);
+  const DeviceInfo gpu = device_like(false, true);
+  EXPECT_EQ(default_device({cpu, small_gpu, gpu}), 2U);
+  EXPECT_EQ(default_device({cpu, small_gpu}), 0U);
+}
+
+}  // namespace
+}  // namespace gearsweep::testing

@@ -1,0 +1,100 @@
+// How the work is cut up never shows in the result: lanes, tiles, groups and rounds give the same
+// bits. Contraction is on, as it is by default.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/bits.hpp"
+#include "support/run.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+// The whole default result, or the whole result with overrides, must agree; `overrides` hold for
+// both.
+void expect_same(const SweepResult& expected, const std::string& toml,
+                 std::vector<std::string> overrides) {
+  std::string label;
+  for (const std::string& override_ : overrides) label += override_ + " ";
+  SCOPED_TRACE(label);
+  const SweepResult result = run(toml, overrides);
+  EXPECT_EQ(result.status, expected.status);
+  ASSERT_EQ(result.values.size(), expected.values.size());
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    EXPECT_EQ(different_bits(result.values[i], expected.values[i]), 0U)
+        << result.study.selection.quantities[i].name;
+  }
+  EXPECT_EQ(different_bits(result.samples, expected.samples), 0U) << "samples";
+}
+
+const std::string kObserve =
+    "[observe]\nquantities = ['x1_min', 'x1_max', 'x1_rms', 'x5_std', 'dmf_max', 'backlash_mean', "
+    "'contact_drive', 'contact_losses', 'contact_class', 'poincare']\npoincare = ['x1', 'v4']\n";
+
+// No impact to chaos, several phase grids whose sizes are no multiple of any number of lanes.
+std::string chaotic(const std::string& backlash) {
+  return "[model]\npreset = 'coarse'\nbacklash = '" + backlash +
+         "'\n[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.9\ncount = 13\n"
+         "[[axes]]\nname = 'b'\nfrom = 0.1\nto = 1.3\ncount = 7\n"
+         "[integrate]\nsettle = 21\nrecord = 11\nmax_step = 0.1\n" + kObserve;
+}
+
+void expect_any_cut(const std::string& toml, const std::string& precision,
+                    const std::vector<std::string>& lanes) {
+  const std::string precise = "integrate.precision=" + precision;
+  const SweepResult expected = run(toml, {precise, "integrate.lanes=1"});
+  const std::vector<double>& classes = map_of(expected, "contact_class");
+  ASSERT_EQ(std::set<double>(classes.begin(), classes.end()).size(), 3U);  // all regimes occur
+  for (const std::string& count : lanes) {
+    expect_same(expected, toml, {precise, "integrate.lanes=" + count});
+  }
+  for (const char* cut : {"integrate.tile=10", "integrate.tile=1000", "integrate.local_size=1",
+                          "integrate.local_size=16", "integrate.round=1", "integrate.round=7",
+                          "integrate.round=1000"}) {
+    expect_same(expected, toml, {precise, cut});
+  }
+}
+
+TEST(SameBits, Fp64ConstantBacklash) {
+  expect_any_cut(chaotic("constant"), "fp64", {"2", "4", "8", "16"});
+}
+TEST(SameBits, Fp64DynamicBacklash) {
+  expect_any_cut(chaotic("dynamic"), "fp64", {"4", "8"});
+}
+TEST(SameBits, Fp32ConstantBacklash) {
+  expect_any_cut(chaotic("constant"), "fp32", {"8", "16"});
+}
+TEST(SameBits, Fp32DynamicBacklash) {
+  expect_any_cut(chaotic("dynamic"), "fp32", {"8", "16"});
+}
+
+// Each value of the contact ratio has a phase grid of its own.
+TEST(SameBits, AxisThatShapesThePhase) {
+  const std::string toml =
+      "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\n"
+      "values = [0.5, 0.65, 1.15, 1.5, 1.7]\n[[axes]]\nname = 'eps'\n"
+      "values = [1.2, 1.5, 1.718]\n[integrate]\nsettle = 20\nrecord = 10\n" + kObserve;
+  const SweepResult expected = run(toml, {"integrate.lanes=1"});
+  for (const char* cut : {"integrate.lanes=4", "integrate.lanes=8", "integrate.tile=4",
+                          "integrate.round=3", "integrate.local_size=2"}) {
+    expect_same(expected, toml, {cut});
+  }
+}
+
+TEST(SameBits, ChainsForwardAndBackward) {
+  for (const char* policy : {"forward", "backward"}) {
+    const std::string toml = chaotic("constant") + "[initial]\npolicy = '" + policy +
+                             "'\nalong = 'omega'\n";
+    const SweepResult expected = run(toml, {"integrate.lanes=1"});
+    for (const char* cut : {"integrate.lanes=4", "integrate.lanes=8", "integrate.tile=3",
+                            "integrate.round=5"}) {
+      expect_same(expected, toml, {cut});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
