@@ -100,6 +100,7 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define CHANNEL_INIT(kind, channel, value) kind##_init(kind##_of_##channel, value(before));
 #define CHANNEL_UPDATE(kind, channel, value) \
   kind##_update(kind##_of_##channel, value(before), value(after), weight);
+#define CHANNEL_PERIOD(kind, channel, value) kind##_period(kind##_of_##channel);
 #define CHANNEL_LOAD(kind, channel, value) \
   OBSERVER_MOVE(load, accumulators, kind##_accumulators, kind##_of_##channel)
 #define CHANNEL_STORE(kind, channel, value) \
@@ -109,6 +110,7 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define STEP_DECLARE(kind) real kind##_sums[kind##_accumulators];
 #define STEP_INIT(kind) kind##_init(kind##_sums, &before);
 #define STEP_UPDATE(kind) kind##_update(kind##_sums, &before, &after, weight);
+#define STEP_PERIOD(kind) kind##_period(kind##_sums);
 #define STEP_LOAD(kind) OBSERVER_MOVE(load, accumulators, kind##_accumulators, kind##_sums)
 #define STEP_STORE(kind) OBSERVER_MOVE(store, accumulators, kind##_accumulators, kind##_sums)
 #define STEP_FINISH(kind) OBSERVER_FINISH(kind, kind##_sums)
@@ -168,6 +170,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       }
       stage += 1;
     }
+    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD)
     mark_diverged(x);
 #ifdef POINCARE_STATES
     poincare_section(series, round.recorded + period, items, item, x);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "cli/commands.hpp"
 #include "model/error.hpp"
+#include "model/names.hpp"
 #include "model/version.hpp"
 
 namespace gearsweep {
@@ -30,6 +32,16 @@ void add_commands(CLI::App* app, int* status) {
   add_devices_command(app);
 }
 
+// The parser would only say that a command is missing.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (std::find(known.begin(), known.end(), argv[1]) == known.end()) {
+    throw InputError(fmt::format("unknown command '{}'{}", argv[1], suggest_name(argv[1], known)));
+  }
+}
+
 // Runs the command that the arguments name; its exit status.
 int dispatch(int argc, char** argv) {
   CLI::App app("gearsweep: maps of gear dynamics and non-smooth oscillators from massively parallel "
@@ -37,6 +49,7 @@ int dispatch(int argc, char** argv) {
                "gearsweep");
   int status = kDone;
   add_commands(&app, &status);
+  refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -13,7 +13,15 @@
   X(losses, "1", "", "contact losses (either flank left) per period")                      \
   X(class, "", "no_impact single_sided double_sided", "which flanks take part in impacts")
 
-enum { contact_drive, contact_back, contact_losses, contact_gap_seen, contact_accumulators };
+enum {
+  contact_drive,
+  contact_back,
+  contact_losses,
+  contact_gap_seen,
+  contact_period_drive,
+  contact_period_back,
+  contact_accumulators
+};
 
 #ifdef __OPENCL_VERSION__
 enum { contact_outputs = CONTACT_OUTPUTS(COUNT_OUTPUT) };
@@ -23,6 +31,8 @@ SHARED_FN void contact_init(real* sums, const Sample* start) {
   sums[contact_back] = 0;
   sums[contact_losses] = 0;
   sums[contact_gap_seen] = 0;
+  sums[contact_period_drive] = 0;
+  sums[contact_period_back] = 0;
 }
 
 // The share of a step during which a quantity that goes from a to b in a straight line is positive.
@@ -43,11 +53,19 @@ SHARED_FN void contact_update(real* sums, const Sample* before, const Sample* af
   const real back_after = -after->signals.deflection - after->signals.backlash;
   const real losses = lane_select((drive_before > zero) & (drive_after <= zero), one, zero) +
                       lane_select((back_before > zero) & (back_after <= zero), one, zero);
-  sums[contact_drive] += weight * contact_positive_share(drive_before, drive_after);
-  sums[contact_back] += weight * contact_positive_share(back_before, back_after);
+  sums[contact_period_drive] += weight * contact_positive_share(drive_before, drive_after);
+  sums[contact_period_back] += weight * contact_positive_share(back_before, back_after);
   sums[contact_losses] += losses;
   sums[contact_gap_seen] = lane_select((drive_after <= zero) & (back_after <= zero), one,
                                        sums[contact_gap_seen]);
+}
+
+// Sums over one period first, so that many short shares keep their digits in fp32.
+SHARED_FN void contact_period(real* sums) {
+  sums[contact_drive] += sums[contact_period_drive];
+  sums[contact_back] += sums[contact_period_back];
+  sums[contact_period_drive] = 0;
+  sums[contact_period_back] = 0;
 }
 
 // Class 0: one region all the time; 1: one flank is left and met again; 2: both flanks are met.

@@ -22,6 +22,8 @@ SHARED_FN void extrema_update(real* sums, real before, real after, scalar weight
   sums[extrema_greatest] = lane_max(sums[extrema_greatest], lane_max(before, after));
 }
 
+SHARED_FN void extrema_period(real* sums) {}
+
 SHARED_FN void extrema_finish(const real* sums, scalar periods, real* out) {
   out[0] = sums[extrema_least];
   out[1] = sums[extrema_greatest];

@@ -1,6 +1,6 @@
 // Mean, RMS and standard deviation of a state or signal over the recorded periods, by the
-// trapezoidal rule on the phase grid. The sums are of the difference to the first value, so that
-// the standard deviation keeps its digits in fp32.
+// trapezoidal rule on the phase grid. The sums are of the difference to the first value, and first
+// over each period, so that they keep their digits in fp32.
 
 #define MOMENTS_KIND channel
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
@@ -9,7 +9,14 @@
   X(rms, "", "", "root mean square over the recorded periods")             \
   X(std, "", "", "standard deviation over the recorded periods")
 
-enum { moments_origin, moments_sum, moments_squares, moments_accumulators };
+enum {
+  moments_origin,
+  moments_sum,
+  moments_squares,
+  moments_period_sum,
+  moments_period_squares,
+  moments_accumulators
+};
 
 #ifdef __OPENCL_VERSION__
 enum { moments_outputs = MOMENTS_OUTPUTS(COUNT_OUTPUT) };
@@ -18,6 +25,8 @@ SHARED_FN void moments_init(real* sums, real value) {
   sums[moments_origin] = value;
   sums[moments_sum] = 0;
   sums[moments_squares] = 0;
+  sums[moments_period_sum] = 0;
+  sums[moments_period_squares] = 0;
 }
 
 // `weight` is the step's share of a period.
@@ -25,8 +34,15 @@ SHARED_FN void moments_update(real* sums, real before, real after, scalar weight
   const scalar half_weight = (scalar)(0.5) * weight;
   const real a = before - sums[moments_origin];
   const real b = after - sums[moments_origin];
-  sums[moments_sum] = sums[moments_sum] + half_weight * (a + b);
-  sums[moments_squares] = sums[moments_squares] + half_weight * (a * a + b * b);
+  sums[moments_period_sum] = sums[moments_period_sum] + half_weight * (a + b);
+  sums[moments_period_squares] = sums[moments_period_squares] + half_weight * (a * a + b * b);
+}
+
+SHARED_FN void moments_period(real* sums) {
+  sums[moments_sum] += sums[moments_period_sum];
+  sums[moments_squares] += sums[moments_period_squares];
+  sums[moments_period_sum] = 0;
+  sums[moments_period_squares] = 0;
 }
 
 SHARED_FN void moments_finish(const real* sums, scalar periods, real* out) {
