@@ -2,8 +2,10 @@
 // right-hand side inlined, a state of fixed size, and -O3 -march=native with contraction.
 #include "odeint_sweep.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -23,7 +25,8 @@ using scalar = double;
 #include "models/gear5.h"
 
 using State = std::array<double, MODEL_STATE_COUNT>;
-using Stepper = boost::numeric::odeint::runge_kutta4<State>;
+using Generic = boost::numeric::odeint::runge_kutta4<State>;
+using Classic = boost::numeric::odeint::runge_kutta4_classic<State>;
 
 struct Grid {
   PhaseGrid grid;
@@ -47,7 +50,7 @@ struct System {
   }
 };
 
-template <bool dynamic>
+template <class Stepper, bool dynamic>
 void advance(const Grid& grid, std::size_t periods, Point* point) {
   ModelPoint model = point->model;
   model.printed = 0;
@@ -97,8 +100,9 @@ struct OdeintSweep::Work {
   std::vector<Point> points;
 };
 
-OdeintSweep::OdeintSweep(const Plan& plan, const Tile& tile, std::size_t stride)
-    : work_(std::make_unique<Work>()) {
+OdeintSweep::OdeintSweep(const Plan& plan, const Tile& tile, std::size_t stride,
+                         OdeintStepper stepper)
+    : work_(std::make_unique<Work>()), stepper_(stepper) {
   std::size_t grid = 0;
   for (const std::size_t start : tile.grid_starts) {
     work_->grids.push_back(make_grid(plan.phase_grid_of(tile.points[start])));
@@ -111,14 +115,26 @@ OdeintSweep::OdeintSweep(const Plan& plan, const Tile& tile, std::size_t stride)
 
 OdeintSweep::~OdeintSweep() = default;
 
+template <class Stepper>
+void OdeintSweep::advance_every(std::size_t step, std::size_t first, std::size_t periods) {
+  for (std::size_t i = first; i < work_->points.size(); i += step) {
+    Point& point = work_->points[i];
+    const Grid& grid = work_->grids[point.grid];
+    if (point.model.dynamic) {
+      advance<Stepper, true>(grid, periods, &point);
+    } else {
+      advance<Stepper, false>(grid, periods, &point);
+    }
+  }
+}
+
 double OdeintSweep::steps_per_second(std::size_t periods) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const auto run = [&](std::size_t core) {
-    for (std::size_t i = core; i < work_->points.size(); i += cores) {
-      Point& point = work_->points[i];
-      const Grid& grid = work_->grids[point.grid];
-      point.model.dynamic ? advance<true>(grid, periods, &point)
-                          : advance<false>(grid, periods, &point);
+    if (stepper_ == OdeintStepper::runge_kutta4) {
+      advance_every<Generic>(cores, core, periods);
+    } else {
+      advance_every<Classic>(cores, core, periods);
     }
   };
   double steps = 0.0;

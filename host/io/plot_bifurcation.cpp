@@ -11,26 +11,8 @@
 namespace gearsweep {
 namespace {
 
-struct Range {
-  double least, greatest;
-};
-
-// Of all samples, with a margin; what is drawn never touches the frame.
-Range padded_range(const std::vector<double>& samples) {
-  double least = INFINITY, greatest = -INFINITY;
-  for (const double sample : samples) {
-    if (!std::isfinite(sample)) continue;
-    least = std::min(least, sample);
-    greatest = std::max(greatest, sample);
-  }
-  if (!(least <= greatest)) return {-1.0, 1.0};
-  const double margin =
-      greatest > least ? 0.04 * (greatest - least) : std::max(0.05 * std::abs(least), 1e-6);
-  return {least - margin, greatest + margin};
-}
-
 // How many samples of each point fall in each of `bins` equal parts of the range: [bin][point].
-std::vector<double> histogram(const ResultMap& map, Range range, std::size_t bins) {
+std::vector<double> histogram(const ResultMap& map, const ValueRange& range, std::size_t bins) {
   const std::size_t points = map.points();
   std::vector<double> counts(bins * points, 0.0);
   for (std::size_t i = 0; i < map.values.size(); ++i) {
@@ -42,9 +24,9 @@ std::vector<double> histogram(const ResultMap& map, Range range, std::size_t bin
   return counts;
 }
 
-void draw_density(const ResultMap& map, Range range, PlotScript* script) {
-  // About one bin for every second pixel of the picture's height.
-  constexpr std::size_t kBins = 400;
+void draw_density(const ResultMap& map, const ValueRange& range, PlotScript* script) {
+  // About one bin for each pixel of the picture's height.
+  constexpr std::size_t kBins = 700;
   const auto per_point = static_cast<double>(map.samples);
   for (const double count : histogram(map, range, kBins)) {
     append_numbers({count > 0.0 ? count / per_point : std::nan("")}, &script->data);
@@ -52,7 +34,7 @@ void draw_density(const ResultMap& map, Range range, PlotScript* script) {
   const std::vector<double> edges = cell_edges(map.axes[0]);
   const double step = (range.greatest - range.least) / static_cast<double>(kBins);
   script->text += fmt::format(
-      "set palette defined (0 '#a6bddb', 0.35 '#3690c0', 0.7 '#034e7b', 1 '#01121f')\n"
+      "set palette defined (0 '#8fb4d9', 0.35 '#3690c0', 0.7 '#034e7b', 1 '#01121f')\n"
       "set logscale cb\nset cbrange [{}:1]\nset cblabel 'share of the samples'\n"
       "plot files.'.dat' binary array=({},{}) origin=({},{}) dx={} dy={} format='%double' using 1 "
       "with image notitle",
@@ -60,7 +42,7 @@ void draw_density(const ResultMap& map, Range range, PlotScript* script) {
       (edges.back() - edges.front()) / static_cast<double>(map.points()), step);
 }
 
-void draw_dots(const ResultMap& map, Range range, PlotScript* script) {
+void draw_dots(const ResultMap& map, const ValueRange& range, PlotScript* script) {
   // Samples that would fall on the same dot are drawn once.
   constexpr std::size_t kBins = 4000;
   const std::vector<double> counts = histogram(map, range, kBins);
@@ -84,7 +66,7 @@ void draw_dots(const ResultMap& map, Range range, PlotScript* script) {
 
 PlotScript draw_bifurcation(const Picture& picture) {
   const ResultMap& map = picture.map;
-  const Range range = padded_range(map.values);
+  const ValueRange range = padded_range(map.values);
   const ChannelInfo& state = map.states.front();
   PlotScript script;
   script.text = frame(picture) + axis_lines('x', map.axes[0]) +

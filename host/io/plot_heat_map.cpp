@@ -1,6 +1,7 @@
 // Two axes: an image where the grid is even, else one box per point.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/plot_picture.hpp"
@@ -20,19 +21,26 @@ std::vector<double> shades_of(const ResultMap& map, const std::optional<ClassSca
   return shades;
 }
 
+// The colour bar. The margin counts in letters of mean width: bar and label, and the tics.
 std::string colour_lines(const ResultMap& map, const std::optional<ClassScale>& classes) {
-  if (classes)
-    return fmt::format("set cblabel {}\n", quote(label_of(map.name, map.unit))) +
-           classes->palette();
-  const ColourRange range = colour_range(map.values);
-  const std::string clipped = range.clipped ? ", colours cover 99.8 % of the points" : "";
-  return fmt::format("set cblabel {}\n{}set cbrange [{}:{}]\n",
-                     quote(label_of(map.name, map.unit) + clipped), sequential_palette(),
-                     range.least, range.greatest);
+  std::string label = label_of(map.name, map.unit);
+  std::string lines;
+  std::size_t longest_tic = 6;
+  if (classes) {
+    for (const std::string& name : classes->names) longest_tic = std::max(longest_tic, name.size());
+    lines = classes->palette();
+  } else {
+    const ValueRange range = colour_range(map.values);
+    if (range.clipped) label += " (colours cover 99.8 % of the points)";
+    lines =
+        fmt::format("{}set cbrange [{}:{}]\n", sequential_palette(), range.least, range.greatest);
+  }
+  return fmt::format("set cblabel {}\n{}set rmargin {}\n", quote(label), lines,
+                     7 + longest_tic / 2);
 }
 
+// Where the pixels are: their middles and steps.
 std::string image_place(const ResultMap& map) {
-  const auto origin = [](const ResultAxis& axis) { return axis.values.front(); };
   const auto step = [](const ResultAxis& axis) {
     const std::vector<double> edges = cell_edges(axis);
     return (edges.back() - edges.front()) / static_cast<double>(axis.values.size());
@@ -40,61 +48,78 @@ std::string image_place(const ResultMap& map) {
   const ResultAxis& x = map.axes[0];
   const ResultAxis& y = map.axes[1];
   return fmt::format("array=({},{}) origin=({},{}) dx={} dy={}", x.values.size(), y.values.size(),
-                     origin(x), origin(y), step(x), step(y));
+                     x.values.front(), y.values.front(), step(x), step(y));
 }
 
-void draw_image(const Picture& picture, const std::vector<double>& shades, PlotScript* script) {
-  const std::string place = image_place(picture.map);
+// Pixels that are not a number stay transparent.
+void draw_image(const ResultMap& map, const std::vector<double>& shades, PlotScript* script) {
   for (const double shade : shades) append_numbers({shade}, &script->data);
-  script->text +=
-      fmt::format("plot files.'.dat' binary {} format='%double' using 1 with image notitle", place);
-  if (picture.missing.note.empty()) return;
-  for (const bool missing : picture.missing.mask) {
-    // Grey of the missing colour, opaque or transparent.
-    script->missing += missing ? std::string("\xb3\xb3\xb3\xff") : std::string(4, '\0');
+  script->text += fmt::format(
+      "plot files.'.dat' binary {} format='%double' using 1 with image notitle", image_place(map));
+}
+
+// The cells of a grid as boxes. Where boxes only touch, a bright seam shows, so each reaches below
+// the next ones, which are drawn over it, but not below a cell without a value.
+class Boxes {
+ public:
+  Boxes(const ResultMap& map, const std::vector<double>& shades)
+      : map_(map), shades_(shades), x_(cell_edges(map.axes[0])), y_(cell_edges(map.axes[1])) {}
+
+  // Appends x, y, x least, x greatest, y least, y greatest, shade of each box; returns how many.
+  std::size_t append_all(std::string* data) const {
+    std::size_t count = 0;
+    for (std::size_t iy = 0; iy < map_.axes[1].values.size(); ++iy) {
+      for (std::size_t ix = 0; ix < map_.axes[0].values.size(); ++ix) {
+        if (!is_there(ix, iy)) continue;
+        const bool right = is_there(ix + 1, iy);
+        const bool up = is_there(ix, iy + 1) && (!right || is_there(ix + 1, iy + 1));
+        append_numbers({map_.axes[0].values[ix], map_.axes[1].values[iy], x_[ix],
+                        far_edge(x_, ix, right), y_[iy], far_edge(y_, iy, up), shade(ix, iy)},
+                       data);
+        ++count;
+      }
+    }
+    return count;
+  }
+
+ private:
+  double shade(std::size_t ix, std::size_t iy) const {
+    return shades_[iy * map_.axes[0].values.size() + ix];
+  }
+  bool is_there(std::size_t ix, std::size_t iy) const {
+    return ix < map_.axes[0].values.size() && iy < map_.axes[1].values.size() &&
+           !std::isnan(shade(ix, iy));
+  }
+  static double far_edge(const std::vector<double>& edges, std::size_t i, bool reaches) {
+    return reaches ? 0.5 * (edges[i + 1] + edges[i + 2]) : edges[i + 1];
+  }
+
+  const ResultMap& map_;
+  const std::vector<double>& shades_;
+  std::vector<double> x_, y_;  // edges
+};
+
+void draw_boxes(const ResultMap& map, const std::vector<double>& shades, PlotScript* script) {
+  const std::size_t count = Boxes(map, shades).append_all(&script->data);
+  script->text += "set style fill solid 1 noborder\nplot ";
+  if (count == 0) {
+    // gnuplot takes no empty file.
+    script->text += "NaN notitle";
+    return;
   }
   script->text += fmt::format(
-      ", \\\n     files.'-missing.dat' binary {} format='%uchar%uchar%uchar%uchar' using 1:2:3:4 "
-      "with rgbalpha notitle",
-      place);
+      "files.'.dat' binary record=({}) format='%7double' using 1:2:3:4:5:6:7 \\\n"
+      "     with boxxyerror linecolor palette notitle",
+      count);
 }
 
-void draw_boxes(const Picture& picture, const std::vector<double>& shades, PlotScript* script) {
-  const std::vector<double> x = cell_edges(picture.map.axes[0]);
-  const std::vector<double> y = cell_edges(picture.map.axes[1]);
-  std::size_t drawn = 0, missing = 0;
-  // Where boxes only touch, a bright seam shows. Each reaches below the next ones, which are drawn
-  // over it.
-  const auto reach = [](const std::vector<double>& edges, std::size_t i) {
-    return i + 2 < edges.size() ? 0.5 * (edges[i + 1] + edges[i + 2]) : edges[i + 1];
-  };
-  for (std::size_t point = 0; point < shades.size(); ++point) {
-    const std::size_t ix = point % (x.size() - 1);
-    const std::size_t iy = point / (x.size() - 1);
-    const double middle_x = picture.map.axes[0].values[ix];
-    const double middle_y = picture.map.axes[1].values[iy];
-    if (picture.missing.mask[point]) {
-      append_numbers({middle_x, middle_y, x[ix], x[ix + 1], y[iy], y[iy + 1]}, &script->missing);
-      ++missing;
-    } else {
-      append_numbers({middle_x, middle_y, x[ix], reach(x, ix), y[iy], reach(y, iy), shades[point]},
-                     &script->data);
-      ++drawn;
-    }
-  }
-  script->text += "set style fill solid 1 noborder\nplot ";
-  if (drawn > 0) {
-    script->text += fmt::format(
-        "files.'.dat' binary record=({}) format='%7double' using 1:2:3:4:5:6:7 \\\n"
-        "     with boxxyerror linecolor palette notitle",
-        drawn);
-  }
-  if (missing > 0) {
-    script->text += fmt::format(
-        "{}files.'-missing.dat' binary record=({}) format='%6double' using 1:2:3:4:5:6 \\\n"
-        "     with boxxyerror linecolor rgb '{}' notitle",
-        drawn > 0 ? ", \\\n     " : "", missing, kMissingColour);
-  }
+// Points without a value are where the grey ground shows.
+std::string missing_ground(const Picture& picture) {
+  if (picture.missing.note.empty()) return "";
+  return fmt::format(
+      "set object rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillstyle solid 1 "
+      "noborder fillcolor rgb '{}'\n",
+      kMissingColour);
 }
 
 }  // namespace
@@ -104,17 +129,16 @@ PlotScript draw_heat_map(const Picture& picture) {
   const std::optional<ClassScale> classes = class_scale(map);
   PlotScript script;
   script.text = frame(picture) + axis_lines('x', map.axes[0]) + axis_lines('y', map.axes[1]) +
-                colour_lines(map, classes);
+                colour_lines(map, classes) + missing_ground(picture);
   const std::vector<double> shades = shades_of(map, classes);
   if (is_even(map.axes[0]) && is_even(map.axes[1])) {
-    draw_image(picture, shades, &script);
+    draw_image(map, shades, &script);
   } else {
-    draw_boxes(picture, shades, &script);
+    draw_boxes(map, shades, &script);
   }
   if (!picture.missing.note.empty()) {
     script.text += fmt::format(
-        ", \\\n     keyentry with boxes fillstyle solid 1 noborder "
-        "linecolor rgb '{}' title {}",
+        ", \\\n     keyentry with boxes fillstyle solid 1 noborder linecolor rgb '{}' title {}",
         kMissingColour, quote(literal(picture.missing.note)));
   }
   script.text += "\n";

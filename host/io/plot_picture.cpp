@@ -1,6 +1,7 @@
 #include "io/plot_picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -13,27 +14,30 @@ namespace {
 // The study's title, below it smaller what the quantity is.
 std::string title_of(const Picture& picture) {
   constexpr std::size_t kTitleWidth = 70, kSubtitleWidth = 100;
-  const std::string& meaning =
-      picture.map.states.empty() ? picture.map.meaning : picture.map.states.front().meaning;
-  std::string subtitle = meaning;
-  if (!picture.map.states.empty()) subtitle += ", at phase 0 of each recorded period";
-  if (!picture.remark.empty()) subtitle += "; at " + picture.remark;
-  std::string markup = wrapped(picture.title, kTitleWidth);
-  if (!subtitle.empty()) {
-    markup += fmt::format("\n{{/*0.8 {}}}", wrapped(subtitle, kSubtitleWidth));
+  std::string subtitle = picture.map.meaning;
+  if (!picture.map.states.empty()) {
+    subtitle = picture.map.states.front().meaning + ", at phase 0 of each recorded period";
   }
-  return quote(markup);
+  if (!picture.remark.empty()) subtitle += "; at " + picture.remark;
+  std::vector<std::string> lines;
+  for (const std::string& line : wrapped(picture.title, kTitleWidth)) {
+    lines.push_back(literal(line));
+  }
+  for (const std::string& line : wrapped(subtitle, kSubtitleWidth)) {
+    lines.push_back(fmt::format("{{/*0.8 {}}}", typeset(line)));
+  }
+  return quote(fmt::format("{}", fmt::join(lines, "\n")));
 }
 
 }  // namespace
 
 std::string frame(const Picture& picture) {
-  return fmt::format(
-      "set title {}\n"
-      "set border linewidth 1\n"
-      "set tics out nomirror\n"
-      "set key bmargin center horizontal Left reverse samplen 1.5\n",
-      title_of(picture));
+  const std::string key = picture.missing.note.empty()
+                              ? "unset key\n"
+                              : "set key at graph 0.5, screen 0.03 center center Left reverse "
+                                "samplen 1.5\nset bmargin 5.5\n";
+  return fmt::format("set title {}\nset border linewidth 1\nset tics out nomirror\n{}",
+                     title_of(picture), key);
 }
 
 std::string axis_lines(char letter, const ResultAxis& axis) {

@@ -34,7 +34,7 @@ PlotScript draw_curve(const Picture& picture);
 // Of the samples of one state.
 PlotScript draw_bifurcation(const Picture& picture);
 
-// "set" lines that all pictures share: title, x axis, key.
+// "set" lines that all pictures share: title, frame, key.
 std::string frame(const Picture& picture);
 // "set" lines of the label, range (to the cells' edges) and scale of an axis; letter: x or y.
 std::string axis_lines(char letter, const ResultAxis& axis);

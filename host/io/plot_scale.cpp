@@ -33,7 +33,9 @@ ClassScale named_classes(const std::vector<std::string>& flags) {
   ClassScale scale;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     scale.values.push_back(static_cast<double>(i));
-    scale.names.push_back(flags[i]);
+    std::string name = flags[i];
+    std::replace(name.begin(), name.end(), '_', ' ');
+    scale.names.push_back(name);
     scale.colours.emplace_back(kDistinct[i % kDistinct.size()]);
   }
   return scale;
@@ -51,6 +53,13 @@ ClassScale numbered_classes(const std::set<double>& numbers) {
     scale.colours.emplace_back(kSequential[colour]);
   }
   return scale;
+}
+
+ValueRange not_empty(const ValueRange& range) {
+  const double smallest = std::max(1e-9 * std::abs(range.least), 1e-300);
+  if (range.greatest - range.least >= smallest) return range;
+  const double half = range.least == 0.0 ? 0.5 : 0.05 * std::abs(range.least);
+  return {range.least - half, range.least + half, false};
 }
 
 }  // namespace
@@ -73,8 +82,8 @@ std::vector<double> cell_edges(const ResultAxis& axis) {
 }
 
 bool is_even(const ResultAxis& axis) {
-  if (axis.logarithmic && axis.values.size() > 1) return false;
-  if (axis.values.size() < 3) return true;
+  // gnuplot makes no image that is one pixel wide.
+  if (axis.logarithmic || axis.values.size() < 2) return false;
   // Far less than a pixel, and more than the rounding of decimal values.
   constexpr double kTolerance = 1e-2;
   const double step =
@@ -125,25 +134,27 @@ std::optional<ClassScale> class_scale(const ResultMap& map) {
   return numbered_classes(numbers);
 }
 
-ColourRange colour_range(const std::vector<double>& values) {
+ValueRange colour_range(const std::vector<double>& values) {
   std::vector<double> sorted = finite(values);
   if (sorted.empty()) return {};
   std::sort(sorted.begin(), sorted.end());
   const std::size_t left_out = sorted.size() / 1000;
-  ColourRange range = {sorted.front(), sorted.back(), false};
+  ValueRange range = {sorted.front(), sorted.back(), false};
   const double least = sorted[left_out];
   const double greatest = sorted[sorted.size() - 1 - left_out];
   constexpr double kMuchWider = 3.0;
   if (greatest > least && sorted.back() - sorted.front() > kMuchWider * (greatest - least)) {
     range = {least, greatest, true};
   }
-  // A constant map needs a range that is not empty.
-  const double smallest = std::max(1e-9 * std::abs(range.least), 1e-300);
-  if (range.greatest - range.least < smallest) {
-    const double half = range.least == 0.0 ? 0.5 : 0.05 * std::abs(range.least);
-    range = {range.least - half, range.least + half, false};
-  }
-  return range;
+  return not_empty(range);
+}
+
+ValueRange padded_range(const std::vector<double>& values) {
+  const std::vector<double> known = finite(values);
+  if (known.empty()) return {};
+  const auto [least, greatest] = std::minmax_element(known.begin(), known.end());
+  const double margin = 0.04 * (*greatest - *least);
+  return not_empty({*least - margin, *greatest + margin, false});
 }
 
 }  // namespace gearsweep

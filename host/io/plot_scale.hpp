@@ -34,12 +34,16 @@ struct ClassScale {
 // Classes with names, or the few whole numbers (such as periods) that are all a map holds.
 std::optional<ClassScale> class_scale(const ResultMap& map);
 
-// The range of the colours. Where a few outliers would take all contrast from the rest, it leaves
-// out one in a thousand at either end, and is then `clipped`.
-struct ColourRange {
+struct ValueRange {
   double least = 0.0, greatest = 1.0;
   bool clipped = false;
 };
-ColourRange colour_range(const std::vector<double>& values);
+
+// Never empty. Where a few outliers would take all contrast from the rest, it leaves out one value
+// in a thousand at either end, and is then `clipped`.
+ValueRange colour_range(const std::vector<double>& values);
+
+// Of all values, with a margin, so that nothing touches the frame.
+ValueRange padded_range(const std::vector<double>& values);
 
 }  // namespace gearsweep

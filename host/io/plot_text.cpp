@@ -36,13 +36,13 @@ std::string typeset_word(const std::string& word) {
 std::string quote(std::string_view markup) {
   std::string quoted = "'";
   for (const char letter : markup) {
-    // gnuplot would run what stands between backquotes.
-    if (letter == '`') {
-      quoted += "''";
+    if (letter == '\n') {
+      quoted += "'.\"\\n\".'";
     } else if (letter == '\'') {
-      quoted += "''";
+      // gnuplot reads a doubled quote at the start of a string as an empty string.
+      quoted += "'.\"'\".'";
     } else {
-      quoted += letter == '\n' ? std::string("'.\"\\n\".'") : std::string(1, letter);
+      quoted += letter;
     }
   }
   return quoted + "'";
@@ -84,16 +84,16 @@ std::string label_of(const ResultAxis& axis) {
   return fmt::format("{}, {}", typeset(axis.meaning), name);
 }
 
-std::string wrapped(std::string_view text, std::size_t width) {
-  std::string markup, line;
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+  std::vector<std::string> lines;
   for (const std::string& word : split_words(text)) {
-    if (!line.empty() && line.size() + 1 + word.size() > width) {
-      markup += typeset(line) + "\n";
-      line.clear();
+    if (lines.empty() || lines.back().size() + 1 + word.size() > width) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
     }
-    line += (line.empty() ? "" : " ") + word;
   }
-  return markup + typeset(line);
+  return lines;
 }
 
 }  // namespace gearsweep

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/result_file.hpp"
 
@@ -24,7 +25,7 @@ std::string label_of(const std::string& name, const std::string& unit);
 // Markup "mesh frequency, omega [varpi]"; without the meaning where that is too long for an axis.
 std::string label_of(const ResultAxis& axis);
 
-// Markup lines, broken at blanks, of at most `width` letters where that can be done.
-std::string wrapped(std::string_view text, std::size_t width);
+// The text in lines, broken at blanks, of at most `width` letters where that can be done.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 }  // namespace gearsweep

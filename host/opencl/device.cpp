@@ -100,7 +100,7 @@ std::size_t default_device(const std::vector<DeviceInfo>& devices) {
                      "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"");
   }
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    if (!devices[i].is_cpu && devices[i].fp64) return i;
+    if (devices[i].is_cpu) return i;
   }
   return 0;
 }

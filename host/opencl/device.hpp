@@ -19,8 +19,9 @@ struct DeviceInfo {
 // none. Throws RunError when OpenCL itself fails.
 std::vector<DeviceInfo> list_devices();
 
-// The device that a run uses when none is named: the first GPU that can do fp64, else the first
-// device. Throws InputError when there is none.
+// The device that a run uses when none is named: the first CPU, so that a study gives the same bits
+// whether or not a GPU is there; without a CPU driver the first device. Throws InputError when there
+// is none.
 std::size_t default_device(const std::vector<DeviceInfo>& devices);
 
 }  // namespace gearsweep

@@ -52,7 +52,7 @@ class Moments final : public Meter {
     add(channel_(after), 0.5 * share);
   }
   std::vector<double> finish(std::size_t) const override {
-    const double variance = squares_ / weight_;
+    const double variance = std::max(0.0, squares_ / weight_);  // rounding may make it negative
     return {mean_, std::sqrt(mean_ * mean_ + variance), std::sqrt(variance)};
   }
 

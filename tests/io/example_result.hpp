@@ -24,9 +24,10 @@ inline Axis make_axis(const std::string& name, const std::string& unit, const st
   axis.name = name;
   axis.unit = unit;
   axis.meaning = meaning;
+  const auto last = static_cast<double>(count > 1 ? count - 1 : 1);
   for (std::size_t i = 0; i < count; ++i) {
-    axis.values.push_back(from + (to - from) * static_cast<double>(i) /
-                                     static_cast<double>(count > 1 ? count - 1 : 1));
+    const auto done = static_cast<double>(i);
+    axis.values.push_back((from * (last - done) + to * done) / last);
   }
   return axis;
 }
@@ -40,8 +41,8 @@ inline SweepResult example_result(std::size_t nx = 4, std::size_t ny = 3) {
   study.model = find_model("gear5");
   study.axes.push_back(make_axis("omega", "varpi", "mesh frequency / varpi", 0.4, 2.0, nx));
   if (ny > 0) study.axes.push_back(make_axis("b", "b_n", "half backlash", 0.3, 1.5, ny));
-  study.selection = select_quantities(*study.model, {"x1_rms", "contact_class", "poincare"},
-                                      {"x1", "v1"});
+  study.selection =
+      select_quantities(*study.model, {"x1_rms", "contact_class", "poincare"}, {"x1", "v1"});
   study.integrate.record = 5;
   study.toml = "title = 'ϖ'\n[model]\nname = \"gear5\"\n";
   result.engine = {"a device", "3.1", "-DLANES=8"};

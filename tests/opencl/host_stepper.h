@@ -7,9 +7,10 @@
 // The state after `periods` periods, NaN in x[0] when it diverged.
 inline std::vector<double> step_periods(const ModelSetting& setting, const PhaseGrid& grid,
                                         const std::vector<double>& start, std::size_t periods) {
+  std::vector<real> values;
+  for (const double value : setting.parameters) values.push_back(static_cast<real>(value));
   ModelParameters parameters;
-  real* next_parameter = &parameters.omega;  // the first; all are `real`
-  for (const double value : setting.parameters) *next_parameter++ = static_cast<real>(value);
+  std::memcpy(&parameters, values.data(), sizeof parameters);
   ModelOptions options;
   std::memcpy(&options, setting.options.data(), sizeof options);
   ModelPoint point;

@@ -1,0 +1,103 @@
+// Exported maps hold the axes and the numbers exactly.
+#include "io/export.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+#include "io/example_result.hpp"
+
+namespace gearsweep {
+namespace {
+
+using gearsweep::testing::example_result;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class ExportTest : public gearsweep::testing::IoTest {
+ protected:
+  std::string exported(const SweepResult& result, const std::string& quantity,
+                       const std::string& ending) const {
+    const std::string out = in_folder("out" + ending);
+    export_map(write(result), quantity, out);
+    return content(out);
+  }
+};
+
+TEST_F(ExportTest, CsvHasOneRowPerPointAndEmptyFieldsForMissing) {
+  SweepResult result = example_result(2, 3);
+  result.study.axes[0].values = {0.1, 1.0 / 3.0};
+  EXPECT_EQ(exported(result, "x1_rms", ".csv"),
+            "omega,b,x1_rms\n"
+            "0.1,0.3,0.1\n0.3333333333333333,0.3,1.1\n"
+            "0.1,0.9,10.1\n0.3333333333333333,0.9,11.1\n"
+            "0.1,1.5,20.1\n0.3333333333333333,1.5,\n");
+}
+
+TEST_F(ExportTest, CsvShowsClassesAsIntegers) {
+  EXPECT_EQ(exported(example_result(4, 0), "contact_class", ".csv"),
+            "omega,contact_class\n0.4,0\n0.9333333333333333,1\n1.4666666666666668,2\n2,0\n");
+}
+
+TEST_F(ExportTest, CsvOfPoincareHasOneRowPerSample) {
+  const std::string csv = exported(example_result(2, 0), "poincare", ".csv");
+  EXPECT_THAT(csv, StartsWith("omega,sample,poincare_x1,poincare_v1\n0.4,1,0,0.01\n"
+                              "0.4,2,0.001,0.011\n"));
+  EXPECT_THAT(csv, HasSubstr("\n2,5,1.004,1.014\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 5);
+}
+
+// The header's text and the numbers behind it.
+struct Npy {
+  std::string header;
+  std::vector<double> numbers;
+};
+
+Npy parse(const std::string& bytes) {
+  const std::size_t length =
+      static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
+  Npy npy;
+  npy.header = bytes.substr(10, length);
+  npy.numbers.resize((bytes.size() - 10 - length) / sizeof(double));
+  std::memcpy(npy.numbers.data(), bytes.data() + 10 + length, npy.numbers.size() * sizeof(double));
+  return npy;
+}
+
+TEST_F(ExportTest, NpyIsAnArrayOfRecordsWithAxesAndQuantity) {
+  const std::string bytes = exported(example_result(), "x1_rms", ".npy");
+  EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+  const Npy npy = parse(bytes);
+  EXPECT_EQ((10 + npy.header.size()) % 64, 0U);
+  EXPECT_THAT(npy.header,
+              StartsWith("{'descr': [('omega', '<f8'), ('b', '<f8'), ('x1_rms', '<f8')], "
+                         "'fortran_order': False, 'shape': (3, 4, ), }"));
+  ASSERT_EQ(npy.numbers.size(), 12U * 3U);
+  const std::size_t last = 11 * 3;
+  EXPECT_EQ(npy.numbers[last], 2.0);
+  EXPECT_EQ(npy.numbers[last + 1], 1.5);
+  EXPECT_EQ(npy.numbers[last + 2], 23.1);
+  EXPECT_TRUE(std::isnan(npy.numbers[5 * 3 + 2]));
+}
+
+TEST_F(ExportTest, NpyOfPoincareHasAFieldOfStatesAndSamples) {
+  const Npy npy = parse(exported(example_result(4, 0), "poincare", ".npy"));
+  EXPECT_THAT(npy.header, AllOf(HasSubstr("('poincare', '<f8', (2, 5))"), HasSubstr("(4, )")));
+  ASSERT_EQ(npy.numbers.size(), 4U * (1 + 10));
+  EXPECT_EQ(npy.numbers[3 * 11], 2.0);
+  EXPECT_EQ(npy.numbers[3 * 11 + 1 + 5 + 4], example_result(4, 0).samples[3 * 10 + 5 + 4]);
+}
+
+TEST_F(ExportTest, WhatCannotBeExportedIsRefusedAndLeavesNoFile) {
+  const std::string path = write(example_result());
+  EXPECT_THAT(refusal([&] { export_map(path, "x1_rms", in_folder("out.txt")); }),
+              AllOf(HasSubstr("out.txt"), HasSubstr(".csv or .npy")));
+  EXPECT_THAT(refusal([&] { export_map(path, "x1_rsm", in_folder("out.csv")); }),
+              HasSubstr("did you mean 'x1_rms'?"));
+  EXPECT_THAT(refusal([&] { export_map(path, "x1_rms", in_folder("missing/out.csv")); }),
+              HasSubstr("there is no folder"));
+  EXPECT_EQ(files(), 1U);
+}
+
+}  // namespace
+}  // namespace gearsweep

@@ -1,0 +1,220 @@
+// Every kind of picture is drawn by gnuplot without complaint, and what cannot be drawn is refused.
+#include "io/plot.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "io/example_result.hpp"
+#include "io/gnuplot.hpp"
+#include "io/plot_scale.hpp"
+#include "io/plot_text.hpp"
+
+namespace gearsweep {
+namespace {
+
+namespace fs = std::filesystem;
+using gearsweep::testing::example_result;
+using gearsweep::testing::kNaN;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class PlotTest : public gearsweep::testing::IoTest {
+ protected:
+  // The first bytes of the picture that the request draws.
+  std::string drawn(PlotRequest request, const std::string& ending = ".png") const {
+    request.output_path = in_folder("picture" + ending);
+    plot_map(request);
+    return content(request.output_path).substr(0, 200);
+  }
+
+  // The script of a picture; drawing it must make gnuplot say nothing.
+  std::string script_of(PlotRequest request) const {
+    request.script_path = in_folder("picture.gp");
+    EXPECT_THAT(drawn(request), StartsWith("\x89PNG"));
+    const std::string said = in_folder("said.txt");
+    const std::string command =
+        "cd / && gnuplot '" + request.script_path + "' > '" + said + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(content(said), "");
+    return content(request.script_path);
+  }
+};
+
+TEST_F(PlotTest, TheEndingChoosesTheFormat) {
+  const std::string path = write(example_result());
+  EXPECT_THAT(drawn({path, "x1_rms", "", "", {}}, ".png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(drawn({path, "x1_rms", "", "", {}}, ".pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(drawn({path, "x1_rms", "", "", {}}, ".svg"), HasSubstr("<svg"));
+}
+
+TEST_F(PlotTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {
+  const std::string script = script_of({write(example_result()), "", "", "", {}});
+  EXPECT_THAT(script, AllOf(HasSubstr("with image"), HasSubstr("set ylabel 'half backlash, b"),
+                            HasSubstr("mesh frequency / ϖ, omega'"), HasSubstr("x1\\_rms [b_{n}]"),
+                            HasSubstr("diverged at 1 of 12 points")));
+}
+
+TEST_F(PlotTest, AnUnevenOrLogarithmicGridIsMadeOfBoxes) {
+  SweepResult result = example_result();
+  result.study.axes[0].values = {0.1, 1.0, 10.0, 100.0};
+  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("with boxxyerror"));
+  result.study.axes[0].logarithmic = true;
+  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("set logscale x"));
+}
+
+TEST_F(PlotTest, ClassesHaveNamesAtTheColourBar) {
+  const std::string path = write(example_result());
+  EXPECT_THAT(script_of({path, "contact_class", "", "", {}}),
+              HasSubstr("set cbtics ('no impact' 0, 'single sided' 1, 'double sided' 2)"));
+  EXPECT_THAT(script_of({path, "status", "", "", {}}), HasSubstr("'diverged' 1"));
+}
+
+TEST_F(PlotTest, AMapWithoutAnyValueIsDrawnGrey) {
+  SweepResult result = example_result();
+  result.status.assign(12, 1);
+  for (auto& map : result.values) map.assign(12, kNaN);
+  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("12 of 12 points"));
+  result.study.axes[0].logarithmic = true;
+  EXPECT_THAT(script_of({write(result), "contact_class", "", "", {}}), HasSubstr("NaN notitle"));
+}
+
+TEST_F(PlotTest, OneAxisIsACurveAndACutMakesOne) {
+  SweepResult result = example_result(7, 0);
+  EXPECT_THAT(script_of({write(result), "", "", "", {}}), HasSubstr("linespoints"));
+  EXPECT_THAT(script_of({write(result), "contact_class", "", "", {}}),
+              HasSubstr("set ytics ('no impact' 0"));
+  EXPECT_THAT(script_of({write(example_result()), "x1_rms", "", "", {{"b", 1.0}}}),
+              AllOf(HasSubstr("b = 0.9 b_{n}"), HasSubstr("diverged at 1 of 4 points")));
+}
+
+TEST_F(PlotTest, PoincareIsABifurcationDiagram) {
+  const std::string path = write(example_result(7, 0));
+  EXPECT_THAT(script_of({path, "poincare", "", "", {}}), HasSubstr("set ylabel 'x1 [b_{n}]'"));
+  EXPECT_THAT(script_of({path, "poincare:v1", "", "", {}}), HasSubstr("set ylabel 'v1 [b_{n} ϖ]'"));
+  const std::string map = write(example_result());
+  EXPECT_THAT(script_of({map, "poincare", "", "", {{"omega", 2.0}}}),
+              AllOf(HasSubstr("with points"), HasSubstr("omega = 2")));
+  EXPECT_THAT(refusal([&] {
+                drawn({map, "poincare", "", "", {}});
+              }),
+              AllOf(HasSubstr("axes 'omega' and 'b'"), HasSubstr("cut it")));
+}
+
+TEST_F(PlotTest, ManySamplesAreShownByTheirDensity) {
+  SweepResult result = example_result(200, 0);
+  result.study.integrate.record = 100;
+  result.samples.assign(200 * 2 * 100, 0.5);
+  result.samples[7] = 0.6;
+  EXPECT_THAT(script_of({write(result), "poincare", "", "", {}}),
+              AllOf(HasSubstr("with points"), Not(HasSubstr("share of the samples"))));
+  result.study.integrate.record = 101;
+  result.samples.assign(200 * 2 * 101, 0.5);
+  EXPECT_THAT(script_of({write(result), "poincare", "", "", {}}),
+              HasSubstr("share of the samples"));
+}
+
+TEST_F(PlotTest, OddGridsAreDrawn) {
+  EXPECT_THAT(script_of({write(example_result(1, 1)), "x1_rms", "", "", {}}),
+              HasSubstr("with boxxyerror"));
+  EXPECT_THAT(script_of({write(example_result(1, 0)), "x1_rms", "", "", {}}),
+              HasSubstr("set yrange"));
+  SweepResult falling = example_result(3, 0);
+  falling.study.axes[0].values = {3.0, 2.0, 1.0};
+  EXPECT_THAT(script_of({write(falling), "x1_rms", "", "", {}}), HasSubstr("set xrange [0.5:3.5]"));
+}
+
+TEST_F(PlotTest, NothingInATitleIsACommand) {
+  SweepResult result = example_result();
+  const std::string trap = in_folder("trap");
+  result.study.title = "`touch " + trap + "` it's \"50 %\" {x}^2 \\n @a & b_c $d '.system('x').'";
+  script_of({write(result), "x1_rms", "", "", {}});
+  EXPECT_FALSE(fs::exists(trap));
+}
+
+TEST_F(PlotTest, OddNamesOfFilesWork) {
+  fs::create_directory(folder_ / "it's {here} ü");
+  PlotRequest request;
+  request.result_path = write(example_result());
+  request.output_path = in_folder("it's {here} ü/a b.png");
+  request.script_path = in_folder("it's {here} ü/a 'b'.gp");
+  plot_map(request);
+  EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
+}
+
+TEST_F(PlotTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
+  const std::string path = write(example_result());
+  const auto refused = [&](const PlotRequest& request) {
+    return refusal([&] { plot_map(request); });
+  };
+  const std::string png = in_folder("a.png");
+  EXPECT_THAT(refused({path, "x1_rms", in_folder("a.jpg"), "", {}}),
+              HasSubstr(".png, .svg or .pdf"));
+  EXPECT_THAT(refused({path, "x1_rms", png, in_folder("a.txt"), {}}), HasSubstr("end in .gp"));
+  EXPECT_THAT(refused({path, "x1_rsm", png, in_folder("a.gp"), {}}), HasSubstr("did you mean"));
+  EXPECT_THAT(refused({path, "x1_rms", png, "", {{"b", 9.0}}}), HasSubstr("outside the axis"));
+  EXPECT_THAT(refused({path, "x1_rms", in_folder("missing/a.png"), "", {}}),
+              HasSubstr("there is no folder"));
+  EXPECT_EQ(files(), 1U);
+  const std::string line = write(example_result(7, 0));
+  EXPECT_THAT(refused({line, "x1_rms", png, "", {{"b", 1.0}}}), HasSubstr("has one axis"));
+}
+
+TEST_F(PlotTest, AMissingOrFailingGnuplotIsTold) {
+  const auto failure = [](const auto& action) -> std::string {
+    try {
+      action();
+    } catch (const RunError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(failure([] {
+                run_gnuplot({"-e", "plot 'no_such_file'"});
+              }),
+              HasSubstr("no_such_file"));
+  const std::string path = write(example_result());
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", folder_.c_str(), 1);
+  const std::string said = failure([&] { plot_map({path, "", in_folder("a.png"), "", {}}); });
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_THAT(said, HasSubstr("install it"));
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST(ColourRange, LeavesOutliersOutOnlyWhenTheyTakeTheContrast) {
+  std::vector<double> values(2000);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i) / 1999.0;
+  EXPECT_FALSE(colour_range(values).clipped);
+  values[3] = 1e6;
+  values[4] = kNaN;
+  EXPECT_TRUE(colour_range(values).clipped);
+  EXPECT_LE(colour_range(values).greatest, 1.0);
+  const ValueRange constant = colour_range({2.0, 2.0});
+  EXPECT_LT(constant.least, 2.0);
+  EXPECT_GT(constant.greatest, 2.0);
+}
+
+TEST(ClassScale, AFewWholeNumbersAreClasses) {
+  ResultMap map;
+  map.values = {1.0, 2.0, 8.0, kNaN, 2.0};
+  const auto scale = class_scale(map);
+  ASSERT_TRUE(scale.has_value());
+  EXPECT_THAT(scale->names, ElementsAre("1", "2", "8"));
+  EXPECT_EQ(scale->index_of(8.0), 2.0);
+  EXPECT_TRUE(std::isnan(scale->index_of(kNaN)));
+  map.values.push_back(0.5);
+  EXPECT_FALSE(class_scale(map).has_value());
+}
+
+TEST(PlotText, SymbolsAreSetAsInPrint) {
+  EXPECT_EQ(typeset("k0 b_n"), "k_{0} b_{n}");
+  EXPECT_EQ(label_of("x1_rms", "b_n varpi"), "x1\\_rms [b_{n} ϖ]");
+  EXPECT_EQ(label_of("period", "1"), "period");
+}
+
+}  // namespace
+}  // namespace gearsweep

@@ -1,0 +1,44 @@
+// Help with mistyped names.
+#include "model/names.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::vector<std::string> kKnown = {"omega", "zeta", "teeth_ratio", "b", "mu"};
+
+TEST(SuggestName, FindsTheNearest) {
+  EXPECT_EQ(suggest_name("omgea", kKnown), "; did you mean 'omega'?");
+  EXPECT_EQ(suggest_name("Omega", kKnown), "; did you mean 'omega'?");
+  EXPECT_EQ(suggest_name("teeth-ratio", kKnown), "; did you mean 'teeth_ratio'?");
+}
+
+TEST(SuggestName, ListsWhatIsKnownWhenNothingIsNear) {
+  EXPECT_EQ(suggest_name("friction", kKnown), "; known: omega, zeta, teeth_ratio, b, mu");
+}
+
+// One letter is one edit away from any other: that is no resemblance.
+TEST(SuggestName, DoesNotSuggestASingleLetter) {
+  EXPECT_THAT(suggest_name("q", kKnown), Not(HasSubstr("did you mean 'b'")));
+}
+
+TEST(SuggestName, ShortensLongLists) {
+  const std::vector<std::string> many(20, "something");
+  EXPECT_THAT(suggest_name("x", many), ::testing::EndsWith(", ..."));
+  EXPECT_EQ(suggest_name("x", {}), "");
+}
+
+TEST(SplitWords, SplitsAtBlanks) {
+  EXPECT_THAT(split_words("consistent  printed "), ElementsAre("consistent", "printed"));
+  EXPECT_THAT(split_words(""), IsEmpty());
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
