@@ -51,7 +51,9 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #define TABLE const
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
-#define LANE_FN template <class real> static inline
+#define LANE_FN         \
+  template <class real> \
+  static inline
 
 #endif
 

@@ -10,9 +10,8 @@
 // Device buffers are structures of arrays: state, swept, accumulators and outputs are
 // [component][item], each element a `real` of LANES neighbouring points.
 #include "dialect.h"
-#include "sweep_types.h"
-
 #include "selection.h"
+#include "sweep_types.h"
 
 #define LOAD_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
   parameters.name = (real)(PARAMETER_##name);
@@ -34,8 +33,8 @@ SHARED_FN void load_components(__global const real* buffer, uint items, uint ite
   for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
 }
 
-SHARED_FN void store_components(__global real* buffer, uint items, uint item, uint first,
-                                int count, const real* values) {
+SHARED_FN void store_components(__global real* buffer, uint items, uint item, uint first, int count,
+                                const real* values) {
   UNROLL
   for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
 }
@@ -116,17 +115,17 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define STEP_FINISH(kind) OBSERVER_FINISH(kind, kind##_sums)
 
 // Each observer's accumulators follow those of the one before it.
-#define OBSERVER_MOVE(verb, buffer, count, values)               \
+#define OBSERVER_MOVE(verb, buffer, count, values)              \
   verb##_components(buffer, items, item, first, count, values); \
   first += count;
-#define OBSERVER_FINISH(kind, sums)                                                     \
-  {                                                                                     \
-    real out[kind##_outputs];                                                           \
-    load_components(accumulators, items, item, first, kind##_accumulators, sums);       \
-    kind##_finish(sums, (scalar)(round.record), out);                                   \
-    store_components(outputs, items, item, first_output, kind##_outputs, out);          \
-    first += kind##_accumulators;                                                       \
-    first_output += kind##_outputs;                                                     \
+#define OBSERVER_FINISH(kind, sums)                                               \
+  {                                                                               \
+    real out[kind##_outputs];                                                     \
+    load_components(accumulators, items, item, first, kind##_accumulators, sums); \
+    kind##_finish(sums, (scalar)(round.record), out);                             \
+    store_components(outputs, items, item, first_output, kind##_outputs, out);    \
+    first += kind##_accumulators;                                                 \
+    first_output += kind##_outputs;                                               \
   }
 
 __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,

@@ -10,8 +10,8 @@ typedef std::uint32_t sweep_uint;
 #endif
 
 // Why a point ended: X(NAME, code, meaning).
-#define SWEEP_STATUSES(X)                                                  \
-  X(ok, 0, "integrated and recorded to the end")                           \
+#define SWEEP_STATUSES(X)                        \
+  X(ok, 0, "integrated and recorded to the end") \
   X(diverged, 1, "left the range in which the numbers mean anything")
 #define SWEEP_STATUS_CODE(name, code, meaning) STATUS_##name = code,
 enum { SWEEP_STATUSES(SWEEP_STATUS_CODE) };

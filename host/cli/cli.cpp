@@ -44,9 +44,10 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 
 // Runs the command that the arguments name; its exit status.
 int dispatch(int argc, char** argv) {
-  CLI::App app("gearsweep: maps of gear dynamics and non-smooth oscillators from massively parallel "
-               "parameter sweeps",
-               "gearsweep");
+  CLI::App app(
+      "gearsweep: maps of gear dynamics and non-smooth oscillators from massively parallel "
+      "parameter sweeps",
+      "gearsweep");
   int status = kDone;
   add_commands(&app, &status);
   refuse_unknown_command(app, argc, argv);

@@ -1,10 +1,9 @@
 // gearsweep devices, gearsweep studies.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/study_source.hpp"
@@ -34,10 +33,10 @@ void print_devices(const std::vector<DeviceInfo>& devices) {
   const std::size_t chosen = default_device(devices);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const DeviceInfo& device = devices[i];
-    fmt::print("{}{} {}\n    {}, {}, driver {}, {} compute units, {}, lanes {} (fp64) {} (fp32)\n", i,
-               i == chosen ? "*" : " ", device.name, device.platform, device.is_cpu ? "CPU" : "GPU",
-               device.driver, device.compute_units, device.fp64 ? "fp64" : "no fp64",
-               device.lanes_fp64, device.lanes_fp32);
+    fmt::print("{}{} {}\n    {}, {}, driver {}, {} compute units, {}, lanes {} (fp64) {} (fp32)\n",
+               i, i == chosen ? "*" : " ", device.name, device.platform,
+               device.is_cpu ? "CPU" : "GPU", device.driver, device.compute_units,
+               device.fp64 ? "fp64" : "no fp64", device.lanes_fp64, device.lanes_fp32);
   }
   fmt::print("* is used unless --device says otherwise\n");
 }
@@ -79,9 +78,10 @@ void add_studies_command(CLI::App* app) {
   const auto as_json = std::make_shared<bool>(false);
   command->add_option("name", *name, "The study to print");
   command->add_flag("--json", *as_json, "The list for scripts");
-  command->footer("To start a study of your own:\n"
-                  "  gearsweep studies coarse-map > mine.toml\n"
-                  "  gearsweep run mine.toml -o mine.nc --plot mine.png");
+  command->footer(
+      "To start a study of your own:\n"
+      "  gearsweep studies coarse-map > mine.toml\n"
+      "  gearsweep run mine.toml -o mine.nc --plot mine.png");
   command->callback([name, as_json] {
     if (name->empty()) {
       print_studies(*as_json);

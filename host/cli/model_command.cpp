@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/study_source.hpp"
@@ -35,8 +34,8 @@ Study study_of(const ModelArguments& arguments) {
   if (model == nullptr) {
     std::vector<std::string> known;
     for (const Model& candidate : models()) known.push_back(candidate.name);
-    throw InputError(fmt::format("unknown model '{}'{}", arguments.name,
-                                 suggest_name(arguments.name, known)));
+    throw InputError(
+        fmt::format("unknown model '{}'{}", arguments.name, suggest_name(arguments.name, known)));
   }
   return study_of_preset(*model, arguments.preset);
 }
@@ -76,8 +75,8 @@ void print_parameters(const Study& study) {
 }
 
 void print_channels(const Model& model) {
-  for (const auto& [title, channels] : {std::pair("states", &model.states),
-                                        std::pair("signals", &model.signals)}) {
+  for (const auto& [title, channels] :
+       {std::pair("states", &model.states), std::pair("signals", &model.signals)}) {
     fmt::print("\n{}\n", title);
     for (const ChannelInfo& info : *channels) {
       fmt::print("  {:<12} {:<10} {}\n", info.name, info.unit, info.meaning);
@@ -97,9 +96,10 @@ void print_quantities(const Model& model) {
                  output.flags.empty() ? "" : fmt::format(" ({})", fmt::join(output.flags, ", ")));
     }
   }
-  fmt::print("  {:<16} why the point ended; always there\nCHANNEL is a state or a signal, as in "
-             "{}_rms\n",
-             "status", model.states.front().name);
+  fmt::print(
+      "  {:<16} why the point ended; always there\nCHANNEL is a state or a signal, as in "
+      "{}_rms\n",
+      "status", model.states.front().name);
 }
 
 void print_model(const Study& study) {
@@ -109,10 +109,11 @@ void print_model(const Study& study) {
   if (!study.gear_notes.empty()) {
     fmt::print("\nfrom the [gear] table\n");
     for (const std::string& note : study.gear_notes) fmt::print("  {}\n", note);
-    fmt::print("  one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
-               "N; varpi = {:.6g} rad/s\n",
-               study.scales.rpm_per_omega, 1e6 * study.scales.b_n,
-               study.scales.k0 * study.scales.b_n, study.scales.varpi);
+    fmt::print(
+        "  one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
+        "N; varpi = {:.6g} rad/s\n",
+        study.scales.rpm_per_omega, 1e6 * study.scales.b_n, study.scales.k0 * study.scales.b_n,
+        study.scales.varpi);
   }
   print_channels(model);
   print_quantities(model);
@@ -155,14 +156,16 @@ void add_model_command(CLI::App* app) {
   command->add_option("name", arguments->name, "The model to show");
   CLI::Option* preset =
       command->add_option("--preset", arguments->preset, "Show the values of this preset");
-  command->add_option("--study", arguments->study,
-                      "Show the values that this study gives, [gear] table included")
+  command
+      ->add_option("--study", arguments->study,
+                   "Show the values that this study gives, [gear] table included")
       ->excludes(preset);
   command->add_flag("--json", arguments->as_json, "For scripts");
-  command->footer("Examples:\n"
-                  "  gearsweep model\n"
-                  "  gearsweep model gear5 --preset consistent\n"
-                  "  gearsweep model --study mine.toml");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep model\n"
+      "  gearsweep model gear5 --preset consistent\n"
+      "  gearsweep model --study mine.toml");
   command->callback([arguments] {
     if (arguments->name.empty() && arguments->study.empty()) {
       print_models();

@@ -34,16 +34,19 @@ void add_plot_command(CLI::App* app) {
   const auto request = std::make_shared<PlotRequest>();
   const auto cut = std::make_shared<std::string>();
   command->add_option("result", request->result_path, "A result file, OUT.nc")->required();
-  command->add_option("-q,--quantity", request->quantity,
-                      "What to draw (default: the file's first); poincare:v1 picks a sampled state");
-  command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")->required();
+  command->add_option(
+      "-q,--quantity", request->quantity,
+      "What to draw (default: the file's first); poincare:v1 picks a sampled state");
+  command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")
+      ->required();
   command->add_option("--script", request->script_path,
                       "Keep the gnuplot script (FILE.gp) and its data beside it, to restyle");
   command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis, AXIS=VALUE");
-  command->footer("Examples:\n"
-                  "  gearsweep plot map.nc -q contact_class -o class.png\n"
-                  "  gearsweep plot line.nc -q poincare -o bifurcation.pdf\n"
-                  "  gearsweep plot map.nc -q x1_rms --at b=1 -o cut.svg --script cut.gp");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep plot map.nc -q contact_class -o class.png\n"
+      "  gearsweep plot line.nc -q poincare -o bifurcation.pdf\n"
+      "  gearsweep plot map.nc -q x1_rms --at b=1 -o cut.svg --script cut.gp");
   command->callback([request, cut] {
     if (!cut->empty()) request->at = parse_cut(*cut);
     plot_map(*request);
@@ -56,10 +59,11 @@ void add_export_command(CLI::App* app) {
   command->add_option("result", arguments->result, "A result file, OUT.nc")->required();
   command->add_option("-q,--quantity", arguments->quantity, "What to write")->required();
   command->add_option("-o,--output", arguments->output, "The table: .csv or .npy")->required();
-  command->footer("Examples:\n"
-                  "  gearsweep export map.nc -q x1_rms -o rms.csv\n"
-                  "  gearsweep export map.nc -q x1_rms -o rms.npy\n"
-                  "    then in Python: m = numpy.load('rms.npy'); m['omega'], m['x1_rms']");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep export map.nc -q x1_rms -o rms.csv\n"
+      "  gearsweep export map.nc -q x1_rms -o rms.npy\n"
+      "    then in Python: m = numpy.load('rms.npy'); m['omega'], m['x1_rms']");
   command->callback(
       [arguments] { export_map(arguments->result, arguments->quantity, arguments->output); });
 }

@@ -1,4 +1,5 @@
-// Progress of a sweep on stderr: a bar on a terminal, plain lines otherwise. Private to this folder.
+// Progress of a sweep on stderr: a bar on a terminal, plain lines otherwise. Private to this
+// folder.
 #pragma once
 
 #include "distribute/sweep.hpp"

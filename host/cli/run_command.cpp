@@ -40,8 +40,7 @@ std::string command_line(const RunArguments& arguments, const std::string& outpu
 
 std::string output_path(const RunArguments& arguments) {
   if (!arguments.output.empty()) return arguments.output;
-  const std::string path =
-      std::filesystem::path(arguments.study).stem().string() + ".nc";
+  const std::string path = std::filesystem::path(arguments.study).stem().string() + ".nc";
   std::error_code error;
   if (std::filesystem::equivalent(path, arguments.study, error)) {
     throw InputError(fmt::format("{}: running a result file again needs another output: -o OUT.nc",
@@ -65,9 +64,7 @@ int run(const RunArguments& given) {
   const std::string output = output_path(arguments);
   const std::string journal = output + ".journal";
   ensure_writable(output);
-  if (!arguments.plot.empty()) {
-    ensure_writable(arguments.plot);
-  }
+  if (!arguments.plot.empty()) ensure_plottable(arguments.plot);
 
   const SignalWatch signals;
   ProgressBar bar;
@@ -81,14 +78,14 @@ int run(const RunArguments& given) {
     if (!arguments.quiet) bar.show(progress);
   };
   options.deliver = [&](const SweepResult& result) {
-    write_result(result, output,
-                 {command_line(arguments, output), version(), source_hash()});
+    write_result(result, output, {command_line(arguments, output), version(), source_hash()});
   };
   const std::optional<SweepResult> result = run_sweep(study, options);
   bar.close();
   if (!result) {
-    fmt::print(stderr, "gearsweep: interrupted at {:.0f} %; what is finished is kept in {}: the same "
-                       "command continues from there\n",
+    fmt::print(stderr,
+               "gearsweep: interrupted at {:.0f} %; what is finished is kept in {}: the same "
+               "command continues from there\n",
                100.0 * share, journal);
     return kInterrupted;
   }
@@ -107,8 +104,9 @@ int run(const RunArguments& given) {
 void add_run_command(CLI::App* app, int* status) {
   CLI::App* command = app->add_subcommand("run", "Compute the maps of a study");
   const auto arguments = std::make_shared<RunArguments>();
-  command->add_option("study", arguments->study,
-                      "A study file, a built-in study, or a result file to compute again")
+  command
+      ->add_option("study", arguments->study,
+                   "A study file, a built-in study, or a result file to compute again")
       ->required();
   command->add_option("-o,--output", arguments->output,
                       "The result file (default: the study's name with .nc)");

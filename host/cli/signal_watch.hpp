@@ -6,8 +6,9 @@
 
 namespace gearsweep {
 
-// While it lives, the first SIGINT or SIGTERM sets the flag and the second ends the process. Make it
-// before other threads start: they inherit the signal mask that lets only the watch see the signals.
+// While it lives, the first SIGINT or SIGTERM sets the flag and the second ends the process. Make
+// it before other threads start: they inherit the signal mask that lets only the watch see the
+// signals.
 class SignalWatch {
  public:
   SignalWatch();

@@ -1,5 +1,5 @@
-// Where a study comes from: a TOML file, a result file, or a built-in study by name. Private to this
-// folder.
+// Where a study comes from: a TOML file, a result file, or a built-in study by name. Private to
+// this folder.
 #pragma once
 
 #include <string>

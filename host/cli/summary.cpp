@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "cli/progress_bar.hpp"
 #include "sweep_types.h"
@@ -56,8 +55,8 @@ nlohmann::json counts_as_json(const std::vector<Count>& counts) {
 }  // namespace
 
 std::string describe_run(const SweepResult& result, const std::string& path) {
-  std::string text = fmt::format("{} points: {}\n", result.status.size(),
-                                 describe_counts(count_statuses(result)));
+  std::string text =
+      fmt::format("{} points: {}\n", result.status.size(), describe_counts(count_statuses(result)));
   for (std::size_t i = 0; i < result.values.size(); ++i) {
     const Quantity& quantity = result.study.selection.quantities[i];
     if (quantity.flags.empty()) continue;

@@ -68,8 +68,8 @@ class Progress {
 };
 
 // Computes every tile that the journal does not have; false when stopped.
-bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine,
-                   Journal* journal, Progress* progress, Assembly* assembly) {
+bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine, Journal* journal,
+                   Progress* progress, Assembly* assembly) {
   std::size_t number = 0;
   for (const Stage& stage : plan.stages()) {
     for (const Tile& tile : stage.tiles) {

@@ -19,8 +19,8 @@ struct SweepProgress {
 
 struct SweepOptions {
   std::optional<std::size_t> device;  // of list_devices(); nothing: the default one
-  // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the same
-  // sweep that is already there is continued.
+  // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
+  // same sweep that is already there is continued.
   std::string journal_path;
   std::function<void(const SweepProgress&)> on_progress;
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round

@@ -13,10 +13,10 @@ namespace gearsweep {
 
 // The answers for the points of a tile, in the tile's order.
 struct TileResult {
-  std::vector<std::uint8_t> status;       // [point]
-  std::vector<double> outputs;            // [output of the selection][point]
-  std::vector<double> samples;            // [point][chosen state][sample]
-  std::vector<double> final_states;       // [point][state], at phase 0 after the last period
+  std::vector<std::uint8_t> status;  // [point]
+  std::vector<double> outputs;       // [output of the selection][point]
+  std::vector<double> samples;       // [point][chosen state][sample]
+  std::vector<double> final_states;  // [point][state], at phase 0 after the last period
 };
 
 // Called after each round with the integration steps that it took; false asks the engine to stop.

@@ -89,16 +89,43 @@ void NetcdfFile::put_attribute(int variable, const std::string& attribute,
         fmt::format("write the attribute '{}'", attribute));
 }
 
+void NetcdfFile::compress(int variable) {
+  constexpr int kShuffle = 1, kDeflate = 1, kLevel = 1;
+  check(nc_def_var_deflate(id_, variable, kShuffle, kDeflate, kLevel),
+        fmt::format("compress the variable '{}'", variable_name(variable)));
+}
+
+void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
+                     const std::vector<std::size_t>& count, const std::vector<double>& values) {
+  check(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()),
+        fmt::format("write the variable '{}'", variable_name(variable)));
+}
+
+void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
+                     const std::vector<std::size_t>& count, const std::vector<float>& values) {
+  check(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()),
+        fmt::format("write the variable '{}'", variable_name(variable)));
+}
+
+void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
+                     const std::vector<std::size_t>& count,
+                     const std::vector<signed char>& values) {
+  check(nc_put_vara_schar(id_, variable, start.data(), count.data(), values.data()),
+        fmt::format("write the variable '{}'", variable_name(variable)));
+}
+
 std::vector<std::string> NetcdfFile::variables() const {
   int count = 0;
   check(nc_inq_nvars(id_, &count), "count the variables");
   std::vector<std::string> names;
-  for (int variable = 0; variable < count; ++variable) {
-    std::array<char, NC_MAX_NAME + 1> name{};
-    check(nc_inq_varname(id_, variable, name.data()), "read the name of a variable");
-    names.emplace_back(name.data());
-  }
+  for (int variable = 0; variable < count; ++variable) names.push_back(variable_name(variable));
   return names;
+}
+
+std::string NetcdfFile::variable_name(int variable) const {
+  std::array<char, NC_MAX_NAME + 1> name{};
+  check(nc_inq_varname(id_, variable, name.data()), "read the name of a variable");
+  return name.data();
 }
 
 int NetcdfFile::find_variable(const std::string& variable) const {
@@ -168,7 +195,7 @@ std::vector<double> NetcdfFile::read(int variable, const std::vector<std::size_t
   std::vector<double> values(
       std::accumulate(count.begin(), count.end(), std::size_t{1}, std::multiplies<>()));
   check(nc_get_vara_double(id_, variable, start.data(), count.data(), values.data()),
-        "read the values of a variable");
+        fmt::format("read the variable '{}'", variable_name(variable)));
   return values;
 }
 

@@ -39,7 +39,17 @@ class NetcdfFile {
   void put_attribute(int variable, const std::string& attribute,
                      const std::vector<signed char>& numbers);
 
+  void compress(int variable);
+  // A block of a variable; start and count have one entry per dimension.
+  void put(int variable, const std::vector<std::size_t>& start,
+           const std::vector<std::size_t>& count, const std::vector<double>& values);
+  void put(int variable, const std::vector<std::size_t>& start,
+           const std::vector<std::size_t>& count, const std::vector<float>& values);
+  void put(int variable, const std::vector<std::size_t>& start,
+           const std::vector<std::size_t>& count, const std::vector<signed char>& values);
+
   std::vector<std::string> variables() const;
+  std::string variable_name(int variable) const;
   // -1 when there is none of that name.
   int find_variable(const std::string& variable) const;
   std::vector<int> dimensions_of(int variable) const;
@@ -48,7 +58,7 @@ class NetcdfFile {
   std::optional<std::string> text_attribute(int variable, const std::string& attribute) const;
   // Empty when there is none.
   std::vector<double> number_attribute(int variable, const std::string& attribute) const;
-  // A block of a variable of any numeric type; start and count have one entry per dimension.
+  // A block of a variable of any numeric type.
   std::vector<double> read(int variable, const std::vector<std::size_t>& start,
                            const std::vector<std::size_t>& count) const;
   // A character array [entry][width]; trailing zeros and blanks are not part of an entry.

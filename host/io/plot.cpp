@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 
 #include "io/gnuplot.hpp"
 #include "io/output_file.hpp"
@@ -36,12 +35,14 @@ std::string terminal_of(const std::string& output) {
       fmt::format("cannot draw '{}': its name must end in .png, .svg or .pdf", output));
 }
 
-// The first map, else the samples, else the status, which every file has.
+// Along one axis the samples, where the file has them: a bifurcation diagram. Otherwise the first
+// map, else the status, which every file has.
 std::string default_quantity(const ResultFile& file, bool one_axis) {
+  if (one_axis && !file.poincare_states().empty()) return std::string(kPoincare);
   for (const std::string& name : file.quantities()) {
     if (name != "status" && name != kPoincare) return name;
   }
-  return one_axis && !file.poincare_states().empty() ? std::string(kPoincare) : "status";
+  return "status";
 }
 
 std::string chosen_quantity(const ResultFile& file, const std::string& asked, bool one_axis) {
@@ -52,34 +53,12 @@ std::string chosen_quantity(const ResultFile& file, const std::string& asked, bo
   if (!one_axis) {
     throw InputError(
         fmt::format("'{}' has the axes '{}' and '{}', but a bifurcation diagram has "
-                    "one; cut it at one value of either, as in {}={}, or use a study "
-                    "with one axis",
+                    "one; cut it at one value of either (--at {}={}), or use a "
+                    "study with one axis",
                     file.path(), file.axes()[0].name, file.axes()[1].name, file.axes()[1].name,
                     file.axes()[1].values.front()));
   }
   return name == kPoincare ? fmt::format("{}:{}", kPoincare, states.front()) : name;
-}
-
-// Puts points in the order of rising axis values. Values have `width` numbers per point.
-void sort_axes(ResultMap* map) {
-  std::vector<std::vector<std::size_t>> orders;
-  for (ResultAxis& axis : map->axes) {
-    std::vector<std::size_t> order(axis.values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return axis.values[a] < axis.values[b]; });
-    std::sort(axis.values.begin(), axis.values.end());
-    orders.push_back(std::move(order));
-  }
-  const std::size_t nx = orders[0].size();
-  const std::size_t width = map->values.size() / map->points();
-  const std::vector<double> unsorted = map->values;
-  for (std::size_t point = 0; point < map->points(); ++point) {
-    const std::size_t row = orders.size() > 1 ? orders[1][point / nx] : 0;
-    const std::size_t from = row * nx + orders[0][point % nx];
-    std::copy_n(unsorted.begin() + static_cast<std::ptrdiff_t>(from * width), width,
-                map->values.begin() + static_cast<std::ptrdiff_t>(point * width));
-  }
 }
 
 MissingPoints find_missing(const ResultMap& map, const ResultMap& status) {
@@ -117,10 +96,7 @@ Picture read_picture(const PlotRequest& request) {
   const bool one_axis = cut || file.axes().size() == 1;
   Picture picture;
   picture.map = file.read(chosen_quantity(file, request.quantity, one_axis), cut);
-  ResultMap status = file.read("status", cut);
-  sort_axes(&picture.map);
-  sort_axes(&status);
-  picture.missing = find_missing(picture.map, status);
+  picture.missing = find_missing(picture.map, file.read("status", cut));
   picture.title = file.title();
   if (cut) {
     const ResultAxis& axis = file.axes()[cut->axis];
@@ -140,19 +116,23 @@ std::string preamble(const fs::path& script, const std::string& output) {
   const fs::path from_script = fs::absolute(output).lexically_relative(
       fs::absolute(script).lexically_normal().parent_path());
   return fmt::format(
-      "# gnuplot {0} draws the picture again.\n"
+      "# Given to gnuplot, this draws the picture again.\n"
       "folder = ''\n"
       "do for [i = 1:strlen(ARG0)] {{ if (ARG0[i:i] eq '/') {{ folder = ARG0[1:i] }} }}\n"
-      "files = folder.{1}\n"
-      "if (!exists('picture')) picture = folder.{2}\n"
+      "files = ARG0[1:strlen(ARG0) - 3]\n"
+      "picture = ARGC > 0 ? ARG1 : folder.{}\n"
       "set encoding utf8\n"
-      "set terminal {3}\n"
+      "set terminal {}\n"
       "set output picture\n",
-      script.filename().string(), quote(script.stem().string()), quote(from_script.string()),
-      terminal_of(output));
+      quote(from_script.string()), terminal_of(output));
 }
 
 }  // namespace
+
+void ensure_plottable(const std::string& output_path) {
+  terminal_of(output_path);
+  ensure_writable(output_path);
+}
 
 void plot_map(const PlotRequest& request) {
   terminal_of(request.output_path);
@@ -172,7 +152,7 @@ void plot_map(const PlotRequest& request) {
   if (!drawn.missing.empty()) write_file(files + "-missing.dat", drawn.missing);
   write_file(script.string(), preamble(script, request.output_path) + drawn.text);
 
-  run_gnuplot({"-e", "picture = " + quote(output.temporary_path()), script.string()});
+  run_gnuplot({"-c", script.string(), output.temporary_path()});
   if (fs::file_size(output.temporary_path()) == 0) {
     throw RunError(fmt::format("gnuplot drew nothing for '{}'", request.output_path));
   }

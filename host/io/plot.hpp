@@ -9,7 +9,8 @@ namespace gearsweep {
 
 struct PlotRequest {
   std::string result_path;
-  // As for ResultFile::read; empty: the first map of the file. `poincare` means its first state.
+  // As for ResultFile::read; empty: along one axis `poincare`, where the file has it, otherwise the
+  // first map. `poincare` means its first state.
   std::string quantity;
   std::string output_path;  // ends in .png, .svg or .pdf
   // Ends in .gp when not empty: the gnuplot script is kept there, and its data beside it under
@@ -18,6 +19,9 @@ struct PlotRequest {
   // Axis name and value: draws the other axis alone, at the nearest value of this one.
   std::optional<std::pair<std::string, double>> at;
 };
+
+// Throws InputError when no picture can be put there: the ending or the place will not do.
+void ensure_plottable(const std::string& output_path);
 
 // Draws a heat map of two axes, a curve of one, or a bifurcation diagram of `poincare` over one.
 // The picture appears whole or not at all. Throws InputError when the request does not fit the file

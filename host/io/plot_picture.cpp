@@ -13,18 +13,20 @@ namespace {
 
 // The study's title, below it smaller what the quantity is.
 std::string title_of(const Picture& picture) {
-  constexpr std::size_t kTitleWidth = 70, kSubtitleWidth = 100;
+  constexpr std::size_t kTitleWidth = 70, kSubtitleWidth = 110;
   std::string subtitle = picture.map.meaning;
   if (!picture.map.states.empty()) {
     subtitle = picture.map.states.front().meaning + ", at phase 0 of each recorded period";
   }
-  if (!picture.remark.empty()) subtitle += "; at " + picture.remark;
   std::vector<std::string> lines;
   for (const std::string& line : wrapped(picture.title, kTitleWidth)) {
     lines.push_back(literal(line));
   }
   for (const std::string& line : wrapped(subtitle, kSubtitleWidth)) {
     lines.push_back(fmt::format("{{/*0.8 {}}}", typeset(line)));
+  }
+  if (!picture.remark.empty()) {
+    lines.push_back(fmt::format("{{/*0.8 at {}}}", typeset(picture.remark)));
   }
   return quote(fmt::format("{}", fmt::join(lines, "\n")));
 }
@@ -33,7 +35,7 @@ std::string title_of(const Picture& picture) {
 
 std::string frame(const Picture& picture) {
   const std::string key = picture.missing.note.empty()
-                              ? "unset key\n"
+                              ? "unset key\nset bmargin 4\n"
                               : "set key at graph 0.5, screen 0.03 center center Left reverse "
                                 "samplen 1.5\nset bmargin 5.5\n";
   return fmt::format("set title {}\nset border linewidth 1\nset tics out nomirror\n{}",

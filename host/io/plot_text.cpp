@@ -33,19 +33,21 @@ std::string typeset_word(const std::string& word) {
 
 }  // namespace
 
-std::string quote(std::string_view markup) {
-  std::string quoted = "'";
-  for (const char letter : markup) {
-    if (letter == '\n') {
-      quoted += "'.\"\\n\".'";
-    } else if (letter == '\'') {
-      // gnuplot reads a doubled quote at the start of a string as an empty string.
-      quoted += "'.\"'\".'";
+std::string quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    // gnuplot looks for macros and for commands to run in strings too, so what could begin one is
+    // written by its number.
+    const bool risky = std::string_view("\"'`@").find(letter) != std::string_view::npos;
+    if (letter == '\\') {
+      quoted += "\\\\";
+    } else if (risky || static_cast<unsigned char>(letter) < ' ') {
+      quoted += fmt::format("\\{:03o}", static_cast<unsigned char>(letter));
     } else {
       quoted += letter;
     }
   }
-  return quoted + "'";
+  return quoted + "\"";
 }
 
 std::string literal(std::string_view text) {

@@ -9,8 +9,9 @@
 
 namespace gearsweep {
 
-// A gnuplot string with this markup; nothing in it is taken for a command or a variable.
-std::string quote(std::string_view markup);
+// A gnuplot string of this text, which may be markup; nothing in it is taken for a command, a macro
+// or a variable.
+std::string quote(std::string_view text);
 
 // Markup that shows exactly this text.
 std::string literal(std::string_view text);

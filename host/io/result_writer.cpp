@@ -2,6 +2,7 @@
 // The file claims no CF convention: the dimensionless units are not units of UDUNITS.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -32,21 +33,6 @@ SiUnit si_unit(const std::string& unit, const Scales& scales) {
   if (unit == "k0") return {scales.k0, "N/m"};
   if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
   return {};
-}
-
-int put_values(int file, int variable, const std::size_t* start, const std::size_t* count,
-               const std::vector<double>& values) {
-  return nc_put_vara_double(file, variable, start, count, values.data());
-}
-
-int put_values(int file, int variable, const std::size_t* start, const std::size_t* count,
-               const std::vector<float>& values) {
-  return nc_put_vara_float(file, variable, start, count, values.data());
-}
-
-int put_values(int file, int variable, const std::size_t* start, const std::size_t* count,
-               const std::vector<signed char>& values) {
-  return nc_put_vara_schar(file, variable, start, count, values.data());
 }
 
 // Defines all of the file, then fills it.
@@ -115,7 +101,7 @@ class Writer {
 #undef GEARSWEEP_ADD_STATUS
     put_flags(variable, codes, names);
     file_.put_attribute(variable, "comment", fmt::format("{}", fmt::join(meanings, "; ")));
-    compress(variable);
+    file_.compress(variable);
     put_all(variable, std::vector<signed char>(result_.status.begin(), result_.status.end()));
   }
 
@@ -130,7 +116,7 @@ class Writer {
       std::iota(codes.begin(), codes.end(), static_cast<signed char>(0));
       put_flags(variable, codes, quantity.flags);
     }
-    compress(variable);
+    file_.compress(variable);
     if (is_class) {
       put_all(variable, classes(values));
     } else {
@@ -175,7 +161,7 @@ class Writer {
     chunk.insert(chunk.end(), {states, per_point / states});
     file_.check(nc_def_var_chunking(file_.id(), variable, NC_CHUNKED, chunk.data()),
                 "set the chunks of 'poincare'");
-    compress(variable);
+    file_.compress(variable);
     const std::size_t points = result_.status.size();
     for (std::size_t first = 0; first < points;) {
       const std::size_t x = first % row;
@@ -254,12 +240,6 @@ class Writer {
     file_.check(nc_def_var_fill(file_.id(), variable, NC_FILL, fill), "set a fill value");
   }
 
-  void compress(int variable) {
-    constexpr int kShuffle = 1, kDeflate = 1, kLevel = 1;
-    file_.check(nc_def_var_deflate(file_.id(), variable, kShuffle, kDeflate, kLevel),
-                "set the compression of a variable");
-  }
-
   static std::vector<signed char> classes(const std::vector<double>& values) {
     std::vector<signed char> out(values.size(), kNoClass);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -271,18 +251,11 @@ class Writer {
   // The library would call it an error when an infinity is to become a float.
   void put_reals(int variable, const std::vector<std::size_t>& start,
                  const std::vector<std::size_t>& shape, const std::vector<double>& values) {
-    if (study_.integrate.fp64) return put(variable, start, shape, values);
+    if (study_.integrate.fp64) return file_.put(variable, start, shape, values);
     std::vector<float> singles(values.size());
     std::transform(values.begin(), values.end(), singles.begin(),
                    [](double value) { return static_cast<float>(value); });
-    put(variable, start, shape, singles);
-  }
-
-  template <typename T>
-  void put(int variable, const std::vector<std::size_t>& start,
-           const std::vector<std::size_t>& shape, const std::vector<T>& values) {
-    file_.check(put_values(file_.id(), variable, start.data(), shape.data(), values),
-                "write the values of a variable");
+    file_.put(variable, start, shape, singles);
   }
 
   // The whole of a variable over the map's dimensions, or over its own single one.
@@ -291,7 +264,7 @@ class Writer {
     const bool is_map = file_.dimensions_of(variable) == map_dimensions_;
     const std::vector<std::size_t> shape =
         is_map ? map_shape() : std::vector<std::size_t>{values.size()};
-    put(variable, std::vector<std::size_t>(shape.size(), 0), shape, values);
+    file_.put(variable, std::vector<std::size_t>(shape.size(), 0), shape, values);
   }
 
   std::vector<std::size_t> map_shape() const {

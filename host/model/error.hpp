@@ -6,7 +6,8 @@
 
 namespace gearsweep {
 
-// The input was wrong: the message says where, what is wrong and what would be right (exit status 2).
+// The input was wrong: the message says where, what is wrong and what would be right (exit status
+// 2).
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -24,7 +24,7 @@ struct ObservableOutput {
 struct Observable {
   std::string name;
   ObservableKind kind;
-  std::size_t accumulators;  // numbers that it keeps for each point between rounds
+  std::size_t accumulators;                 // numbers that it keeps for each point between rounds
   std::vector<std::string> needed_signals;  // what a model must offer
   std::vector<ObservableOutput> outputs;
 };

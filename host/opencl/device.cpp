@@ -19,8 +19,8 @@ std::string trimmed(std::string text) {
 DeviceInfo describe(const cl::Device& device) {
   DeviceInfo info;
   info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
-  info.platform = trimmed(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>())
-                              .getInfo<CL_PLATFORM_NAME>());
+  info.platform =
+      trimmed(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>());
   info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
   info.is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
   info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
@@ -40,21 +40,36 @@ DeviceInfo describe(const cl::Device& device) {
 std::string describe_code(cl_int code) {
   const auto name = [code]() -> const char* {
     switch (code) {
-      case CL_DEVICE_NOT_FOUND: return "CL_DEVICE_NOT_FOUND";
-      case CL_DEVICE_NOT_AVAILABLE: return "CL_DEVICE_NOT_AVAILABLE";
-      case CL_COMPILER_NOT_AVAILABLE: return "CL_COMPILER_NOT_AVAILABLE";
-      case CL_MEM_OBJECT_ALLOCATION_FAILURE: return "CL_MEM_OBJECT_ALLOCATION_FAILURE";
-      case CL_OUT_OF_RESOURCES: return "CL_OUT_OF_RESOURCES";
-      case CL_OUT_OF_HOST_MEMORY: return "CL_OUT_OF_HOST_MEMORY";
-      case CL_BUILD_PROGRAM_FAILURE: return "CL_BUILD_PROGRAM_FAILURE";
-      case CL_INVALID_VALUE: return "CL_INVALID_VALUE";
-      case CL_INVALID_BUFFER_SIZE: return "CL_INVALID_BUFFER_SIZE";
-      case CL_INVALID_KERNEL_ARGS: return "CL_INVALID_KERNEL_ARGS";
-      case CL_INVALID_ARG_SIZE: return "CL_INVALID_ARG_SIZE";
-      case CL_INVALID_WORK_GROUP_SIZE: return "CL_INVALID_WORK_GROUP_SIZE";
-      case CL_INVALID_COMMAND_QUEUE: return "CL_INVALID_COMMAND_QUEUE";
-      case -1001: return "CL_PLATFORM_NOT_FOUND_KHR";
-      default: return "OpenCL error";
+      case CL_DEVICE_NOT_FOUND:
+        return "CL_DEVICE_NOT_FOUND";
+      case CL_DEVICE_NOT_AVAILABLE:
+        return "CL_DEVICE_NOT_AVAILABLE";
+      case CL_COMPILER_NOT_AVAILABLE:
+        return "CL_COMPILER_NOT_AVAILABLE";
+      case CL_MEM_OBJECT_ALLOCATION_FAILURE:
+        return "CL_MEM_OBJECT_ALLOCATION_FAILURE";
+      case CL_OUT_OF_RESOURCES:
+        return "CL_OUT_OF_RESOURCES";
+      case CL_OUT_OF_HOST_MEMORY:
+        return "CL_OUT_OF_HOST_MEMORY";
+      case CL_BUILD_PROGRAM_FAILURE:
+        return "CL_BUILD_PROGRAM_FAILURE";
+      case CL_INVALID_VALUE:
+        return "CL_INVALID_VALUE";
+      case CL_INVALID_BUFFER_SIZE:
+        return "CL_INVALID_BUFFER_SIZE";
+      case CL_INVALID_KERNEL_ARGS:
+        return "CL_INVALID_KERNEL_ARGS";
+      case CL_INVALID_ARG_SIZE:
+        return "CL_INVALID_ARG_SIZE";
+      case CL_INVALID_WORK_GROUP_SIZE:
+        return "CL_INVALID_WORK_GROUP_SIZE";
+      case CL_INVALID_COMMAND_QUEUE:
+        return "CL_INVALID_COMMAND_QUEUE";
+      case -1001:
+        return "CL_PLATFORM_NOT_FOUND_KHR";
+      default:
+        return "OpenCL error";
     }
   };
   return fmt::format("{}, {}", name(), code);
@@ -96,8 +111,9 @@ std::vector<DeviceInfo> list_devices() {
 
 std::size_t default_device(const std::vector<DeviceInfo>& devices) {
   if (devices.empty()) {
-    throw InputError("no OpenCL device was found; install a driver (on Debian, "
-                     "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"");
+    throw InputError(
+        "no OpenCL device was found; install a driver (on Debian, "
+        "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"");
   }
   for (std::size_t i = 0; i < devices.size(); ++i) {
     if (devices[i].is_cpu) return i;

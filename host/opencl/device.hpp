@@ -20,8 +20,8 @@ struct DeviceInfo {
 std::vector<DeviceInfo> list_devices();
 
 // The device that a run uses when none is named: the first CPU, so that a study gives the same bits
-// whether or not a GPU is there; without a CPU driver the first device. Throws InputError when there
-// is none.
+// whether or not a GPU is there; without a CPU driver the first device. Throws InputError when
+// there is none.
 std::size_t default_device(const std::vector<DeviceInfo>& devices);
 
 }  // namespace gearsweep

@@ -58,11 +58,10 @@ class OpenClEngine final : public Engine {
     try {
       return compute_tile(plan, tile, initial, after_round);
     } catch (const cl::Error& error) {
-      throw RunError(
-          fmt::format("{}\n(a smaller integrate.tile needs less memory)",
-                      describe_error(fmt::format("computing a tile of {} points on '{}'",
-                                                 tile.points.size(), info_.name),
-                                     error)));
+      throw RunError(fmt::format("{}\n(a smaller integrate.tile needs less memory)",
+                                 describe_error(fmt::format("computing a tile of {} points on '{}'",
+                                                            tile.points.size(), info_.name),
+                                                error)));
     }
   }
 
@@ -84,7 +83,8 @@ class OpenClEngine final : public Engine {
   }
 
   cl::Buffer allocate(std::size_t numbers) {
-    return cl::Buffer(context_, CL_MEM_READ_WRITE, std::max<std::size_t>(64, numbers * scalar_bytes()));
+    return cl::Buffer(context_, CL_MEM_READ_WRITE,
+                      std::max<std::size_t>(64, numbers * scalar_bytes()));
   }
 
   std::vector<double> download(const cl::Buffer& buffer, std::size_t numbers) {
@@ -182,8 +182,7 @@ class OpenClEngine final : public Engine {
     const std::size_t record = study.integrate.record;
     const std::vector<double> state = download(buffers.state, states * slot_count);
     const std::vector<double> values = download(buffers.outputs, outputs * slot_count);
-    const std::vector<double> series =
-        download(buffers.series, sampled * record * slot_count);
+    const std::vector<double> series = download(buffers.series, sampled * record * slot_count);
     const double nan = std::numeric_limits<double>::quiet_NaN();
 
     TileResult result;
@@ -227,14 +226,16 @@ std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<std
   const std::size_t number = device.value_or(infos.empty() ? 0 : default_device(infos));
   if (infos.empty()) default_device(infos);
   if (number >= infos.size()) {
-    throw InputError(fmt::format("there is no device {}; 'gearsweep devices' lists {} (numbered "
-                                 "from 0)",
-                                 number, infos.size()));
+    throw InputError(
+        fmt::format("there is no device {}; 'gearsweep devices' lists {} (numbered "
+                    "from 0)",
+                    number, infos.size()));
   }
   if (study.integrate.fp64 && !infos[number].fp64) {
-    throw InputError(fmt::format("device {} '{}' has no fp64; use integrate.precision = \"fp32\" "
-                                 "or another device",
-                                 number, infos[number].name));
+    throw InputError(
+        fmt::format("device {} '{}' has no fp64; use integrate.precision = \"fp32\" "
+                    "or another device",
+                    number, infos[number].name));
   }
   try {
     return std::make_unique<OpenClEngine>(study, find_devices()[number], infos[number]);

@@ -11,11 +11,11 @@
 
 namespace gearsweep {
 
-// A tile's points in the lanes of work-items: slot s is lane s % lanes of item s / lanes. Items never
-// mix phase grids; spare lanes repeat the last point of their grid.
+// A tile's points in the lanes of work-items: slot s is lane s % lanes of item s / lanes. Items
+// never mix phase grids; spare lanes repeat the last point of their grid.
 struct Slots {
-  std::vector<std::size_t> position;    // in the tile, of each slot
-  std::vector<std::size_t> slot_of;     // of each position in the tile
+  std::vector<std::size_t> position;     // in the tile, of each slot
+  std::vector<std::size_t> slot_of;      // of each position in the tile
   std::vector<std::uint32_t> item_grid;  // phase grid of each item
   std::size_t lanes = 1;
   std::size_t items() const { return item_grid.size(); }

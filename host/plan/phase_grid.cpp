@@ -39,7 +39,8 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
     grid.segment_fractions.push_back(length / count);
     grid.steps += count;
     for (std::uint32_t row = 0; row <= 2 * count; ++row) {
-      const double psi = row == 2 * count ? bounds[segment + 1] : from + length * row / (2.0 * count);
+      const double psi =
+          row == 2 * count ? bounds[segment + 1] : from + length * row / (2.0 * count);
       grid.coefs.resize(grid.coefs.size() + width);
       model.phase_coefs_at(setting, psi, from + 0.5 * length,
                            grid.coefs.data() + (grid.coefs.size() - width));

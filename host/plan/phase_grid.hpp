@@ -10,7 +10,8 @@
 namespace gearsweep {
 
 // A segment is the part of the period between two break phases; its steps are equal. A segment of n
-// steps has 2 n + 1 rows of coefficients: at the steps' ends and middles, one-sided at its own ends.
+// steps has 2 n + 1 rows of coefficients: at the steps' ends and middles, one-sided at its own
+// ends.
 struct PhaseGrid {
   std::vector<std::uint32_t> segment_steps;  // steps of each segment
   std::vector<double> segment_fractions;     // length of each step, as a share of the period

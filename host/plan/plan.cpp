@@ -90,10 +90,11 @@ std::size_t Plan::steps_of(std::size_t point) const {
   const double wanted =
       study_.model->prepare(setting_of(point))->period() / study_.integrate.max_step;
   if (!(wanted <= kMostSteps)) {
-    throw InputError(fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
-                                 "possible: raise integrate.max_step, or give "
-                                 "integrate.steps_per_period",
-                                 wanted, study_.integrate.max_step, kMostSteps));
+    throw InputError(
+        fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
+                    "possible: raise integrate.max_step, or give "
+                    "integrate.steps_per_period",
+                    wanted, study_.integrate.max_step, kMostSteps));
   }
   return ladder_steps(wanted);
 }

@@ -35,8 +35,8 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   const std::size_t record = study.integrate.record;
   result.samples.resize(sampled.size() * record);
   for (std::size_t i = 0; i < record && !result.diverged; ++i) {
-    result.diverged = !trajectory.advance_period(
-        [&](const Moment& before, const Moment& after, double share) {
+    result.diverged =
+        !trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
           for (const auto& meter : meters) meter->step(before, after, share);
         });
     for (std::size_t j = 0; j < sampled.size(); ++j) {
@@ -107,8 +107,7 @@ class ReferenceEngine final : public Engine {
       for (const double sample : point.samples) {
         result.samples.push_back(point.diverged ? nan : sample);
       }
-      result.final_states.insert(result.final_states.end(), point.state.begin(),
-                                 point.state.end());
+      result.final_states.insert(result.final_states.end(), point.state.begin(), point.state.end());
     }
     return result;
   }

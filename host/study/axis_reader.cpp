@@ -61,8 +61,8 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
                 Axis* axis) {
   const toml::node* count_node = reader->find("count");
   if (reader->find("from") == nullptr || count_node == nullptr) {
-    fail_at(place, fmt::format("axis '{}' needs from, to and count, or values = [...]",
-                               axis->name));
+    fail_at(place,
+            fmt::format("axis '{}' needs from, to and count, or values = [...]", axis->name));
   }
   const double from = reader->number("from", 0.0, range.first, range.second);
   const double to = reader->number("to", from, range.first, range.second);
@@ -75,8 +75,8 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
             fmt::format("axis '{}' has count = {}; at least 1 is needed", axis->name, *count));
   }
   if (static_cast<std::size_t>(*count) > kMostValues) {
-    fail_at(*count_node, fmt::format("axis '{}' has count = {}; at most {} is possible",
-                                     axis->name, *count, kMostValues));
+    fail_at(*count_node, fmt::format("axis '{}' has count = {}; at most {} is possible", axis->name,
+                                     *count, kMostValues));
   }
   if (*count > 1 && !(to > from)) {
     fail_at(place, fmt::format("axis '{}' goes from {} to {}; 'to' must be greater than 'from' "
@@ -128,10 +128,11 @@ Axis read_axis(const toml::table& table, const Model& model) {
 std::vector<Axis> read_axes(const toml::table& study, const Model& model) {
   const toml::node* node = study.get("axes");
   if (node == nullptr) {
-    throw InputError(fmt::format("{}: the study has no axes; give one or two, as in\n"
-                                 "  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n"
-                                 "  count = 100",
-                                 place_of(study)));
+    throw InputError(
+        fmt::format("{}: the study has no axes; give one or two, as in\n"
+                    "  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n"
+                    "  count = 100",
+                    place_of(study)));
   }
   const toml::array* array = node->as_array();
   if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {

@@ -49,9 +49,10 @@ toml::node* descend(toml::node* node, const std::string& part, const std::string
   if (toml::array* array = node->as_array()) {
     toml::node* element = find_element(array, part);
     if (element == nullptr) {
-      throw InputError(fmt::format("{}: there is no element '{}'; use an axis's name or its number "
-                                   "from 0",
-                                   source, part));
+      throw InputError(
+          fmt::format("{}: there is no element '{}'; use an axis's name or its number "
+                      "from 0",
+                      source, part));
     }
     return element;
   }
@@ -77,8 +78,8 @@ void apply_override(const std::string& assignment, toml::table* study) {
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = descend(node, parts[i], source);
   toml::table* table = node->as_table();
   if (table == nullptr) {
-    throw InputError(fmt::format("{}: what stands before '{}' is not a table", source,
-                                 parts.back()));
+    throw InputError(
+        fmt::format("{}: what stands before '{}' is not a table", source, parts.back()));
   }
   // Moved, not copied: a copied node forgets where it came from.
   table->insert_or_assign(parts.back(), std::move(*parsed.get("value")));

@@ -35,7 +35,8 @@ struct Selection {
 // Every quantity that a model offers, `poincare` and `status` included.
 std::vector<Quantity> offered_quantities(const Model& model);
 
-// Resolves quantity names. Throws InputError with the nearest known name (the caller adds the place).
+// Resolves quantity names. Throws InputError with the nearest known name (the caller adds the
+// place).
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
                             const std::vector<std::string>& poincare_states);
 

@@ -39,7 +39,7 @@ enum class EngineKind { opencl, reference };
 // engine chooses.
 struct Integrate {
   bool fp64 = true;
-  double max_step = 0.05;            // greatest step in dimensionless time, when steps_per_period = 0
+  double max_step = 0.05;  // greatest step in dimensionless time, when steps_per_period = 0
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
   std::size_t settle = 400;          // periods
   std::size_t record = 200;          // periods
@@ -65,8 +65,9 @@ struct Study {
   std::string title;
   const Model* model = nullptr;
   std::string preset;
-  ModelSetting setting;                        // of every point, before the axes
-  std::vector<std::string> parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
+  ModelSetting setting;  // of every point, before the axes
+  std::vector<std::string>
+      parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
   std::vector<std::string> option_origins;
   std::vector<std::string> gear_notes;  // how each number of a [gear] table came about
   Scales scales;

@@ -1,7 +1,6 @@
 // read_study: TOML to a checked Study, from the outside in.
-#include <toml++/toml.h>
-
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <sstream>
@@ -24,9 +23,10 @@ const std::vector<std::string> kPolicies = {"fixed", "shifted", "forward", "back
 
 toml::table parse(const std::string& text, const std::string& source) {
   if (std::all_of(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; })) {
-    throw InputError(fmt::format("{}: the file is empty; 'gearsweep studies NAME' prints a study "
-                                 "to start from",
-                                 source));
+    throw InputError(
+        fmt::format("{}: the file is empty; 'gearsweep studies NAME' prints a study "
+                    "to start from",
+                    source));
   }
   if (text.find('\0') != std::string::npos) {
     throw InputError(fmt::format("{}: not a text file; a study is TOML text", source));
@@ -174,9 +174,10 @@ void read_initial(const toml::table* table, Study* study) {
   if (chained) initial.along = reader.choice("along", 0, names_of(study->axes));
   reader.refuse_unknown();
   if (chained && study->axes[initial.along].is_state) {
-    throw InputError(fmt::format("{}: a chain cannot go along axis '{}', an initial state; name a "
-                                 "parameter's axis with along = \"...\"",
-                                 place_of(*table), study->axes[initial.along].name));
+    throw InputError(
+        fmt::format("{}: a chain cannot go along axis '{}', an initial state; name a "
+                    "parameter's axis with along = \"...\"",
+                    place_of(*table), study->axes[initial.along].name));
   }
 }
 
@@ -191,9 +192,9 @@ void read_integrate(const toml::table* table, Study* study) {
   }
   integrate.settle = reader.count("settle", integrate.settle, 0, 100'000'000);
   integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
-  integrate.engine =
-      reader.choice("engine", 0, {"opencl", "reference"}) == 0 ? EngineKind::opencl
-                                                               : EngineKind::reference;
+  integrate.engine = reader.choice("engine", 0, {"opencl", "reference"}) == 0
+                         ? EngineKind::opencl
+                         : EngineKind::reference;
   integrate.lanes = reader.count("lanes", 0, 0, 16);
   if ((integrate.lanes & (integrate.lanes - 1)) != 0) {
     fail_at(*reader.find("lanes"), "lanes must be 1, 2, 4, 8 or 16 (0: the engine chooses)");
@@ -237,10 +238,11 @@ void check_size(const toml::table& root, const Study& study) {
       points * static_cast<double>(study.selection.quantities.size() + 1 +
                                    study.selection.poincare.size() * study.integrate.record);
   if (numbers > kMostNumbers) {
-    throw InputError(fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "
-                                 "possible: sample fewer states or periods (integrate.record), or "
-                                 "leave out 'poincare'",
-                                 place_of(root), numbers, kMostNumbers));
+    throw InputError(
+        fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "
+                    "possible: sample fewer states or periods (integrate.record), or "
+                    "leave out 'poincare'",
+                    place_of(root), numbers, kMostNumbers));
   }
 }
 

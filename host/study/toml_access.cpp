@@ -32,8 +32,7 @@ void fail_at(const toml::node& node, const std::string& message) {
   throw InputError(fmt::format("{}: {}", place_of(node), message));
 }
 
-double read_number(const toml::node& node, const std::string& what, double least,
-                   double greatest) {
+double read_number(const toml::node& node, const std::string& what, double least, double greatest) {
   const std::optional<double> value = node.value<double>();
   if (!node.is_number() || !value) {
     fail_at(node, fmt::format("{} must be a number, not a {}", what, describe(node)));
@@ -63,8 +62,7 @@ const toml::table* TableReader::table(const std::string& key) {
   return node->as_table();
 }
 
-double TableReader::number(const std::string& key, double fallback, double least,
-                           double greatest) {
+double TableReader::number(const std::string& key, double fallback, double least, double greatest) {
   return optional_number(key, least, greatest).value_or(fallback);
 }
 
@@ -151,8 +149,8 @@ void TableReader::refuse_unknown() const {
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
     if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
-      fail_at(node, fmt::format("unknown key '{}' in {}{}", name, name_,
-                                suggest_name(name, known_)));
+      fail_at(node,
+              fmt::format("unknown key '{}' in {}{}", name, name_, suggest_name(name, known_)));
     }
   }
 }

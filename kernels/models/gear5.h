@@ -6,106 +6,107 @@
 #define MODEL_SUMMARY "geared rotor-bearing pair, 5 degrees of freedom (Chen et al. 2011)"
 
 // X(name, unit, meaning)
-#define MODEL_STATES(X)                                                                     \
-  X(x1, "b_n", "torsional mesh displacement Rp theta_p - Rg theta_g - e(t)")                \
-  X(x2, "b_n", "pinion shaft, across the line of action")                                   \
-  X(x3, "b_n", "pinion shaft, along the line of action")                                    \
-  X(x4, "b_n", "gear shaft, across the line of action")                                     \
-  X(x5, "b_n", "gear shaft, along the line of action")                                      \
-  X(v1, "b_n varpi", "velocity of x1")                                                      \
-  X(v2, "b_n varpi", "velocity of x2")                                                      \
-  X(v3, "b_n varpi", "velocity of x3")                                                      \
-  X(v4, "b_n varpi", "velocity of x4")                                                      \
+#define MODEL_STATES(X)                                                      \
+  X(x1, "b_n", "torsional mesh displacement Rp theta_p - Rg theta_g - e(t)") \
+  X(x2, "b_n", "pinion shaft, across the line of action")                    \
+  X(x3, "b_n", "pinion shaft, along the line of action")                     \
+  X(x4, "b_n", "gear shaft, across the line of action")                      \
+  X(x5, "b_n", "gear shaft, along the line of action")                       \
+  X(v1, "b_n varpi", "velocity of x1")                                       \
+  X(v2, "b_n varpi", "velocity of x2")                                       \
+  X(v3, "b_n varpi", "velocity of x3")                                       \
+  X(v4, "b_n varpi", "velocity of x4")                                       \
   X(v5, "b_n varpi", "velocity of x5")
 
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
-#define MODEL_PARAMETERS(X)                                                                 \
-  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency / varpi")                          \
-  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                            \
+#define MODEL_PARAMETERS(X)                                                                  \
+  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency / varpi")                           \
+  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                             \
   X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient (Coulomb, nominal sliding direction)") \
-  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                            \
-  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                     \
-  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                 \
-  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                       \
-  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                         \
-  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                            \
-  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                            \
-  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                              \
-  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                              \
-  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                \
-  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                \
-  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                  \
-  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                  \
-  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                      \
-  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point") \
-  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                  \
-  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                      \
-  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)") \
-  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")   \
-  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                   \
-  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")       \
-  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")     \
-  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")        \
-  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")          \
-  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")          \
-  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")          \
-  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")        \
-  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")        \
-  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")        \
+  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                             \
+  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                      \
+  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                  \
+  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                        \
+  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                          \
+  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                             \
+  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                             \
+  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                               \
+  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                               \
+  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                 \
+  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                 \
+  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                   \
+  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                   \
+  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                       \
+  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point")  \
+  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                   \
+  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                       \
+  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)")  \
+  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")    \
+  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                    \
+  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")        \
+  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")      \
+  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")         \
+  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")           \
+  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")           \
+  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")           \
+  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")         \
+  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")         \
+  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")         \
   X(phase_4, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 4")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
-#define MODEL_OPTIONS(X)                                                                    \
-  X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")         \
-  X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)")       \
+#define MODEL_OPTIONS(X)                                                              \
+  X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")   \
+  X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)") \
   X(stiffness, "parabolic rectangular fourier", "shape of the pair stiffness")
 enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
 enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
 
 // X(name, meaning, TOML of what differs from the defaults above)
-#define MODEL_PRESETS(X)                                                                    \
+#define MODEL_PRESETS(X)                                                                      \
   X(consistent, "a steel pair, 40/40 teeth, module 3 mm, stiff bearings: the one to use", "") \
-  X(coarse, "the same pair with a larger transmission error: rich dynamics", "e0 = 0.6")    \
-  X(paper, "a fit to the figures of Chen et al. 2011: the one to reproduce",                \
-    "omega = 0.5\nF1 = 0.173386\ne0 = 0.120023\nzeta = 0.00250676\n"                        \
-    "m1 = 0.0387\nm2 = 0.0387\nk1 = 1.47042\nk2 = 1.47042\nk3 = 1.47042\nk4 = 1.47042\n"    \
+  X(coarse, "the same pair with a larger transmission error: rich dynamics", "e0 = 0.6")      \
+  X(paper, "a fit to the figures of Chen et al. 2011: the one to reproduce",                  \
+    "omega = 0.5\nF1 = 0.173386\ne0 = 0.120023\nzeta = 0.00250676\n"                          \
+    "m1 = 0.0387\nm2 = 0.0387\nk1 = 1.47042\nk2 = 1.47042\nk3 = 1.47042\nk4 = 1.47042\n"      \
     "formulation = 'printed'\nstiffness = 'fourier'\npolicy = 'fixed'\n")
 
 // X(name, unit, meaning)
-#define MODEL_SIGNALS(X)                                                                    \
-  X(deflection, "b_n", "mesh deflection D along the line of action")                        \
-  X(backlash, "b_n", "half backlash b' at work")                                            \
+#define MODEL_SIGNALS(X)                                             \
+  X(deflection, "b_n", "mesh deflection D along the line of action") \
+  X(backlash, "b_n", "half backlash b' at work")                     \
   X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")
 
 // What depends on the phase alone. With friction arms a_i = rho_p s_pi/Rp + rho_g s_gi/Rg (printed:
 // s_gi/R) and sliding directions lambda_i, the sums of model equations over the pairs are
 //   Q = stiffness - mu lever, G = 2 - mu lever_damping, C = mu slide, H = mu slide_damping.
-#define MODEL_PHASE_COEFS(X)                                                                \
-  X(stiffness, "B = kappa_1 + kappa_2")                                                     \
-  X(lever, "sum of lambda_i a_i kappa_i")                                                   \
-  X(lever_damping, "sum of lambda_i a_i")                                                   \
-  X(slide, "sum of lambda_i kappa_i (printed: with the opposite sign)")                     \
-  X(slide_damping, "sum of lambda_i (printed: with the opposite sign)")                     \
-  X(sine, "sin(2 pi psi)")                                                                  \
-  X(cos_alpha, "cos(alpha), the same at all phases")                                        \
-  X(sin_alpha, "sin(alpha), the same at all phases")                                        \
+#define MODEL_PHASE_COEFS(X)                                            \
+  X(stiffness, "B = kappa_1 + kappa_2")                                 \
+  X(lever, "sum of lambda_i a_i kappa_i")                               \
+  X(lever_damping, "sum of lambda_i a_i")                               \
+  X(slide, "sum of lambda_i kappa_i (printed: with the opposite sign)") \
+  X(slide_damping, "sum of lambda_i (printed: with the opposite sign)") \
+  X(sine, "sin(2 pi psi)")                                              \
+  X(cos_alpha, "cos(alpha), the same at all phases")                    \
+  X(sin_alpha, "sin(alpha), the same at all phases")                    \
   X(tan_alpha, "tan(alpha), the same at all phases")
 
 #include "model_types.h"
 
 // What a point needs in the inner loop.
 typedef struct {
-  real period;    // of the mesh, 2 pi / omega
-  real load;      // F1
-  real forcing;   // e0 omega^2
-  real friction;  // mu
-  real damping;   // 2 zeta
+  real period;           // of the mesh, 2 pi / omega
+  real load;             // F1
+  real forcing;          // e0 omega^2
+  real friction;         // mu
+  real normal_damping;   // 4 zeta
+  real sliding_damping;  // 2 zeta mu
   real b;
-  real centre;          // A
-  real centre_squared;  // A^2
-  real mass_p, mass_g;  // m1, m2
+  real centre;                // A
+  real centre_squared;        // A^2
+  real mass_p, mass_g;        // m1, m2
   real bearing_damping[4];    // 2 m c zeta of x2..x5
   real bearing_stiffness[4];  // m k of x2..x5
   int printed, dynamic;
@@ -116,16 +117,18 @@ SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, Mod
   point->load = p->F1;
   point->forcing = p->e0 * p->omega * p->omega;
   point->friction = p->mu;
-  point->damping = (scalar)(2) * p->zeta;
+  const real damping = (scalar)(2) * p->zeta;
+  point->normal_damping = (scalar)(2) * damping;
+  point->sliding_damping = damping * p->mu;
   point->b = p->b;
   point->centre = p->A;
   point->centre_squared = p->A * p->A;
   point->mass_p = p->m1;
   point->mass_g = p->m2;
-  point->bearing_damping[0] = point->damping * p->m1 * p->c1;
-  point->bearing_damping[1] = point->damping * p->m1 * p->c2;
-  point->bearing_damping[2] = point->damping * p->m2 * p->c3;
-  point->bearing_damping[3] = point->damping * p->m2 * p->c4;
+  point->bearing_damping[0] = damping * p->m1 * p->c1;
+  point->bearing_damping[1] = damping * p->m1 * p->c2;
+  point->bearing_damping[2] = damping * p->m2 * p->c3;
+  point->bearing_damping[3] = damping * p->m2 * p->c4;
   point->bearing_stiffness[0] = p->m1 * p->k1;
   point->bearing_stiffness[1] = p->m1 * p->k2;
   point->bearing_stiffness[2] = p->m2 * p->k3;
@@ -157,31 +160,35 @@ SHARED_FN real gear5_penetration(real deflection, real backlash) {
 }
 
 // dx = dx/dtau.
-SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x, real* dx) {
+SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         real* dx) {
   const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
   const real f = gear5_penetration(deflection, gear5_backlash(point, phase, x));
-  const real damper = point->damping * rate;
-  const real normal = phase->stiffness * f + (scalar)(2) * damper;
-  const real mu_f = point->friction * f;
-  const real mu_damper = point->friction * damper;
-  const real moment = phase->lever * mu_f + phase->lever_damping * mu_damper;
-  const real sliding = phase->slide * mu_f + phase->slide_damping * mu_damper;
+  // Q, 2 zeta G, mu C and 2 zeta mu H of the model equations: they do not wait for the state, and
+  // so the chain from one stage's velocities to the next stage's is short.
+  const real mesh_stiffness = phase->stiffness - point->friction * phase->lever;
+  const real mesh_damping = point->normal_damping - point->sliding_damping * phase->lever_damping;
+  const real slide_stiffness = point->friction * phase->slide;
+  const real slide_damping = point->sliding_damping * phase->slide_damping;
+  const real drive = point->load + point->forcing * phase->sine;
+  const real normal = phase->stiffness * f + point->normal_damping * rate;
+  const real sliding = slide_stiffness * f + slide_damping * rate;
 
   dx[STATE_x1] = x[STATE_v1];
   dx[STATE_x2] = x[STATE_v2];
   dx[STATE_x3] = x[STATE_v3];
   dx[STATE_x4] = x[STATE_v4];
   dx[STATE_x5] = x[STATE_v5];
-  dx[STATE_v1] = (point->load + point->forcing * phase->sine) - normal + moment;
-  dx[STATE_v2] = -(point->bearing_damping[0] * x[STATE_v2]) -
-                 point->bearing_stiffness[0] * x[STATE_x2] - point->mass_p * sliding;
-  dx[STATE_v3] = point->mass_p * normal - point->bearing_damping[1] * x[STATE_v3] -
-                 point->bearing_stiffness[1] * x[STATE_x3];
-  dx[STATE_v4] = point->mass_g * sliding - point->bearing_damping[2] * x[STATE_v4] -
-                 point->bearing_stiffness[2] * x[STATE_x4];
-  dx[STATE_v5] = -(point->bearing_damping[3] * x[STATE_v5]) -
-                 point->bearing_stiffness[3] * x[STATE_x5] - point->mass_g * normal;
+  dx[STATE_v1] = drive - mesh_stiffness * f - mesh_damping * rate;
+  dx[STATE_v2] = -(point->mass_p * sliding + point->bearing_damping[0] * x[STATE_v2] +
+                   point->bearing_stiffness[0] * x[STATE_x2]);
+  dx[STATE_v3] = point->mass_p * normal - (point->bearing_damping[1] * x[STATE_v3] +
+                                           point->bearing_stiffness[1] * x[STATE_x3]);
+  dx[STATE_v4] = point->mass_g * sliding - (point->bearing_damping[2] * x[STATE_v4] +
+                                            point->bearing_stiffness[2] * x[STATE_x4]);
+  dx[STATE_v5] = -(point->mass_g * normal + point->bearing_damping[3] * x[STATE_v5] +
+                   point->bearing_stiffness[3] * x[STATE_x5]);
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
@@ -190,8 +197,8 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
   const real backlash = gear5_backlash(point, phase, x);
   signals->deflection = deflection;
   signals->backlash = backlash;
-  signals->dmf = (phase->stiffness - point->friction * phase->lever) *
-                 gear5_penetration(deflection, backlash);
+  signals->dmf =
+      (phase->stiffness - point->friction * phase->lever) * gear5_penetration(deflection, backlash);
 }
 
 #ifdef MODEL_HOST_PART
@@ -223,14 +230,16 @@ inline double gear5_pair_stiffness(const ModelParameters& p, int shape, double s
 // Eq. (7): half of the Fourier series of the total stiffness, carried by each pair at all times.
 inline double gear5_fourier_stiffness(const ModelParameters& p, double psi) {
   const double turn = 6.283185307179586476925 * psi;
-  return 0.5 * (1.0 + p.kappa * std::cos(turn + p.phase) + p.kappa_2 * std::cos(2.0 * turn + p.phase_2) +
-                p.kappa_3 * std::cos(3.0 * turn + p.phase_3) + p.kappa_4 * std::cos(4.0 * turn + p.phase_4));
+  return 0.5 *
+         (1.0 + p.kappa * std::cos(turn + p.phase) + p.kappa_2 * std::cos(2.0 * turn + p.phase_2) +
+          p.kappa_3 * std::cos(3.0 * turn + p.phase_3) +
+          p.kappa_4 * std::cos(4.0 * turn + p.phase_4));
 }
 
 // Coefficients at phase psi in [0, 1], as the limit from the side of `inside`, a phase strictly
 // between the two break phases that enclose psi.
-inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options, double psi,
-                                    double inside) {
+inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
+                                    double psi, double inside) {
   const double turn = 6.283185307179586476925;
   const double radians = p.alpha * turn / 360.0;
   const bool printed = options.formulation == FORMULATION_PRINTED;

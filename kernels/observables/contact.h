@@ -6,11 +6,11 @@
 // The signals that a model must have for it.
 #define CONTACT_SIGNALS(X) X(deflection) X(backlash)
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define CONTACT_OUTPUTS(X)                                                                 \
-  X(drive, "1", "", "fraction of time on the drive flank")                                 \
-  X(gap, "1", "", "fraction of time in the gap")                                           \
-  X(back, "1", "", "fraction of time on the back flank")                                   \
-  X(losses, "1", "", "contact losses (either flank left) per period")                      \
+#define CONTACT_OUTPUTS(X)                                            \
+  X(drive, "1", "", "fraction of time on the drive flank")            \
+  X(gap, "1", "", "fraction of time in the gap")                      \
+  X(back, "1", "", "fraction of time on the back flank")              \
+  X(losses, "1", "", "contact losses (either flank left) per period") \
   X(class, "", "no_impact single_sided double_sided", "which flanks take part in impacts")
 
 enum {
@@ -56,8 +56,8 @@ SHARED_FN void contact_update(real* sums, const Sample* before, const Sample* af
   sums[contact_period_drive] += weight * contact_positive_share(drive_before, drive_after);
   sums[contact_period_back] += weight * contact_positive_share(back_before, back_after);
   sums[contact_losses] += losses;
-  sums[contact_gap_seen] = lane_select((drive_after <= zero) & (back_after <= zero), one,
-                                       sums[contact_gap_seen]);
+  sums[contact_gap_seen] =
+      lane_select((drive_after <= zero) & (back_after <= zero), one, sums[contact_gap_seen]);
 }
 
 // Sums over one period first, so that many short shares keep their digits in fp32.
@@ -75,8 +75,8 @@ SHARED_FN void contact_finish(const real* sums, scalar periods, real* out) {
   const real two = 2;
   const real drive = sums[contact_drive] / periods;
   const real back = sums[contact_back] / periods;
-  const real single = lane_select(((drive > zero) | (back > zero)) & (sums[contact_gap_seen] > zero),
-                                  one, zero);
+  const real single =
+      lane_select(((drive > zero) | (back > zero)) & (sums[contact_gap_seen] > zero), one, zero);
   out[0] = drive;
   out[1] = lane_max(one - drive - back, zero) * sums[contact_gap_seen];
   out[2] = back;

@@ -1,10 +1,10 @@
-// Least and greatest value of a state or signal over the recorded periods, taken at the steps' ends;
-// at a break phase both one-sided values count.
+// Least and greatest value of a state or signal over the recorded periods, taken at the steps'
+// ends; at a break phase both one-sided values count.
 
 #define EXTREMA_KIND channel
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
-#define EXTREMA_OUTPUTS(X)                                    \
-  X(min, "", "", "least value over the recorded periods")     \
+#define EXTREMA_OUTPUTS(X)                                \
+  X(min, "", "", "least value over the recorded periods") \
   X(max, "", "", "greatest value over the recorded periods")
 
 enum { extrema_least, extrema_greatest, extrema_accumulators };

@@ -4,9 +4,9 @@
 
 #define MOMENTS_KIND channel
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
-#define MOMENTS_OUTPUTS(X)                                                 \
-  X(mean, "", "", "time average over the recorded periods")                \
-  X(rms, "", "", "root mean square over the recorded periods")             \
+#define MOMENTS_OUTPUTS(X)                                     \
+  X(mean, "", "", "time average over the recorded periods")    \
+  X(rms, "", "", "root mean square over the recorded periods") \
   X(std, "", "", "standard deviation over the recorded periods")
 
 enum {

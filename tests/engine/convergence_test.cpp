@@ -13,8 +13,8 @@
 namespace gearsweep::testing {
 namespace {
 
-// The teeth stay in contact. With contact ratio 1.5 the break phases are 0, 1/2 and 3/4, so that all
-// segments are whole numbers of the same step, which halves exactly.
+// The teeth stay in contact. With contact ratio 1.5 the break phases are 0, 1/2 and 3/4, so that
+// all segments are whole numbers of the same step, which halves exactly.
 const std::string kStudy =
     "[model]\nstiffness = 'rectangular'\nbacklash = 'dynamic'\n[parameters]\neps = 1.5\n"
     "e0 = 0.05\nmu = 0.1\n[[axes]]\nname = 'omega'\nvalues = [0.8]\n[integrate]\nsettle = 4\n"
@@ -43,7 +43,7 @@ std::vector<double> errors(const std::string& engine) {
   return found;
 }
 
-// Each halving divides the error by 2^p. At 32 steps the next power of the step still shows (0.2 in
+// Each halving divides the error by 2^p. At 32 steps the next power of the step still shows (0.1 in
 // p), later less: from 3.8 to 4.3 each, and the last within 0.1 of 4.
 void expect_fourth_order(const std::vector<double>& found) {
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {

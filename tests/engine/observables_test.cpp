@@ -20,8 +20,9 @@ using ::testing::Each;
 
 // Every quantity of every state and signal, and the contact regime.
 std::string all_quantities() {
-  std::string list = "'contact_drive', 'contact_gap', 'contact_back', 'contact_losses', "
-                     "'contact_class', 'poincare'";
+  std::string list =
+      "'contact_drive', 'contact_gap', 'contact_back', 'contact_losses', "
+      "'contact_class', 'poincare'";
   for (const auto& channels : {gear5().states, gear5().signals}) {
     for (const ChannelInfo& channel : channels) {
       for (const char* suffix : {"_min", "_max", "_mean", "_rms", "_std"}) {
@@ -64,21 +65,29 @@ void expect_engines_agree(const std::string& toml) {
     EXPECT_NEAR(drive + map_of(kernel, "contact_gap")[point] + back, 1.0, 1e-12);
     const double contact_class = map_of(kernel, "contact_class")[point];
     EXPECT_EQ(contact_class == 2.0, drive > 0.0 && back > 0.0);
-    EXPECT_EQ(contact_class == 0.0, map_of(kernel, "contact_losses")[point] == 0.0);
+    if (contact_class == 0.0) {
+      EXPECT_EQ(map_of(kernel, "contact_losses")[point], 0.0);
+    }
   }
 }
 
-const std::string kGrid =
-    "[[axes]]\nname = 'omega'\nvalues = [0.7, 0.9, 1.3, 1.7]\n[[axes]]\nname = 'b'\n"
-    "values = [0.05, 0.4, 1.0]\n[integrate]\nsettle = 6\nrecord = 5\nmax_step = 0.02\n"
-    "[observe]\npoincare = ['x1', 'x4', 'v1']\nquantities = [" + all_quantities() + "]\n";
+const std::string kRest =
+    "[[axes]]\nname = 'b'\nvalues = [0.05, 0.4, 1.0]\n[integrate]\nsettle = 6\nrecord = 5\n"
+    "max_step = 0.02\n[observe]\npoincare = ['x1', 'x4', 'v1']\nquantities = [" +
+    all_quantities() + "]\n";
 
 TEST(Observables, AgreeWithTheReferenceEngine) {
-  expect_engines_agree("[model]\npreset = 'coarse'\n" + kGrid);
+  expect_engines_agree(
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\n"
+      "values = [0.7, 0.9, 1.3, 1.7]\n" +
+      kRest);
 }
 
 TEST(Observables, AgreeWithTheReferenceEngineForDynamicBacklash) {
-  expect_engines_agree("[model]\npreset = 'consistent'\nbacklash = 'dynamic'\n" + kGrid);
+  expect_engines_agree(
+      "[model]\nbacklash = 'dynamic'\n[parameters]\nomega = 1.3\n[[axes]]\n"
+      "name = 'e0'\nvalues = [0.02, 0.2, 0.6]\n" +
+      kRest);
 }
 
 // The recorded signals are what the equations say: with constant backlash b' is b, and D and the
@@ -153,8 +162,8 @@ TEST(Divergence, IsDataAndDoesNotSpread) {
     SCOPED_TRACE(engine);
     const std::string choice = "integrate.engine='" + engine + "'";
     const SweepResult result = run(kFlutter, {choice, "integrate.lanes=4"});
-    const SweepResult alone = run(kFlutter, {choice, "integrate.lanes=4", "axes.m1.values=[0.03]",
-                                             "axes.m2.values=[0.03]"});
+    const SweepResult alone = run(
+        kFlutter, {choice, "integrate.lanes=4", "axes.m1.values=[0.03]", "axes.m2.values=[0.03]"});
     EXPECT_EQ(result.status[0], STATUS_ok);
     EXPECT_EQ(result.status[3], STATUS_diverged);
     for (std::size_t i = 0; i < result.values.size(); ++i) {

@@ -71,7 +71,7 @@ double OutsideGear::pair_stiffness(std::size_t pair, double psi, bool in_contact
 
 MeshSums OutsideGear::sums(double psi, double inside) const {
   const double tan_alpha = std::tan(alpha_);
-  const double base_pitch = kTurn / zp_;  // pb/Rp
+  const double base_pitch = kTurn / zp_;    // pb/Rp
   std::array<double, 2> kappa{}, g{}, h{};  // of pair 1 and 2: stiffness, mesh and sliding factors
   for (std::size_t i = 0; i < 2; ++i) {
     const double position = psi + static_cast<double>(i);
@@ -117,10 +117,14 @@ void OutsideGear::slope(double psi, double inside, const OutsideState& x, Outsid
   const double two_zeta = 2.0 * zeta_;
   for (std::size_t i = 0; i < 5; ++i) (*dx)[i] = x[i + 5];
   (*dx)[5] = F1_ + e0_ * omega_ * omega_ * std::sin(kTurn * psi) - s.Q * f - two_zeta * s.G * Dp;
-  (*dx)[6] = -two_zeta * m1_ * c_[0] * x[6] - m1_ * k_[0] * x[1] - m1_ * (s.C * f + two_zeta * s.H * Dp);
-  (*dx)[7] = -two_zeta * m1_ * c_[1] * x[7] - m1_ * k_[1] * x[2] + m1_ * (s.B * f + 2.0 * two_zeta * Dp);
-  (*dx)[8] = -two_zeta * m2_ * c_[2] * x[8] - m2_ * k_[2] * x[3] + m2_ * (s.C * f + two_zeta * s.H * Dp);
-  (*dx)[9] = -two_zeta * m2_ * c_[3] * x[9] - m2_ * k_[3] * x[4] - m2_ * (s.B * f + 2.0 * two_zeta * Dp);
+  (*dx)[6] =
+      -two_zeta * m1_ * c_[0] * x[6] - m1_ * k_[0] * x[1] - m1_ * (s.C * f + two_zeta * s.H * Dp);
+  (*dx)[7] =
+      -two_zeta * m1_ * c_[1] * x[7] - m1_ * k_[1] * x[2] + m1_ * (s.B * f + 2.0 * two_zeta * Dp);
+  (*dx)[8] =
+      -two_zeta * m2_ * c_[2] * x[8] - m2_ * k_[2] * x[3] + m2_ * (s.C * f + two_zeta * s.H * Dp);
+  (*dx)[9] =
+      -two_zeta * m2_ * c_[3] * x[9] - m2_ * k_[3] * x[4] - m2_ * (s.B * f + 2.0 * two_zeta * Dp);
   (*dx)[10] = x[0] / period();
   (*dx)[11] = x[0] * x[0] / period();
 }
@@ -136,8 +140,8 @@ void OutsideGear::advance_period(double tolerance, OutsideState* x, OutsideRange
       slope(psi, inside, at, &dx);
       for (double& d : dx) d *= period();
     };
-    auto stepper = odeint::make_controlled(tolerance, tolerance,
-                                           odeint::runge_kutta_dopri5<OutsideState>());
+    auto stepper =
+        odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<OutsideState>());
     OutsideState before = *x;
     double psi_before = from;
     const auto each_step = [&](const OutsideState& at, double psi) {

@@ -1,4 +1,5 @@
-// What a point starts from: the initial policies, initial-state axes; and axes that shape the phase.
+// What a point starts from: the initial policies, initial-state axes; and axes that shape the
+// phase.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -46,14 +47,16 @@ void expect_same_point(const SweepResult& single, const SweepResult& result, std
 }
 
 TEST(Policies, ShiftedIsTheStaticEquilibrium) {
-  const std::string study = "[model]\npreset = 'consistent'\nbacklash = 'dynamic'\n[[axes]]\n"
-                            "name = 'F1'\nvalues = [0.2]\n" + kIntegrate + kObserve;
+  const std::string study =
+      "[model]\npreset = 'consistent'\nbacklash = 'dynamic'\n[[axes]]\n"
+      "name = 'F1'\nvalues = [0.2]\n" +
+      kIntegrate + kObserve;
   const SweepResult shifted = run(study, {"initial.policy='shifted'"});
   ModelSetting setting = shifted.study.setting;
   set_parameter(&setting, "F1", 0.2);
   const SweepResult fixed =
-      run(study, {"initial.policy='fixed'",
-                  "initial.state=" + fixed_state(gear5().equilibrium(setting))});
+      run(study,
+          {"initial.policy='fixed'", "initial.state=" + fixed_state(gear5().equilibrium(setting))});
   expect_same_point(fixed, shifted, 0);
 }
 
@@ -81,8 +84,10 @@ TEST(Policies, TheEquilibriumIsOne) {
 }
 
 TEST(Policies, FixedIsTheGivenStateAndZeroForTheRest) {
-  const std::string study = "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\n"
-                            "values = [0.9]\n" + kIntegrate + kObserve;
+  const std::string study =
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\n"
+      "values = [0.9]\n" +
+      kIntegrate + kObserve;
   const SweepResult given = run(study, {"initial.policy='fixed'", "initial.state={x1 = 1.5}"});
   std::vector<double> state(10, 0.0);
   state[0] = 1.5;
@@ -99,8 +104,8 @@ void expect_chain(const std::string& policy) {
   const std::vector<double> b = {0.3, 1.0};
   const SweepResult chained =
       run(model + "[[axes]]\nname = 'b'\nvalues = [0.3, 1.0]\n[[axes]]\nname = 'omega'\nvalues = " +
-          digits(omega) + "\n[initial]\npolicy = '" + policy + "'\nalong = 'omega'\n" +
-          kIntegrate + kObserve);
+          digits(omega) + "\n[initial]\npolicy = '" + policy + "'\nalong = 'omega'\n" + kIntegrate +
+          kObserve);
   for (std::size_t column = 0; column < b.size(); ++column) {
     std::string start = "policy = 'shifted'\n";
     for (std::size_t i = 0; i < omega.size(); ++i) {
@@ -126,8 +131,8 @@ TEST(Policies, HysteresisAtTheResonance) {
       "count = 6\n[integrate]\nsettle = 100\nrecord = 10\n[observe]\nquantities = ['x1_std']\n";
   const std::vector<double> up = map_of(run(study, {"initial.policy='forward'"}), "x1_std");
   const std::vector<double> down = map_of(run(study, {"initial.policy='backward'"}), "x1_std");
-  EXPECT_GT(down[2], up[2] + 0.1);          // omega = 0.44
-  EXPECT_NEAR(down[0], up[0], 1e-6);        // one motion only at either end
+  EXPECT_GT(down[2], up[2] + 0.1);    // omega = 0.44
+  EXPECT_NEAR(down[0], up[0], 1e-6);  // one motion only at either end
   EXPECT_NEAR(down.back(), up.back(), 1e-6);
 }
 
@@ -146,14 +151,17 @@ TEST(Axes, AnInitialStateIsSetPointByPoint) {
   const std::string head = "[model]\npreset = 'coarse'\n[initial]\npolicy = 'fixed'\n";
   const std::string tail = kIntegrate + kObserve;
   const SweepResult swept =
-      run(head + "state = {v1 = 0.25}\n[[axes]]\nname = 'x1'\nvalues = [-1.5, 0.0, 1.5]\n"
-          "[[axes]]\nname = 'omega'\nvalues = [0.65, 0.9]\n" + tail);
+      run(head +
+          "state = {v1 = 0.25}\n[[axes]]\nname = 'x1'\nvalues = [-1.5, 0.0, 1.5]\n"
+          "[[axes]]\nname = 'omega'\nvalues = [0.65, 0.9]\n" +
+          tail);
   for (std::size_t point = 0; point < 6; ++point) {
     const double x1 = swept.study.axes[0].values[point % 3];
     const double omega = swept.study.axes[1].values[point / 3];
-    const SweepResult single =
-        run(head + "state = {v1 = 0.25, x1 = " + digits(x1) + "}\n[[axes]]\nname = 'omega'\n"
-            "values = [" + digits(omega) + "]\n" + tail);
+    const SweepResult single = run(head + "state = {v1 = 0.25, x1 = " + digits(x1) +
+                                   "}\n[[axes]]\nname = 'omega'\n"
+                                   "values = [" +
+                                   digits(omega) + "]\n" + tail);
     expect_same_point(single, swept, point);
   }
 }
@@ -162,20 +170,23 @@ TEST(Axes, AnInitialStateIsSetPointByPoint) {
 // swept or set, they must mean the same.
 TEST(Axes, OneThatShapesThePhaseEqualsSeparateRuns) {
   for (const std::string axis : {"eps", "q", "zp", "alpha"}) {
-    const std::string values = axis == "zp" ? "[20.0, 40.0]" : axis == "alpha" ? "[20.0, 25.0]"
-                               : axis == "eps" ? "[1.3, 1.7]" : "[0.1, 0.5]";
-    const std::string study = "[model]\npreset = 'coarse'\nformulation = 'printed'\n"
-                              "backlash = 'dynamic'\n[parameters]\nm1 = 0.04\nm2 = 0.04\n"
-                              "[[axes]]\nname = 'omega'\nvalues = [0.7, 0.8]\n";
+    const std::string values = axis == "zp"      ? "[20.0, 40.0]"
+                               : axis == "alpha" ? "[20.0, 25.0]"
+                               : axis == "eps"   ? "[1.3, 1.7]"
+                                                 : "[0.1, 0.5]";
+    const std::string study =
+        "[model]\npreset = 'coarse'\nformulation = 'printed'\n"
+        "backlash = 'dynamic'\n[parameters]\nm1 = 0.04\nm2 = 0.04\n"
+        "[[axes]]\nname = 'omega'\nvalues = [0.7, 0.8]\n";
     const std::string tail = kIntegrate + kObserve;
-    const SweepResult swept = run(study + "[[axes]]\nname = '" + axis + "'\nvalues = " + values +
-                                  "\n" + tail);
+    const SweepResult swept =
+        run(study + "[[axes]]\nname = '" + axis + "'\nvalues = " + values + "\n" + tail);
     for (std::size_t point = 0; point < 4; ++point) {
       const double value = swept.study.axes[1].values[point / 2];
       const SweepResult single =
-          run(study + tail, {"parameters." + axis + "=" + digits(value),
-                             "axes.omega.values=[" +
-                                 digits(swept.study.axes[0].values[point % 2]) + "]"});
+          run(study + tail,
+              {"parameters." + axis + "=" + digits(value),
+               "axes.omega.values=[" + digits(swept.study.axes[0].values[point % 2]) + "]"});
       expect_same_point(single, swept, point);
     }
     // The axis does something.

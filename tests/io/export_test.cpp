@@ -6,11 +6,14 @@
 #include <cstring>
 
 #include "io/example_result.hpp"
+#include "io/python.hpp"
 
 namespace gearsweep {
 namespace {
 
 using gearsweep::testing::example_result;
+using gearsweep::testing::run_python;
+using gearsweep::testing::Spoken;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -36,12 +39,16 @@ TEST_F(ExportTest, CsvHasOneRowPerPointAndEmptyFieldsForMissing) {
 }
 
 TEST_F(ExportTest, CsvShowsClassesAsIntegers) {
-  EXPECT_EQ(exported(example_result(4, 0), "contact_class", ".csv"),
-            "omega,contact_class\n0.4,0\n0.9333333333333333,1\n1.4666666666666668,2\n2,0\n");
+  SweepResult result = example_result(4, 0);
+  result.study.axes[0].values = {0.5, 1.0, 1.5, 2.0};
+  EXPECT_EQ(exported(result, "contact_class", ".csv"),
+            "omega,contact_class\n0.5,0\n1,1\n1.5,2\n2,0\n");
 }
 
 TEST_F(ExportTest, CsvOfPoincareHasOneRowPerSample) {
-  const std::string csv = exported(example_result(2, 0), "poincare", ".csv");
+  SweepResult result = example_result(2, 0);
+  result.study.axes[0].values = {0.4, 2.0};
+  const std::string csv = exported(result, "poincare", ".csv");
   EXPECT_THAT(csv, StartsWith("omega,sample,poincare_x1,poincare_v1\n0.4,1,0,0.01\n"
                               "0.4,2,0.001,0.011\n"));
   EXPECT_THAT(csv, HasSubstr("\n2,5,1.004,1.014\n"));
@@ -86,6 +93,25 @@ TEST_F(ExportTest, NpyOfPoincareHasAFieldOfStatesAndSamples) {
   ASSERT_EQ(npy.numbers.size(), 4U * (1 + 10));
   EXPECT_EQ(npy.numbers[3 * 11], 2.0);
   EXPECT_EQ(npy.numbers[3 * 11 + 1 + 5 + 4], example_result(4, 0).samples[3 * 10 + 5 + 4]);
+}
+
+TEST_F(ExportTest, NumPyOpensIt) {
+  const std::string path = write(example_result());
+  export_map(path, "x1_rms", in_folder("map.npy"));
+  export_map(path, "poincare", in_folder("samples.npy"));
+  const Spoken map = run_python(
+      "import sys, numpy as np\n"
+      "m = np.load(sys.argv[1])\n"
+      "assert m.shape == (3, 4) and m.dtype.names == ('omega', 'b', 'x1_rms'), m.dtype\n"
+      "assert m['x1_rms'][2, 3] == 23.1 and m['omega'][0, 3] == 2.0 and m['b'][2, 0] == 1.5\n"
+      "assert np.isnan(m['x1_rms'][1, 1])\n",
+      in_folder("map.npy"));
+  EXPECT_EQ(map.status, 0) << map.text;
+  const Spoken samples = run_python(
+      "import sys, numpy as np\n"
+      "assert np.load(sys.argv[1])['poincare'].shape == (3, 4, 2, 5)\n",
+      in_folder("samples.npy"));
+  EXPECT_EQ(samples.status, 0) << samples.text;
 }
 
 TEST_F(ExportTest, WhatCannotBeExportedIsRefusedAndLeavesNoFile) {

@@ -4,9 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdio>
-
 #include "io/example_result.hpp"
+#include "io/python.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -16,6 +15,8 @@ namespace fs = std::filesystem;
 using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
 using gearsweep::testing::kProvenance;
+using gearsweep::testing::run_python;
+using gearsweep::testing::Spoken;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -259,39 +260,10 @@ assert attrs["scale_k0_N_per_m"] == 1e8 and attrs["scale_force_N"] == 1e8 * 2e-5
 assert attrs["scale_rpm_per_omega"] == 250.0
 )";
 
-struct Spoken {
-  int status;
-  std::string text;
-};
-
-Spoken run_command(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  Spoken spoken = {-1, {}};
-  for (int letter = fgetc(pipe); letter != EOF; letter = fgetc(pipe)) {
-    spoken.text += static_cast<char>(letter);
-  }
-  spoken.status = pclose(pipe);
-  return spoken;
-}
-
-// The first interpreter that has xarray: the one on the PATH may be another than the system's.
-std::string python_with_xarray() {
-  for (const std::string python : {"python3", "/usr/bin/python3"}) {
-    if (run_command(python + " -c 'import xarray, netCDF4'").status == 0) return python;
-  }
-  return "";
-}
-
 TEST_F(ResultFileTest, XarrayOpensItWithNamesAndUnits) {
-  const std::string python = python_with_xarray();
-  ASSERT_FALSE(python.empty()) << "no python3 has xarray and netCDF4; install python3-xarray and "
-                                  "python3-netcdf4";
   SweepResult result = example_result();
   result.study.scales = {1000.0, 2e-5, 1e8, 250.0};
-  const std::string path = write(result);
-  const std::string script = in_folder("check.py");
-  std::ofstream(script) << kXarrayScript;
-  const Spoken said = run_command(python + " '" + script + "' '" + path + "'");
+  const Spoken said = run_python(kXarrayScript, write(result));
   EXPECT_EQ(said.status, 0) << said.text;
 }
 

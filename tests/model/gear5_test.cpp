@@ -13,11 +13,11 @@ namespace {
 
 // The model's description, its table of parameters; what a preset does not name is `consistent`.
 const std::map<std::string, double> kConsistent = {
-    {"omega", 0.7},   {"b", 1.0},         {"mu", 0.05},      {"F1", 0.1},   {"e0", 0.2},
-    {"zeta", 0.04008}, {"m1", 0.3507525}, {"m2", 0.3507525}, {"k1", 1.38},  {"k2", 1.38},
-    {"k3", 1.38},     {"k4", 1.38},       {"c1", 2.0},       {"c2", 2.0},   {"c3", 2.0},
-    {"c4", 2.0},      {"eps", 1.718},     {"alpha", 20.0},   {"A", 2400.0}, {"rho_p", 0.5},
-    {"rho_g", 0.5},   {"teeth_ratio", 1.0}, {"q", 0.35}};
+    {"omega", 0.7},    {"b", 1.0},           {"mu", 0.05},      {"F1", 0.1},   {"e0", 0.2},
+    {"zeta", 0.04008}, {"m1", 0.3507525},    {"m2", 0.3507525}, {"k1", 1.38},  {"k2", 1.38},
+    {"k3", 1.38},      {"k4", 1.38},         {"c1", 2.0},       {"c2", 2.0},   {"c3", 2.0},
+    {"c4", 2.0},       {"eps", 1.718},       {"alpha", 20.0},   {"A", 2400.0}, {"rho_p", 0.5},
+    {"rho_g", 0.5},    {"teeth_ratio", 1.0}, {"q", 0.35}};
 
 TEST(Gear5, DefaultsAreThePresetConsistent) {
   for (const auto& [name, value] : kConsistent) {
@@ -71,9 +71,10 @@ double mean_stiffness(const ModelSetting& setting) {
     for (int i = 0; i < kParts; ++i) {
       const double left = from + h * i;
       const double tiny = 1e-13;  // stay inside at the ends
-      sum += h / 6.0 * (coef_at(setting, "stiffness", left + tiny) +
-                        4.0 * coef_at(setting, "stiffness", left + 0.5 * h) +
-                        coef_at(setting, "stiffness", left + h - tiny));
+      sum += h / 6.0 *
+             (coef_at(setting, "stiffness", left + tiny) +
+              4.0 * coef_at(setting, "stiffness", left + 0.5 * h) +
+              coef_at(setting, "stiffness", left + h - tiny));
     }
   }
   return sum;
@@ -96,12 +97,12 @@ TEST(Gear5, StiffnessHasMeanOne) {
 TEST(Gear5, FourierStiffnessIsTheSumOfItsHarmonics) {
   ModelSetting setting = gear5().default_setting();
   set_option(&setting, "stiffness", "fourier");
+  const char* suffixes[4] = {"", "_2", "_3", "_4"};
   const double amplitudes[4] = {0.3, 0.2, 0.1, 0.05};
   const double phases[4] = {0.4, 1.0, -2.0, 3.0};
   for (int i = 0; i < 4; ++i) {
-    const std::string suffix = i == 0 ? "" : "_" + std::to_string(i + 1);
-    set_parameter(&setting, "kappa" + suffix, amplitudes[i]);
-    set_parameter(&setting, "phase" + suffix, phases[i]);
+    set_parameter(&setting, std::string("kappa") + suffixes[i], amplitudes[i]);
+    set_parameter(&setting, std::string("phase") + suffixes[i], phases[i]);
   }
   for (const double psi : {0.01, 0.3, 0.8, 0.95}) {
     double expected = 1.0;
@@ -128,8 +129,11 @@ TEST(Gear5, FrictionArmsOfEqualGearsAreTanAlpha) {
 // radii per base pitch and is Rp tan(alpha) at the pitch point; s_p + s_g = (Rp + Rg) tan(alpha).
 TEST(Gear5, FrictionArmsOfUnequalGears) {
   ModelSetting setting = gear5().default_setting();
-  for (const auto& [name, value] : std::map<std::string, double>{
-           {"teeth_ratio", 2.5}, {"zp", 20.0}, {"rho_p", 0.7}, {"rho_g", 0.3}, {"approach", 0.45}}) {
+  for (const auto& [name, value] : std::map<std::string, double>{{"teeth_ratio", 2.5},
+                                                                 {"zp", 20.0},
+                                                                 {"rho_p", 0.7},
+                                                                 {"rho_g", 0.3},
+                                                                 {"approach", 0.45}}) {
     set_parameter(&setting, name, value);
   }
   const double tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
@@ -139,8 +143,7 @@ TEST(Gear5, FrictionArmsOfUnequalGears) {
     const double s_g = (3.5 * tan_alpha - s_p) / 2.5;
     const double direction = psi < pitch_point ? 1.0 : -1.0;
     EXPECT_EQ(coef_at(setting, "slide_damping", psi), direction);
-    EXPECT_NEAR(coef_at(setting, "lever_damping", psi), direction * (0.7 * s_p + 0.3 * s_g),
-                1e-15);
+    EXPECT_NEAR(coef_at(setting, "lever_damping", psi), direction * (0.7 * s_p + 0.3 * s_g), 1e-15);
   }
 }
 

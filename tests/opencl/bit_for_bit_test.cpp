@@ -1,5 +1,5 @@
-// Without contraction, the kernel and the same headers compiled by the host's compiler give the same
-// bits: whatever is wrong with a number, it is not the device's compiler.
+// Without contraction, the kernel and the same headers compiled by the host's compiler give the
+// same bits: whatever is wrong with a number, it is not the device's compiler.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,8 +46,8 @@ std::string study_of(const Laws& laws) {
          "[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.6\ncount = 40\n"
          "[[axes]]\nname = 'b'\nfrom = 0.02\nto = 1.5\ncount = 25\n"
          "[initial]\npolicy = 'shifted'\n[integrate]\ncontract = false\nmax_step = 0.1\n"
-         "settle = 26\nrecord = 2\nprecision = '" + laws.precision +
-         "'\n[observe]\nquantities = ['contact_class']\n";
+         "settle = 26\nrecord = 2\nprecision = '" +
+         laws.precision + "'\n[observe]\nquantities = ['contact_class']\n";
 }
 
 TEST_P(BitForBit, KernelAndHost) {

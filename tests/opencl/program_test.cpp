@@ -97,8 +97,7 @@ TEST(BuildProgram, NamesFileAndLineOfAnError) {
   std::string& text = sources["integrators/rk4.h"];
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   text += "this_is_no_type broken;\n";
-  const std::string source = flatten("dialect.h", sources) +
-                             flatten("models/gear5.h", sources) +
+  const std::string source = flatten("dialect.h", sources) + flatten("models/gear5.h", sources) +
                              flatten("integrators/rk4.h", sources);
   const std::string options = build_options(study, 1);
   EXPECT_THAT(build_error(source, options),
@@ -132,12 +131,11 @@ DeviceInfo device_like(bool is_cpu, bool fp64) {
   return info;
 }
 
-TEST(Devices, TheFirstGpuWithFp64IsPreferred) {
+TEST(Devices, TheFirstCpuIsTheDefault) {
   const DeviceInfo cpu = device_like(true, true);
-  const DeviceInfo small_gpu = device_like(false, false);
   const DeviceInfo gpu = device_like(false, true);
-  EXPECT_EQ(default_device({cpu, small_gpu, gpu}), 2U);
-  EXPECT_EQ(default_device({cpu, small_gpu}), 0U);
+  EXPECT_EQ(default_device({gpu, gpu, cpu}), 2U);
+  EXPECT_EQ(default_device({gpu, gpu}), 0U);
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ std::string chaotic(const std::string& backlash) {
   return "[model]\npreset = 'coarse'\nbacklash = '" + backlash +
          "'\n[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.9\ncount = 13\n"
          "[[axes]]\nname = 'b'\nfrom = 0.1\nto = 1.3\ncount = 7\n"
-         "[integrate]\nsettle = 21\nrecord = 11\nmax_step = 0.1\n" + kObserve;
+         "[integrate]\nsettle = 21\nrecord = 11\nmax_step = 0.1\n" +
+         kObserve;
 }
 
 void expect_any_cut(const std::string& toml, const std::string& precision,
@@ -61,22 +62,17 @@ void expect_any_cut(const std::string& toml, const std::string& precision,
 TEST(SameBits, Fp64ConstantBacklash) {
   expect_any_cut(chaotic("constant"), "fp64", {"2", "4", "8"});
 }
-TEST(SameBits, Fp64DynamicBacklash) {
-  expect_any_cut(chaotic("dynamic"), "fp64", {"4", "8"});
-}
-TEST(SameBits, Fp32ConstantBacklash) {
-  expect_any_cut(chaotic("constant"), "fp32", {"8", "16"});
-}
-TEST(SameBits, Fp32DynamicBacklash) {
-  expect_any_cut(chaotic("dynamic"), "fp32", {"8", "16"});
-}
+TEST(SameBits, Fp64DynamicBacklash) { expect_any_cut(chaotic("dynamic"), "fp64", {"4", "8"}); }
+TEST(SameBits, Fp32ConstantBacklash) { expect_any_cut(chaotic("constant"), "fp32", {"8", "16"}); }
+TEST(SameBits, Fp32DynamicBacklash) { expect_any_cut(chaotic("dynamic"), "fp32", {"8", "16"}); }
 
 // Each value of the contact ratio has a phase grid of its own.
 TEST(SameBits, AxisThatShapesThePhase) {
   const std::string toml =
       "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\n"
       "values = [0.5, 0.65, 1.15, 1.5, 1.7]\n[[axes]]\nname = 'eps'\n"
-      "values = [1.2, 1.5, 1.718]\n[integrate]\nsettle = 20\nrecord = 10\n" + kObserve;
+      "values = [1.2, 1.5, 1.718]\n[integrate]\nsettle = 20\nrecord = 10\n" +
+      kObserve;
   const SweepResult expected = run(toml, {"integrate.lanes=1"});
   for (const char* cut : {"integrate.lanes=4", "integrate.lanes=8", "integrate.tile=4",
                           "integrate.round=3", "integrate.local_size=2"}) {
@@ -86,11 +82,11 @@ TEST(SameBits, AxisThatShapesThePhase) {
 
 TEST(SameBits, ChainsForwardAndBackward) {
   for (const char* policy : {"forward", "backward"}) {
-    const std::string toml = chaotic("constant") + "[initial]\npolicy = '" + policy +
-                             "'\nalong = 'omega'\n";
+    const std::string toml =
+        chaotic("constant") + "[initial]\npolicy = '" + policy + "'\nalong = 'omega'\n";
     const SweepResult expected = run(toml, {"integrate.lanes=1"});
-    for (const char* cut : {"integrate.lanes=4", "integrate.lanes=8", "integrate.tile=3",
-                            "integrate.round=5"}) {
+    for (const char* cut :
+         {"integrate.lanes=4", "integrate.lanes=8", "integrate.tile=3", "integrate.round=5"}) {
       expect_same(expected, toml, {cut});
     }
   }

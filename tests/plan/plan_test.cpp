@@ -139,9 +139,9 @@ TEST(Plan, AChainHasAStagePerValue) {
 }
 
 TEST(Plan, AnInitialStateAxisReplacesThatState) {
-  const Plan plan = plan_of(axis("x1", "[-0.5, 0.5]") +
-                                "[initial]\npolicy = 'fixed'\nstate = {x1 = 9.0, v2 = 0.3}\n",
-                            100);
+  const Plan plan = plan_of(
+      axis("x1", "[-0.5, 0.5]") + "[initial]\npolicy = 'fixed'\nstate = {x1 = 9.0, v2 = 0.3}\n",
+      100);
   const std::vector<double> state = plan.own_initial_state(1);
   EXPECT_EQ(state[0], 0.5);
   EXPECT_EQ(state[6], 0.3);

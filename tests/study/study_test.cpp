@@ -64,10 +64,9 @@ TEST(Study, AListFillsTheNumberedParameters) {
 }
 
 TEST(Study, OverridesReachEveryKey) {
-  const Study study =
-      read_study(std::string("[model]\npreset = 'coarse'\n") + kAxis, "s.toml",
-                 {"integrate.record=7", "model.backlash=dynamic", "parameters.mu=0",
-                  "axes.omega.values=[0.1, 0.2, 0.3]", "axes.0.scale=log"});
+  const Study study = read_study(std::string("[model]\npreset = 'coarse'\n") + kAxis, "s.toml",
+                                 {"integrate.record=7", "model.backlash=dynamic", "parameters.mu=0",
+                                  "axes.omega.values=[0.1, 0.2, 0.3]", "axes.0.scale=log"});
   EXPECT_EQ(study.integrate.record, 7U);
   EXPECT_EQ(option(study, "backlash"), 1);
   EXPECT_EQ(parameter(study, "mu"), 0.0);
@@ -88,8 +87,7 @@ TEST(Study, ALogAxisHasAConstantRatio) {
   const Study study = read_study(
       "[[axes]]\nname = 'F1'\nfrom = 0.1\nto = 10.0\ncount = 3\nscale = 'log'\n", "s.toml");
   // pow and the product round once each.
-  EXPECT_THAT(study.axes[0].values,
-              ElementsAre(0.1, ::testing::DoubleNear(1.0, 1e-15), 10.0));
+  EXPECT_THAT(study.axes[0].values, ElementsAre(0.1, ::testing::DoubleNear(1.0, 1e-15), 10.0));
 }
 
 TEST(Study, ASingleValueIsAnAxis) {
@@ -112,9 +110,8 @@ TEST(Study, WithoutQuantitiesTheFirstStateIsObserved) {
 }
 
 TEST(Study, QuantitiesOfOneChannelShareAnObserver) {
-  const Study study =
-      read_study(std::string(kAxis) + "[observe]\nquantities = ['x1_rms', 'x1_mean', 'dmf_max']\n",
-                 "s.toml");
+  const Study study = read_study(
+      std::string(kAxis) + "[observe]\nquantities = ['x1_rms', 'x1_mean', 'dmf_max']\n", "s.toml");
   EXPECT_EQ(study.selection.observers.size(), 2U);
 }
 

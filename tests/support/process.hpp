@@ -65,7 +65,8 @@ inline Outcome run_in(const Folder& folder, const std::string& command) {
   const std::string line = "cd '" + folder.path().string() + "' && " + command + " > '" +
                            (log / "out").string() + "' 2> '" + (log / "err").string() + "'";
   const int status = std::system(line.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(log / "out"), read_all(log / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(log / "out"),
+          read_all(log / "err")};
 }
 
 // Runs the program that was built with these tests: "run study.toml -o out.nc".

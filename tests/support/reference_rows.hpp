@@ -1,11 +1,11 @@
-// Steady motions of gear5 that two or more independent programs agree on (steps converged), from the
-// model's description, section "Reference numbers". Section = state at psi = 0 after `settle`
+// Steady motions of gear5 that two or more independent programs agree on (steps converged), from
+// the model's description, section "Reference numbers". Section = state at psi = 0 after `settle`
 // periods; the other figures are over the `record` periods that follow.
 //
 // That table's least, greatest, mean and rms of x1 are averages and extremes of samples, off by up
-// to 3.1e-5 and 5.2e-6. The ones here are from an outside integration (Boost.odeint's Dormand-Prince
-// at 1e-12, the integrals of x1 and x1^2 as two more states, extremes between the steps too), which
-// outside_opinion_test.cpp repeats.
+// to 3.1e-5 and 5.2e-6. The ones here are from an outside integration (Boost.odeint's
+// Dormand-Prince at 1e-12, the integrals of x1 and x1^2 as two more states, extremes between the
+// steps too), which outside_opinion_test.cpp repeats.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace gearsweep::testing {
 
 struct ReferenceRow {
   std::string name, preset;
-  std::string model;       // what [model] says beside the preset
+  std::string model;  // what [model] says beside the preset
   double omega;
   std::string parameters;  // what [parameters] says
   std::size_t settle, record;
@@ -39,42 +39,42 @@ inline const std::vector<ReferenceRow>& reference_rows() {
   // The motion at omega 1.2 has period 3. Table and this file give averages over 20 periods, which
   // is no multiple of 3, from the period on whose mean is the greatest.
   static const std::vector<ReferenceRow> rows = {
-      {"consistent_025", "consistent", "", 0.25, "", 200, 1,
-       1.4347167, 0.0115000, 1.0794531, 1.4352721, 1.24779165, 1.25222250, 0.0342, 0.2181},
-      {"consistent_05", "consistent", "", 0.5, "", 200, 1,
-       0.7177006, -0.2098154, 0.5560548, 1.7309603, 1.17068647, 1.24513416, 0.0, 0.3731},
-      {"consistent_05_dynamic", "consistent", dynamic, 0.5, "", 200, 1,
-       0.8245279, -0.2518006, 0.5922119, 1.7521704, 1.21178205, 1.28490087, 0.0, 0.3169},
-      {"consistent_07", "consistent", "", 0.7, "", 200, 1,
-       1.2601603, -0.1216647, 1.0166580, 1.4109815, 1.24636460, 1.25408854, 0.0258, 0.1930},
-      {"consistent_07_b04", "consistent", "", 0.7, "b = 0.4", 200, 1,
-       0.6601603, -0.1216647, 0.4166580, 0.8109815, 0.64636460, 0.66113580, 0.0258, 0.1930},
-      {"consistent_07_dynamic", "consistent", dynamic, 0.7, "", 200, 1,
-       1.2829344, -0.1286432, 1.0347553, 1.4310818, 1.26562439, 1.27323051, 0.0204, 0.2041},
-      {"consistent_07_mu0", "consistent", "", 0.7, "mu = 0.0", 200, 1,
-       1.2589690, -0.1204830, 1.0166181, 1.4118258, 1.24660426, 1.25435117, 0.0257, 0.1926},
-      {"consistent_07_mu01_dynamic", "consistent", dynamic, 0.7, "mu = 0.1", 200, 1,
-       1.2851064, -0.1284288, 1.0346572, 1.4296757, 1.26501696, 1.27258004, 0.0211, 0.2063},
-      {"consistent_07_rectangular", "consistent", rectangular, 0.7, "", 200, 1,
-       1.2724047, -0.1114043, 1.0030928, 1.4012428, 1.24637625, 1.25428012, 0.0, 0.2402},
-      {"consistent_10", "consistent", "", 1.0, "", 200, 1,
-       0.8760150, -0.1471573, 0.8048304, 1.2807164, 1.03462563, 1.04787153, 0.0, 0.4214},
-      {"consistent_12", "consistent", "", 1.2, "", 402, 20,
-       1.5159069, -0.2230728, 0.0373538, 1.8026813, 0.96295807, 1.11351773, 0.0, 0.5257},
-      {"coarse_065", "coarse", "", 0.65, "", 200, 1,
-       1.1926480, -0.4649288, 0.4734794, 1.9178619, 1.24013479, 1.34256528, 0.0, 0.2320},
-      {"coarse_08", "coarse", "", 0.8, "", 200, 1,
-       1.1771956, -0.3326357, 0.8157385, 1.6591264, 1.23174244, 1.26735977, 0.0, 0.2311},
-      {"coarse_10", "coarse", "", 1.0, "", 200, 1,
-       0.4534132, -0.5925484, 0.0123757, 1.3936967, 0.68091256, 0.83592840, 0.0, 0.5438},
-      {"paper_01_mu0", "paper", "", 0.1, "mu = 0.0", 4000, 1,
-       0.9325949, -0.0003915, 0.9312126, 0.9442505, 0.93765123, 0.93766255, 0.1722, 0.1745},
-      {"paper_01_mu01", "paper", "", 0.1, "mu = 0.1", 4000, 1,
-       0.9332535, -0.0037283, 0.9183756, 0.9547393, 0.93729652, 0.93733072, 0.1669, 0.1806},
-      {"paper_05", "paper", "", 0.5, "b = 0.39", 9000, 1,
-       0.3181070, 0.0316079, 0.2648087, 0.3873325, 0.32709367, 0.32989950, 0.1266, 0.2189},
-      {"paper_05_dynamic", "paper", dynamic, 0.5, "b = 0.39", 9000, 1,
-       0.3482548, 0.0298512, 0.2971653, 0.4127611, 0.35658540, 0.35887730, 0.1269, 0.2175},
+      {"consistent_025", "consistent", "", 0.25, "", 200, 1, 1.4347167, 0.0115000, 1.0794531,
+       1.4352721, 1.24779165, 1.25222250, 0.0342, 0.2181},
+      {"consistent_05", "consistent", "", 0.5, "", 200, 1, 0.7177006, -0.2098154, 0.5560548,
+       1.7309603, 1.17068647, 1.24513416, 0.0, 0.3731},
+      {"consistent_05_dynamic", "consistent", dynamic, 0.5, "", 200, 1, 0.8245279, -0.2518006,
+       0.5922119, 1.7521704, 1.21178205, 1.28490087, 0.0, 0.3169},
+      {"consistent_07", "consistent", "", 0.7, "", 200, 1, 1.2601603, -0.1216647, 1.0166580,
+       1.4109815, 1.24636460, 1.25408854, 0.0258, 0.1930},
+      {"consistent_07_b04", "consistent", "", 0.7, "b = 0.4", 200, 1, 0.6601603, -0.1216647,
+       0.4166580, 0.8109815, 0.64636460, 0.66113580, 0.0258, 0.1930},
+      {"consistent_07_dynamic", "consistent", dynamic, 0.7, "", 200, 1, 1.2829344, -0.1286432,
+       1.0347553, 1.4310818, 1.26562439, 1.27323051, 0.0204, 0.2041},
+      {"consistent_07_mu0", "consistent", "", 0.7, "mu = 0.0", 200, 1, 1.2589690, -0.1204830,
+       1.0166181, 1.4118258, 1.24660426, 1.25435117, 0.0257, 0.1926},
+      {"consistent_07_mu01_dynamic", "consistent", dynamic, 0.7, "mu = 0.1", 200, 1, 1.2851064,
+       -0.1284288, 1.0346572, 1.4296757, 1.26501696, 1.27258004, 0.0211, 0.2063},
+      {"consistent_07_rectangular", "consistent", rectangular, 0.7, "", 200, 1, 1.2724047,
+       -0.1114043, 1.0030928, 1.4012428, 1.24637625, 1.25428012, 0.0, 0.2402},
+      {"consistent_10", "consistent", "", 1.0, "", 200, 1, 0.8760150, -0.1471573, 0.8048304,
+       1.2807164, 1.03462563, 1.04787153, 0.0, 0.4214},
+      {"consistent_12", "consistent", "", 1.2, "", 402, 20, 1.5159069, -0.2230728, 0.0373538,
+       1.8026813, 0.96295807, 1.11351773, 0.0, 0.5257},
+      {"coarse_065", "coarse", "", 0.65, "", 200, 1, 1.1926480, -0.4649288, 0.4734794, 1.9178619,
+       1.24013479, 1.34256528, 0.0, 0.2320},
+      {"coarse_08", "coarse", "", 0.8, "", 200, 1, 1.1771956, -0.3326357, 0.8157385, 1.6591264,
+       1.23174244, 1.26735977, 0.0, 0.2311},
+      {"coarse_10", "coarse", "", 1.0, "", 200, 1, 0.4534132, -0.5925484, 0.0123757, 1.3936967,
+       0.68091256, 0.83592840, 0.0, 0.5438},
+      {"paper_01_mu0", "paper", "", 0.1, "mu = 0.0", 4000, 1, 0.9325949, -0.0003915, 0.9312126,
+       0.9442505, 0.93765123, 0.93766255, 0.1722, 0.1745},
+      {"paper_01_mu01", "paper", "", 0.1, "mu = 0.1", 4000, 1, 0.9332535, -0.0037283, 0.9183756,
+       0.9547393, 0.93729652, 0.93733072, 0.1669, 0.1806},
+      {"paper_05", "paper", "", 0.5, "b = 0.39", 9000, 1, 0.3181070, 0.0316079, 0.2648087,
+       0.3873325, 0.32709367, 0.32989950, 0.1266, 0.2189},
+      {"paper_05_dynamic", "paper", dynamic, 0.5, "b = 0.39", 9000, 1, 0.3482548, 0.0298512,
+       0.2971653, 0.4127611, 0.35658540, 0.35887730, 0.1269, 0.2175},
   };
   return rows;
 }
