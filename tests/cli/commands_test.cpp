@@ -1,0 +1,97 @@
+// The commands, as a user runs them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const char* const kSmall =
+    " --set axes.omega.count=6 --set axes.e0.count=4 --set integrate.settle=5 --set "
+    "integrate.record=3";
+
+TEST(Commands, RunPlotAndExportGoFromAStudyToPicturesAndTables) {
+  const Folder folder;
+  const Outcome run =
+      gearsweep(folder, std::string("run coarse-map -o map.nc --plot map.png") + kSmall);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("24 points: ok 24"));
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(gearsweep(folder, "plot map.nc -q contact_class -o class.svg --script class.gp").status,
+            0);
+  EXPECT_EQ(gearsweep(folder, "plot map.nc -q x1_rms --at e0=0.3 -o cut.pdf").status, 0);
+  EXPECT_EQ(gearsweep(folder, "export map.nc -q dmf_max -o dmf.csv").status, 0);
+  EXPECT_EQ(gearsweep(folder, "export map.nc -q dmf_max -o dmf.npy").status, 0);
+  EXPECT_THAT(read_all(folder / "map.png"), HasSubstr("PNG"));
+  EXPECT_THAT(read_all(folder / "class.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read_all(folder / "cut.pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(read_all(folder / "dmf.csv"), StartsWith("omega,e0,dmf_max\n"));
+  EXPECT_THAT(read_all(folder / "dmf.npy"), StartsWith("\x93NUMPY"));
+}
+
+TEST(Commands, AResultFileRunsAgainToTheSameMaps) {
+  const Folder folder;
+  ASSERT_EQ(gearsweep(folder, std::string("run coarse-map -o map.nc --quiet") + kSmall).status, 0);
+  const Outcome again = gearsweep(folder, "run map.nc -o again.nc");
+  EXPECT_EQ(again.status, 0) << again.err;
+  gearsweep(folder, "export map.nc -q dmf_max -o map.csv");
+  gearsweep(folder, "export again.nc -q dmf_max -o again.csv");
+  EXPECT_EQ(read_all(folder / "map.csv"), read_all(folder / "again.csv"));
+  EXPECT_EQ(gearsweep(folder, "run map.nc").status, 2) << "it would replace its own study";
+}
+
+TEST(Commands, WithoutOutputTheFileBearsTheNameOfTheStudy) {
+  const Folder folder;
+  EXPECT_EQ(gearsweep(folder, std::string("run coarse-map --quiet") + kSmall).status, 0);
+  EXPECT_EQ(folder.files(), std::set<std::string>{"coarse-map.nc"});
+}
+
+TEST(Commands, ScriptsReadJson) {
+  const Folder folder;
+  const Outcome run =
+      gearsweep(folder, std::string("run coarse-map --quiet --json -o map.nc") + kSmall);
+  EXPECT_THAT(run.out, HasSubstr("\"points\": 24"));
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(gearsweep(folder, "devices --json").out, HasSubstr("\"number\": 0"));
+  EXPECT_THAT(gearsweep(folder, "studies --json").out, HasSubstr("\"coarse-map\""));
+  EXPECT_THAT(gearsweep(folder, "model gear5 --json").out, HasSubstr("\"omega\""));
+}
+
+TEST(Commands, AModelIsShownWithTheOriginOfEachValue) {
+  const Folder folder;
+  const Outcome preset = gearsweep(folder, "model gear5 --preset paper");
+  EXPECT_THAT(preset.out, HasSubstr("0.173386"));
+  EXPECT_THAT(preset.out, HasSubstr("preset paper"));
+  const Outcome gear = gearsweep(folder, "model --study table1-gear");
+  EXPECT_THAT(gear.out, HasSubstr("me/mp = 0.350752 kg / 1 kg"));
+}
+
+TEST(Commands, EveryBuiltInStudyPrintsAsTomlThatReads) {
+  const Folder folder;
+  const Outcome list = gearsweep(folder, "studies");
+  std::istringstream lines(list.out);
+  int studies = 0;
+  for (std::string line; std::getline(lines, line); ++studies) {
+    const std::string name = line.substr(0, line.find(' '));
+    folder.write("copy.toml", gearsweep(folder, "studies " + name).out);
+    EXPECT_EQ(gearsweep(folder, "model --study copy.toml").status, 0) << name;
+  }
+  EXPECT_GE(studies, 1);
+}
+
+TEST(Commands, EveryCommandHasHelpWithExamples) {
+  const Folder folder;
+  EXPECT_THAT(gearsweep(folder, "--version").out, StartsWith("gearsweep "));
+  for (const char* command : {"", "run", "plot", "export", "studies", "model", "devices"}) {
+    const Outcome help = gearsweep(folder, std::string(command) + " --help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_THAT(help.out, HasSubstr("gearsweep ")) << command;
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
