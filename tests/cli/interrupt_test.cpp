@@ -34,14 +34,17 @@ class InterruptTest : public ::testing::Test {
  protected:
   void SetUp() override { folder_.write("study.toml", kLong); }
 
-  // Starts the run, waits until its journal holds some of the 64 tiles (each about 10 kB), and
+  // Starts the run, waits until its journal holds some more of the 64 tiles (each about 10 kB), and
   // sends it a signal.
   Outcome interrupt(const std::string& signal) {
-    return run_in(folder_, "sh -c '" + std::string(GEARSWEEP_BINARY) +
-                               " run study.toml -o out.nc & pid=$!; while kill -0 $pid && "
-                               "[ $(stat -c %s out.nc.journal || echo 0) -lt 100000 ]; "
-                               "do sleep 0.02; done; kill -" +
-                               signal + " $pid; wait $pid'");
+    return run_in(folder_,
+                  "sh -c 'size() { stat -c %s out.nc.journal 2>/dev/null || echo 0; }; "
+                  "enough=$(($(size) + 100000)); " +
+                      std::string(GEARSWEEP_BINARY) +
+                      " run study.toml -o out.nc & pid=$!; "
+                      "while kill -0 $pid && [ $(size) -lt $enough ]; do sleep 0.02; "
+                      "done; kill -" +
+                      signal + " $pid; wait $pid'");
   }
 
   std::string exported(const std::string& result) {
