@@ -20,39 +20,39 @@
 
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
-#define MODEL_PARAMETERS(X)                                                                  \
-  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency / varpi")                           \
-  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                             \
-  X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient (Coulomb, nominal sliding direction)") \
-  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                             \
-  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                      \
-  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                  \
-  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                        \
-  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                          \
-  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                             \
-  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                             \
-  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                               \
-  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                               \
-  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                 \
-  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                 \
-  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                   \
-  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                   \
-  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                       \
-  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point")  \
-  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                   \
-  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                       \
-  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)")  \
-  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")    \
-  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                    \
-  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")        \
-  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")      \
-  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")         \
-  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")           \
-  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")           \
-  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")           \
-  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")         \
-  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")         \
-  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")         \
+#define MODEL_PARAMETERS(X)                                                                 \
+  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency / varpi")                          \
+  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                            \
+  X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient of the teeth")                        \
+  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                            \
+  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                     \
+  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                 \
+  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                       \
+  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                         \
+  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                            \
+  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                            \
+  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                              \
+  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                              \
+  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                \
+  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                \
+  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                  \
+  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                  \
+  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                      \
+  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point") \
+  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                  \
+  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                      \
+  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)") \
+  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")   \
+  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                   \
+  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")       \
+  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")     \
+  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")        \
+  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")          \
+  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")          \
+  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")          \
+  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")        \
+  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")        \
+  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")        \
   X(phase_4, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 4")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
