@@ -159,19 +159,16 @@ SHARED_FN real gear5_penetration(real deflection, real backlash) {
   return deflection - lane_clamp(deflection, -backlash, backlash);
 }
 
-// dx = dx/dtau.
-SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                         real* dx) {
-  const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
-  const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
-  const real f = gear5_penetration(deflection, gear5_backlash(point, phase, x));
-  // Q, 2 zeta G, mu C and 2 zeta mu H of the model equations: they do not wait for the state, and
-  // so the chain from one stage's velocities to the next stage's is short.
+// The equations of motion, linear in all but f: dx from x, the penetration f, the deflection's rate
+// and what drives x1.
+SHARED_FN void gear5_motion(const ModelPoint* point, const PhaseCoefs* phase, const real* x, real f,
+                            real rate, real drive, real* dx) {
+  // Q, 2 zeta G, mu C and 2 zeta mu H of the model equations: they do not wait for the state, and so
+  // the chain from one stage's velocities to the next stage's is short.
   const real mesh_stiffness = phase->stiffness - point->friction * phase->lever;
   const real mesh_damping = point->normal_damping - point->sliding_damping * phase->lever_damping;
   const real slide_stiffness = point->friction * phase->slide;
   const real slide_damping = point->sliding_damping * phase->slide_damping;
-  const real drive = point->load + point->forcing * phase->sine;
   const real normal = phase->stiffness * f + point->normal_damping * rate;
   const real sliding = slide_stiffness * f + slide_damping * rate;
 
@@ -189,6 +186,54 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
                                             point->bearing_stiffness[2] * x[STATE_x4]);
   dx[STATE_v5] = -(point->mass_g * normal + point->bearing_damping[3] * x[STATE_v5] +
                    point->bearing_stiffness[3] * x[STATE_x5]);
+}
+
+// dx = dx/dtau.
+SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         real* dx) {
+  const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
+  const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
+  const real f = gear5_penetration(deflection, gear5_backlash(point, phase, x));
+  gear5_motion(point, phase, x, f, rate, point->load + point->forcing * phase->sine, dx);
+}
+
+// What the Jacobian holds of the state: df = contact dD - wedge_u d(x4 - x2) - wedge_v d(x3 - x5).
+typedef struct {
+  real contact;           // 1 on either flank, 0 in the gap
+  real wedge_u, wedge_v;  // how the backlash at work follows the shafts; unused when constant
+} ModelLinear;
+
+// The field is continuous at D = +-b', so no jump of the tangent is needed there.
+SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                               ModelLinear* linear) {
+  const real zero = 0;
+  const real one = 1;
+  const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
+  const real backlash = gear5_backlash(point, phase, x);
+  linear->contact = lane_select(backlash < lane_abs(deflection), one, zero);
+  linear->wedge_u = zero;
+  linear->wedge_v = zero;
+  if (!point->dynamic) return;
+  const real u = point->centre * phase->cos_alpha + (x[STATE_x4] - x[STATE_x2]);
+  const real v = point->centre * phase->sin_alpha + (x[STATE_x3] - x[STATE_x5]);
+  const real flank = lane_select(zero < deflection, linear->contact, -linear->contact);
+  const real slope = flank * phase->tan_alpha / lane_sqrt(u * u + v * v);
+  linear->wedge_u = slope * u;
+  linear->wedge_v = slope * v;
+}
+
+// dw = J w, J the Jacobian at the state that `linear` was made from.
+SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+                             const ModelLinear* linear, const real* w, real* dw) {
+  const real zero = 0;
+  const real deflection = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
+  const real rate = gear5_deflection(point, w[STATE_v1], w[STATE_v3], w[STATE_v5]);
+  real f = linear->contact * deflection;
+  if (point->dynamic) {
+    f = f - (linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) +
+             linear->wedge_v * (w[STATE_x3] - w[STATE_x5]));
+  }
+  gear5_motion(point, phase, w, f, rate, zero, dw);
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
