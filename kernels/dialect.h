@@ -42,6 +42,7 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #define TABLE __global const
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
+#define lane_log(a) log(a)
 #define LANE_FN SHARED_FN
 
 #else

@@ -4,10 +4,13 @@
 // The host writes selection.h for each study. It includes the model and the observables and defines
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
 //   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
-//   OBSERVERS(CHANNEL, STEP)        CHANNEL(observable, channel, value of it) or STEP(observable)
+//   OBSERVERS(CHANNEL, STEP, TANGENT)  CHANNEL(observable, channel, value of it), STEP(observable)
+//   or
+//                                   TANGENT(observable)
+//   TANGENTS                        tangent vectors that the observers need
 //   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
 //
-// Device buffers are structures of arrays: state, swept, accumulators and outputs are
+// Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
 // [component][item], each element a `real` of LANES neighbouring points.
 #include "dialect.h"
 #include "selection.h"
@@ -47,9 +50,14 @@ SHARED_FN void mark_diverged(real* x) {
   x[0] = lane_select(inside, x[0], (real)(NAN));
 }
 
-__kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
-                     TABLE uint* item_grid, TABLE SweepGrid* grids, TABLE uint* segment_steps,
-                     TABLE scalar* segment_fractions, TABLE PhaseCoefs* stages,
+#include "tangent.h"
+
+// Where the phase grids of a tile lie.
+#define GRID_TABLES                                                         \
+  TABLE uint *item_grid, TABLE SweepGrid *grids, TABLE uint *segment_steps, \
+      TABLE scalar *segment_fractions, TABLE PhaseCoefs *stages
+
+__kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                      __global real* state) {
   const uint items = round.items;
   const uint item = get_global_id(0);
@@ -77,6 +85,43 @@ __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
 
+#if TANGENTS > 0
+// As settle, with the tangent vectors, which turn into the directions that grow fastest.
+__kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
+                    __global real* state, __global real* tangents) {
+  const uint items = round.items;
+  const uint item = get_global_id(0);
+  if (item >= items) return;
+  real x[MODEL_STATE_COUNT];
+  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  if (all_lanes(IS_DIVERGED(x))) return;
+  ModelPoint point;
+  load_point(items, item, uniform, swept, &point);
+  const SweepGrid grid = grids[item_grid[item]];
+  real w[TANGENT_NUMBERS];
+  real growth[TANGENT_VECTORS];
+  for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
+  load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
+
+  for (uint period = 0; period < round.periods; ++period) {
+    TABLE PhaseCoefs* stage = stages + grid.first_stage;
+    for (uint segment = 0; segment < grid.segments; ++segment) {
+      const uint steps = segment_steps[grid.first_segment + segment];
+      const real h = segment_fractions[grid.first_segment + segment] * point.period;
+      for (uint step = 0; step < steps; ++step) {
+        tangent_step(&point, stage, h, x, w);
+        stage += RK4_STAGES_PER_STEP;
+      }
+      stage += 1;
+      tangent_orthonormalize(w, growth);
+    }
+    mark_diverged(x);
+  }
+  store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
+}
+#endif
+
 // What an observable sees of a moment.
 typedef struct {
   ModelSignals signals;
@@ -91,7 +136,8 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) sample->x[i] = x[i];
 }
 
-// Each observable counts its outputs from its list.
+// Each observable counts its outputs from its list; some have one for each state.
+#define PER_STATE MODEL_STATE_COUNT
 #define COUNT_OUTPUT(suffix, unit, flags, meaning) +1
 #include "observables.h"
 
@@ -114,6 +160,15 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define STEP_STORE(kind) OBSERVER_MOVE(store, accumulators, kind##_accumulators, kind##_sums)
 #define STEP_FINISH(kind) OBSERVER_FINISH(kind, kind##_sums)
 
+#define TANGENT_DECLARE(kind) STEP_DECLARE(kind)
+#define TANGENT_INIT(kind) kind##_init(kind##_sums);
+#define TANGENT_UPDATE(kind)
+#define TANGENT_PERIOD(kind) \
+  kind##_period(kind##_sums, growth, point.period, round.recorded + period, round.record);
+#define TANGENT_LOAD(kind) STEP_LOAD(kind)
+#define TANGENT_STORE(kind) STEP_STORE(kind)
+#define TANGENT_FINISH(kind) STEP_FINISH(kind)
+
 // Each observer's accumulators follow those of the one before it.
 #define OBSERVER_MOVE(verb, buffer, count, values)              \
   verb##_components(buffer, items, item, first, count, values); \
@@ -122,16 +177,15 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   {                                                                               \
     real out[kind##_outputs];                                                     \
     load_components(accumulators, items, item, first, kind##_accumulators, sums); \
-    kind##_finish(sums, (scalar)(round.record), out);                             \
+    kind##_finish(sums, round.record, out);                                       \
     store_components(outputs, items, item, first_output, kind##_outputs, out);    \
     first += kind##_accumulators;                                                 \
     first_output += kind##_outputs;                                               \
   }
 
-__kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
-                     TABLE uint* item_grid, TABLE SweepGrid* grids, TABLE uint* segment_steps,
-                     TABLE scalar* segment_fractions, TABLE PhaseCoefs* stages,
-                     __global real* state, __global real* accumulators, __global real* series) {
+__kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
+                     __global real* state, __global real* tangents, __global real* accumulators,
+                     __global real* series) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   if (item >= items) return;
@@ -142,42 +196,48 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   load_point(items, item, uniform, swept, &point);
   const SweepGrid grid = grids[item_grid[item]];
 
-  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE)
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE)
   Sample before;
   Sample after;
+  real w[TANGENT_NUMBERS];
+  real growth[TANGENT_VECTORS];
+  load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   if (round.recorded == 0) {
     take_sample(&point, stages + grid.first_stage, x, &before);
-    OBSERVERS(CHANNEL_INIT, STEP_INIT)
+    OBSERVERS(CHANNEL_INIT, STEP_INIT, TANGENT_INIT)
   } else {
     uint first = 0;
-    OBSERVERS(CHANNEL_LOAD, STEP_LOAD)
+    OBSERVERS(CHANNEL_LOAD, STEP_LOAD, TANGENT_LOAD)
   }
 
   for (uint period = 0; period < round.periods; ++period) {
     TABLE PhaseCoefs* stage = stages + grid.first_stage;
+    for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
     for (uint segment = 0; segment < grid.segments; ++segment) {
       const uint steps = segment_steps[grid.first_segment + segment];
       const scalar weight = segment_fractions[grid.first_segment + segment];
       const real h = weight * point.period;
       take_sample(&point, stage, x, &before);
       for (uint step = 0; step < steps; ++step) {
-        rk4_step(&point, stage, h, x);
+        tangent_step(&point, stage, h, x, w);
         stage += RK4_STAGES_PER_STEP;
         take_sample(&point, stage, x, &after);
-        OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE)
+        OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE, TANGENT_UPDATE)
         before = after;
       }
       stage += 1;
+      tangent_orthonormalize(w, growth);
     }
-    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD)
+    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD)
     mark_diverged(x);
 #ifdef POINCARE_STATES
     poincare_section(series, round.recorded + period, items, item, x);
 #endif
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   uint first = 0;
-  OBSERVERS(CHANNEL_STORE, STEP_STORE)
+  OBSERVERS(CHANNEL_STORE, STEP_STORE, TANGENT_STORE)
 }
 
 // Turns accumulators into outputs, once all periods are recorded.
@@ -188,6 +248,6 @@ __kernel void finish(const SweepRound round, __global const real* accumulators,
   if (item >= items) return;
   uint first = 0;
   uint first_output = 0;
-  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE)
-  OBSERVERS(CHANNEL_FINISH, STEP_FINISH)
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE)
+  OBSERVERS(CHANNEL_FINISH, STEP_FINISH, TANGENT_FINISH)
 }

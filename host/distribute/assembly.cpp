@@ -11,7 +11,9 @@ Assembly::Assembly(const Study& study) {
   const Selection& selection = study.selection;
   result_.study = study;
   result_.status.resize(points);
-  result_.values.assign(selection.quantities.size(), std::vector<double>(points));
+  for (const Quantity& quantity : selection.quantities) {
+    result_.values.emplace_back(points * quantity.width);
+  }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
   final_states_.resize(points * study.model->states.size());
 }
@@ -24,8 +26,11 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
     const std::size_t point = tile.points[i];
     result_.status[point] = result.status[i];
     for (std::size_t j = 0; j < result_.values.size(); ++j) {
-      const std::size_t output = result_.study.selection.quantities[j].output;
-      result_.values[j][point] = result.outputs[output * count + i];
+      const Quantity& quantity = result_.study.selection.quantities[j];
+      for (std::size_t k = 0; k < quantity.width; ++k) {
+        result_.values[j][point * quantity.width + k] =
+            result.outputs[(quantity.output + k) * count + i];
+      }
     }
     const auto copy = [&](const std::vector<double>& from, std::size_t width,
                           std::vector<double>* to) {

@@ -20,11 +20,12 @@ struct EngineInfo {
 struct SweepResult {
   Study study;
   EngineInfo engine;
-  std::vector<std::uint8_t> status;         // [point], codes of kernels/sweep_types.h
-  std::vector<std::vector<double>> values;  // [quantity of study.selection][point]
-  std::vector<double> samples;              // [point][chosen state][sample]; empty without poincare
-  double steps = 0.0;                       // integration steps in all
-  double seconds = 0.0;                     // wall time of the computation
+  std::vector<std::uint8_t> status;  // [point], codes of kernels/sweep_types.h
+  // [quantity of study.selection][point * its width + i]
+  std::vector<std::vector<double>> values;
+  std::vector<double> samples;  // [point][chosen state][sample]; empty without poincare
+  double steps = 0.0;           // integration steps in all
+  double seconds = 0.0;         // wall time of the computation
 };
 
 }  // namespace gearsweep

@@ -8,10 +8,14 @@
 
 namespace gearsweep {
 
+// A count that is the model's number of states.
+constexpr int kPerState = -1;
+
 enum class ObservableKind {
   channel,  // one instance per state or signal; quantities are CHANNEL_suffix
   step,     // sees each step; quantities are NAME_suffix
   section,  // a series of values at phase 0; the quantity is NAME
+  tangent,  // sees the growth of tangent vectors; quantities are NAME or NAME_suffix
 };
 
 struct ObservableOutput {
@@ -24,7 +28,10 @@ struct ObservableOutput {
 struct Observable {
   std::string name;
   ObservableKind kind;
-  std::size_t accumulators;                 // numbers that it keeps for each point between rounds
+  int accumulators;  // numbers that it keeps for each point between rounds, or kPerState
+  int tangents;      // tangent vectors that it needs, or kPerState
+  // Name of the dimension of its outputs, one number for each state; empty: plain numbers.
+  std::string dimension;
   std::vector<std::string> needed_signals;  // what a model must offer
   std::vector<ObservableOutput> outputs;
 };

@@ -37,6 +37,7 @@ class OpenClEngine final : public Engine {
     program_ = build_program(context_, device, program_source(study), options_);
     settle_ = cl::Kernel(program_, "settle");
     record_ = cl::Kernel(program_, "record");
+    if (study.selection.tangent_count() > 0) align_ = cl::Kernel(program_, "align");
     finish_ = cl::Kernel(program_, "finish");
     series_bytes_per_point_ =
         study.selection.poincare.size() * study.integrate.record * scalar_bytes();
@@ -68,7 +69,7 @@ class OpenClEngine final : public Engine {
  private:
   // The device's side of one tile.
   struct Buffers {
-    cl::Buffer state, accumulators, series, outputs;
+    cl::Buffer state, tangents, accumulators, series, outputs;
   };
 
   std::size_t scalar_bytes() const { return fp64_ ? sizeof(double) : sizeof(float); }
@@ -144,21 +145,30 @@ class OpenClEngine final : public Engine {
     Buffers buffers;
     buffers.state =
         upload(pack(spread_states(initial, state_count, slots), fp64_), CL_MEM_READ_WRITE);
+    buffers.tangents = upload(pack(first_tangents(study, slot_count), fp64_), CL_MEM_READ_WRITE);
     buffers.accumulators = allocate(study.selection.accumulator_count() * slot_count);
     buffers.outputs = allocate(study.selection.output_count() * slot_count);
     buffers.series =
         allocate(study.selection.poincare.size() * study.integrate.record * slot_count);
-    for (cl::Kernel* kernel : {&settle_, &record_}) {
+    const bool with_tangents = study.selection.tangent_count() > 0;
+    for (cl::Kernel* kernel : {&settle_, &align_, &record_}) {
+      if (kernel == &align_ && !with_tangents) continue;
       cl_uint argument = 1;
       for (const cl::Buffer& input : inputs) kernel->setArg(argument++, input);
       kernel->setArg(argument++, buffers.state);
       if (kernel == &settle_) continue;
+      kernel->setArg(argument++, buffers.tangents);
+      if (kernel == &align_) continue;
       kernel->setArg(argument++, buffers.accumulators);
       kernel->setArg(argument++, buffers.series);
     }
 
-    if (!run_rounds(settle_, study.integrate, slots.items(), study.integrate.settle,
+    const std::size_t aligned =
+        with_tangents ? std::min(study.integrate.warm_up, study.integrate.settle) : 0;
+    if (!run_rounds(settle_, study.integrate, slots.items(), study.integrate.settle - aligned,
                     steps_per_period, after_round) ||
+        !run_rounds(align_, study.integrate, slots.items(), aligned, steps_per_period,
+                    after_round) ||
         !run_rounds(record_, study.integrate, slots.items(), study.integrate.record,
                     steps_per_period, after_round)) {
       return std::nullopt;
@@ -216,7 +226,7 @@ class OpenClEngine final : public Engine {
   cl::Context context_;
   cl::CommandQueue queue_;
   cl::Program program_;
-  cl::Kernel settle_, record_, finish_;
+  cl::Kernel settle_, align_, record_, finish_;
 };
 
 }  // namespace

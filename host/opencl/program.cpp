@@ -48,6 +48,8 @@ void write_observers(const Study& study, std::ostream& out) {
     if (observer.observable->kind == ObservableKind::channel) {
       channels.insert(observer.channel);
       list += fmt::format(" CHANNEL({0}, {1}, VALUE_{1})", kind, observer.channel);
+    } else if (observer.observable->kind == ObservableKind::tangent) {
+      list += fmt::format(" TANGENT({})", kind);
     } else {
       list += fmt::format(" STEP({})", kind);
     }
@@ -56,7 +58,8 @@ void write_observers(const Study& study, std::ostream& out) {
     out << fmt::format("#define VALUE_{}(sample) {}\n", channel,
                        channel_value(*study.model, channel));
   }
-  out << "#define OBSERVERS(CHANNEL, STEP)" << list << '\n';
+  out << "#define OBSERVERS(CHANNEL, STEP, TANGENT)" << list << '\n';
+  out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   if (study.selection.poincare.empty()) return;
   out << "#define POINCARE_STATES(X)";
   for (const std::size_t state : study.selection.poincare) {

@@ -41,6 +41,10 @@ std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64);
 // [parameter axis][slot]: the swept parameters, in the order of the study's axes.
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
 
+// [vector][state][slot]: the tangent vectors at the start. One alone leans on all states, several
+// are the unit vectors.
+std::vector<double> first_tangents(const Study& study, std::size_t slot_count);
+
 // [state][slot] from [point of the tile][state].
 std::vector<double> spread_states(const std::vector<double>& states, std::size_t state_count,
                                   const Slots& slots);

@@ -28,7 +28,7 @@ bool model_has_signals(const Model& model, const Observable& observable) {
 }
 
 // The offers of one observable: once for each channel, or once.
-void add_offers(const Observable& observable, const ChannelInfo& channel,
+void add_offers(const Observable& observable, const ChannelInfo& channel, std::size_t state_count,
                 std::vector<Offer>* offers) {
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
@@ -40,6 +40,8 @@ void add_offers(const Observable& observable, const ChannelInfo& channel,
     quantity.meaning =
         per_channel ? fmt::format("{}: {}", channel.meaning, output.meaning) : output.meaning;
     quantity.flags = output.flags;
+    quantity.dimension = observable.dimension;
+    if (!observable.dimension.empty()) quantity.width = state_count;
     offers->push_back({quantity, {&observable, per_channel ? channel.name : "", i}});
   }
 }
@@ -49,25 +51,37 @@ std::vector<Offer> offers_of(const Model& model) {
   for (const Observable& observable : observables()) {
     if (!model_has_signals(model, observable)) continue;
     if (observable.kind != ObservableKind::channel) {
-      add_offers(observable, {}, &offers);
+      add_offers(observable, {}, model.states.size(), &offers);
       continue;
     }
-    for (const ChannelInfo& state : model.states) add_offers(observable, state, &offers);
-    for (const ChannelInfo& signal : model.signals) add_offers(observable, signal, &offers);
+    for (const ChannelInfo& state : model.states) {
+      add_offers(observable, state, model.states.size(), &offers);
+    }
+    for (const ChannelInfo& signal : model.signals) {
+      add_offers(observable, signal, model.states.size(), &offers);
+    }
   }
   return offers;
 }
 
+std::size_t resolve_count(int count, std::size_t states) {
+  return count == kPerState ? states : static_cast<std::size_t>(count);
+}
+
 // Index of the first output of an observer, which is added when the selection has it not yet.
-std::size_t first_output_of(const Source& source, Selection* selection) {
+std::size_t first_output_of(const Source& source, std::size_t states, Selection* selection) {
   std::size_t first = 0;
   for (const Observer& observer : selection->observers) {
     if (observer.observable == source.observable && observer.channel == source.channel) {
       return first;
     }
-    first += observer.observable->outputs.size();
+    first += observer.outputs;
   }
-  selection->observers.push_back({source.observable, source.channel});
+  const Observable& observable = *source.observable;
+  selection->observers.push_back(
+      {&observable, source.channel, resolve_count(observable.accumulators, states),
+       observable.outputs.size() * (observable.dimension.empty() ? 1 : states),
+       resolve_count(observable.tangents, states)});
   return first;
 }
 
@@ -95,20 +109,29 @@ std::vector<std::size_t> find_states(const Model& model, const std::vector<std::
 
 std::size_t Selection::output_count() const {
   std::size_t count = 0;
-  for (const Observer& observer : observers) count += observer.observable->outputs.size();
+  for (const Observer& observer : observers) count += observer.outputs;
   return count;
 }
 
 std::size_t Selection::accumulator_count() const {
   std::size_t count = 0;
-  for (const Observer& observer : observers) count += observer.observable->accumulators;
+  for (const Observer& observer : observers) count += observer.accumulators;
+  return count;
+}
+
+std::size_t Selection::tangent_count() const {
+  std::size_t count = 0;
+  for (const Observer& observer : observers) count = std::max(count, observer.tangents);
   return count;
 }
 
 std::vector<Quantity> offered_quantities(const Model& model) {
   std::vector<Quantity> out;
   for (const Offer& offer : offers_of(model)) out.push_back(offer.quantity);
-  out.push_back({"status", "", "why the point ended", {}, 0});
+  Quantity status;
+  status.name = "status";
+  status.meaning = "why the point ended";
+  out.push_back(status);
   return out;
 }
 
@@ -137,8 +160,8 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       continue;
     }
     Quantity quantity = offer->quantity;
-    quantity.output =
-        first_output_of(offer->source, &selection) + offer->source.output_in_observable;
+    quantity.output = first_output_of(offer->source, model.states.size(), &selection) +
+                      offer->source.output_in_observable * quantity.width;
     selection.quantities.push_back(quantity);
   }
   return selection;

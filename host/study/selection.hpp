@@ -14,6 +14,8 @@ namespace gearsweep {
 struct Observer {
   const Observable* observable = nullptr;
   std::string channel;
+  // Numbers for each point, with the model's number of states put in.
+  std::size_t accumulators = 0, outputs = 0, tangents = 0;
 };
 
 // One map.
@@ -21,15 +23,18 @@ struct Quantity {
   std::string name, unit, meaning;
   std::vector<std::string> flags;  // class names when the value is a class
   std::size_t output = 0;          // index among the outputs of all observers, in their order
+  std::size_t width = 1;           // numbers for each point, next to each other among the outputs
+  std::string dimension;           // the name of what they stand along; empty when width = 1
 };
 
 struct Selection {
-  std::vector<Observer> observers;    // those of kind channel and step
+  std::vector<Observer> observers;    // all but poincare
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
 
   std::size_t output_count() const;       // of all observers
   std::size_t accumulator_count() const;  // of all observers
+  std::size_t tangent_count() const;      // tangent vectors that suffice for all observers
 };
 
 // Every quantity that a model offers, `poincare` and `status` included.

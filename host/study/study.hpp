@@ -43,6 +43,7 @@ struct Integrate {
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
   std::size_t settle = 400;          // periods
   std::size_t record = 200;          // periods
+  std::size_t warm_up = 100;         // last periods of settle that tangent vectors are turned in
   EngineKind engine = EngineKind::opencl;
   std::size_t lanes = 0;       // points per work-item
   std::size_t tile = 0;        // points per tile

@@ -163,8 +163,8 @@ SHARED_FN real gear5_penetration(real deflection, real backlash) {
 // and what drives x1.
 SHARED_FN void gear5_motion(const ModelPoint* point, const PhaseCoefs* phase, const real* x, real f,
                             real rate, real drive, real* dx) {
-  // Q, 2 zeta G, mu C and 2 zeta mu H of the model equations: they do not wait for the state, and so
-  // the chain from one stage's velocities to the next stage's is short.
+  // Q, 2 zeta G, mu C and 2 zeta mu H of the model equations: they do not wait for the state, and
+  // so the chain from one stage's velocities to the next stage's is short.
   const real mesh_stiffness = phase->stiffness - point->friction * phase->lever;
   const real mesh_damping = point->normal_damping - point->sliding_damping * phase->lever_damping;
   const real slide_stiffness = point->friction * phase->slide;

@@ -1,0 +1,49 @@
+// Kaplan-Yorke dimension from all Lyapunov exponents: j + (l_1 + ... + l_j)/|l_(j+1)|, j the
+// greatest number of exponents whose sum is not negative (Kaplan and Yorke 1979). The phase is not
+// a state here: for a phase-driven model this is the dimension of the section.
+
+#define KAPLAN_YORKE_KIND tangent
+#define KAPLAN_YORKE_TANGENTS PER_STATE
+// X(suffix of the quantity's name, unit, flag meanings, meaning)
+#define KAPLAN_YORKE_OUTPUTS(X) X(, "1", "", "Kaplan-Yorke dimension of the section")
+
+enum { kaplan_yorke_accumulators = PER_STATE };
+
+#ifdef __OPENCL_VERSION__
+enum { kaplan_yorke_outputs = 1 };
+
+SHARED_FN void kaplan_yorke_init(real* sums) {
+  for (int j = 0; j < TANGENTS; ++j) sums[j] = 0;
+}
+
+SHARED_FN void kaplan_yorke_period(real* sums, const real* growth, real period, uint number,
+                                   uint record) {
+  for (int j = 0; j < TANGENTS; ++j) sums[j] += growth[j] / period;
+}
+
+SHARED_FN void kaplan_yorke_finish(const real* sums, uint record, real* out) {
+  const real zero = 0;
+  const real one = 1;
+  real sorted[TANGENTS];
+  for (int j = 0; j < TANGENTS; ++j) sorted[j] = sums[j];
+  // A short record may leave neighbours out of order.
+  for (int pass = 1; pass < TANGENTS; ++pass) {
+    for (int j = 0; j + 1 < TANGENTS; ++j) {
+      const real high = lane_max(sorted[j], sorted[j + 1]);
+      sorted[j + 1] = lane_min(sorted[j], sorted[j + 1]);
+      sorted[j] = high;
+    }
+  }
+  real dimension = 0;
+  real sum = 0;
+  real counting = 1;  // 0 once the sum has become negative
+  for (int j = 0; j < TANGENTS; ++j) {
+    const real next = sum + sorted[j];
+    const real part = lane_select(next < zero, sum / lane_abs(sorted[j]), one);
+    dimension = dimension + counting * part;
+    counting = lane_select(next < zero, zero, counting);
+    sum = next;
+  }
+  out[0] = dimension;
+}
+#endif

@@ -1,0 +1,56 @@
+// Largest Lyapunov exponent (natural logarithm, per dimensionless time) over the recorded periods,
+// and the standard error of the estimate from the spread of its means over 16 blocks of periods.
+// The phase's zero exponent is not counted.
+
+#define LYAPUNOV_MAX_KIND tangent
+#define LYAPUNOV_MAX_TANGENTS 1
+// X(suffix of the quantity's name, unit, flag meanings, meaning)
+#define LYAPUNOV_MAX_OUTPUTS(X)                                            \
+  X(, "varpi", "", "largest Lyapunov exponent")                            \
+  X(error, "varpi", "", "standard error of the largest Lyapunov exponent") \
+  X(per_period, "1", "", "largest Lyapunov exponent times the forcing period")
+
+enum {
+  lyapunov_max_sum,      // of the periods' rates of growth
+  lyapunov_max_growth,   // of the periods' growths
+  lyapunov_max_block,    // of the rates in the running block
+  lyapunov_max_origin,   // mean rate of the first block
+  lyapunov_max_offsets,  // sum of the blocks' means less the first
+  lyapunov_max_squares,  // and of their squares
+  lyapunov_max_accumulators
+};
+
+#ifdef __OPENCL_VERSION__
+enum { lyapunov_max_outputs = LYAPUNOV_MAX_OUTPUTS(COUNT_OUTPUT), lyapunov_max_blocks = 16 };
+
+SHARED_FN void lyapunov_max_init(real* sums) {
+  for (int i = 0; i < lyapunov_max_accumulators; ++i) sums[i] = 0;
+}
+
+// growth: logarithm of how far each tangent vector grew in the period of this number.
+SHARED_FN void lyapunov_max_period(real* sums, const real* growth, real period, uint number,
+                                   uint record) {
+  const uint block = max(record / lyapunov_max_blocks, 1u);
+  const real rate = growth[0] / period;
+  sums[lyapunov_max_sum] += rate;
+  sums[lyapunov_max_growth] += growth[0];
+  sums[lyapunov_max_block] += rate;
+  if ((number + 1) % block != 0) return;
+  const real mean = sums[lyapunov_max_block] / (scalar)(block);
+  if (number + 1 == block) sums[lyapunov_max_origin] = mean;
+  const real offset = mean - sums[lyapunov_max_origin];
+  sums[lyapunov_max_offsets] += offset;
+  sums[lyapunov_max_squares] += offset * offset;
+  sums[lyapunov_max_block] = 0;
+}
+
+// The error is not a number when there is only one block.
+SHARED_FN void lyapunov_max_finish(const real* sums, uint record, real* out) {
+  const scalar blocks = (scalar)(record / max(record / lyapunov_max_blocks, 1u));
+  const real mean = sums[lyapunov_max_offsets] / blocks;
+  const real variance = lane_max(sums[lyapunov_max_squares] / blocks - mean * mean, (real)(0));
+  out[0] = sums[lyapunov_max_sum] / (scalar)(record);
+  out[1] = lane_sqrt(variance / (blocks - 1));
+  out[2] = sums[lyapunov_max_growth] / (scalar)(record);
+}
+#endif

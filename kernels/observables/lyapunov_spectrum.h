@@ -1,0 +1,28 @@
+// All Lyapunov exponents (natural logarithm, per dimensionless time) over the recorded periods, the
+// largest first as far as the record suffices to tell them apart. The phase's zero exponent is not
+// counted.
+
+#define LYAPUNOV_SPECTRUM_KIND tangent
+#define LYAPUNOV_SPECTRUM_TANGENTS PER_STATE
+#define LYAPUNOV_SPECTRUM_DIMENSION "exponent"
+// X(suffix of the quantity's name, unit, flag meanings, meaning)
+#define LYAPUNOV_SPECTRUM_OUTPUTS(X) X(, "varpi", "", "Lyapunov exponents")
+
+enum { lyapunov_spectrum_accumulators = PER_STATE };
+
+#ifdef __OPENCL_VERSION__
+enum { lyapunov_spectrum_outputs = PER_STATE };
+
+SHARED_FN void lyapunov_spectrum_init(real* sums) {
+  for (int j = 0; j < TANGENTS; ++j) sums[j] = 0;
+}
+
+SHARED_FN void lyapunov_spectrum_period(real* sums, const real* growth, real period, uint number,
+                                        uint record) {
+  for (int j = 0; j < TANGENTS; ++j) sums[j] += growth[j] / period;
+}
+
+SHARED_FN void lyapunov_spectrum_finish(const real* sums, uint record, real* out) {
+  for (int j = 0; j < TANGENTS; ++j) out[j] = sums[j] / (scalar)(record);
+}
+#endif
