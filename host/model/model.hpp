@@ -48,6 +48,8 @@ class PreparedPoint {
   virtual double period() const = 0;
   // dx = dx/dtau; coefs: one row of phase coefficients; x, dx: one number per state.
   virtual void rhs(const double* coefs, const double* x, double* dx) const = 0;
+  // out: row-major, out[i * states + j] = d(dx_i/dtau)/dx_j, from the model's own derivatives.
+  virtual void jacobian(const double* coefs, const double* x, double* out) const = 0;
   // out: one number per signal.
   virtual void signals(const double* coefs, const double* x, double* out) const = 0;
 };
