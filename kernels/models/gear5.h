@@ -159,25 +159,38 @@ SHARED_FN real gear5_penetration(real deflection, real backlash) {
   return deflection - lane_clamp(deflection, -backlash, backlash);
 }
 
+// How the mesh acts on the shafts: Q, 2 zeta G, B, mu C and 2 zeta mu H of the model equations.
+typedef struct {
+  real stiffness, damping;  // on x1
+  real normal_stiffness;    // along the line of action; its damping is 4 zeta
+  real slide_stiffness, slide_damping;
+} Gear5Mesh;
+
+// None of it waits for the state, and so the chain from one stage's velocities to the next stage's
+// is short.
+SHARED_FN Gear5Mesh gear5_mesh(const ModelPoint* point, const PhaseCoefs* phase) {
+  Gear5Mesh mesh;
+  mesh.stiffness = phase->stiffness - point->friction * phase->lever;
+  mesh.damping = point->normal_damping - point->sliding_damping * phase->lever_damping;
+  mesh.normal_stiffness = phase->stiffness;
+  mesh.slide_stiffness = point->friction * phase->slide;
+  mesh.slide_damping = point->sliding_damping * phase->slide_damping;
+  return mesh;
+}
+
 // The equations of motion, linear in all but f: dx from x, the penetration f, the deflection's rate
 // and what drives x1.
-SHARED_FN void gear5_motion(const ModelPoint* point, const PhaseCoefs* phase, const real* x, real f,
+SHARED_FN void gear5_motion(const ModelPoint* point, const Gear5Mesh* mesh, const real* x, real f,
                             real rate, real drive, real* dx) {
-  // Q, 2 zeta G, mu C and 2 zeta mu H of the model equations: they do not wait for the state, and
-  // so the chain from one stage's velocities to the next stage's is short.
-  const real mesh_stiffness = phase->stiffness - point->friction * phase->lever;
-  const real mesh_damping = point->normal_damping - point->sliding_damping * phase->lever_damping;
-  const real slide_stiffness = point->friction * phase->slide;
-  const real slide_damping = point->sliding_damping * phase->slide_damping;
-  const real normal = phase->stiffness * f + point->normal_damping * rate;
-  const real sliding = slide_stiffness * f + slide_damping * rate;
+  const real normal = mesh->normal_stiffness * f + point->normal_damping * rate;
+  const real sliding = mesh->slide_stiffness * f + mesh->slide_damping * rate;
 
   dx[STATE_x1] = x[STATE_v1];
   dx[STATE_x2] = x[STATE_v2];
   dx[STATE_x3] = x[STATE_v3];
   dx[STATE_x4] = x[STATE_v4];
   dx[STATE_x5] = x[STATE_v5];
-  dx[STATE_v1] = drive - mesh_stiffness * f - mesh_damping * rate;
+  dx[STATE_v1] = drive - mesh->stiffness * f - mesh->damping * rate;
   dx[STATE_v2] = -(point->mass_p * sliding + point->bearing_damping[0] * x[STATE_v2] +
                    point->bearing_stiffness[0] * x[STATE_x2]);
   dx[STATE_v3] = point->mass_p * normal - (point->bearing_damping[1] * x[STATE_v3] +
@@ -194,13 +207,16 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
   const real f = gear5_penetration(deflection, gear5_backlash(point, phase, x));
-  gear5_motion(point, phase, x, f, rate, point->load + point->forcing * phase->sine, dx);
+  const Gear5Mesh mesh = gear5_mesh(point, phase);
+  gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
 }
 
-// What the Jacobian holds of the state: df = contact dD - wedge_u d(x4 - x2) - wedge_v d(x3 - x5).
+// What the Jacobian holds of the phase and the state, worked out once for all tangent vectors: the
+// mesh, its stiffness 0 in the gap, and how the backlash at work follows the shafts:
+// df = dD - wedge_u d(x4 - x2) - wedge_v d(x3 - x5) on either flank.
 typedef struct {
-  real contact;           // 1 on either flank, 0 in the gap
-  real wedge_u, wedge_v;  // how the backlash at work follows the shafts; unused when constant
+  Gear5Mesh mesh;
+  real wedge_u, wedge_v;  // unused with constant backlash
 } ModelLinear;
 
 // The field is continuous at D = +-b', so no jump of the tangent is needed there.
@@ -210,30 +226,34 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
   const real one = 1;
   const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
   const real backlash = gear5_backlash(point, phase, x);
-  linear->contact = lane_select(backlash < lane_abs(deflection), one, zero);
+  const real contact = lane_select(backlash < lane_abs(deflection), one, zero);
+  linear->mesh = gear5_mesh(point, phase);
+  linear->mesh.stiffness = contact * linear->mesh.stiffness;
+  linear->mesh.normal_stiffness = contact * linear->mesh.normal_stiffness;
+  linear->mesh.slide_stiffness = contact * linear->mesh.slide_stiffness;
   linear->wedge_u = zero;
   linear->wedge_v = zero;
   if (!point->dynamic) return;
   const real u = point->centre * phase->cos_alpha + (x[STATE_x4] - x[STATE_x2]);
   const real v = point->centre * phase->sin_alpha + (x[STATE_x3] - x[STATE_x5]);
-  const real flank = lane_select(zero < deflection, linear->contact, -linear->contact);
+  const real flank = lane_select(zero < deflection, one, -one);
   const real slope = flank * phase->tan_alpha / lane_sqrt(u * u + v * v);
   linear->wedge_u = slope * u;
   linear->wedge_v = slope * v;
 }
 
-// dw = J w, J the Jacobian at the state that `linear` was made from.
+// dw = J w, J the Jacobian at the state and phase that `linear` was made from.
 SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
                              const ModelLinear* linear, const real* w, real* dw) {
+  (void)phase;  // `linear` holds all that is needed of it
   const real zero = 0;
-  const real deflection = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
   const real rate = gear5_deflection(point, w[STATE_v1], w[STATE_v3], w[STATE_v5]);
-  real f = linear->contact * deflection;
+  real f = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
   if (point->dynamic) {
     f = f - (linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) +
              linear->wedge_v * (w[STATE_x3] - w[STATE_x5]));
   }
-  gear5_motion(point, phase, w, f, rate, zero, dw);
+  gear5_motion(point, &linear->mesh, w, f, rate, zero, dw);
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
