@@ -43,6 +43,8 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
 #define lane_log(a) log(a)
+#define lane_sin(a) sin(a)
+#define lane_cos(a) cos(a)
 #define LANE_FN SHARED_FN
 
 #else
@@ -52,6 +54,8 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #define TABLE const
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
+#define lane_sin(a) sin(a)
+#define lane_cos(a) cos(a)
 #define LANE_FN         \
   template <class real> \
   static inline

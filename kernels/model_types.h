@@ -1,7 +1,7 @@
 // The types that every model has, made from its lists. A model file defines MODEL_STATES,
-// MODEL_PARAMETERS, MODEL_OPTIONS, MODEL_SIGNALS and MODEL_PHASE_COEFS, then includes this file,
-// then defines its functions. No include guard: the host includes each model into a namespace of
-// its own.
+// MODEL_PARAMETERS, MODEL_SIGNALS, MODEL_PHASE_COEFS and, when it has any, MODEL_OPTIONS, then
+// includes this file, then defines its functions. No include guard: the host includes each model
+// into a namespace of its own.
 
 #define MODEL_STATE_INDEX(name, unit, meaning) STATE_##name,
 #define MODEL_PARAMETER_FIELD(name, unit, value, least, greatest, shapes_phase, meaning) real name;
@@ -14,9 +14,16 @@ enum { MODEL_STATES(MODEL_STATE_INDEX) MODEL_STATE_COUNT };
 typedef struct {
   MODEL_PARAMETERS(MODEL_PARAMETER_FIELD)
 } ModelParameters;
+#ifdef MODEL_OPTIONS
 typedef struct {
   MODEL_OPTIONS(MODEL_OPTION_FIELD)
 } ModelOptions;
+#else
+#define MODEL_OPTIONS(X)
+typedef struct {
+  int none;  // a struct must have a member
+} ModelOptions;
+#endif
 typedef struct {
   MODEL_SIGNALS(MODEL_SIGNAL_FIELD)
 } ModelSignals;

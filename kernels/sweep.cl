@@ -4,10 +4,10 @@
 // The host writes selection.h for each study. It includes the model and the observables and defines
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
 //   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
-//   OBSERVERS(CHANNEL, STEP, TANGENT)  CHANNEL(observable, channel, value of it), STEP(observable)
-//   or
-//                                   TANGENT(observable)
+//   OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)  CHANNEL(observable, channel, value of it),
+//                                   STEP(observable), TANGENT(observable) or ORBIT(observable)
 //   TANGENTS                        tangent vectors that the observers need
+//   PERIOD_TOLERANCE, SETTLE_PERIODS  of the study; undefined when no observer is an ORBIT
 //   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
 //
 // Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
@@ -169,6 +169,15 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define TANGENT_STORE(kind) STEP_STORE(kind)
 #define TANGENT_FINISH(kind) STEP_FINISH(kind)
 
+#define ORBIT_DECLARE(kind) STEP_DECLARE(kind)
+#define ORBIT_INIT(kind) kind##_init(kind##_sums, x);
+#define ORBIT_UPDATE(kind)
+#define ORBIT_PERIOD(kind) \
+  kind##_period(kind##_sums, x, growth, point.period, round.recorded + period, round.record);
+#define ORBIT_LOAD(kind) STEP_LOAD(kind)
+#define ORBIT_STORE(kind) STEP_STORE(kind)
+#define ORBIT_FINISH(kind) STEP_FINISH(kind)
+
 // Each observer's accumulators follow those of the one before it.
 #define OBSERVER_MOVE(verb, buffer, count, values)              \
   verb##_components(buffer, items, item, first, count, values); \
@@ -196,7 +205,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   load_point(items, item, uniform, swept, &point);
   const SweepGrid grid = grids[item_grid[item]];
 
-  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE)
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE, ORBIT_DECLARE)
   Sample before;
   Sample after;
   real w[TANGENT_NUMBERS];
@@ -204,10 +213,10 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   if (round.recorded == 0) {
     take_sample(&point, stages + grid.first_stage, x, &before);
-    OBSERVERS(CHANNEL_INIT, STEP_INIT, TANGENT_INIT)
+    OBSERVERS(CHANNEL_INIT, STEP_INIT, TANGENT_INIT, ORBIT_INIT)
   } else {
     uint first = 0;
-    OBSERVERS(CHANNEL_LOAD, STEP_LOAD, TANGENT_LOAD)
+    OBSERVERS(CHANNEL_LOAD, STEP_LOAD, TANGENT_LOAD, ORBIT_LOAD)
   }
 
   for (uint period = 0; period < round.periods; ++period) {
@@ -222,13 +231,13 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
         tangent_step(&point, stage, h, x, w);
         stage += RK4_STAGES_PER_STEP;
         take_sample(&point, stage, x, &after);
-        OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE, TANGENT_UPDATE)
+        OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE, TANGENT_UPDATE, ORBIT_UPDATE)
         before = after;
       }
       stage += 1;
       tangent_orthonormalize(w, growth);
     }
-    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD)
+    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD, ORBIT_PERIOD)
     mark_diverged(x);
 #ifdef POINCARE_STATES
     poincare_section(series, round.recorded + period, items, item, x);
@@ -237,7 +246,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   uint first = 0;
-  OBSERVERS(CHANNEL_STORE, STEP_STORE, TANGENT_STORE)
+  OBSERVERS(CHANNEL_STORE, STEP_STORE, TANGENT_STORE, ORBIT_STORE)
 }
 
 // Turns accumulators into outputs, once all periods are recorded.
@@ -248,6 +257,6 @@ __kernel void finish(const SweepRound round, __global const real* accumulators,
   if (item >= items) return;
   uint first = 0;
   uint first_output = 0;
-  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE)
-  OBSERVERS(CHANNEL_FINISH, STEP_FINISH, TANGENT_FINISH)
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE, ORBIT_DECLARE)
+  OBSERVERS(CHANNEL_FINISH, STEP_FINISH, TANGENT_FINISH, ORBIT_FINISH)
 }

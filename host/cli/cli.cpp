@@ -27,6 +27,7 @@ void add_commands(CLI::App* app, int* status) {
   add_run_command(app, status);
   add_plot_command(app);
   add_export_command(app);
+  add_floquet_command(app);
   add_studies_command(app);
   add_model_command(app);
   add_devices_command(app);

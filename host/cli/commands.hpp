@@ -11,6 +11,7 @@ enum ExitStatus { kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130 };
 void add_run_command(CLI::App* app, int* status);
 void add_plot_command(CLI::App* app);
 void add_export_command(CLI::App* app);
+void add_floquet_command(CLI::App* app);
 void add_devices_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
 void add_model_command(CLI::App* app);

@@ -1,8 +1,10 @@
 #include "cli/progress_bar.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -11,21 +13,32 @@ namespace {
 
 constexpr double kBarEvery = 0.1;    // seconds
 constexpr double kLineEvery = 10.0;  // seconds
+constexpr double kWarmingUp = 1.0;   // seconds in which kernels may still be built
 
 // "1240 points/s, 3 s left"; what a journal gave does not count as speed.
 std::string describe_speed(const SweepProgress& progress) {
-  const auto points = static_cast<double>(progress.points);
-  const double resumed = static_cast<double>(progress.points_resumed) / points;
-  const double computed = progress.share - resumed;
-  if (computed <= 0.0 || progress.seconds <= 0.0) return "";
-  return fmt::format("{:.0f} points/s, {} left", computed * points / progress.seconds,
+  const double computed = progress.share - progress.share_resumed;
+  if (computed <= 0.0 || progress.seconds < kWarmingUp) return "";
+  return fmt::format("{:.0f} points/s, {} left",
+                     computed * static_cast<double>(progress.points) / progress.seconds,
                      format_duration(progress.seconds * (1.0 - progress.share) / computed));
 }
 
 }  // namespace
 
+namespace {
+
+int terminal_columns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+}  // namespace
+
 std::string format_duration(double seconds) {
-  const auto whole = static_cast<long>(std::ceil(seconds));
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const auto whole = std::lround(seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
@@ -37,6 +50,7 @@ void ProgressBar::show(const SweepProgress& progress) {
   const bool last = progress.points_done == progress.points;
   const double pause = on_terminal_ ? kBarEvery : kLineEvery;
   if (!last && progress.seconds - last_shown_ < pause) return;
+  if (!last && !on_terminal_ && progress.seconds < kWarmingUp) return;
   last_shown_ = progress.seconds;
   if (on_terminal_) {
     show_bar(progress);
@@ -51,10 +65,11 @@ void ProgressBar::close() {
 }
 
 void ProgressBar::show_bar(const SweepProgress& progress) {
-  constexpr int kWidth = 30;
-  const int full = static_cast<int>(progress.share * kWidth);
+  // The text beside the bar takes up to 45 columns.
+  const int width = std::clamp(terminal_columns() - 46, 0, 30);
+  const int full = static_cast<int>(progress.share * width);
   // The escape sequence clears what a longer line left behind.
-  fmt::print(stderr, "\r[{:=>{}}{:>{}}] {:5.1f} %  {}\033[K", "", full, "", kWidth - full,
+  fmt::print(stderr, "\r[{:=>{}}{:>{}}] {:5.1f} %  {}\033[K", "", full, "", width - full,
              100.0 * progress.share, describe_speed(progress));
   std::fflush(stderr);
   bar_open_ = true;

@@ -22,7 +22,7 @@ class ProgressBar {
   double last_shown_ = -1e9;  // seconds
 };
 
-// "3 s", "4 min 10 s", "2 h 05 min".
+// "0.4 s", "31 s", "4 min 10 s", "2 h 05 min".
 std::string format_duration(double seconds);
 
 }  // namespace gearsweep

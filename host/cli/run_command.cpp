@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
+#include "model/names.hpp"
 #include "model/version.hpp"
 
 namespace gearsweep {
@@ -24,13 +26,14 @@ struct RunArguments {
   std::optional<std::size_t> device;
   std::optional<std::size_t> lanes;
   std::vector<std::string> overrides;
+  bool restart = false;
   bool quiet = false;
   bool as_json = false;
 };
 
 // The command as it would be typed again.
 std::string command_line(const RunArguments& arguments, const std::string& output) {
-  std::string line = fmt::format("gearsweep run {} -o {}", arguments.study, output);
+  std::string line = fmt::format("gearsweep run '{}' -o '{}'", arguments.study, output);
   if (arguments.device) line += fmt::format(" --device {}", *arguments.device);
   for (const std::string& assignment : arguments.overrides) {
     line += fmt::format(" --set '{}'", assignment);
@@ -39,14 +42,39 @@ std::string command_line(const RunArguments& arguments, const std::string& outpu
 }
 
 std::string output_path(const RunArguments& arguments) {
-  if (!arguments.output.empty()) return arguments.output;
-  const std::string path = std::filesystem::path(arguments.study).stem().string() + ".nc";
+  std::string path = arguments.output;
+  if (path.empty()) path = std::filesystem::path(arguments.study).stem().string() + ".nc";
   std::error_code error;
   if (std::filesystem::equivalent(path, arguments.study, error)) {
-    throw InputError(fmt::format("{}: running a result file again needs another output: -o OUT.nc",
-                                 arguments.study));
+    throw InputError(
+        fmt::format("{}: the result would replace its own study; give another output: "
+                    "-o OUT.nc",
+                    arguments.study));
+  }
+  if (std::filesystem::is_regular_file(path, error) && !is_netcdf(path)) {
+    throw InputError(
+        fmt::format("{}: exists and is no result file; it would be lost: give another "
+                    "output, -o OUT.nc",
+                    path));
   }
   return path;
+}
+
+// A quantity to draw must be one that the study computes.
+void check_quantity(const Study& study, const std::string& quantity) {
+  const std::string name = quantity.substr(0, quantity.find(':'));
+  std::vector<std::string> known = {"status"};
+  for (const Quantity& candidate : study.selection.quantities) known.push_back(candidate.name);
+  if (!study.selection.poincare.empty()) known.push_back("poincare");
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw InputError(
+        fmt::format("-q {}: the study does not compute it{}", quantity, suggest_name(name, known)));
+  }
+}
+
+// Deletes the journal of an interrupted run.
+void discard_journal(const std::string& journal) {
+  for (const char* suffix : {"-journal", ""}) std::filesystem::remove(journal + suffix);
 }
 
 void warn_of_diverged(const SweepResult& result) {
@@ -64,17 +92,19 @@ int run(const RunArguments& given) {
   const std::string output = output_path(arguments);
   const std::string journal = output + ".journal";
   ensure_writable(output);
+  if (!arguments.quantity.empty()) check_quantity(study, arguments.quantity);
   if (!arguments.plot.empty()) ensure_plottable(arguments.plot);
+  if (arguments.restart) discard_journal(journal);
 
   const SignalWatch signals;
   ProgressBar bar;
-  double share = 0.0;
+  double kept = 0.0;
   SweepOptions options;
   options.device = arguments.device;
   options.journal_path = journal;
   options.stop = &signals.interrupted();
   options.on_progress = [&](const SweepProgress& progress) {
-    share = progress.share;
+    kept = progress.share_kept;
     if (!arguments.quiet) bar.show(progress);
   };
   options.deliver = [&](const SweepResult& result) {
@@ -83,10 +113,14 @@ int run(const RunArguments& given) {
   const std::optional<SweepResult> result = run_sweep(study, options);
   bar.close();
   if (!result) {
-    fmt::print(stderr,
-               "gearsweep: interrupted at {:.0f} %; what is finished is kept in {}: the same "
-               "command continues from there\n",
-               100.0 * share, journal);
+    if (kept == 0.0) {
+      fmt::print(stderr, "gearsweep: interrupted before anything was finished\n");
+    } else {
+      fmt::print(stderr,
+                 "gearsweep: interrupted; {:.0f} % are finished and kept in {}: the same "
+                 "command continues from there\n",
+                 100.0 * kept, journal);
+    }
     return kInterrupted;
   }
   warn_of_diverged(*result);
@@ -108,18 +142,26 @@ void add_run_command(CLI::App* app, int* status) {
       ->add_option("study", arguments->study,
                    "A study file, a built-in study, or a result file to compute again")
       ->required();
-  command->add_option("-o,--output", arguments->output,
-                      "The result file (default: the study's name with .nc)");
-  command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf");
-  command->add_option("-q,--quantity", arguments->quantity,
-                      "The quantity to draw (default: the study's first)");
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "The result file (default: the study's name with .nc)")
+      ->check([](const std::string& path) { return path.empty() ? "must not be empty" : ""; });
+  CLI::Option* plot =
+      command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf");
+  command
+      ->add_option("-q,--quantity", arguments->quantity,
+                   "The quantity to draw (default: the study's first)")
+      ->needs(plot);
+  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--lanes", arguments->lanes,
                       "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)");
   command
       ->add_option("--set", arguments->overrides,
                    "Override a key of the study, PATH=VALUE; may be given several times")
       ->allow_extra_args(false);
+  command->add_flag("--restart", arguments->restart,
+                    "Start afresh: discard what an interrupted run left in OUT.nc.journal");
   command->add_flag("--quiet", arguments->quiet, "No progress and no summary");
   command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
   command->footer(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <chrono>
 #include <cstdio>
 
 namespace gearsweep {
@@ -31,10 +32,17 @@ SignalWatch::SignalWatch() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   watcher_ = std::jthread([this, signals](const std::stop_token& stop) {
     const timespec pause = {0, 50'000'000};
+    auto first = std::chrono::steady_clock::now();
     while (!stop.stop_requested()) {
       const int signal_number = sigtimedwait(&signals, nullptr, &pause);
       if (signal_number < 0) continue;
-      if (interrupted_) die_by(signal_number);
+      const auto now = std::chrono::steady_clock::now();
+      if (interrupted_) {
+        // Some programs send a signal to the process and to its group: that is one request.
+        if (now - first > std::chrono::seconds(1)) die_by(signal_number);
+        continue;
+      }
+      first = now;
       interrupted_ = true;
       fmt::print(stderr, "\ngearsweep: finishing the running round; once more to stop at once\n");
     }

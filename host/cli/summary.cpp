@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "cli/progress_bar.hpp"
@@ -46,6 +47,90 @@ std::string describe_counts(const std::vector<Count>& counts) {
   return text;
 }
 
+// The map of a quantity; nullptr when the study has it not.
+const std::vector<double>* find_map(const SweepResult& result, const std::string& name) {
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    if (result.study.selection.quantities[i].name == name) return &result.values[i];
+  }
+  return nullptr;
+}
+
+// A set of points, and what to call it.
+struct Group {
+  std::string name;
+  std::function<bool(std::size_t point)> has;
+};
+
+// The kinds of motion: by motion_class, else by period.
+std::vector<Group> motion_groups(const SweepResult& result) {
+  std::vector<Group> groups;
+  const std::vector<double>* period = find_map(result, "period");
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const Quantity& quantity = result.study.selection.quantities[i];
+    if (quantity.name != "motion_class") continue;
+    const std::vector<double>& map = result.values[i];
+    for (std::size_t flag = 0; flag < quantity.flags.size(); ++flag) {
+      groups.push_back({quantity.flags[flag], [&map, flag](std::size_t point) {
+                          return map[point] == static_cast<double>(flag);
+                        }});
+    }
+    return groups;
+  }
+  if (period == nullptr) return {};
+  return {{"period 0", [period](std::size_t point) { return (*period)[point] == 0.0; }},
+          {"period > 0", [period](std::size_t point) { return (*period)[point] > 0.0; }}};
+}
+
+// What the largest Lyapunov exponent and the 0-1 test say, as far as the study has them. An
+// exponent has a sign when it differs from zero by more than three of its errors.
+std::vector<Group> verdict_groups(const SweepResult& result) {
+  std::vector<Group> groups;
+  const std::vector<double>* exponent = find_map(result, "lyapunov_max");
+  const std::vector<double>* error = find_map(result, "lyapunov_max_error");
+  const std::vector<double>* zero_one = find_map(result, "zero_one");
+  if (exponent != nullptr) {
+    const auto sign = [exponent, error](std::size_t point) {
+      const double margin = error == nullptr ? 0.0 : 3.0 * (*error)[point];
+      const double value = (*exponent)[point];
+      return std::abs(value) > margin ? std::copysign(1.0, value) : 0.0;
+    };
+    groups.push_back({"exponent < 0", [sign](std::size_t point) { return sign(point) < 0.0; }});
+    groups.push_back({"= 0", [sign](std::size_t point) { return sign(point) == 0.0; }});
+    groups.push_back({"> 0", [sign](std::size_t point) { return sign(point) > 0.0; }});
+  }
+  if (zero_one != nullptr) {
+    groups.push_back(
+        {"0-1 test < 0.5", [zero_one](std::size_t point) { return (*zero_one)[point] < 0.5; }});
+    groups.push_back(
+        {">= 0.5", [zero_one](std::size_t point) { return (*zero_one)[point] >= 0.5; }});
+  }
+  return groups;
+}
+
+// How the kinds of motion agree with other verdicts: one row for each kind; empty when the study
+// has only one of the two.
+std::string describe_agreement(const SweepResult& result) {
+  const std::vector<Group> rows = motion_groups(result);
+  const std::vector<Group> columns = verdict_groups(result);
+  if (rows.empty() || columns.empty()) return "";
+  std::string text = fmt::format("{:16}", "points");
+  for (const Group& column : columns) text += fmt::format("  {:>12}", column.name);
+  text += '\n';
+  for (const Group& row : rows) {
+    text += fmt::format("  {:14}", row.name);
+    for (const Group& column : columns) {
+      std::size_t count = 0;
+      for (std::size_t point = 0; point < result.status.size(); ++point) {
+        const bool counts = result.status[point] == STATUS_ok;
+        count += counts && row.has(point) && column.has(point) ? 1 : 0;
+      }
+      text += fmt::format("  {:>12}", count);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 nlohmann::json counts_as_json(const std::vector<Count>& counts) {
   nlohmann::json json = nlohmann::json::object();
   for (const Count& count : counts) json[count.name] = count.points;
@@ -63,6 +148,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{}: {}\n", quantity.name,
                         describe_counts(count_classes(quantity, result.values[i])));
   }
+  text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
   if (result.steps > 0.0) {
     text += fmt::format(", {:.3g} steps, {:.1f} M steps/s", result.steps,

@@ -22,6 +22,8 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
   const std::size_t count = tile.points.size();
   const std::size_t series = result.samples.size() / count;
   const std::size_t states = result.final_states.size() / count;
+  result_.steps += result.effort[0];
+  result_.seconds += result.effort[1];
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t point = tile.points[i];
     result_.status[point] = result.status[i];

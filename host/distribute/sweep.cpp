@@ -24,6 +24,14 @@ std::string fingerprint(const Study& study, const EngineInfo& engine, std::size_
                      engine.driver, engine.macros, tile_points);
 }
 
+// Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
+// starve the engine.
+std::size_t tile_size(const Study& study, const Engine& engine) {
+  constexpr std::size_t kTiles = 32;
+  if (study.integrate.tile > 0) return study.integrate.tile;
+  return std::clamp(study.points() / kTiles, engine.least_tile(), engine.preferred_tile());
+}
+
 // Counts what is done and tells the caller.
 class Progress {
  public:
@@ -34,7 +42,6 @@ class Progress {
 
   // false when the sweep is to stop. `steps` of the running tile are done.
   bool round(double steps) {
-    steps_ += steps;
     partial_ += steps;
     tell();
     return options_.stop == nullptr || !*options_.stop;
@@ -44,11 +51,14 @@ class Progress {
     done_ += tile.work;
     partial_ = 0.0;
     progress_.points_done += tile.points.size();
-    if (resumed) progress_.points_resumed += tile.points.size();
+    progress_.share_kept = done_ / total_;
+    if (resumed) {
+      progress_.points_resumed += tile.points.size();
+      progress_.share_resumed += tile.work / total_;
+    }
     tell();
   }
 
-  double steps() const { return steps_; }
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -61,11 +71,25 @@ class Progress {
     if (options_.on_progress) options_.on_progress(progress_);
   }
 
-  double total_, done_ = 0.0, partial_ = 0.0, steps_ = 0.0;
+  double total_, done_ = 0.0, partial_ = 0.0;
   SweepProgress progress_;
   const SweepOptions& options_;
   std::chrono::steady_clock::time_point start_;
 };
+
+// A tile's result with what it took; nothing when stopped.
+std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
+                                       const std::vector<double>& initial, Engine* engine,
+                                       Progress* progress) {
+  double steps = 0.0;
+  const double start = progress->seconds();
+  std::optional<TileResult> result = engine->compute(plan, tile, initial, [&](double round_steps) {
+    steps += round_steps;
+    return progress->round(round_steps);
+  });
+  if (result) result->effort = {steps, progress->seconds() - start};
+  return result;
+}
 
 // Computes every tile that the journal does not have; false when stopped.
 bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine, Journal* journal,
@@ -78,8 +102,7 @@ bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine
       if (journal != nullptr) result = journal->find(number);
       const bool resumed = result.has_value();
       if (!resumed) {
-        result = engine->compute(plan, tile, assembly->initial_states(plan, tile),
-                                 [&](double steps) { return progress->round(steps); });
+        result = compute_tile(plan, tile, assembly->initial_states(plan, tile), engine, progress);
         if (!result) return false;
         if (journal != nullptr) journal->store(number, *result);
       }
@@ -95,8 +118,7 @@ bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine
 
 std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& options) {
   const std::unique_ptr<Engine> engine = make_engine(study, options.device);
-  const std::size_t tile_points =
-      study.integrate.tile > 0 ? study.integrate.tile : engine->preferred_tile();
+  const std::size_t tile_points = tile_size(study, *engine);
   const Plan plan(study, tile_points);
   std::optional<Journal> journal;
   if (!options.journal_path.empty()) {
@@ -107,12 +129,11 @@ std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& opt
   Assembly assembly(study);
   if (!compute_tiles(plan, options, engine.get(), journal ? &*journal : nullptr, &progress,
                      &assembly)) {
+    if (journal && journal->finished_tiles() == 0) journal->remove();
     return std::nullopt;
   }
   SweepResult result = assembly.take();
   result.engine = engine->info();
-  result.steps = progress.steps();
-  result.seconds = progress.seconds();
   if (options.deliver) options.deliver(result);
   if (journal) journal->remove();
   return result;

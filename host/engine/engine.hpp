@@ -17,6 +17,7 @@ struct TileResult {
   std::vector<double> outputs;       // [output of the selection][point]
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
+  std::vector<double> effort;        // integration steps, seconds; the driver measures it
 };
 
 // Called after each round with the integration steps that it took; false asks the engine to stop.
@@ -26,7 +27,9 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual EngineInfo info() const = 0;
-  // Points per tile that suit this engine, when the study does not say.
+  // Points per tile when the study does not say: what keeps the engine busy, and what suits it
+  // best.
+  virtual std::size_t least_tile() const = 0;
   virtual std::size_t preferred_tile() const = 0;
   // initial: [point][state]. Nothing when the callback asked to stop. Throws RunError.
   virtual std::optional<TileResult> compute(const Plan& plan, const Tile& tile,

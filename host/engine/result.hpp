@@ -24,8 +24,9 @@ struct SweepResult {
   // [quantity of study.selection][point * its width + i]
   std::vector<std::vector<double>> values;
   std::vector<double> samples;  // [point][chosen state][sample]; empty without poincare
-  double steps = 0.0;           // integration steps in all
-  double seconds = 0.0;         // wall time of the computation
+  // Of all tiles, those of an interrupted run that this one continued included.
+  double steps = 0.0;    // integration steps in all
+  double seconds = 0.0;  // wall time of the computation
 };
 
 }  // namespace gearsweep

@@ -52,17 +52,15 @@ class CsvText {
 std::string csv_of(const ResultMap& map) {
   CsvText csv;
   for (const ResultAxis& axis : map.axes) csv.add_name(axis.name);
-  const bool has_samples = !map.states.empty();
-  const std::size_t columns = has_samples ? map.states.size() : 1;
-  if (has_samples) csv.add_name("sample");
-  for (const ChannelInfo& state : map.states) csv.add_name("poincare_" + state.name);
-  if (!has_samples) csv.add_name(map.name);
+  const std::size_t columns = map.part_count();
+  if (map.is_poincare()) csv.add_name("sample");
+  for (const std::string& name : map.column_names()) csv.add_name(name);
   csv.end_row();
   for (std::size_t point = 0; point < map.points(); ++point) {
     const std::vector<double> place = coordinates(map, point);
     for (std::size_t sample = 0; sample < map.samples; ++sample) {
       for (const double coordinate : place) csv.add_number(coordinate);
-      if (has_samples) csv.add_number(static_cast<double>(sample + 1));
+      if (map.is_poincare()) csv.add_number(static_cast<double>(sample + 1));
       for (std::size_t column = 0; column < columns; ++column) {
         csv.add_number(map.values[(point * columns + column) * map.samples + sample]);
       }
@@ -76,9 +74,10 @@ std::string npy_header(const ResultMap& map) {
   const char* real = std::endian::native == std::endian::little ? "<f8" : ">f8";
   std::string fields;
   for (const ResultAxis& axis : map.axes) fields += fmt::format("('{}', '{}'), ", axis.name, real);
-  fields += map.states.empty()
-                ? fmt::format("('{}', '{}')", map.name, real)
-                : fmt::format("('poincare', '{}', ({}, {}))", real, map.states.size(), map.samples);
+  std::string part_shape;
+  if (!map.parts.empty()) part_shape = fmt::format(", ({},)", map.parts.size());
+  if (map.is_poincare()) part_shape = fmt::format(", ({}, {})", map.parts.size(), map.samples);
+  fields += fmt::format("('{}', '{}'{})", map.name.substr(0, map.name.find(':')), real, part_shape);
   std::string shape;
   for (auto axis = map.axes.rbegin(); axis != map.axes.rend(); ++axis) {
     shape += fmt::format("{}, ", axis->values.size());

@@ -96,6 +96,10 @@ Picture read_picture(const PlotRequest& request) {
   const bool one_axis = cut || file.axes().size() == 1;
   Picture picture;
   picture.map = file.read(chosen_quantity(file, request.quantity, one_axis), cut);
+  if (!one_axis && picture.map.part_count() > 1) {
+    const std::string first = picture.map.parts.front().name;
+    picture.map = file.read(fmt::format("{}:{}", picture.map.name, first), cut);
+  }
   picture.missing = find_missing(picture.map, file.read("status", cut));
   picture.title = file.title();
   if (cut) {
@@ -108,7 +112,7 @@ Picture read_picture(const PlotRequest& request) {
 
 PlotScript draw(const Picture& picture) {
   if (picture.map.axes.size() == 2) return draw_heat_map(picture);
-  return picture.map.states.empty() ? draw_curve(picture) : draw_bifurcation(picture);
+  return picture.map.is_poincare() ? draw_bifurcation(picture) : draw_curve(picture);
 }
 
 // The lines before the picture's own: where its files are and where the picture goes.

@@ -10,7 +10,8 @@ namespace gearsweep {
 struct PlotRequest {
   std::string result_path;
   // As for ResultFile::read; empty: along one axis `poincare`, where the file has it, otherwise the
-  // first map. `poincare` means its first state.
+  // first map. `poincare` means its first state; over two axes a quantity of several numbers means
+  // the first of them.
   std::string quantity;
   std::string output_path;  // ends in .png, .svg or .pdf
   // Ends in .gp when not empty: the gnuplot script is kept there, and its data beside it under
@@ -23,7 +24,7 @@ struct PlotRequest {
 // Throws InputError when no picture can be put there: the ending or the place will not do.
 void ensure_plottable(const std::string& output_path);
 
-// Draws a heat map of two axes, a curve of one, or a bifurcation diagram of `poincare` over one.
+// Draws a heat map of two axes, curves of one, or a bifurcation diagram of `poincare` over one.
 // The picture appears whole or not at all. Throws InputError when the request does not fit the file
 // or cannot be written, RunError when gnuplot is not installed or fails.
 void plot_map(const PlotRequest& request);

@@ -67,7 +67,7 @@ void draw_dots(const ResultMap& map, const ValueRange& range, PlotScript* script
 PlotScript draw_bifurcation(const Picture& picture) {
   const ResultMap& map = picture.map;
   const ValueRange range = padded_range(map.values);
-  const ChannelInfo& state = map.states.front();
+  const ChannelInfo& state = map.parts.front();
   PlotScript script;
   script.text = frame(picture) + axis_lines('x', map.axes[0]) +
                 fmt::format("set ylabel {}\nset yrange [{}:{}]\nset y2range [0:1]\n",

@@ -32,8 +32,12 @@ std::string colour_lines(const ResultMap& map, const std::optional<ClassScale>& 
   } else {
     const ValueRange range = colour_range(map.values);
     if (range.clipped) label += " (colours cover 99.8 % of the points)";
-    lines =
-        fmt::format("{}set cbrange [{}:{}]\n", sequential_palette(), range.least, range.greatest);
+    const bool diverging =
+        map.name.starts_with("lyapunov") && range.least < 0.0 && range.greatest > 0.0;
+    lines = fmt::format(
+        "{}set cbrange [{}:{}]\n",
+        diverging ? diverging_palette(range.least, range.greatest) : sequential_palette(),
+        range.least, range.greatest);
   }
   return fmt::format("set cblabel {}\n{}set rmargin {}\n", quote(label), lines,
                      7 + longest_tic / 2);

@@ -15,8 +15,8 @@ namespace {
 std::string title_of(const Picture& picture) {
   constexpr std::size_t kTitleWidth = 70, kSubtitleWidth = 110;
   std::string subtitle = picture.map.meaning;
-  if (!picture.map.states.empty()) {
-    subtitle = picture.map.states.front().meaning + ", at phase 0 of each recorded period";
+  if (picture.map.is_poincare()) {
+    subtitle = picture.map.parts.front().meaning + ", at phase 0 of each recorded period";
   }
   std::vector<std::string> lines;
   for (const std::string& line : wrapped(picture.title, kTitleWidth)) {
@@ -34,7 +34,8 @@ std::string title_of(const Picture& picture) {
 }  // namespace
 
 std::string frame(const Picture& picture) {
-  const std::string key = picture.missing.note.empty()
+  const bool several_curves = picture.map.part_count() > 1;
+  const std::string key = picture.missing.note.empty() && !several_curves
                               ? "unset key\nset bmargin 4\n"
                               : "set key at graph 0.5, screen 0.03 center center Left reverse "
                                 "samplen 1.5\nset bmargin 5.5\n";

@@ -30,6 +30,7 @@ struct PlotScript {
 };
 
 PlotScript draw_heat_map(const Picture& picture);
+// One curve for each part.
 PlotScript draw_curve(const Picture& picture);
 // Of the samples of one state.
 PlotScript draw_bifurcation(const Picture& picture);

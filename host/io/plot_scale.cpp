@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "io/plot_text.hpp"
 
@@ -17,6 +18,18 @@ namespace {
 constexpr std::array<const char*, 16> kSequential = {
     "#440154", "#481a6c", "#472f7d", "#414487", "#39568c", "#31688e", "#2a788e", "#23888e",
     "#1f988b", "#22a884", "#35b779", "#54c568", "#7ad151", "#a5db36", "#d2e21b", "#fde725"};
+
+// Blue to white to red-brown, as dark at either end: told apart with any colour vision. The place
+// of each colour is a share of the least (below zero) or the greatest value.
+constexpr std::array<std::pair<double, const char*>, 9> kDiverging = {{{-1.0, "#0b2f66"},
+                                                                       {-0.7, "#2f6fb0"},
+                                                                       {-0.4, "#86b8dc"},
+                                                                       {-0.1, "#dcebf5"},
+                                                                       {0.0, "#ffffff"},
+                                                                       {0.1, "#fdd3a5"},
+                                                                       {0.4, "#f08a4b"},
+                                                                       {0.7, "#c2441c"},
+                                                                       {1.0, "#6b1d08"}}};
 
 // Okabe and Ito's colours, which the colour-blind tell apart too.
 constexpr std::array<const char*, 8> kDistinct = {"#0072b2", "#e69f00", "#009e73", "#cc79a7",
@@ -99,6 +112,14 @@ std::string sequential_palette() {
   std::vector<std::string> anchors;
   for (std::size_t i = 0; i < kSequential.size(); ++i) {
     anchors.push_back(fmt::format("{} '{}'", i, kSequential[i]));
+  }
+  return fmt::format("set palette defined ({})\n", fmt::join(anchors, ", "));
+}
+
+std::string diverging_palette(double least, double greatest) {
+  std::vector<std::string> anchors;
+  for (const auto& [share, colour] : kDiverging) {
+    anchors.push_back(fmt::format("{} '{}'", share * (share < 0.0 ? -least : greatest), colour));
   }
   return fmt::format("set palette defined ({})\n", fmt::join(anchors, ", "));
 }

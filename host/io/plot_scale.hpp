@@ -20,6 +20,10 @@ bool is_even(const ResultAxis& axis);
 // Colours from dark to bright that are perceptually uniform, as a "set palette" line.
 std::string sequential_palette();
 
+// The same for least < 0 < greatest: cool below zero, warm above it, white at zero. Either side has
+// all of its shades, however small, so that weak chaos stands out; the colour bar shows the scale.
+std::string diverging_palette(double least, double greatest);
+
 // The classes of a map, each with its colour; `values` are what the map holds for them.
 struct ClassScale {
   std::vector<double> values;

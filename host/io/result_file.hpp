@@ -23,7 +23,8 @@ struct Provenance {
 };
 
 // Writes the file whole or not at all: a failure leaves what was at `path` before. Maps have the
-// dimensions (y, x), or (x) with one axis; `poincare` has (y, x, state, sample).
+// dimensions (y, x), or (x) with one axis; `poincare` has (y, x, state, sample), a quantity of
+// several numbers (y, x, its dimension), such as (y, x, exponent) of a Lyapunov spectrum.
 // Throws InputError as ensure_writable does, RunError when the disk or the library fails.
 void write_result(const SweepResult& result, const std::string& path, const Provenance& provenance);
 
@@ -42,13 +43,18 @@ struct ResultAxis {
 // One quantity over the axes; `unit` is in the model's dimensionless units, "1" without any.
 struct ResultMap {
   std::string name, unit, meaning;
-  std::vector<std::string> flags;   // class names when the value is a class, by value
-  std::vector<ResultAxis> axes;     // x, then y; a cut takes one away
-  std::vector<double> values;       // [point]; of poincare [point][state][sample]. NaN: no value
-  std::vector<ChannelInfo> states;  // of poincare only
-  std::size_t samples = 1;          // per point and state; 1 unless poincare
+  std::vector<std::string> flags;  // class names when the value is a class, by value
+  std::vector<ResultAxis> axes;    // x, then y; a cut takes one away
+  std::vector<double> values;      // [point][part][sample]. NaN: no value
+  std::string dimension;           // what the parts stand along: "state", "exponent"; may be empty
+  std::vector<ChannelInfo> parts;  // states of poincare, exponents "1", ...; empty: one number
+  std::size_t samples = 1;         // per point and part; 1 unless poincare
 
   std::size_t points() const;
+  std::size_t part_count() const;  // numbers of a point beside each other; 1 without parts
+  bool is_poincare() const;
+  // Names of its numbers outside of this file: "x1_rms", or "poincare_x1", "poincare_v1".
+  std::vector<std::string> column_names() const;
 };
 
 // One value of one axis: index into ResultFile::axes() and into that axis's values.
@@ -73,12 +79,13 @@ class ResultFile {
   std::vector<std::string> poincare_states() const;
   // The nearest value of an axis. Throws InputError when `value` is beyond the axis.
   Cut find_cut(const std::string& axis, double value) const;
-  // quantity: a name of quantities(); "poincare:v1" takes one state. With a cut, a map of the other
-  // axis.
+  // quantity: a name of quantities(); "poincare:v1" takes one state, "lyapunov_spectrum:1" one
+  // exponent. With a cut, a map of the other axis.
   ResultMap read(const std::string& quantity, const std::optional<Cut>& cut = std::nullopt) const;
 
  private:
   std::vector<ChannelInfo> read_states() const;
+  std::vector<ChannelInfo> read_parts(int variable) const;
   void refuse_unknown(const std::string& quantity) const;
 
   std::string path_;

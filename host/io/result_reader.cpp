@@ -86,6 +86,18 @@ std::size_t ResultMap::points() const {
   return count;
 }
 
+std::size_t ResultMap::part_count() const { return std::max<std::size_t>(1, parts.size()); }
+
+bool ResultMap::is_poincare() const { return dimension == "state"; }
+
+std::vector<std::string> ResultMap::column_names() const {
+  if (parts.empty()) return {name};
+  std::vector<std::string> names;
+  const std::string stem = name.substr(0, name.find(':'));
+  for (const ChannelInfo& part : parts) names.push_back(fmt::format("{}_{}", stem, part.name));
+  return names;
+}
+
 ResultFile::ResultFile(const std::string& path)
     : path_(path), file_(std::make_unique<NetcdfFile>(NetcdfFile::open(path))) {
   const int status = file_->find_variable("status");
@@ -139,6 +151,22 @@ std::vector<ChannelInfo> ResultFile::read_states() const {
   return states;
 }
 
+// What stands beside each other at a point of a variable: states, or numbered parts.
+std::vector<ChannelInfo> ResultFile::read_parts(int variable) const {
+  const std::vector<int> dimensions = file_->dimensions_of(variable);
+  if (dimensions.size() == axes_.size()) return {};
+  const int dimension = dimensions[axes_.size()];
+  const std::string along = file_->dimension_name(dimension);
+  if (along == "state") return read_states();
+  std::vector<ChannelInfo> parts;
+  const std::string unit = text_or_empty(*file_, variable, "units");
+  const std::string meaning = text_or_empty(*file_, variable, "long_name");
+  for (std::size_t i = 1; i <= file_->dimension_size(dimension); ++i) {
+    parts.push_back({fmt::format("{}", i), unit, fmt::format("{}, {} {}", meaning, along, i)});
+  }
+  return parts;
+}
+
 Cut ResultFile::find_cut(const std::string& axis, double value) const {
   std::vector<std::string> known;
   for (const ResultAxis& candidate : axes_) known.push_back(candidate.name);
@@ -169,7 +197,11 @@ Cut ResultFile::find_cut(const std::string& axis, double value) const {
 
 void ResultFile::refuse_unknown(const std::string& quantity) const {
   std::vector<std::string> known = quantities_;
-  for (const std::string& state : poincare_states()) known.push_back("poincare:" + state);
+  for (const std::string& name : quantities_) {
+    for (const ChannelInfo& part : read_parts(file_->find_variable(name))) {
+      known.push_back(fmt::format("{}:{}", name, part.name));
+    }
+  }
   throw InputError(
       fmt::format("'{}' has no quantity '{}'{}", path_, quantity, suggest_name(quantity, known)));
 }
@@ -177,9 +209,7 @@ void ResultFile::refuse_unknown(const std::string& quantity) const {
 ResultMap ResultFile::read(const std::string& quantity, const std::optional<Cut>& cut) const {
   const std::size_t colon = quantity.find(':');
   const std::string name = quantity.substr(0, colon);
-  const bool is_poincare = name == "poincare";
-  if (std::find(quantities_.begin(), quantities_.end(), name) == quantities_.end() ||
-      (colon != std::string::npos && !is_poincare)) {
+  if (std::find(quantities_.begin(), quantities_.end(), name) == quantities_.end()) {
     refuse_unknown(quantity);
   }
   const int variable = file_->find_variable(name);
@@ -190,9 +220,10 @@ ResultMap ResultFile::read(const std::string& quantity, const std::optional<Cut>
   map.flags = read_flags(*file_, variable);
   map.axes = axes_;
 
-  // A block of the file: all of it, less a cut and the states that are not asked for.
+  // A block of the file: all of it, less a cut and the parts that are not asked for.
   std::vector<std::size_t> start, count;
-  for (const int dimension : file_->dimensions_of(variable)) {
+  const std::vector<int> dimensions = file_->dimensions_of(variable);
+  for (const int dimension : dimensions) {
     start.push_back(0);
     count.push_back(file_->dimension_size(dimension));
   }
@@ -202,19 +233,19 @@ ResultMap ResultFile::read(const std::string& quantity, const std::optional<Cut>
     count[dimension] = 1;
     map.axes.erase(map.axes.begin() + static_cast<std::ptrdiff_t>(cut->axis));
   }
-  if (is_poincare) {
-    map.states = read_states();
-    map.samples = count.back();
-  }
+  map.parts = read_parts(variable);
+  if (!map.parts.empty()) map.dimension = file_->dimension_name(dimensions[axes_.size()]);
+  if (map.is_poincare()) map.samples = count.back();
   if (colon != std::string::npos) {
     const std::string wanted = quantity.substr(colon + 1);
-    const auto state = std::find_if(map.states.begin(), map.states.end(),
-                                    [&](const ChannelInfo& info) { return info.name == wanted; });
-    if (state == map.states.end()) refuse_unknown(quantity);
-    start[axes_.size()] = static_cast<std::size_t>(state - map.states.begin());
+    const auto part = std::find_if(map.parts.begin(), map.parts.end(),
+                                   [&](const ChannelInfo& info) { return info.name == wanted; });
+    if (part == map.parts.end()) refuse_unknown(quantity);
+    start[axes_.size()] = static_cast<std::size_t>(part - map.parts.begin());
     count[axes_.size()] = 1;
-    map.states = {ChannelInfo(*state)};
-    map.unit = map.states.front().unit;
+    map.parts = {ChannelInfo(*part)};
+    map.unit = map.parts.front().unit;
+    map.meaning = map.parts.front().meaning;
   }
   map.values = file_->read(variable, start, count);
   mark_missing(*file_, variable, &map.values);

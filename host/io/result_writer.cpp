@@ -107,8 +107,14 @@ class Writer {
 
   void write_quantity(const Quantity& quantity, const std::vector<double>& values) {
     const bool is_class = !quantity.flags.empty();
+    std::vector<int> dimensions = map_dimensions_;
+    std::vector<std::size_t> shape = map_shape();
+    if (quantity.width > 1) {
+      dimensions.push_back(numbered_dimension(quantity.dimension, quantity.width));
+      shape.push_back(quantity.width);
+    }
     const int variable =
-        file_.define_variable(quantity.name, is_class ? NC_BYTE : real_type(), map_dimensions_);
+        file_.define_variable(quantity.name, is_class ? NC_BYTE : real_type(), dimensions);
     describe(variable, quantity.unit, quantity.meaning);
     set_fill(variable, is_class);
     if (is_class) {
@@ -117,11 +123,25 @@ class Writer {
       put_flags(variable, codes, quantity.flags);
     }
     file_.compress(variable);
+    const std::vector<std::size_t> start(shape.size(), 0);
     if (is_class) {
-      put_all(variable, classes(values));
+      file_.put(variable, start, shape, classes(values));
     } else {
-      put_reals(variable, std::vector<std::size_t>(map_dimensions_.size(), 0), map_shape(), values);
+      put_reals(variable, start, shape, values);
     }
+  }
+
+  // The dimension of this name with the coordinate 1, 2, ..., made when it is not there yet.
+  int numbered_dimension(const std::string& name, std::size_t size) {
+    const int known = file_.find_variable(name);
+    if (known >= 0) return file_.dimensions_of(known).front();
+    const int dimension = file_.define_dimension(name, size);
+    const int variable = file_.define_variable(name, NC_INT, {dimension});
+    describe(variable, "", fmt::format("number of the {}", name));
+    std::vector<double> numbers(size);
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    put_all(variable, numbers);
+    return dimension;
   }
 
   void write_poincare() {

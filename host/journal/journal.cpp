@@ -16,15 +16,15 @@
 namespace gearsweep {
 namespace {
 
-// "gsw1": marks a file as ours, in the place that SQLite keeps for that. A change of the tables
+// "gsw2": marks a file as ours, in the place that SQLite keeps for that. A change of the tables
 // below needs another mark.
-constexpr std::int64_t kApplicationId = 0x67737731;
+constexpr std::int64_t kApplicationId = 0x67737732;
 
 // A blob of SQLite holds at most 10^9 bytes; longer vectors become several pieces. A multiple of 8,
 // so that a piece ends between numbers.
 constexpr std::size_t kPieceBytes = std::size_t{64} << 20;
 
-constexpr std::size_t kParts = 4;
+constexpr std::size_t kParts = 5;
 
 // visit(part number, vector) for each vector of a result.
 template <class Result, class Visit>
@@ -33,6 +33,7 @@ void visit_parts(Result& result, const Visit& visit) {
   visit(1, result.outputs);
   visit(2, result.samples);
   visit(3, result.final_states);
+  visit(4, result.effort);
 }
 
 // FNV-1a, 64 bits: finds damage, not malice.
@@ -70,24 +71,30 @@ void create_tables(Database& database, const std::string& fingerprint) {
   database.execute(
       "CREATE TABLE sweep(fingerprint TEXT NOT NULL);"
       "CREATE TABLE tile(number INTEGER PRIMARY KEY, size_0 INTEGER NOT NULL, size_1 INTEGER NOT "
-      "NULL, size_2 INTEGER NOT NULL, size_3 INTEGER NOT NULL, checksum INTEGER NOT NULL);"
+      "NULL, size_2 INTEGER NOT NULL, size_3 INTEGER NOT NULL, size_4 INTEGER NOT NULL, checksum "
+      "INTEGER NOT NULL);"
       "CREATE TABLE piece(tile INTEGER NOT NULL, part INTEGER NOT NULL, position INTEGER NOT NULL, "
       "data BLOB NOT NULL, PRIMARY KEY(tile, part, position));");
   Statement(database, "INSERT INTO sweep VALUES(?)").bind(1, fingerprint).run();
 }
 
-void check_fingerprint(const Database& database, const std::string& path,
+void check_fingerprint(Database& database, const std::string& path,
                        const std::string& fingerprint) {
   if (read_integer(database, "PRAGMA application_id") != kApplicationId) {
     database.refuse("a database of another program or version");
   }
   Statement query(database, "SELECT fingerprint FROM sweep");
   if (!query.step()) database.refuse("it names no sweep");
-  if (query.text(0) != fingerprint) {
+  if (query.text(0) == fingerprint) return;
+  const std::int64_t tiles = read_integer(database, "SELECT count(*) FROM tile");
+  if (tiles > 0) {
     throw InputError(fmt::format(
-        "'{}' records the finished tiles of another sweep; delete it or choose another output",
-        path));
+        "'{}' records {} finished tiles of another sweep; delete it (--restart does) or "
+        "choose another output",
+        path, tiles));
   }
+  // Nothing would be lost: the journal is as good as new.
+  Statement(database, "UPDATE sweep SET fingerprint = ?").bind(1, fingerprint).run();
 }
 
 // Deletes the journal and what SQLite keeps beside it; returns what went wrong, empty if nothing.
@@ -137,8 +144,9 @@ std::size_t Journal::finished_tiles() const {
 std::optional<TileResult> Journal::find(std::size_t tile_number) const {
   const std::lock_guard lock(mutex_);
   const auto number = static_cast<std::int64_t>(tile_number);
-  Statement row(*database_,
-                "SELECT size_0, size_1, size_2, size_3, checksum FROM tile WHERE number = ?");
+  Statement row(
+      *database_,
+      "SELECT size_0, size_1, size_2, size_3, size_4, checksum FROM tile WHERE number = ?");
   row.bind(1, number);
   if (!row.step()) return std::nullopt;
 
@@ -169,7 +177,7 @@ void Journal::store(std::size_t tile_number, const TileResult& result) {
   const auto number = static_cast<std::int64_t>(tile_number);
   Transaction transaction(*database_);
   Statement(*database_, "DELETE FROM piece WHERE tile = ?").bind(1, number).run();
-  Statement row(*database_, "INSERT OR REPLACE INTO tile VALUES(?, ?, ?, ?, ?, ?)");
+  Statement row(*database_, "INSERT OR REPLACE INTO tile VALUES(?, ?, ?, ?, ?, ?, ?)");
   Statement piece(*database_, "INSERT INTO piece VALUES(?, ?, ?, ?)");
   row.bind(1, number).bind(kParts + 2, checksum_of(tile_number, result));
   visit_parts(result, [&](int part, const auto& values) {

@@ -8,14 +8,15 @@
 
 namespace gearsweep {
 
-// A count that is the model's number of states.
-constexpr int kPerState = -1;
+// In a count, stands for the model's number of states: 3 + 2 * kPerState is 3 and two per state.
+constexpr int kPerState = 1 << 16;
 
 enum class ObservableKind {
   channel,  // one instance per state or signal; quantities are CHANNEL_suffix
   step,     // sees each step; quantities are NAME_suffix
   section,  // a series of values at phase 0; the quantity is NAME
   tangent,  // sees the growth of tangent vectors; quantities are NAME or NAME_suffix
+  orbit,    // sees state and growth at phase 0; quantities are NAME or NAME_suffix
 };
 
 struct ObservableOutput {
@@ -28,8 +29,8 @@ struct ObservableOutput {
 struct Observable {
   std::string name;
   ObservableKind kind;
-  int accumulators;  // numbers that it keeps for each point between rounds, or kPerState
-  int tangents;      // tangent vectors that it needs, or kPerState
+  int accumulators;  // numbers that it keeps for each point between rounds; counts in kPerState
+  int tangents;      // tangent vectors that it needs; counts in kPerState
   // Name of the dimension of its outputs, one number for each state; empty: plain numbers.
   std::string dimension;
   std::vector<std::string> needed_signals;  // what a model must offer

@@ -47,6 +47,11 @@ class OpenClEngine final : public Engine {
     return {fmt::format("{} ({})", info_.name, info_.platform), info_.driver, options_};
   }
 
+  std::size_t least_tile() const override {
+    return std::min(preferred_tile(),
+                    info_.is_cpu ? 4 * info_.compute_units * local_size_ * lanes_ : 16384);
+  }
+
   std::size_t preferred_tile() const override {
     const std::size_t points = info_.is_cpu ? 4096 : 131072;
     if (series_bytes_per_point_ == 0) return points;

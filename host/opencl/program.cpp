@@ -43,23 +43,32 @@ void write_parameters(const Study& study, std::ostream& out) {
 void write_observers(const Study& study, std::ostream& out) {
   std::set<std::string> channels;
   std::string list;
+  bool watches_orbit = false;
   for (const Observer& observer : study.selection.observers) {
-    const std::string& kind = observer.observable->name;
+    const std::string& name = observer.observable->name;
     if (observer.observable->kind == ObservableKind::channel) {
       channels.insert(observer.channel);
-      list += fmt::format(" CHANNEL({0}, {1}, VALUE_{1})", kind, observer.channel);
+      list += fmt::format(" CHANNEL({0}, {1}, VALUE_{1})", name, observer.channel);
     } else if (observer.observable->kind == ObservableKind::tangent) {
-      list += fmt::format(" TANGENT({})", kind);
+      list += fmt::format(" TANGENT({})", name);
+    } else if (observer.observable->kind == ObservableKind::orbit) {
+      watches_orbit = true;
+      list += fmt::format(" ORBIT({})", name);
     } else {
-      list += fmt::format(" STEP({})", kind);
+      list += fmt::format(" STEP({})", name);
     }
   }
   for (const std::string& channel : channels) {
     out << fmt::format("#define VALUE_{}(sample) {}\n", channel,
                        channel_value(*study.model, channel));
   }
-  out << "#define OBSERVERS(CHANNEL, STEP, TANGENT)" << list << '\n';
+  out << "#define OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)" << list << '\n';
   out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
+  // Only where they matter: a program that differs in nothing else need not be built again.
+  if (watches_orbit) {
+    out << fmt::format("#define PERIOD_TOLERANCE {}\n#define SETTLE_PERIODS {}\n",
+                       study.selection.period_tolerance, study.integrate.settle);
+  }
   if (study.selection.poincare.empty()) return;
   out << "#define POINCARE_STATES(X)";
   for (const std::size_t state : study.selection.poincare) {
@@ -82,20 +91,10 @@ std::string observables_header(const Study& study) {
   return out;
 }
 
-}  // namespace
-
-std::string selection_header(const Study& study) {
-  std::ostringstream out;
-  out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
-  out << "#include \"integrators/rk4.h\"\n#define MODEL_OPTION_VALUES {";
-  for (const int option : study.setting.options) out << option << ", ";
-  out << "}\n";
-  write_parameters(study, out);
-  write_observers(study, out);
-  return out.str();
-}
-
-std::string flatten(const std::string& name, const std::map<std::string, std::string>& sources) {
+// A file with what it includes; nothing when it is among `included`, to which it is added.
+std::string flatten_once(const std::string& name, const std::map<std::string, std::string>& sources,
+                         std::set<std::string>* included) {
+  if (!included->insert(name).second) return "";
   const auto source = sources.find(name);
   if (source == sources.end()) {
     throw RunError(fmt::format("kernel source '{}' is missing", name));
@@ -110,10 +109,29 @@ std::string flatten(const std::string& name, const std::map<std::string, std::st
     if (file.empty()) {
       out << line << '\n';
     } else {
-      out << flatten(file, sources) << fmt::format("#line {} \"kernels/{}\"\n", number + 1, name);
+      out << flatten_once(file, sources, included)
+          << fmt::format("#line {} \"kernels/{}\"\n", number + 1, name);
     }
   }
   return out.str();
+}
+
+}  // namespace
+
+std::string selection_header(const Study& study) {
+  std::ostringstream out;
+  out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
+  out << "#include \"integrators/rk4.h\"\n#define MODEL_OPTION_VALUES {";
+  for (const int option : study.setting.options) out << option << ", ";
+  out << "}\n";
+  write_parameters(study, out);
+  write_observers(study, out);
+  return out.str();
+}
+
+std::string flatten(const std::string& name, const std::map<std::string, std::string>& sources) {
+  std::set<std::string> included;
+  return flatten_once(name, sources, &included);
 }
 
 std::string program_source(const Study& study) {

@@ -14,8 +14,8 @@ namespace gearsweep {
 // observers. The sweep's own axes are read from `swept` in their order, initial states left out.
 std::string selection_header(const Study& study);
 
-// One text from `name` and all that it includes, each file marked by #line so that messages of the
-// device compiler name it. `sources` by path. Throws RunError for a missing file.
+// One text from `name` and all that it includes, each file once, marked by #line so that messages
+// of the device compiler name it. `sources` by path. Throws RunError for a missing file.
 std::string flatten(const std::string& name, const std::map<std::string, std::string>& sources);
 
 // The program's whole text.

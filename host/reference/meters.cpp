@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "model/error.hpp"
+#include "reference/lyapunov_meters.hpp"
 
 namespace gearsweep {
 namespace {
@@ -126,6 +127,9 @@ std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer) 
   if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.channel));
   if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.channel));
   if (kind == "contact") return std::make_unique<Contact>(model);
+  if (kind == "lyapunov_max") return make_lyapunov_max();
+  if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
+  if (kind == "kaplan_yorke") return make_kaplan_yorke();
   throw RunError(fmt::format("the reference engine does not compute observable '{}'", kind));
 }
 

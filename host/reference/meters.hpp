@@ -14,7 +14,11 @@ namespace gearsweep {
 class Meter {
  public:
   virtual ~Meter() = default;
-  virtual void step(const Moment& before, const Moment& after, double share) = 0;
+  // One step, with its share of the period.
+  virtual void step(const Moment&, const Moment&, double) {}
+  // One period: the logarithms of how far its orthonormal tangent vectors grew (empty unless the
+  // selection has some), and its length in dimensionless time.
+  virtual void period(const Eigen::VectorXd&, double) {}
   // The observable's outputs, in its order.
   virtual std::vector<double> finish(std::size_t periods) const = 0;
 };

@@ -1,11 +1,13 @@
 #include "reference/reference_engine.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <limits>
 #include <mutex>
 #include <thread>
 
+#include "reference/lyapunov_meters.hpp"
 #include "reference/meters.hpp"
 #include "reference/trajectory.hpp"
 #include "sweep_types.h"
@@ -24,9 +26,14 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   const Study& study = plan.study();
   Trajectory trajectory(plan, point, initial);
   PointResult result;
-  for (std::size_t i = 0; i < study.integrate.settle && !result.diverged; ++i) {
+  const std::size_t settle = study.integrate.settle;
+  const std::size_t warm_up = std::min(study.integrate.warm_up, settle);
+  for (std::size_t i = 0; i < settle && !result.diverged; ++i) {
+    if (i == settle - warm_up) start_tangents(study.selection.tangent_count(), &trajectory);
     result.diverged = !trajectory.advance_period();
+    orthonormalize_tangents(&trajectory);
   }
+  if (warm_up == 0) start_tangents(study.selection.tangent_count(), &trajectory);
   std::vector<std::unique_ptr<Meter>> meters;
   for (const Observer& observer : study.selection.observers) {
     meters.push_back(make_meter(*study.model, observer));
@@ -39,6 +46,8 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
         !trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
           for (const auto& meter : meters) meter->step(before, after, share);
         });
+    const Eigen::VectorXd growth = orthonormalize_tangents(&trajectory);
+    for (const auto& meter : meters) meter->period(growth, trajectory.period());
     for (std::size_t j = 0; j < sampled.size(); ++j) {
       result.samples[j * record + i] = trajectory.state()[static_cast<Eigen::Index>(sampled[j])];
     }
@@ -54,6 +63,7 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
 class ReferenceEngine final : public Engine {
  public:
   EngineInfo info() const override { return {"reference engine (Eigen)", "", ""}; }
+  std::size_t least_tile() const override { return 16; }
   std::size_t preferred_tile() const override { return 256; }
 
   std::optional<TileResult> compute(const Plan& plan, const Tile& tile,

@@ -28,9 +28,15 @@ bool Trajectory::advance_period(const StepCallback& each_step) {
   return in_range();
 }
 
-Eigen::VectorXd Trajectory::slope(std::size_t row, const Eigen::VectorXd& state) const {
-  Eigen::VectorXd out(state.size());
-  point_->rhs(grid_.coefs.data() + row * row_width_, state.data(), out.data());
+Trajectory::Bundle Trajectory::slope(std::size_t row, const Bundle& at) const {
+  const double* coefs = grid_.coefs.data() + row * row_width_;
+  Bundle out{Eigen::VectorXd(at.state.size()), Eigen::MatrixXd()};
+  point_->rhs(coefs, at.state.data(), out.state.data());
+  if (at.tangents.cols() == 0) return out;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(at.state.size(),
+                                                                                  at.state.size());
+  point_->jacobian(coefs, at.state.data(), jacobian.data());
+  out.tangents = jacobian * at.tangents;
   return out;
 }
 
@@ -43,11 +49,15 @@ Moment Trajectory::moment(std::size_t row) const {
 }
 
 void Trajectory::step(std::size_t row, double h) {
-  const Eigen::VectorXd k1 = slope(row, state_);
-  const Eigen::VectorXd k2 = slope(row + 1, state_ + 0.5 * h * k1);
-  const Eigen::VectorXd k3 = slope(row + 1, state_ + 0.5 * h * k2);
-  const Eigen::VectorXd k4 = slope(row + 2, state_ + h * k3);
-  state_ += h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+  const auto ahead = [this](double length, const Bundle& slope) {
+    return Bundle{state_ + length * slope.state, tangents_ + length * slope.tangents};
+  };
+  const Bundle k1 = slope(row, {state_, tangents_});
+  const Bundle k2 = slope(row + 1, ahead(0.5 * h, k1));
+  const Bundle k3 = slope(row + 1, ahead(0.5 * h, k2));
+  const Bundle k4 = slope(row + 2, ahead(h, k3));
+  state_ += h / 6.0 * (k1.state + 2.0 * (k2.state + k3.state) + k4.state);
+  tangents_ += h / 6.0 * (k1.tangents + 2.0 * (k2.tangents + k3.tangents) + k4.tangents);
 }
 
 bool Trajectory::in_range() const {

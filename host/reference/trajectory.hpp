@@ -23,15 +23,28 @@ class Trajectory {
   // `state` at phase 0. The plan must outlive the trajectory.
   Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorXd& state);
 
+  // From now on these tangent vectors, one a column, travel with the state: W' = J(t, x(t)) W by
+  // the same stages. Advancing by a period from the unit matrix gives the monodromy matrix.
+  void set_tangents(const Eigen::MatrixXd& tangents) { tangents_ = tangents; }
+  const Eigen::MatrixXd& tangents() const { return tangents_; }
+
   // Advances by one period; false when the state left the range that counts as finite.
   bool advance_period();
   bool advance_period(const StepCallback& each_step);
 
   const Eigen::VectorXd& state() const { return state_; }
   std::size_t steps_per_period() const { return grid_.steps; }
+  // Length of the period in dimensionless time.
+  double period() const { return point_->period(); }
 
  private:
-  Eigen::VectorXd slope(std::size_t row, const Eigen::VectorXd& state) const;
+  // A state with its tangents, or their rates of change.
+  struct Bundle {
+    Eigen::VectorXd state;
+    Eigen::MatrixXd tangents;
+  };
+
+  Bundle slope(std::size_t row, const Bundle& at) const;
   Moment moment(std::size_t row) const;
   void step(std::size_t row, double h);
   bool in_range() const;
@@ -40,6 +53,7 @@ class Trajectory {
   std::size_t row_width_, signal_count_;
   std::unique_ptr<PreparedPoint> point_;
   Eigen::VectorXd state_;
+  Eigen::MatrixXd tangents_;
 };
 
 }  // namespace gearsweep

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/error.hpp"
+#include "model/names.hpp"
 
 namespace gearsweep {
 namespace {
@@ -49,10 +50,12 @@ toml::node* descend(toml::node* node, const std::string& part, const std::string
   if (toml::array* array = node->as_array()) {
     toml::node* element = find_element(array, part);
     if (element == nullptr) {
-      throw InputError(
-          fmt::format("{}: there is no element '{}'; use an axis's name or its number "
-                      "from 0",
-                      source, part));
+      std::vector<std::string> names;
+      for (const toml::node& candidate : *array) {
+        if (candidate.is_table()) names.push_back((*candidate.as_table())["name"].value_or(""));
+      }
+      throw InputError(fmt::format("{}: there is no element '{}'{} (or give its number from 0)",
+                                   source, part, suggest_name(part, names)));
     }
     return element;
   }

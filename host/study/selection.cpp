@@ -65,7 +65,8 @@ std::vector<Offer> offers_of(const Model& model) {
 }
 
 std::size_t resolve_count(int count, std::size_t states) {
-  return count == kPerState ? states : static_cast<std::size_t>(count);
+  return static_cast<std::size_t>(count % kPerState) +
+         static_cast<std::size_t>(count / kPerState) * states;
 }
 
 // Index of the first output of an observer, which is added when the selection has it not yet.

@@ -31,6 +31,9 @@ struct Selection {
   std::vector<Observer> observers;    // all but poincare
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
+  // Two states at phase 0 are the same when they differ by no more than this, relative to the
+  // greatest component (kernels/observables/period.h).
+  double period_tolerance = 1e-6;
 
   std::size_t output_count() const;       // of all observers
   std::size_t accumulator_count() const;  // of all observers

@@ -217,11 +217,15 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
     if (study->axes.size() == 1) quantities.push_back("poincare");
   }
   if (reader.find("poincare") == nullptr) states = {first_state};
+  // What rounding leaves of a stable orbit's recurrence, with some room.
+  const double rounding = study->integrate.fp64 ? 1e-6 : 1e-4;
+  const double tolerance = reader.number("period_tolerance", rounding, 1e-12, 0.1);
   reader.refuse_unknown();
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;
   try {
     study->selection = select_quantities(*study->model, quantities, states);
+    study->selection.period_tolerance = tolerance;
   } catch (const InputError& error) {
     fail_at(*place, error.what());
   }

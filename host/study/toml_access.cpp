@@ -35,7 +35,7 @@ void fail_at(const toml::node& node, const std::string& message) {
 double read_number(const toml::node& node, const std::string& what, double least, double greatest) {
   const std::optional<double> value = node.value<double>();
   if (!node.is_number() || !value) {
-    fail_at(node, fmt::format("{} must be a number, not a {}", what, describe(node)));
+    fail_at(node, fmt::format("{} must be a number, not {}", what, describe(node)));
   }
   if (!std::isfinite(*value)) {
     fail_at(node, fmt::format("{} must be finite, not {}", what, *value));
@@ -78,7 +78,7 @@ std::size_t TableReader::count(const std::string& key, std::size_t fallback, std
   const toml::node* node = find(key);
   if (node == nullptr) return fallback;
   if (!node->is_integer()) {
-    fail_at(*node, fmt::format("{} must be a whole number, not a {}", key, describe(*node)));
+    fail_at(*node, fmt::format("{} must be a whole number, not {}", key, describe(*node)));
   }
   const double value =
       read_number(*node, key, static_cast<double>(least), static_cast<double>(greatest));
@@ -96,7 +96,7 @@ std::string TableReader::text(const std::string& key, const std::string& fallbac
   const toml::node* node = find(key);
   if (node == nullptr) return fallback;
   if (!node->is_string()) {
-    fail_at(*node, fmt::format("{} must be a string in quotes, not a {}", key, describe(*node)));
+    fail_at(*node, fmt::format("{} must be a string in quotes, not {}", key, describe(*node)));
   }
   return node->as_string()->get();
 }

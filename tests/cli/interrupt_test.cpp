@@ -78,6 +78,11 @@ TEST_F(InterruptTest, AnotherStudyDoesNotContinueTheJournal) {
   const Outcome outcome = gearsweep(folder_, "run study.toml -o out.nc --set parameters.mu=0.1");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("out.nc.journal"));
+  EXPECT_EQ(gearsweep(folder_,
+                      "run study.toml -o out.nc --quiet --restart --set "
+                      "parameters.mu=0.1 --set integrate.settle=1")
+                .status,
+            0);
 }
 
 }  // namespace

@@ -66,6 +66,24 @@ inline SweepResult example_result(std::size_t nx = 4, std::size_t ny = 3) {
   return result;
 }
 
+// The same points with a quantity of several numbers: lyapunov_spectrum, whose exponent j (from 1)
+// is 0.3 + 0.01 point - 0.1 j, and lyapunov_max, which is the first of them. Point 5 diverged.
+inline SweepResult spectrum_result(std::size_t nx = 4, std::size_t ny = 3) {
+  SweepResult result = example_result(nx, ny);
+  result.study.selection =
+      select_quantities(*result.study.model, {"lyapunov_max", "lyapunov_spectrum"}, {});
+  result.values.assign(2, {});
+  result.samples.clear();
+  for (std::size_t point = 0; point < result.status.size(); ++point) {
+    for (int j = 1; j <= 10; ++j) {
+      const double exponent = 0.3 + 0.01 * static_cast<double>(point) - 0.1 * j;
+      result.values[1].push_back(point == 5 ? kNaN : exponent);
+      if (j == 1) result.values[0].push_back(result.values[1].back());
+    }
+  }
+  return result;
+}
+
 inline const Provenance kProvenance = {"gearsweep run study.toml -o 'map one.nc'", "0.1.0",
                                        "abcdef"};
 

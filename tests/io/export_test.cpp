@@ -12,9 +12,12 @@ namespace gearsweep {
 namespace {
 
 using gearsweep::testing::example_result;
+using gearsweep::testing::kNaN;
 using gearsweep::testing::run_python;
+using gearsweep::testing::spectrum_result;
 using gearsweep::testing::Spoken;
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -53,6 +56,18 @@ TEST_F(ExportTest, CsvOfPoincareHasOneRowPerSample) {
                               "0.4,2,0.001,0.011\n"));
   EXPECT_THAT(csv, HasSubstr("\n2,5,1.004,1.014\n"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 5);
+}
+
+TEST_F(ExportTest, CsvOfASpectrumHasAColumnPerExponent) {
+  SweepResult result = spectrum_result(2, 0);
+  result.study.axes[0].values = {0.4, 2.0};
+  result.values[1] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, kNaN};
+  const std::string csv = exported(result, "lyapunov_spectrum", ".csv");
+  EXPECT_THAT(csv, StartsWith("omega,lyapunov_spectrum_1,lyapunov_spectrum_2,"));
+  EXPECT_THAT(csv, EndsWith(",lyapunov_spectrum_10\n0.4,1,2,3,4,5,6,7,8,9,10\n"
+                            "2,11,12,13,14,15,16,17,18,19,\n"));
+  EXPECT_EQ(exported(result, "lyapunov_spectrum:3", ".csv"),
+            "omega,lyapunov_spectrum_3\n0.4,3\n2,13\n");
 }
 
 // The header's text and the numbers behind it.
@@ -95,6 +110,14 @@ TEST_F(ExportTest, NpyOfPoincareHasAFieldOfStatesAndSamples) {
   EXPECT_EQ(npy.numbers[3 * 11 + 1 + 5 + 4], example_result(4, 0).samples[3 * 10 + 5 + 4]);
 }
 
+TEST_F(ExportTest, NpyOfASpectrumHasAFieldOfExponents) {
+  const SweepResult result = spectrum_result();
+  const Npy npy = parse(exported(result, "lyapunov_spectrum", ".npy"));
+  EXPECT_THAT(npy.header, HasSubstr("('lyapunov_spectrum', '<f8', (10,))"));
+  ASSERT_EQ(npy.numbers.size(), 12U * (2 + 10));
+  EXPECT_EQ(npy.numbers[11 * 12 + 2 + 9], result.values[1][11 * 10 + 9]);
+}
+
 TEST_F(ExportTest, NumPyOpensIt) {
   const std::string path = write(example_result());
   export_map(path, "x1_rms", in_folder("map.npy"));
@@ -112,6 +135,13 @@ TEST_F(ExportTest, NumPyOpensIt) {
       "assert np.load(sys.argv[1])['poincare'].shape == (3, 4, 2, 5)\n",
       in_folder("samples.npy"));
   EXPECT_EQ(samples.status, 0) << samples.text;
+  export_map(write(spectrum_result()), "lyapunov_spectrum", in_folder("spectrum.npy"));
+  const Spoken spectrum = run_python(
+      "import sys, numpy as np\n"
+      "s = np.load(sys.argv[1])['lyapunov_spectrum']\n"
+      "assert s.shape == (3, 4, 10) and s[0, 0, 0] == 0.3 - 0.1 and np.isnan(s[1, 1]).all()\n",
+      in_folder("spectrum.npy"));
+  EXPECT_EQ(spectrum.status, 0) << spectrum.text;
 }
 
 TEST_F(ExportTest, WhatCannotBeExportedIsRefusedAndLeavesNoFile) {

@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
+using gearsweep::testing::spectrum_result;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -117,6 +118,31 @@ TEST_F(PlotTest, ManySamplesAreShownByTheirDensity) {
   result.samples.assign(200 * 2 * 101, 0.5);
   EXPECT_THAT(script_of({write(result), "poincare", "", "", {}}),
               HasSubstr("share of the samples"));
+}
+
+TEST_F(PlotTest, AnExponentOfBothSignsIsWhiteAtZero) {
+  const std::string path = write(spectrum_result());
+  // Exponent 3 goes from 0 up, 4 from -0.1 to 0.01, 9 stays below zero.
+  const std::string script = script_of({path, "lyapunov_spectrum:4", "", "", {}});
+  EXPECT_THAT(script, AllOf(HasSubstr("0 '#ffffff'"), HasSubstr("set cbrange [-0.1"),
+                            HasSubstr("lyapunov\\\\_spectrum:4 [ϖ]")));
+  EXPECT_THAT(script_of({path, "lyapunov_spectrum:9", "", "", {}}), Not(HasSubstr("#ffffff")));
+  EXPECT_THAT(script_of({path, "lyapunov_spectrum", "", "", {}}),
+              HasSubstr("lyapunov\\\\_spectrum:1"));
+}
+
+TEST_F(PlotTest, OverOneAxisASpectrumIsACurveForEachExponent) {
+  const std::string path = write(spectrum_result(7, 0));
+  const std::string all = script_of({path, "lyapunov_spectrum", "", "", {}});
+  EXPECT_THAT(all, AllOf(HasSubstr("format='%11double'"), HasSubstr("using 1:11"),
+                         HasSubstr("title \"exponent 2 to 10\""), HasSubstr("using 1:2 "),
+                         HasSubstr("title \"exponent 1\""), HasSubstr("xzeroaxis"),
+                         HasSubstr("diverged at 1 of 7 points")));
+  EXPECT_THAT(script_of({path, "lyapunov_spectrum:2", "", "", {}}),
+              AllOf(HasSubstr("format='%2double'"), Not(HasSubstr("exponent 2 to"))));
+  const std::string map = write(spectrum_result());
+  EXPECT_THAT(script_of({map, "lyapunov_spectrum", "", "", {{"b", 1.5}}}),
+              AllOf(HasSubstr("b = 1.5"), HasSubstr("exponent 2 to 10")));
 }
 
 TEST_F(PlotTest, OddGridsAreDrawn) {

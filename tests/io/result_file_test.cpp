@@ -16,6 +16,7 @@ using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::run_python;
+using gearsweep::testing::spectrum_result;
 using gearsweep::testing::Spoken;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -77,10 +78,48 @@ TEST_F(ResultFileTest, PoincareSamplesComeBackByState) {
   EXPECT_THAT(all.values, same_numbers(result.samples));
 
   const ResultMap velocity = file.read("poincare:v1");
-  ASSERT_EQ(velocity.states.size(), 1U);
+  ASSERT_EQ(velocity.parts.size(), 1U);
   EXPECT_EQ(velocity.unit, "b_n varpi");
   EXPECT_EQ(velocity.values.size(), 12U * 5U);
   EXPECT_EQ(velocity.values[7 * 5 + 3], result.samples[(7 * 2 + 1) * 5 + 3]);
+}
+
+TEST_F(ResultFileTest, ALyapunovSpectrumComesBackByExponent) {
+  const SweepResult result = spectrum_result();
+  const ResultFile file(write(result));
+  EXPECT_THAT(file.quantities(), ElementsAre("status", "lyapunov_max", "lyapunov_spectrum"));
+  EXPECT_THAT(file.poincare_states(), ElementsAre());
+  EXPECT_TRUE(file.read("lyapunov_max").parts.empty());
+
+  const ResultMap all = file.read("lyapunov_spectrum");
+  EXPECT_EQ(all.dimension, "exponent");
+  EXPECT_EQ(all.part_count(), 10U);
+  EXPECT_EQ(all.parts[9].name, "10");
+  EXPECT_FALSE(all.is_poincare());
+  EXPECT_THAT(all.values, same_numbers(result.values[1]));
+
+  const ResultMap first = file.read("lyapunov_spectrum:1");
+  EXPECT_THAT(first.values, same_numbers(result.values[0]));
+  EXPECT_EQ(first.unit, "varpi");
+  EXPECT_THAT(first.meaning, HasSubstr("exponent 1"));
+  const ResultMap tenth = file.read("lyapunov_spectrum:10", file.find_cut("b", 1.5));
+  ASSERT_EQ(tenth.values.size(), 4U);
+  EXPECT_EQ(tenth.values[3], result.values[1][11 * 10 + 9]);
+  EXPECT_THAT(refusal([&] { file.read("lyapunov_spectrum:11"); }),
+              HasSubstr("no quantity 'lyapunov_spectrum:11'"));
+  EXPECT_THAT(refusal([&] { file.read("lyapunov_max:1"); }),
+              HasSubstr("no quantity 'lyapunov_max:1'"));
+  EXPECT_THAT(refusal([&] { file.read("lyapunov_spectrun:2"); }),
+              HasSubstr("did you mean 'lyapunov_spectrum:2'?"));
+}
+
+TEST_F(ResultFileTest, ASpectrumOfOneAxisInSinglePrecision) {
+  SweepResult result = spectrum_result(7, 0);
+  result.study.integrate.fp64 = false;
+  const ResultMap map = ResultFile(write(result)).read("lyapunov_spectrum");
+  ASSERT_EQ(map.values.size(), 70U);
+  EXPECT_EQ(map.values[62], static_cast<double>(static_cast<float>(result.values[1][62])));
+  EXPECT_TRUE(std::isnan(map.values[50]));
 }
 
 TEST_F(ResultFileTest, SamplesOfManyPointsAreWrittenBlockByBlock) {
@@ -259,6 +298,28 @@ assert attrs["scale_varpi_rad_per_s"] == 1000.0 and attrs["scale_b_n_m"] == 2e-5
 assert attrs["scale_k0_N_per_m"] == 1e8 and attrs["scale_force_N"] == 1e8 * 2e-5
 assert attrs["scale_rpm_per_omega"] == 250.0
 )";
+
+constexpr const char* kSpectrumScript = R"(
+import sys
+import numpy as np
+import xarray as xr
+
+ds = xr.open_dataset(sys.argv[1])
+spectrum = ds["lyapunov_spectrum"]
+assert spectrum.dims == ("b", "omega", "exponent"), spectrum.dims
+np.testing.assert_array_equal(ds["exponent"], np.arange(1, 11))
+assert spectrum.attrs["units"] == "varpi" and spectrum.attrs["SI_units"] == "rad/s"
+np.testing.assert_array_equal(spectrum.sel(exponent=1), ds["lyapunov_max"])
+np.testing.assert_allclose(spectrum[2, 3, 9], 0.3 + 0.11 - 1.0, rtol=1e-15)
+assert np.isnan(spectrum[1, 1]).all() and int(np.isnan(spectrum).sum()) == 10
+)";
+
+TEST_F(ResultFileTest, XarraySelectsAnExponent) {
+  SweepResult result = spectrum_result();
+  result.study.scales = {1000.0, 2e-5, 1e8, 250.0};
+  const Spoken said = run_python(kSpectrumScript, write(result));
+  EXPECT_EQ(said.status, 0) << said.text;
+}
 
 TEST_F(ResultFileTest, XarrayOpensItWithNamesAndUnits) {
   SweepResult result = example_result();

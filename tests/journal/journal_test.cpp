@@ -39,7 +39,8 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 
 bool same_bits(const TileResult& a, const TileResult& b) {
   return a.status == b.status && same_bits(a.outputs, b.outputs) &&
-         same_bits(a.samples, b.samples) && same_bits(a.final_states, b.final_states);
+         same_bits(a.samples, b.samples) && same_bits(a.final_states, b.final_states) &&
+         same_bits(a.effort, b.effort);
 }
 
 // Numbers of any size and sign, drawn from the tile's number.
@@ -53,6 +54,7 @@ TileResult example_tile(std::size_t number, std::size_t points = 100) {
     for (int j = 0; j < 10; ++j) tile.final_states.push_back(normal(random));
     for (int j = 0; j < 20; ++j) tile.samples.push_back(normal(random));
   }
+  tile.effort = {normal(random), normal(random)};
   return tile;
 }
 
@@ -162,6 +164,12 @@ TEST_F(JournalTest, AnotherSweepIsRefusedAndItsJournalKept) {
   EXPECT_THAT(refusal("sweep A"), AllOf(HasSubstr(path_), HasSubstr("another sweep"),
                                         HasSubstr("delete it"), HasSubstr("another output")));
   EXPECT_TRUE(same_bits(*Journal(path_, "sweep B").find(0), example_tile(0)));
+}
+
+TEST_F(JournalTest, AnotherSweepTakesOverAJournalWithoutTiles) {
+  { const Journal empty(path_, "sweep B"); }
+  { Journal(path_, "sweep A").store(0, example_tile(0)); }
+  EXPECT_EQ(Journal(path_, "sweep A").finished_tiles(), 1U);
 }
 
 TEST_F(JournalTest, AFileOfAnotherKindIsRefusedAndKept) {

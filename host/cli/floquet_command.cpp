@@ -1,0 +1,370 @@
+// gearsweep floquet: the periodic orbit at one point of a study, its Floquet multipliers, and the
+// bifurcations along a parameter.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/study_source.hpp"
+#include "distribute/sweep.hpp"
+#include "model/error.hpp"
+#include "model/names.hpp"
+#include "plan/plan.hpp"
+#include "reference/continuation.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr std::size_t kLeastSteps = 2048;  // per period, unless --steps says otherwise
+
+struct FloquetArguments {
+  std::string study, along;
+  std::vector<std::string> at, overrides;
+  std::optional<std::size_t> device, period, steps;
+  bool as_json = false;
+};
+
+// The range of --along.
+struct Range {
+  std::size_t parameter = 0;
+  double from = 0.0, to = 0.0;
+};
+
+// All that the command finds.
+struct Findings {
+  Study study;  // of one point
+  PeriodMap map;
+  Orbit orbit;
+  std::optional<Range> range;
+  std::vector<Branch> branches;  // downwards and upwards
+};
+
+double to_number(const std::string& text, const std::string& option) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && std::isfinite(value)) return value;
+  } catch (const std::logic_error&) {
+    // Said below, with the rest of what is no number.
+  }
+  throw InputError(fmt::format("{}: '{}' is not a number", option, text));
+}
+
+// "name=rest" in two.
+std::pair<std::string, std::string> split_assignment(const std::string& text,
+                                                     const std::string& option,
+                                                     const std::string& example) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError(fmt::format("{}: '{}' is not of the form {}", option, text, example));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::size_t parameter_index(const Model& model, const std::string& name,
+                            const std::string& option) {
+  const int index = model.find_parameter(name);
+  if (index >= 0) return static_cast<std::size_t>(index);
+  std::vector<std::string> known;
+  for (const ParameterInfo& parameter : model.parameters) known.push_back(parameter.name);
+  throw InputError(fmt::format("{}: unknown parameter '{}' of model '{}'{}", option, name,
+                               model.name, suggest_name(name, known)));
+}
+
+void require_in_range(const ParameterInfo& info, double value, const std::string& option) {
+  if (value >= info.least && value <= info.greatest) return;
+  throw InputError(fmt::format("{}: {} = {} is out of range; {} .. {} is allowed", option,
+                               info.name, value, info.least, info.greatest));
+}
+
+Range read_range(const Model& model, const std::string& text) {
+  const auto [name, values] = split_assignment(text, "--along", "omega=0.6:0.8");
+  const std::size_t colon = values.find(':');
+  if (colon == std::string::npos) {
+    throw InputError(fmt::format("--along: '{}' is not of the form omega=0.6:0.8", text));
+  }
+  const Range range = {parameter_index(model, name, "--along"),
+                       to_number(values.substr(0, colon), "--along"),
+                       to_number(values.substr(colon + 1), "--along")};
+  for (const double value : {range.from, range.to}) {
+    require_in_range(model.parameters[range.parameter], value, "--along");
+  }
+  if (range.from == range.to) throw InputError("--along: the range is empty");
+  return range;
+}
+
+// A value of --at.
+struct Placed {
+  bool is_state = false;  // an initial state, not a parameter
+  std::size_t index = 0;
+  double value = 0.0;
+};
+
+std::vector<Placed> read_place(const Model& model, const std::vector<std::string>& at) {
+  std::vector<Placed> place;
+  for (const std::string& assignment : at) {
+    const auto [name, text] = split_assignment(assignment, "--at", "omega=0.7");
+    const double value = to_number(text, "--at");
+    const int state = model.find_state(name);
+    if (state >= 0) {
+      place.push_back({true, static_cast<std::size_t>(state), value});
+      continue;
+    }
+    place.push_back({false, parameter_index(model, name, "--at"), value});
+    require_in_range(model.parameters[place.back().index], value, "--at");
+  }
+  return place;
+}
+
+// Leaves each axis the one value that --at gives it, and sets the other parameters.
+void place_parameters(const std::vector<Placed>& place, Study* study) {
+  for (const Placed& placed : place) {
+    if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
+  }
+  for (Axis& axis : study->axes) {
+    const auto given = std::find_if(place.begin(), place.end(), [&](const Placed& placed) {
+      return placed.is_state == axis.is_state && placed.index == axis.index;
+    });
+    if (given != place.end()) {
+      axis.values = {given->value};
+    } else if (axis.values.size() > 1) {
+      throw InputError(fmt::format("--at gives no value for the study's axis '{}': add {}={}",
+                                   axis.name, axis.name, axis.values.front()));
+    } else if (!axis.is_state) {
+      study->setting.parameters[axis.index] = axis.values.front();
+    }
+  }
+}
+
+// Puts the initial states of --at into the state that the study's policy gives the point.
+void place_states(const std::vector<Placed>& place, Study* study) {
+  study->initial.state = Plan(*study, 1).own_initial_state(0);
+  study->initial.policy = InitialPolicy::fixed;
+  for (const Placed& placed : place) {
+    if (placed.is_state) study->initial.state[placed.index] = placed.value;
+  }
+}
+
+// The study of the one point where the orbit is looked for; it samples the whole state at the end.
+Study point_study(const Study& whole, const FloquetArguments& arguments,
+                  const std::optional<Range>& range) {
+  Study study = whole;
+  std::vector<Placed> place = read_place(*study.model, arguments.at);
+  const bool placed_along =
+      range && std::any_of(place.begin(), place.end(), [&](const Placed& placed) {
+        return !placed.is_state && placed.index == range->parameter;
+      });
+  if (range && !placed_along) place.push_back({false, range->parameter, range->from});
+  place_parameters(place, &study);
+  place_states(place, &study);
+  std::vector<std::string> states;
+  for (const ChannelInfo& state : study.model->states) states.push_back(state.name);
+  study.selection = select_quantities(*study.model, {"poincare"}, states);
+  study.integrate.record = 1;
+  return study;
+}
+
+// Where the engine's trajectory is after the study's settling periods.
+Eigen::VectorXd end_state(const Study& study, std::optional<std::size_t> device) {
+  SweepOptions options;
+  options.device = device;
+  const std::optional<SweepResult> result = run_sweep(study, options);
+  const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(
+      result->samples.data(), static_cast<Eigen::Index>(result->samples.size()));
+  if (!state.allFinite())
+    throw RunError("the trajectory diverged: there is no orbit to start from");
+  return state;
+}
+
+PeriodMap map_of(const Study& study, std::optional<std::size_t> steps) {
+  const std::size_t of_study = Plan(study, 1).steps_of(0);
+  PeriodMap map(*study.model, study.setting, steps.value_or(std::max(kLeastSteps, of_study)));
+  if (!map.driven()) {
+    throw InputError(
+        fmt::format("model '{}' is autonomous: floquet is for models that are driven periodically",
+                    study.model->name));
+  }
+  return map;
+}
+
+std::vector<Branch> follow(const Study& study, const Range& range, const PeriodMap& map,
+                           const Orbit& orbit) {
+  FollowRequest request = {study.model,
+                           study.setting,
+                           range.parameter,
+                           std::min(range.from, range.to),
+                           std::max(range.from, range.to),
+                           map.steps(),
+                           false};
+  const double start = study.setting.parameters[range.parameter];
+  if (start < request.from || start > request.to) {
+    throw InputError(fmt::format("--at: {} = {} is not in the range of --along",
+                                 study.model->parameters[range.parameter].name, start));
+  }
+  std::vector<Branch> branches;
+  if (start > request.from) branches.push_back(follow_orbit(request, orbit));
+  request.upwards = true;
+  if (start < request.to) branches.push_back(follow_orbit(request, orbit));
+  return branches;
+}
+
+Findings compute(const FloquetArguments& arguments) {
+  const Study whole = load_study(arguments.study, arguments.overrides);
+  std::optional<Range> range;
+  if (!arguments.along.empty()) range = read_range(*whole.model, arguments.along);
+  const Study study = point_study(whole, arguments, range);
+  PeriodMap map = map_of(study, arguments.steps);
+  const Orbit orbit = find_orbit(map, end_state(study, arguments.device), arguments.period);
+  std::vector<Branch> branches;
+  if (range) branches = follow(study, *range, map, orbit);
+  return {study, std::move(map), orbit, range, std::move(branches)};
+}
+
+// The bifurcations of all branches by the parameter's value.
+std::vector<LocatedBifurcation> sorted_bifurcations(const Findings& findings) {
+  std::vector<LocatedBifurcation> all;
+  for (const Branch& branch : findings.branches) {
+    all.insert(all.end(), branch.bifurcations.begin(), branch.bifurcations.end());
+  }
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.parameter < b.parameter; });
+  return all;
+}
+
+// A crossing at +1 is a fold or a branching; one orbit does not tell which.
+std::string nearest_name(const Nearest& nearest) {
+  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind);
+  return "fold or symmetry breaking";
+}
+
+void print_orbit(const Findings& findings) {
+  const Orbit& orbit = findings.orbit;
+  const Model& model = *findings.study.model;
+  fmt::print(
+      "orbit of period {} ({}), T = {:.10g}\n", orbit.period,
+      orbit.stable() ? "stable" : fmt::format("unstable in {} directions", orbit.unstable_count()),
+      static_cast<double>(orbit.period) * findings.map.period());
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    fmt::print("  {:<4} {:.12g}\n", model.states[i].name,
+               orbit.state[static_cast<Eigen::Index>(i)]);
+  }
+  fmt::print("multipliers (modulus, real and imaginary part)\n");
+  for (const std::complex<double>& m : orbit.multipliers) {
+    fmt::print("  {:<14.8g} {:.8g} {:+.8g}i\n", std::abs(m), m.real(), m.imag());
+  }
+  const Nearest nearest = nearest_bifurcation(orbit);
+  fmt::print("nearest bifurcation: {} (modulus {:.8g}, {:.3g} {} the unit circle)\n",
+             nearest_name(nearest), std::abs(nearest.multiplier), std::abs(nearest.margin),
+             nearest.margin >= 0.0 ? "inside" : "outside");
+}
+
+void print_branches(const Findings& findings) {
+  if (!findings.range) return;
+  const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
+  fmt::print("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
+  for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
+    fmt::print("  {:<18} {} = {:.10g}{}\n", name_of(found.kind), name, found.parameter,
+               found.born_of > 0
+                   ? fmt::format(" (this branch begins, out of period {})", found.born_of)
+                   : "");
+  }
+  for (const Branch& branch : findings.branches) {
+    fmt::print("  {} orbits; {}\n", branch.orbits.size(), branch.ended);
+  }
+}
+
+nlohmann::json json_of(const Orbit& orbit) {
+  nlohmann::json json = {{"period", orbit.period}, {"stable", orbit.stable()}};
+  json["state"] = std::vector<double>(orbit.state.begin(), orbit.state.end());
+  for (const std::complex<double>& m : orbit.multipliers) {
+    json["multipliers"].push_back({{"re", m.real()}, {"im", m.imag()}, {"abs", std::abs(m)}});
+  }
+  return json;
+}
+
+void print_json(const Findings& findings) {
+  const Model& model = *findings.study.model;
+  nlohmann::json json = json_of(findings.orbit);
+  for (const ChannelInfo& state : model.states) json["states"].push_back(state.name);
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    json["parameters"][model.parameters[i].name] = findings.study.setting.parameters[i];
+  }
+  const Nearest nearest = nearest_bifurcation(findings.orbit);
+  json["nearest"] = {{"kind", nearest_name(nearest)}, {"margin", nearest.margin}};
+  if (findings.range) {
+    json["along"] = model.parameters[findings.range->parameter].name;
+    json["bifurcations"] = nlohmann::json::array();
+    for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
+      nlohmann::json entry = json_of(found.orbit);
+      entry["kind"] = name_of(found.kind);
+      entry["value"] = found.parameter;
+      entry["born_of"] = found.born_of;
+      json["bifurcations"].push_back(entry);
+    }
+    for (const Branch& branch : findings.branches) {
+      nlohmann::json entry = {{"ended", branch.ended}};
+      for (const BranchOrbit& member : branch.orbits) {
+        entry["orbits"].push_back(json_of(member.orbit));
+        entry["orbits"].back()["value"] = member.parameter;
+      }
+      json["branches"].push_back(entry);
+    }
+  }
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void add_floquet_command(CLI::App* app) {
+  CLI::App* command = app->add_subcommand(
+      "floquet", "The periodic orbit at a point, its multipliers, and its bifurcations");
+  const auto arguments = std::make_shared<FloquetArguments>();
+  command->add_option("study", arguments->study, "A study file, a built-in study or a result file")
+      ->required();
+  command
+      ->add_option("--at", arguments->at,
+                   "Where to look, NAME=VALUE,...: a value for each axis of the study, and for "
+                   "other parameters")
+      ->delimiter(',');
+  command->add_option("--along", arguments->along,
+                      "Follow the orbit, NAME=FROM:TO, and locate its bifurcations");
+  command
+      ->add_option("--period", arguments->period,
+                   "The orbit's length in forcing periods (default: the least after which the "
+                   "motion repeats, 64 at most)")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_option("--steps", arguments->steps,
+                   fmt::format("Integration steps per period (default: {} or the study's, if that "
+                               "is more)",
+                               kLeastSteps))
+      ->check(CLI::Range(16, 65536));
+  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'");
+  command
+      ->add_option("--set", arguments->overrides,
+                   "Override a key of the study, PATH=VALUE; may be given several times")
+      ->allow_extra_args(false);
+  command->add_flag("--json", arguments->as_json, "For scripts, with every orbit on the way");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5\n"
+      "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5 --along omega=0.6:0.8\n"
+      "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 2   an orbit inside chaos\n\n"
+      "The engine settles the motion; Newton's method on the period map finds the orbit.");
+  command->callback([arguments] {
+    const Findings findings = compute(*arguments);
+    if (arguments->as_json) {
+      print_json(findings);
+      return;
+    }
+    print_orbit(findings);
+    print_branches(findings);
+  });
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,100 @@
+// jerk: x''' = -damping x'' - x' + |x| - 1, one of the simplest chaotic flows with a piecewise
+// linear term (Linz and Sprott, Physics Letters A 259 (1999) 240-245). Autonomous: sections are
+// taken at a chosen interval of time.
+#define MODEL_NAME "jerk"
+#define MODEL_SUMMARY "piecewise linear jerk flow, autonomous (Linz and Sprott 1999)"
+
+// X(name, unit, meaning)
+#define MODEL_STATES(X)      \
+  X(x, "1", "position")      \
+  X(v, "1", "velocity of x") \
+  X(a, "1", "acceleration of x")
+
+// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+#define MODEL_PARAMETERS(X)                                          \
+  X(damping, "1", 0.6, -10.0, 10.0, 0, "factor of the acceleration") \
+  X(period, "1", 1.0, 1e-3, 1e3, 0, "time from section to section")
+
+// X(name, meaning, TOML of what differs from the defaults above)
+#define MODEL_PRESETS(X) X(classic, "damping 0.6; published start 0, -0.7, 0", "policy = 'fixed'")
+
+// X(name, unit, meaning)
+#define MODEL_SIGNALS(X) X(jerk, "1", "x'''")
+
+#define MODEL_PHASE_COEFS(X) X(one, "1: nothing depends on the phase")
+
+#include "model_types.h"
+
+typedef struct {
+  real period;
+  real damping;
+} ModelPoint;
+
+SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
+  (void)options;
+  point->period = p->period;
+  point->damping = p->damping;
+}
+
+// x''' of a state; `push` stands for |x| - 1.
+SHARED_FN real jerk_jerk(const ModelPoint* point, const real* x, real push) {
+  return push - x[STATE_v] - point->damping * x[STATE_a];
+}
+
+SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         real* dx) {
+  (void)phase;
+  const real one = 1;
+  dx[STATE_x] = x[STATE_v];
+  dx[STATE_v] = x[STATE_a];
+  dx[STATE_a] = jerk_jerk(point, x, lane_abs(x[STATE_x]) - one);
+}
+
+// What the Jacobian holds of the state.
+typedef struct {
+  real side;  // the sign of x
+} ModelLinear;
+
+// The field is continuous at x = 0, so no jump of the tangent is needed there.
+SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                               ModelLinear* linear) {
+  (void)point;
+  (void)phase;
+  const real zero = 0;
+  const real one = 1;
+  linear->side = lane_select(x[STATE_x] < zero, -one, one);
+}
+
+SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+                             const ModelLinear* linear, const real* w, real* dw) {
+  (void)phase;
+  dw[STATE_x] = w[STATE_v];
+  dw[STATE_v] = w[STATE_a];
+  dw[STATE_a] = jerk_jerk(point, w, linear->side * w[STATE_x]);
+}
+
+SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                             ModelSignals* signals) {
+  (void)phase;
+  const real one = 1;
+  signals->jerk = jerk_jerk(point, x, lane_abs(x[STATE_x]) - one);
+}
+
+#ifdef MODEL_HOST_PART
+inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
+
+inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
+  return {0.0};
+}
+
+inline PhaseCoefs model_phase_coefs(const ModelParameters&, const ModelOptions&, double, double) {
+  return {1.0};
+}
+
+// The equilibrium x = -1, which the motion turns about.
+inline void model_equilibrium(const ModelParameters&, const ModelOptions&, double* x) {
+  x[STATE_x] = -1.0;
+  x[STATE_v] = 0.0;
+  x[STATE_a] = 0.0;
+}
+#endif

@@ -1,0 +1,96 @@
+// lorenz: the convection model of Lorenz, Journal of the Atmospheric Sciences 20 (1963) 130-141.
+// Autonomous: sections are taken at a chosen interval of time.
+#define MODEL_NAME "lorenz"
+#define MODEL_SUMMARY "Lorenz's convection, autonomous (Lorenz 1963)"
+
+// X(name, unit, meaning)
+#define MODEL_STATES(X)                              \
+  X(x, "1", "intensity of the convection")           \
+  X(y, "1", "temperature difference of the streams") \
+  X(z, "1", "departure of the profile from a straight line")
+
+// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+#define MODEL_PARAMETERS(X)                                                         \
+  X(sigma, "1", 10.0, 0.0, 1e3, 0, "Prandtl number")                                \
+  X(rho, "1", 28.0, 0.0, 1e3, 0, "Rayleigh number / that of the onset")             \
+  X(beta, "1", 2.66666666666666666667, 0.0, 1e3, 0, "shape of the convection cell") \
+  X(period, "1", 1.0, 1e-3, 1e3, 0, "time from section to section")
+
+// X(name, meaning, TOML of what differs from the defaults above)
+#define MODEL_PRESETS(X) \
+  X(classic, "Lorenz's own parameters; published start 0, -0.01, 9", "policy = 'fixed'")
+
+// X(name, unit, meaning)
+#define MODEL_SIGNALS(X) X(energy, "1", "(x^2 + y^2 + z^2)/2")
+
+#define MODEL_PHASE_COEFS(X) X(one, "1: nothing depends on the phase")
+
+#include "model_types.h"
+
+typedef struct {
+  real period;
+  real sigma, rho, beta;
+} ModelPoint;
+
+SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
+  (void)options;
+  point->period = p->period;
+  point->sigma = p->sigma;
+  point->rho = p->rho;
+  point->beta = p->beta;
+}
+
+SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         real* dx) {
+  (void)phase;
+  dx[STATE_x] = point->sigma * (x[STATE_y] - x[STATE_x]);
+  dx[STATE_y] = x[STATE_x] * (point->rho - x[STATE_z]) - x[STATE_y];
+  dx[STATE_z] = x[STATE_x] * x[STATE_y] - point->beta * x[STATE_z];
+}
+
+// What the Jacobian holds of the state.
+typedef struct {
+  real x, y, slope;  // slope: rho - z
+} ModelLinear;
+
+SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                               ModelLinear* linear) {
+  (void)phase;
+  linear->x = x[STATE_x];
+  linear->y = x[STATE_y];
+  linear->slope = point->rho - x[STATE_z];
+}
+
+SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+                             const ModelLinear* linear, const real* w, real* dw) {
+  (void)phase;
+  dw[STATE_x] = point->sigma * (w[STATE_y] - w[STATE_x]);
+  dw[STATE_y] = linear->slope * w[STATE_x] - w[STATE_y] - linear->x * w[STATE_z];
+  dw[STATE_z] = linear->y * w[STATE_x] + linear->x * w[STATE_y] - point->beta * w[STATE_z];
+}
+
+SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                             ModelSignals* signals) {
+  (void)point;
+  (void)phase;
+  signals->energy =
+      (scalar)(0.5) * (x[STATE_x] * x[STATE_x] + x[STATE_y] * x[STATE_y] + x[STATE_z] * x[STATE_z]);
+}
+
+#ifdef MODEL_HOST_PART
+inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
+
+inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
+  return {0.0};
+}
+
+inline PhaseCoefs model_phase_coefs(const ModelParameters&, const ModelOptions&, double, double) {
+  return {1.0};
+}
+
+// Steady convection, where there is any; otherwise rest.
+inline void model_equilibrium(const ModelParameters& p, const ModelOptions&, double* x) {
+  x[STATE_z] = std::fmax(p.rho - 1.0, 0.0);
+  x[STATE_x] = x[STATE_y] = std::sqrt(p.beta * x[STATE_z]);
+}
+#endif

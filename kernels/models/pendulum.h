@@ -1,0 +1,95 @@
+// pendulum: x'' + damping x' + sin x = drive sin(omega t + phase), the forced damped pendulum
+// (Baker and Gollub, Chaotic Dynamics, 1990; damping = 1/Q there). The angle is not wrapped.
+#define MODEL_NAME "pendulum"
+#define MODEL_SUMMARY "forced damped pendulum (Baker and Gollub 1990)"
+
+// X(name, unit, meaning)
+#define MODEL_STATES(X)                                       \
+  X(x, "rad", "angle from the vertical, full turns included") \
+  X(v, "1", "angular velocity / small-swing angular frequency")
+
+// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+#define MODEL_PARAMETERS(X)                                              \
+  X(damping, "1", 0.05, -10.0, 100.0, 0, "factor of the velocity, 1/Q")  \
+  X(drive, "1", 0.6, -1e3, 1e3, 0, "amplitude of the forcing torque")    \
+  X(omega, "1", 0.7, 1e-4, 100.0, 0, "angular frequency of the forcing") \
+  X(phase, "rad", 0.0, -100.0, 100.0, 1, "phase of the forcing (pi/2: a cosine)")
+
+// X(name, meaning, TOML of what differs from the defaults above)
+#define MODEL_PRESETS(X)                                                                     \
+  X(sprott, "weakly damped, chaotic; published start 0, 0", "policy = 'fixed'")              \
+  X(cascade, "drive 1.5 at omega 2/3: period doubling as damping falls from 0.75 to 0.72",   \
+    "damping = 0.74\ndrive = 1.5\nomega = 0.66666666666666667\nphase = 1.5707963267948966\n" \
+    "policy = 'fixed'")
+
+// X(name, unit, meaning)
+#define MODEL_SIGNALS(X) X(energy, "1", "v^2/2 + 1 - cos x")
+
+// What depends on the phase alone.
+#define MODEL_PHASE_COEFS(X) X(sine, "sin(2 pi psi + phase)")
+
+#include "model_types.h"
+
+typedef struct {
+  real period;
+  real damping, drive;
+} ModelPoint;
+
+SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
+  (void)options;
+  point->period = (scalar)(6.283185307179586476925) / p->omega;
+  point->damping = p->damping;
+  point->drive = p->drive;
+}
+
+SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         real* dx) {
+  dx[STATE_x] = x[STATE_v];
+  dx[STATE_v] = point->drive * phase->sine - point->damping * x[STATE_v] - lane_sin(x[STATE_x]);
+}
+
+// What the Jacobian holds of the state.
+typedef struct {
+  real cosine;  // of the angle
+} ModelLinear;
+
+SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                               ModelLinear* linear) {
+  (void)point;
+  (void)phase;
+  linear->cosine = lane_cos(x[STATE_x]);
+}
+
+SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+                             const ModelLinear* linear, const real* w, real* dw) {
+  (void)phase;
+  dw[STATE_x] = w[STATE_v];
+  dw[STATE_v] = -point->damping * w[STATE_v] - linear->cosine * w[STATE_x];
+}
+
+SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                             ModelSignals* signals) {
+  (void)point;
+  (void)phase;
+  const real one = 1;
+  signals->energy = (scalar)(0.5) * x[STATE_v] * x[STATE_v] + (one - lane_cos(x[STATE_x]));
+}
+
+#ifdef MODEL_HOST_PART
+inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
+
+inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
+  return {0.0};
+}
+
+inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions&, double psi,
+                                    double) {
+  return {std::sin(6.283185307179586476925 * psi + p.phase)};
+}
+
+// Hanging at rest.
+inline void model_equilibrium(const ModelParameters&, const ModelOptions&, double* x) {
+  x[STATE_x] = 0.0;
+  x[STATE_v] = 0.0;
+}
+#endif

@@ -1,0 +1,88 @@
+// Period of the motion, in forcing periods: after how many the full state at phase 0 recurs. The
+// state is compared with a reference that moves on after 1, 2, 4, ... and at last each 64 periods
+// (R. P. Brent, BIT 20 (1980) 176-184, with his power of two bounded). Two states are the same when
+// no component differs by more than PERIOD_TOLERANCE times the greatest component of any recorded
+// state at phase 0. A period counts when all its multiples within reach recur, at least two of
+// them, from some reference to the end of the record and for a quarter of the record or more.
+
+#define PERIOD_KIND orbit
+// X(suffix of the quantity's name, unit, flag meanings, meaning)
+#define PERIOD_OUTPUTS(X) X(, "1", "", "period in forcing periods, at most 32; 0: none was found")
+
+enum {
+  period_candidate,                                   // 0: none
+  period_hits,                                        // times that the candidate recurred
+  period_due,                                         // lag at which it recurs next
+  period_since,                                       // periods recorded before its reference
+  period_scale,                                       // greatest component so far
+  period_reference,                                   // the state to compare with
+  period_accumulators = period_reference + PER_STATE  // all of them
+};
+
+#ifdef __OPENCL_VERSION__
+enum { period_outputs = PERIOD_OUTPUTS(COUNT_OUTPUT), period_most = 32, period_window = 64 };
+
+SHARED_FN void period_take_reference(real* sums, const real* x) {
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[period_reference + i] = x[i];
+    sums[period_scale] = lane_max(sums[period_scale], lane_abs(x[i]));
+  }
+}
+
+SHARED_FN void period_init(real* sums, const real* x) {
+  for (int i = 0; i < period_reference; ++i) sums[i] = 0;
+  period_take_reference(sums, x);
+}
+
+// x: state at the end of the recorded period of this number.
+SHARED_FN void period_period(real* sums, const real* x, const real* growth, real period,
+                             uint number, uint record) {
+  uint window = 1;
+  uint start = 0;
+  while (window < period_window && number >= start + window) {
+    start += window;
+    window *= 2;
+  }
+  const uint lag = (number - start) % window + 1;
+  const real now = (scalar)(lag);
+  const real zero = 0;
+  const real one = 1;
+
+  real distance = 0;
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[period_scale] = lane_max(sums[period_scale], lane_abs(x[i]));
+    distance = lane_max(distance, lane_abs(x[i] - sums[period_reference + i]));
+  }
+  const mask same = distance <= (scalar)(PERIOD_TOLERANCE)*sums[period_scale];
+  const mask due = sums[period_due] == now;
+  const mask hit = due & same;
+  const mask missed = due & !same;
+  sums[period_hits] = lane_select(hit, sums[period_hits] + one, sums[period_hits]);
+  sums[period_due] = lane_select(hit, now + sums[period_candidate], sums[period_due]);
+  sums[period_candidate] = lane_select(missed, zero, sums[period_candidate]);
+  sums[period_due] = lane_select(missed, zero, sums[period_due]);
+  if (lag <= period_most) {
+    const mask fresh =
+        same & ((sums[period_candidate] == zero) | ((now < sums[period_due]) & !hit));
+    sums[period_candidate] = lane_select(fresh, now, sums[period_candidate]);
+    sums[period_hits] = lane_select(fresh, one, sums[period_hits]);
+    sums[period_due] = lane_select(fresh, now + now, sums[period_due]);
+    sums[period_since] = lane_select(fresh, (real)((scalar)(number + 1 - lag)), sums[period_since]);
+  }
+  if (lag < window) return;
+  period_take_reference(sums, x);
+  sums[period_due] = sums[period_candidate];
+}
+
+// The period, 0 where none counts.
+SHARED_FN real period_found(const real* sums, uint record) {
+  const real zero = 0;
+  const real held = (scalar)(record)-sums[period_since];
+  const mask counts = (sums[period_hits] >= (scalar)(2)) & ((scalar)(4) * held >= (scalar)(record));
+  return lane_select(counts, sums[period_candidate], zero);
+}
+
+SHARED_FN void period_finish(const real* sums, uint record, real* out) {
+  out[0] = period_found(sums, record);
+}
+#endif

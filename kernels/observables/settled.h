@@ -1,0 +1,29 @@
+// How many periods, settling included, went by before the orbit stayed periodic: those before the
+// reference of observables/period.h from which on the period holds. References lie 64 periods
+// apart, less at the record's beginning; an orbit that is periodic from there on has settled after
+// the periods of integrate.settle, or before.
+#include "observables/period.h"
+
+#define SETTLED_KIND orbit
+// X(suffix of the quantity's name, unit, flag meanings, meaning)
+#define SETTLED_OUTPUTS(X) \
+  X(, "1", "", "forcing periods until the motion stayed periodic; not a number when it did not")
+
+enum { settled_accumulators = period_accumulators };
+
+#ifdef __OPENCL_VERSION__
+enum { settled_outputs = SETTLED_OUTPUTS(COUNT_OUTPUT) };
+
+SHARED_FN void settled_init(real* sums, const real* x) { period_init(sums, x); }
+
+SHARED_FN void settled_period(real* sums, const real* x, const real* growth, real period,
+                              uint number, uint record) {
+  period_period(sums, x, growth, period, number, record);
+}
+
+SHARED_FN void settled_finish(const real* sums, uint record, real* out) {
+  const real zero = 0;
+  const real total = sums[period_since] + (scalar)(SETTLE_PERIODS);
+  out[0] = lane_select(period_found(sums, record) > zero, total, (real)(NAN));
+}
+#endif

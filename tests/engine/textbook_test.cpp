@@ -1,0 +1,191 @@
+// The textbook models against published Lyapunov exponents and against themselves: the exact sums of
+// their exponents, where they rest, each model's Jacobian against differences of its right-hand
+// side, the kernel against the reference engine.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/published_exponents.hpp"
+#include "support/run.hpp"
+#include "support/settings.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+constexpr std::size_t kStarts = 64;
+
+SweepResult run_starts(const PublishedExponents& row, std::size_t steps, std::size_t record) {
+  const std::string first_state = find_model(row.model)->states.front().name;
+  return run("[model]\nname = '" + row.model + "'\npreset = '" + row.preset +
+             "'\n[[axes]]\nname = '" + first_state + "'\nfrom = " + std::to_string(row.first) +
+             "\nto = " + std::to_string(row.first + 0.001 * (kStarts - 1)) +
+             "\ncount = " + std::to_string(kStarts) + "\n[initial]\nstate = {" + row.state +
+             "}\n[integrate]\nsettle = 200\nsteps_per_period = " + std::to_string(steps) +
+             "\nrecord = " + std::to_string(record) +
+             "\n[observe]\nquantities = ['lyapunov_spectrum']\n");
+}
+
+// Each exponent, averaged over the starts.
+std::vector<double> mean_spectrum(const SweepResult& result) {
+  const std::vector<double>& spectrum = map_of(result, "lyapunov_spectrum");
+  std::vector<double> mean(spectrum.size() / kStarts, 0.0);
+  for (std::size_t i = 0; i < spectrum.size(); ++i) mean[i % mean.size()] += spectrum[i] / kStarts;
+  return mean;
+}
+
+double sum_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
+class Published : public ::testing::TestWithParam<PublishedExponents> {};
+
+TEST_P(Published, Exponents) {
+  const PublishedExponents& row = GetParam();
+  const SweepResult result = run_starts(row, row.steps_per_period, row.record);
+  for (const std::uint8_t status : result.status) ASSERT_EQ(status, 0);
+  const std::vector<double> found = mean_spectrum(result);
+  for (std::size_t i = 0; i < row.exponents.size(); ++i) {
+    EXPECT_NEAR(found[i], row.exponents[i], row.tolerance) << "exponent " << i;
+  }
+}
+
+// The sum is the mean divergence, here a constant; what the Runge-Kutta step makes of it is wrong by
+// the fourth power of the step's length (the error of a step by the fifth). Halving the step must
+// divide the error by 16; 8 is a third order's, and the next term and the chaos change it by less.
+// 3e-4 is a hundred thousandth of what the fastest direction of all (Lorenz) loses.
+TEST_P(Published, SumIsExactUpToTheStep) {
+  const PublishedExponents& row = GetParam();
+  if (!row.sum) GTEST_SKIP() << "the divergence is not constant";
+  const double coarse =
+      sum_of(mean_spectrum(run_starts(row, row.steps_per_period, 100))) - *row.sum;
+  const double fine =
+      sum_of(mean_spectrum(run_starts(row, 2 * row.steps_per_period, 100))) - *row.sum;
+  printf("%s %g %g ratio %g\n", row.name.c_str(), coarse, fine, coarse / fine);
+  EXPECT_LT(std::abs(coarse), 3e-4);
+  EXPECT_LT(std::abs(fine), std::abs(coarse) / 8.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Textbook, Published, ::testing::ValuesIn(published_exponents()),
+                         [](const auto& row) { return row.param.name; });
+
+// Every model with each combination of its options.
+struct ModelChoice {
+  const Model* model;
+  ModelSetting setting;
+};
+
+std::vector<ModelChoice> all_choices() {
+  std::vector<ModelChoice> choices;
+  for (const Model& model : models()) {
+    std::vector<ModelSetting> settings = {model.default_setting()};
+    for (std::size_t option = 0; option < model.options.size(); ++option) {
+      const std::size_t before = settings.size();
+      for (std::size_t choice = 1; choice < model.options[option].choices.size(); ++choice) {
+        for (std::size_t i = 0; i < before; ++i) {
+          settings.push_back(settings[i]);
+          settings.back().options[option] = static_cast<int>(choice);
+        }
+      }
+    }
+    for (const ModelSetting& setting : settings) choices.push_back({&model, setting});
+  }
+  return choices;
+}
+
+// Central differences over 2e-5 have errors of 1e-10 |d3f/dx3|/6 and of 1e-11 |f| from rounding,
+// both below 1e-9 for states of size 3. The fields' kinks are too rare to lie within the difference.
+TEST(EveryModel, JacobianIsTheDerivativeOfTheRightHandSide) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> anywhere(-3.0, 3.0);
+  std::uniform_real_distribution<double> phases(0.0, 1.0);
+  for (const ModelChoice& choice : all_choices()) {
+    SCOPED_TRACE(choice.model->name);
+    const auto point = choice.model->prepare(choice.setting);
+    const std::size_t n = choice.model->states.size();
+    double worst = 0.0;
+    for (int trial = 0; trial < 100; ++trial) {
+      const double psi = phases(random);
+      std::vector<double> coefs(choice.model->phase_coefs.size());
+      choice.model->phase_coefs_at(choice.setting, psi, psi, coefs.data());
+      std::vector<double> x(n);
+      for (double& value : x) value = anywhere(random);
+      std::vector<double> jacobian(n * n);
+      point->jacobian(coefs.data(), x.data(), jacobian.data());
+      for (std::size_t j = 0; j < n; ++j) {
+        const double h = 1e-5;
+        std::vector<double> left = x, right = x, slope_left(n), slope_right(n);
+        left[j] -= h;
+        right[j] += h;
+        point->rhs(coefs.data(), left.data(), slope_left.data());
+        point->rhs(coefs.data(), right.data(), slope_right.data());
+        for (std::size_t i = 0; i < n; ++i) {
+          const double difference = (slope_right[i] - slope_left[i]) / (2.0 * h);
+          worst = std::max(worst, std::abs(jacobian[i * n + j] - difference));
+        }
+      }
+    }
+    EXPECT_LT(worst, 1e-8);
+  }
+}
+
+// Ten periods of the same steps, first with different states, by two programs that share the formula
+// alone: rounding differs, and the fastest chaos here (Lorenz, 0.9 per unit of time) makes 1e-15 into
+// 1e-11; 1e-9 leaves room for states of size 30 and for starts that separate faster at first.
+TEST(EveryModel, KernelAndReferenceEngineAgree) {
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    std::string sampled;
+    for (const ChannelInfo& state : model.states) sampled += "'" + state.name + "', ";
+    const std::string study =
+        "[model]\nname = '" + model.name + "'\n[[axes]]\nname = '" + model.states[0].name +
+        "'\nfrom = 0.5\nto = 1.5\ncount = 16\n[integrate]\nsettle = 0\nrecord = 10\n"
+        "steps_per_period = 128\n[observe]\nquantities = ['poincare']\npoincare = [" +
+        sampled + "]\n";
+    const SweepResult kernel = run(study);
+    const SweepResult reference = run(study, {"integrate.engine=reference"});
+    ASSERT_EQ(kernel.samples.size(), reference.samples.size());
+    for (std::size_t i = 0; i < kernel.samples.size(); ++i) {
+      ASSERT_NEAR(kernel.samples[i], reference.samples[i], 1e-9);
+    }
+  }
+}
+
+struct Rest {
+  const char* model;
+  std::vector<std::pair<const char*, double>> changes;  // what must be still
+};
+
+// Where policy `shifted` starts, nothing moves when nothing is forced: a few roundings of terms of
+// size 30.
+TEST(Textbook, RestsAtItsEquilibrium) {
+  const std::vector<Rest> rests = {
+      {"lorenz", {}},
+      {"rossler", {}},
+      {"jerk", {}},
+      {"duffing", {{"amplitude", 0.0}}},
+      {"duffing", {{"amplitude", 0.0}, {"linear", -2.0}}},
+      {"pendulum", {{"drive", 0.0}}},
+      {"vanderpol", {{"amplitude", 0.0}}},
+      {"gear1",
+       {{"Fte", 0.0}, {"Fte_2", 0.0}, {"Fte_3", 0.0}, {"k", 0.0}, {"k_2", 0.0}, {"k_3", 0.0}}},
+  };
+  for (const Rest& rest : rests) {
+    SCOPED_TRACE(rest.model);
+    const Model& model = *find_model(rest.model);
+    ModelSetting setting = model.default_setting();
+    for (const auto& [name, value] : rest.changes) {
+      setting.parameters[parameter_index(model, name)] = value;
+    }
+    const std::vector<double> x = model.equilibrium(setting);
+    std::vector<double> coefs(model.phase_coefs.size()), slope(x.size());
+    model.phase_coefs_at(setting, 0.3, 0.3, coefs.data());
+    model.prepare(setting)->rhs(coefs.data(), x.data(), slope.data());
+    for (const double value : slope) EXPECT_NEAR(value, 0.0, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
