@@ -12,6 +12,7 @@
 
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
+#include "study/settings.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -59,6 +60,7 @@ class Writer {
     const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     put("title", study_.title);
     put("study", study_.toml);
+    put("settings", resolved_settings(study_));
     put("gearsweep_version", provenance.version);
     put("source_hash", provenance.source_hash);
     put("device", result_.engine.device);

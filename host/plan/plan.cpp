@@ -55,7 +55,7 @@ Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
     for (std::size_t& point : points) {
       point = study_.initial.along == 0 ? point * nx + index : index * nx + point;
     }
-    add_stage(std::move(points), tile_points);
+    add_stage(points, tile_points);
   }
 }
 
@@ -125,7 +125,7 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
   return state;
 }
 
-void Plan::add_stage(std::vector<std::size_t> points, std::size_t tile_points) {
+void Plan::add_stage(const std::vector<std::size_t>& points, std::size_t tile_points) {
   std::map<std::vector<double>, std::vector<std::size_t>> by_grid;
   for (const std::size_t point : points) by_grid[grid_key(*this, point)].push_back(point);
 

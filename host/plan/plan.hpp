@@ -44,7 +44,7 @@ class Plan {
  private:
   double axis_value(std::size_t axis, std::size_t point) const;
   std::size_t axis_index(std::size_t axis, std::size_t point) const;
-  void add_stage(std::vector<std::size_t> points, std::size_t tile_points);
+  void add_stage(const std::vector<std::size_t>& points, std::size_t tile_points);
 
   const Study study_;
   std::vector<Stage> stages_;

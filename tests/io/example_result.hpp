@@ -39,6 +39,7 @@ inline SweepResult example_result(std::size_t nx = 4, std::size_t ny = 3) {
   Study& study = result.study;
   study.title = "omega x b, \"coarse\" gear";
   study.model = find_model("gear5");
+  study.setting = study.model->default_setting();
   study.axes.push_back(make_axis("omega", "varpi", "mesh frequency / varpi", 0.4, 2.0, nx));
   if (ny > 0) study.axes.push_back(make_axis("b", "b_n", "half backlash", 0.3, 1.5, ny));
   study.selection =

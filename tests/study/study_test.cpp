@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "model/error.hpp"
+#include "study/settings.hpp"
 
 namespace gearsweep {
 namespace {
@@ -81,6 +82,15 @@ TEST(Study, ItsTomlGivesTheSameStudyWithoutTheOverrides) {
   EXPECT_EQ(again.integrate.record, 7U);
   EXPECT_EQ(again.title, "again");
   EXPECT_EQ(again.axes[0].values, study.axes[0].values);
+}
+
+TEST(Study, ItsSettingsNameEveryValueWithDefaultsResolved) {
+  const Study study = read_study(std::string("[model]\npreset = 'paper'\n") + kAxis, "s.toml");
+  const Study again = read_study(resolved_settings(study) + kAxis, "settings");
+  EXPECT_EQ(again.setting.parameters, study.setting.parameters);
+  EXPECT_EQ(again.setting.options, study.setting.options);
+  EXPECT_EQ(again.integrate.max_step, study.integrate.max_step);
+  EXPECT_EQ(again.integrate.settle, study.integrate.settle);
 }
 
 TEST(Study, ALogAxisHasAConstantRatio) {

@@ -1,0 +1,27 @@
+#include "study/settings.hpp"
+
+#include <fmt/format.h>
+
+namespace gearsweep {
+std::string resolved_settings(const Study& study) {
+  const Model& model = *study.model;
+  std::string text = fmt::format("[model]\nname = '{}'\n", model.name);
+  for (std::size_t i = 0; i < model.options.size(); ++i) {
+    const auto chosen = static_cast<std::size_t>(study.setting.options[i]);
+    text += fmt::format("{} = '{}'\n", model.options[i].name, model.options[i].choices[chosen]);
+  }
+  text += "[parameters]\n";
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    text += fmt::format("{} = {}\n", model.parameters[i].name, study.setting.parameters[i]);
+  }
+  const Integrate& integrate = study.integrate;
+  text += fmt::format("[integrate]\nprecision = '{}'\n", integrate.fp64 ? "fp64" : "fp32");
+  text += integrate.steps_per_period > 0
+              ? fmt::format("steps_per_period = {}\n", integrate.steps_per_period)
+              : fmt::format("max_step = {}\n", integrate.max_step);
+  text += fmt::format("settle = {}\nrecord = {}\nwarm_up = {}\n", integrate.settle,
+                      integrate.record, integrate.warm_up);
+  return text;
+}
+
+}  // namespace gearsweep
