@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "io/gnuplot.hpp"
 #include "io/output_file.hpp"
@@ -115,6 +117,17 @@ PlotScript draw(const Picture& picture) {
   return picture.map.is_poincare() ? draw_bifurcation(picture) : draw_curve(picture);
 }
 
+// Whether a picture ends as its format does: gnuplot does not always say when a disk is full.
+bool is_whole(const std::string& file, const std::string& name) {
+  const std::string mark = name.ends_with(".png")   ? "IEND"
+                           : name.ends_with(".pdf") ? "%%EOF"
+                                                    : "</svg>";
+  std::ifstream in(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  return content.find(mark, content.size() - std::min<std::size_t>(content.size(), 32)) !=
+         std::string::npos;
+}
+
 // The lines before the picture's own: where its files are and where the picture goes.
 std::string preamble(const fs::path& script, const std::string& output) {
   const fs::path from_script = fs::absolute(output).lexically_relative(
@@ -157,8 +170,9 @@ void plot_map(const PlotRequest& request) {
   write_file(script.string(), preamble(script, request.output_path) + drawn.text);
 
   run_gnuplot({"-c", script.string(), output.temporary_path()});
-  if (fs::file_size(output.temporary_path()) == 0) {
-    throw RunError(fmt::format("gnuplot drew nothing for '{}'", request.output_path));
+  if (!is_whole(output.temporary_path(), request.output_path)) {
+    throw RunError(fmt::format("gnuplot wrote no whole picture for '{}'; is the disk full?",
+                               request.output_path));
   }
   output.commit();
 }
