@@ -42,6 +42,17 @@ SHARED_FN void store_components(__global real* buffer, uint items, uint item, ui
   for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
 }
 
+// The same for more numbers than are worth unrolling.
+SHARED_FN void load_many(__global const real* buffer, uint items, uint item, uint first, int count,
+                         real* values) {
+  for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
+}
+
+SHARED_FN void store_many(__global real* buffer, uint items, uint item, uint first, int count,
+                          const real* values) {
+  for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
+}
+
 SHARED_FN void mark_diverged(real* x) {
   const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
   mask inside = lane_abs(x[0]) < limit;
@@ -110,10 +121,10 @@ __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* s
       const real h = segment_fractions[grid.first_segment + segment] * point.period;
       for (uint step = 0; step < steps; ++step) {
         tangent_step(&point, stage, h, x, w);
+        if (TANGENT_IS_DUE(step, steps)) tangent_orthonormalize(w, growth);
         stage += RK4_STAGES_PER_STEP;
       }
       stage += 1;
-      tangent_orthonormalize(w, growth);
     }
     mark_diverged(x);
   }
@@ -147,18 +158,21 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   kind##_update(kind##_of_##channel, value(before), value(after), weight);
 #define CHANNEL_PERIOD(kind, channel, value) kind##_period(kind##_of_##channel);
 #define CHANNEL_LOAD(kind, channel, value) \
-  OBSERVER_MOVE(load, accumulators, kind##_accumulators, kind##_of_##channel)
+  OBSERVER_MOVE(load_components, accumulators, kind##_accumulators, kind##_of_##channel)
 #define CHANNEL_STORE(kind, channel, value) \
-  OBSERVER_MOVE(store, accumulators, kind##_accumulators, kind##_of_##channel)
-#define CHANNEL_FINISH(kind, channel, value) OBSERVER_FINISH(kind, kind##_of_##channel)
+  OBSERVER_MOVE(store_components, accumulators, kind##_accumulators, kind##_of_##channel)
+#define CHANNEL_FINISH(kind, channel, value) \
+  OBSERVER_FINISH(load_components, kind, kind##_of_##channel)
 
 #define STEP_DECLARE(kind) real kind##_sums[kind##_accumulators];
 #define STEP_INIT(kind) kind##_init(kind##_sums, &before);
 #define STEP_UPDATE(kind) kind##_update(kind##_sums, &before, &after, weight);
 #define STEP_PERIOD(kind) kind##_period(kind##_sums);
-#define STEP_LOAD(kind) OBSERVER_MOVE(load, accumulators, kind##_accumulators, kind##_sums)
-#define STEP_STORE(kind) OBSERVER_MOVE(store, accumulators, kind##_accumulators, kind##_sums)
-#define STEP_FINISH(kind) OBSERVER_FINISH(kind, kind##_sums)
+#define STEP_LOAD(kind) \
+  OBSERVER_MOVE(load_components, accumulators, kind##_accumulators, kind##_sums)
+#define STEP_STORE(kind) \
+  OBSERVER_MOVE(store_components, accumulators, kind##_accumulators, kind##_sums)
+#define STEP_FINISH(kind) OBSERVER_FINISH(load_components, kind, kind##_sums)
 
 #define TANGENT_DECLARE(kind) STEP_DECLARE(kind)
 #define TANGENT_INIT(kind) kind##_init(kind##_sums);
@@ -174,22 +188,22 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define ORBIT_UPDATE(kind)
 #define ORBIT_PERIOD(kind) \
   kind##_period(kind##_sums, x, growth, point.period, round.recorded + period, round.record);
-#define ORBIT_LOAD(kind) STEP_LOAD(kind)
-#define ORBIT_STORE(kind) STEP_STORE(kind)
-#define ORBIT_FINISH(kind) STEP_FINISH(kind)
+#define ORBIT_LOAD(kind) OBSERVER_MOVE(load_many, accumulators, kind##_accumulators, kind##_sums)
+#define ORBIT_STORE(kind) OBSERVER_MOVE(store_many, accumulators, kind##_accumulators, kind##_sums)
+#define ORBIT_FINISH(kind) OBSERVER_FINISH(load_many, kind, kind##_sums)
 
 // Each observer's accumulators follow those of the one before it.
-#define OBSERVER_MOVE(verb, buffer, count, values)              \
-  verb##_components(buffer, items, item, first, count, values); \
+#define OBSERVER_MOVE(move, buffer, count, values) \
+  move(buffer, items, item, first, count, values); \
   first += count;
-#define OBSERVER_FINISH(kind, sums)                                               \
-  {                                                                               \
-    real out[kind##_outputs];                                                     \
-    load_components(accumulators, items, item, first, kind##_accumulators, sums); \
-    kind##_finish(sums, round.record, out);                                       \
-    store_components(outputs, items, item, first_output, kind##_outputs, out);    \
-    first += kind##_accumulators;                                                 \
-    first_output += kind##_outputs;                                               \
+#define OBSERVER_FINISH(load, kind, sums)                                      \
+  {                                                                            \
+    real out[kind##_outputs];                                                  \
+    load(accumulators, items, item, first, kind##_accumulators, sums);         \
+    kind##_finish(sums, round.record, out);                                    \
+    store_components(outputs, items, item, first_output, kind##_outputs, out); \
+    first += kind##_accumulators;                                              \
+    first_output += kind##_outputs;                                            \
   }
 
 __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
@@ -229,13 +243,13 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       take_sample(&point, stage, x, &before);
       for (uint step = 0; step < steps; ++step) {
         tangent_step(&point, stage, h, x, w);
+        if (TANGENT_IS_DUE(step, steps)) tangent_orthonormalize(w, growth);
         stage += RK4_STAGES_PER_STEP;
         take_sample(&point, stage, x, &after);
         OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE, TANGENT_UPDATE, ORBIT_UPDATE)
         before = after;
       }
       stage += 1;
-      tangent_orthonormalize(w, growth);
     }
     OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD, ORBIT_PERIOD)
     mark_diverged(x);

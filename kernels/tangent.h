@@ -3,6 +3,11 @@
 // Giorgilli, Strelcyn, Meccanica 15 (1980) 9-30). A phase-driven model's phase is no state, so its
 // zero exponent is not among them. With TANGENTS 0 all of this is nothing.
 
+// Vectors are made orthonormal at the end of each segment of a period, and more often in long ones:
+// the shortest must not drown in the longest.
+#define TANGENT_EVERY 64
+#define TANGENT_IS_DUE(step, steps) (((step) + 1) % TANGENT_EVERY == 0 || (step) + 1 == (steps))
+
 // Array sizes, which must not be 0.
 #define TANGENT_VECTORS (TANGENTS > 0 ? TANGENTS : 1)
 #define TANGENT_NUMBERS (TANGENT_VECTORS * MODEL_STATE_COUNT)

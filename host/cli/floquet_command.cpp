@@ -1,21 +1,19 @@
 // gearsweep floquet: the periodic orbit at one point of a study, its Floquet multipliers, and the
 // bifurcations along a parameter.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/floquet_report.hpp"
 #include "cli/study_source.hpp"
 #include "distribute/sweep.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "plan/plan.hpp"
-#include "reference/continuation.hpp"
 
 namespace gearsweep {
 namespace {
@@ -27,21 +25,6 @@ struct FloquetArguments {
   std::vector<std::string> at, overrides;
   std::optional<std::size_t> device, period, steps;
   bool as_json = false;
-};
-
-// The range of --along.
-struct Range {
-  std::size_t parameter = 0;
-  double from = 0.0, to = 0.0;
-};
-
-// All that the command finds.
-struct Findings {
-  Study study;  // of one point
-  PeriodMap map;
-  Orbit orbit;
-  std::optional<Range> range;
-  std::vector<Branch> branches;  // downwards and upwards
 };
 
 double to_number(const std::string& text, const std::string& option) {
@@ -82,15 +65,15 @@ void require_in_range(const ParameterInfo& info, double value, const std::string
                                info.name, value, info.least, info.greatest));
 }
 
-Range read_range(const Model& model, const std::string& text) {
+FollowedRange read_range(const Model& model, const std::string& text) {
   const auto [name, values] = split_assignment(text, "--along", "omega=0.6:0.8");
   const std::size_t colon = values.find(':');
   if (colon == std::string::npos) {
     throw InputError(fmt::format("--along: '{}' is not of the form omega=0.6:0.8", text));
   }
-  const Range range = {parameter_index(model, name, "--along"),
-                       to_number(values.substr(0, colon), "--along"),
-                       to_number(values.substr(colon + 1), "--along")};
+  const FollowedRange range = {parameter_index(model, name, "--along"),
+                               to_number(values.substr(0, colon), "--along"),
+                               to_number(values.substr(colon + 1), "--along")};
   for (const double value : {range.from, range.to}) {
     require_in_range(model.parameters[range.parameter], value, "--along");
   }
@@ -150,9 +133,16 @@ void place_states(const std::vector<Placed>& place, Study* study) {
   }
 }
 
+void require_start_in(const FollowedRange& range, const Study& study) {
+  const double start = study.setting.parameters[range.parameter];
+  if (start >= std::min(range.from, range.to) && start <= std::max(range.from, range.to)) return;
+  throw InputError(fmt::format("--at: {} = {} is not in the range of --along",
+                               study.model->parameters[range.parameter].name, start));
+}
+
 // The study of the one point where the orbit is looked for; it samples the whole state at the end.
 Study point_study(const Study& whole, const FloquetArguments& arguments,
-                  const std::optional<Range>& range) {
+                  const std::optional<FollowedRange>& range) {
   Study study = whole;
   std::vector<Placed> place = read_place(*study.model, arguments.at);
   const bool placed_along =
@@ -161,6 +151,7 @@ Study point_study(const Study& whole, const FloquetArguments& arguments,
       });
   if (range && !placed_along) place.push_back({false, range->parameter, range->from});
   place_parameters(place, &study);
+  if (range) require_start_in(*range, study);
   place_states(place, &study);
   std::vector<std::string> states;
   for (const ChannelInfo& state : study.model->states) states.push_back(state.name);
@@ -192,7 +183,7 @@ PeriodMap map_of(const Study& study, std::optional<std::size_t> steps) {
   return map;
 }
 
-std::vector<Branch> follow(const Study& study, const Range& range, const PeriodMap& map,
+std::vector<Branch> follow(const Study& study, const FollowedRange& range, const PeriodMap& map,
                            const Orbit& orbit) {
   FollowRequest request = {study.model,
                            study.setting,
@@ -202,10 +193,6 @@ std::vector<Branch> follow(const Study& study, const Range& range, const PeriodM
                            map.steps(),
                            false};
   const double start = study.setting.parameters[range.parameter];
-  if (start < request.from || start > request.to) {
-    throw InputError(fmt::format("--at: {} = {} is not in the range of --along",
-                                 study.model->parameters[range.parameter].name, start));
-  }
   std::vector<Branch> branches;
   if (start > request.from) branches.push_back(follow_orbit(request, orbit));
   request.upwards = true;
@@ -213,9 +200,9 @@ std::vector<Branch> follow(const Study& study, const Range& range, const PeriodM
   return branches;
 }
 
-Findings compute(const FloquetArguments& arguments) {
+FloquetFindings compute(const FloquetArguments& arguments) {
   const Study whole = load_study(arguments.study, arguments.overrides);
-  std::optional<Range> range;
+  std::optional<FollowedRange> range;
   if (!arguments.along.empty()) range = read_range(*whole.model, arguments.along);
   const Study study = point_study(whole, arguments, range);
   PeriodMap map = map_of(study, arguments.steps);
@@ -223,99 +210,6 @@ Findings compute(const FloquetArguments& arguments) {
   std::vector<Branch> branches;
   if (range) branches = follow(study, *range, map, orbit);
   return {study, std::move(map), orbit, range, std::move(branches)};
-}
-
-// The bifurcations of all branches by the parameter's value.
-std::vector<LocatedBifurcation> sorted_bifurcations(const Findings& findings) {
-  std::vector<LocatedBifurcation> all;
-  for (const Branch& branch : findings.branches) {
-    all.insert(all.end(), branch.bifurcations.begin(), branch.bifurcations.end());
-  }
-  std::sort(all.begin(), all.end(),
-            [](const auto& a, const auto& b) { return a.parameter < b.parameter; });
-  return all;
-}
-
-// A crossing at +1 is a fold or a branching; one orbit does not tell which.
-std::string nearest_name(const Nearest& nearest) {
-  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind);
-  return "fold or symmetry breaking";
-}
-
-void print_orbit(const Findings& findings) {
-  const Orbit& orbit = findings.orbit;
-  const Model& model = *findings.study.model;
-  fmt::print(
-      "orbit of period {} ({}), T = {:.10g}\n", orbit.period,
-      orbit.stable() ? "stable" : fmt::format("unstable in {} directions", orbit.unstable_count()),
-      static_cast<double>(orbit.period) * findings.map.period());
-  for (std::size_t i = 0; i < model.states.size(); ++i) {
-    fmt::print("  {:<4} {:.12g}\n", model.states[i].name,
-               orbit.state[static_cast<Eigen::Index>(i)]);
-  }
-  fmt::print("multipliers (modulus, real and imaginary part)\n");
-  for (const std::complex<double>& m : orbit.multipliers) {
-    fmt::print("  {:<14.8g} {:.8g} {:+.8g}i\n", std::abs(m), m.real(), m.imag());
-  }
-  const Nearest nearest = nearest_bifurcation(orbit);
-  fmt::print("nearest bifurcation: {} (modulus {:.8g}, {:.3g} {} the unit circle)\n",
-             nearest_name(nearest), std::abs(nearest.multiplier), std::abs(nearest.margin),
-             nearest.margin >= 0.0 ? "inside" : "outside");
-}
-
-void print_branches(const Findings& findings) {
-  if (!findings.range) return;
-  const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
-  fmt::print("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
-  for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
-    fmt::print("  {:<18} {} = {:.10g}{}\n", name_of(found.kind), name, found.parameter,
-               found.born_of > 0
-                   ? fmt::format(" (this branch begins, out of period {})", found.born_of)
-                   : "");
-  }
-  for (const Branch& branch : findings.branches) {
-    fmt::print("  {} orbits; {}\n", branch.orbits.size(), branch.ended);
-  }
-}
-
-nlohmann::json json_of(const Orbit& orbit) {
-  nlohmann::json json = {{"period", orbit.period}, {"stable", orbit.stable()}};
-  json["state"] = std::vector<double>(orbit.state.begin(), orbit.state.end());
-  for (const std::complex<double>& m : orbit.multipliers) {
-    json["multipliers"].push_back({{"re", m.real()}, {"im", m.imag()}, {"abs", std::abs(m)}});
-  }
-  return json;
-}
-
-void print_json(const Findings& findings) {
-  const Model& model = *findings.study.model;
-  nlohmann::json json = json_of(findings.orbit);
-  for (const ChannelInfo& state : model.states) json["states"].push_back(state.name);
-  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    json["parameters"][model.parameters[i].name] = findings.study.setting.parameters[i];
-  }
-  const Nearest nearest = nearest_bifurcation(findings.orbit);
-  json["nearest"] = {{"kind", nearest_name(nearest)}, {"margin", nearest.margin}};
-  if (findings.range) {
-    json["along"] = model.parameters[findings.range->parameter].name;
-    json["bifurcations"] = nlohmann::json::array();
-    for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
-      nlohmann::json entry = json_of(found.orbit);
-      entry["kind"] = name_of(found.kind);
-      entry["value"] = found.parameter;
-      entry["born_of"] = found.born_of;
-      json["bifurcations"].push_back(entry);
-    }
-    for (const Branch& branch : findings.branches) {
-      nlohmann::json entry = {{"ended", branch.ended}};
-      for (const BranchOrbit& member : branch.orbits) {
-        entry["orbits"].push_back(json_of(member.orbit));
-        entry["orbits"].back()["value"] = member.parameter;
-      }
-      json["branches"].push_back(entry);
-    }
-  }
-  fmt::print("{}\n", json.dump(2));
 }
 
 }  // namespace
@@ -331,8 +225,10 @@ void add_floquet_command(CLI::App* app) {
                    "Where to look, NAME=VALUE,...: a value for each axis of the study, and for "
                    "other parameters")
       ->delimiter(',');
-  command->add_option("--along", arguments->along,
-                      "Follow the orbit, NAME=FROM:TO, and locate its bifurcations");
+  command->add_option(
+      "--along", arguments->along,
+      "Follow the orbit, NAME=FROM:TO, and locate its bifurcations; starts where --at says, "
+      "or else at FROM");
   command
       ->add_option("--period", arguments->period,
                    "The orbit's length in forcing periods (default: the least after which the "
@@ -357,13 +253,8 @@ void add_floquet_command(CLI::App* app) {
       "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 2   an orbit inside chaos\n\n"
       "The engine settles the motion; Newton's method on the period map finds the orbit.");
   command->callback([arguments] {
-    const Findings findings = compute(*arguments);
-    if (arguments->as_json) {
-      print_json(findings);
-      return;
-    }
-    print_orbit(findings);
-    print_branches(findings);
+    const FloquetFindings findings = compute(*arguments);
+    fmt::print("{}", arguments->as_json ? floquet_as_json(findings) : describe_floquet(findings));
   });
 }
 

@@ -39,8 +39,9 @@ void add_plot_command(CLI::App* app) {
       "What to draw (default: the file's first); poincare:v1 picks a sampled state");
   command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")
       ->required();
-  command->add_option("--script", request->script_path,
-                      "Keep the gnuplot script (FILE.gp) and its data beside it, to restyle");
+  command->add_option(
+      "--script", request->script_path,
+      "Keep the gnuplot script (FILE.gp) and its data (FILE.dat, replaced if there)");
   command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis, AXIS=VALUE");
   command->footer(
       "Examples:\n"

@@ -114,7 +114,7 @@ std::string describe_agreement(const SweepResult& result) {
   const std::vector<Group> columns = verdict_groups(result);
   if (rows.empty() || columns.empty()) return "";
   std::string text = fmt::format("{:16}", "points");
-  for (const Group& column : columns) text += fmt::format("  {:>12}", column.name);
+  for (const Group& column : columns) text += fmt::format("  {:>14}", column.name);
   text += '\n';
   for (const Group& row : rows) {
     text += fmt::format("  {:14}", row.name);
@@ -124,7 +124,7 @@ std::string describe_agreement(const SweepResult& result) {
         const bool counts = result.status[point] == STATUS_ok;
         count += counts && row.has(point) && column.has(point) ? 1 : 0;
       }
-      text += fmt::format("  {:>12}", count);
+      text += fmt::format("  {:>14}", count);
     }
     text += '\n';
   }

@@ -38,7 +38,7 @@ std::string frame(const Picture& picture) {
   const std::string key = picture.missing.note.empty() && !several_curves
                               ? "unset key\nset bmargin 4\n"
                               : "set key at graph 0.5, screen 0.03 center center Left reverse "
-                                "samplen 1.5\nset bmargin 5.5\n";
+                                "samplen 1.5 maxrows 1\nset bmargin 5.5\n";
   return fmt::format("set title {}\nset border linewidth 1\nset tics out nomirror\n{}",
                      title_of(picture), key);
 }

@@ -123,6 +123,8 @@ std::string selection_header(const Study& study) {
   out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
   out << "#include \"integrators/rk4.h\"\n#define MODEL_OPTION_VALUES {";
   for (const int option : study.setting.options) out << option << ", ";
+  // OpenCL C knows no empty initialiser; a model without options has one dummy member.
+  if (study.setting.options.empty()) out << 0;
   out << "}\n";
   write_parameters(study, out);
   write_observers(study, out);

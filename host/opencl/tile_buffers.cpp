@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "plan/start_tangents.hpp"
+
 namespace gearsweep {
 
 Slots arrange_slots(const Tile& tile, std::size_t lanes) {
@@ -79,16 +81,10 @@ std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots
 }
 
 std::vector<double> first_tangents(const Study& study, std::size_t slot_count) {
-  const std::size_t vectors = study.selection.tangent_count();
-  const std::size_t states = study.model->states.size();
   std::vector<double> out;
-  out.reserve(vectors * states * slot_count);
-  for (std::size_t vector = 0; vector < vectors; ++vector) {
-    for (std::size_t state = 0; state < states; ++state) {
-      const double alone = 1.0 / static_cast<double>(state + 1);
-      const double unit = vector == state ? 1.0 : 0.0;
-      out.insert(out.end(), slot_count, vectors == 1 ? alone : unit);
-    }
+  for (const double number :
+       start_tangents(study.selection.tangent_count(), study.model->states.size())) {
+    out.insert(out.end(), slot_count, number);
   }
   return out;
 }

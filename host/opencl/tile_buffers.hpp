@@ -41,8 +41,7 @@ std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64);
 // [parameter axis][slot]: the swept parameters, in the order of the study's axes.
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
 
-// [vector][state][slot]: the tangent vectors at the start. One alone leans on all states, several
-// are the unit vectors.
+// [vector][state][slot]: start_tangents() of plan/, the same for all points.
 std::vector<double> first_tangents(const Study& study, std::size_t slot_count);
 
 // [state][slot] from [point of the tile][state].

@@ -17,11 +17,14 @@ using Eigen::VectorXd;
 constexpr double kFirstStep = 2e-3, kGreatestStep = 0.02, kLeastStep = 1e-7;
 constexpr std::size_t kMostOrbits = 4000;
 constexpr int kMostCorrections = 12;
-constexpr int kQuickCorrection = 4;   // so many iterations or fewer: the next step is longer
-constexpr double kCorrected = 1e-12;  // residual, of the state's size
-constexpr double kBracket = 1e-6;     // arclength around a bifurcation
-constexpr double kHalfOrbit = 1e-3;   // of the state's size: an orbit that has only just doubled
-constexpr double kDifference = 1e-6;  // of the range: step of the derivative by the parameter
+constexpr int kQuickCorrection = 4;    // so many iterations or fewer: the next step is longer
+constexpr double kCorrected = 1e-12;   // residual, of the state's size
+constexpr double kBracket = 1e-6;      // arclength around a bifurcation
+constexpr double kJustDoubled = 1e-3;  // half_return of an orbit that has only just doubled
+constexpr double kHalved = 1e-9;       // half_return of an orbit of half the period
+constexpr double kStraight = 0.9;      // least cosine of the angle between neighbours
+constexpr double kFarLanding = 0.3;    // correction, as a share of the step
+constexpr double kDifference = 1e-6;   // of the range: step of the derivative by the parameter
 
 // A solution of shooting: the state and, as the last entry, the parameter, both scaled; with the
 // unit tangent of the branch and the signs that tell bifurcations.
@@ -50,12 +53,13 @@ class Follower {
     return correct(z, along);
   }
 
-  // Whether half the period already brings the orbit back, nearly.
-  bool has_just_doubled(const Solution& s) const {
-    if (period_ % 2 != 0) return false;
+  // How far half the period is from bringing the orbit back; far when the period is odd.
+  double half_return(const Solution& s) const {
+    const double far = 1.0;
+    if (period_ % 2 != 0) return far;
     const std::optional<VectorXd> half =
         map_at(parameter_of(s)).advance(s.orbit.state, period_ / 2);
-    return half && (*half - s.orbit.state).cwiseAbs().maxCoeff() < kHalfOrbit * size_;
+    return half ? (*half - s.orbit.state).cwiseAbs().maxCoeff() / size_ : far;
   }
 
   // The solution on the plane through `guess` across `along`. Its tangent points along `along`.
@@ -89,15 +93,20 @@ class Follower {
   }
 
  private:
+  ModelSetting setting_at(double parameter) const {
+    ModelSetting setting = request_.setting;
+    setting.parameters[request_.parameter] = parameter;
+    return setting;
+  }
+
   bool allowed(double parameter) const {
     const ParameterInfo& info = request_.model->parameters[request_.parameter];
-    return parameter >= info.least && parameter <= info.greatest;
+    return parameter >= info.least && parameter <= info.greatest &&
+           request_.model->check(setting_at(parameter)).empty();
   }
 
   PeriodMap map_at(double parameter) const {
-    ModelSetting setting = request_.setting;
-    setting.parameters[request_.parameter] = parameter;
-    return PeriodMap(*request_.model, setting, request_.steps);
+    return PeriodMap(*request_.model, setting_at(parameter), request_.steps);
   }
 
   // Derivative of the map by the parameter, by central differences (inside the allowed range). It
@@ -191,7 +200,7 @@ bool add_bifurcations(const Follower& follower, const FollowRequest& request, co
     // The multiplier only touched +1: the branch was born here out of another, and goes back along
     // its own image.
     const std::optional<Bracket> birth = locate(follower, turning, a, b);
-    const bool doubled = birth && follower.has_just_doubled(birth->low);
+    const bool doubled = birth && follower.half_return(birth->low) < kJustDoubled;
     const std::size_t period = a.orbit.period;
     add(doubled ? Bifurcation::flip : Bifurcation::branching, turning,
         doubled ? period / 2 : period);
@@ -214,14 +223,15 @@ Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
   branch.orbits.push_back({follower.parameter_of(*last), last->orbit});
   double length = kFirstStep;
   while (branch.orbits.size() < kMostOrbits) {
-    const std::optional<Solution> next =
-        follower.correct(last->z + length * last->tangent, last->tangent);
-    // A sharp bend may be another branch.
-    if (!next || next->tangent.dot(last->tangent) < 0.9) {
+    const VectorXd guess = last->z + length * last->tangent;
+    const std::optional<Solution> next = follower.correct(guess, last->tangent);
+    // A sharp bend, a far landing or a shorter period may be another branch.
+    if (!next || next->tangent.dot(last->tangent) < kStraight ||
+        (next->z - guess).norm() > kFarLanding * length || follower.half_return(*next) < kHalved) {
       length *= 0.5;
       if (length < kLeastStep) {
-        branch.ended = fmt::format("Newton's method failed beyond {} = {:.8g}", name,
-                                   follower.parameter_of(*last));
+        branch.ended =
+            fmt::format("no smooth way on from {} = {:.8g}", name, follower.parameter_of(*last));
         return branch;
       }
       continue;

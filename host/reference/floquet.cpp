@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kResidual = 1e-12;  // of the state's size, per norm of the monodromy matrix
 constexpr int kMostIterations = 40;
+constexpr int kMostHalvings = 10;    // of a Newton step
 constexpr double kSameOrbit = 1e-8;  // of the state's size: two states of one orbit
 
 double size_of(const VectorXd& v) { return v.cwiseAbs().maxCoeff(); }
@@ -57,7 +58,8 @@ std::vector<VectorXd> section(const PeriodMap& map, const VectorXd& start, std::
 // when there is none.
 std::size_t return_period(const std::vector<VectorXd>& states) {
   const VectorXd& last = states.back();
-  for (double tolerance = 1e-9; tolerance < 0.02; tolerance *= 10.0) {
+  for (int digits = 9; digits >= 3; --digits) {
+    const double tolerance = std::pow(10.0, -digits);
     for (std::size_t period = 1; period < states.size(); ++period) {
       const VectorXd& earlier = states[states.size() - 1 - period];
       if (size_of(last - earlier) < tolerance * scale_of(last)) return period;
@@ -142,7 +144,7 @@ std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::siz
     const VectorXd step = (image->monodromy - identity).fullPivLu().solve(-residual);
     std::optional<PeriodImage> next;
     double damping = 1.0;
-    for (; damping > 1e-3; damping *= 0.5) {
+    for (int halvings = 0; halvings < kMostHalvings; ++halvings, damping *= 0.5) {
       next = map.linearize(state + damping * step, period);
       if (next && size_of(next->state - (state + damping * step)) < before) break;
       next.reset();

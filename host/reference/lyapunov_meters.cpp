@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "plan/start_tangents.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -83,15 +85,12 @@ class KaplanYorke final : public Meter {
 
 }  // namespace
 
-void start_tangents(std::size_t count, Trajectory* trajectory) {
+void set_start_tangents(std::size_t count, Trajectory* trajectory) {
   const Eigen::Index states = trajectory->state().size();
-  if (count == 1) {
-    const Eigen::VectorXd numbers =
-        Eigen::VectorXd::LinSpaced(states, 1.0, static_cast<double>(states));
-    trajectory->set_tangents(numbers.cwiseInverse().normalized());
-  } else if (count > 1) {
-    trajectory->set_tangents(Eigen::MatrixXd::Identity(states, static_cast<Eigen::Index>(count)));
-  }
+  const std::vector<double> vectors = start_tangents(count, static_cast<std::size_t>(states));
+  if (count == 0) return;
+  trajectory->set_tangents(
+      Eigen::Map<const Eigen::MatrixXd>(vectors.data(), states, static_cast<Eigen::Index>(count)));
 }
 
 Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {

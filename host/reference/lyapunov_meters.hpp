@@ -11,9 +11,8 @@
 
 namespace gearsweep {
 
-// Gives a trajectory `count` orthonormal tangent vectors (none: nothing changes). One alone has a
-// share of every state; several are the first unit vectors.
-void start_tangents(std::size_t count, Trajectory* trajectory);
+// Gives a trajectory the first `count` tangent vectors of start_tangents() (none: nothing changes).
+void set_start_tangents(std::size_t count, Trajectory* trajectory);
 
 // Makes the tangent vectors orthonormal again. Returns the logarithms of how far each had grown in
 // the directions orthogonal to those before it; empty when there are none.

@@ -29,11 +29,11 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   const std::size_t settle = study.integrate.settle;
   const std::size_t warm_up = std::min(study.integrate.warm_up, settle);
   for (std::size_t i = 0; i < settle && !result.diverged; ++i) {
-    if (i == settle - warm_up) start_tangents(study.selection.tangent_count(), &trajectory);
+    if (i == settle - warm_up) set_start_tangents(study.selection.tangent_count(), &trajectory);
     result.diverged = !trajectory.advance_period();
     orthonormalize_tangents(&trajectory);
   }
-  if (warm_up == 0) start_tangents(study.selection.tangent_count(), &trajectory);
+  if (warm_up == 0) set_start_tangents(study.selection.tangent_count(), &trajectory);
   std::vector<std::unique_ptr<Meter>> meters;
   for (const Observer& observer : study.selection.observers) {
     meters.push_back(make_meter(*study.model, observer));

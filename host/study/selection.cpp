@@ -139,6 +139,7 @@ std::vector<Quantity> offered_quantities(const Model& model) {
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
                             const std::vector<std::string>& poincare_states) {
   const std::vector<Offer> offers = offers_of(model);
+  const std::vector<std::size_t> sampled = find_states(model, poincare_states);
   Selection selection;
   for (const std::string& name : names) {
     if (name == "status") continue;  // always there
@@ -157,7 +158,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
         (offer->source.observable->kind == ObservableKind::section && !selection.poincare.empty());
     if (listed_before) throw InputError(fmt::format("quantity '{}' is listed twice", name));
     if (offer->source.observable->kind == ObservableKind::section) {
-      selection.poincare = find_states(model, poincare_states);
+      selection.poincare = sampled;
       continue;
     }
     Quantity quantity = offer->quantity;

@@ -17,8 +17,9 @@
   X(period, "1", 1.0, 1e-3, 1e3, 0, "time from section to section")
 
 // X(name, meaning, TOML of what differs from the defaults above)
-#define MODEL_PRESETS(X) \
-  X(classic, "Lorenz's own parameters; published start 0, -0.01, 9", "policy = 'fixed'")
+#define MODEL_PRESETS(X)                                                                   \
+  X(classic, "Lorenz's own parameters; published start 0, -0.01, 9 (at 0, 0, 0 it rests)", \
+    "policy = 'fixed'")
 
 // X(name, unit, meaning)
 #define MODEL_SIGNALS(X) X(energy, "1", "(x^2 + y^2 + z^2)/2")

@@ -6,8 +6,8 @@
 #define LYAPUNOV_MAX_TANGENTS 1
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define LYAPUNOV_MAX_OUTPUTS(X)                                            \
-  X(, "varpi", "", "largest Lyapunov exponent")                            \
-  X(error, "varpi", "", "standard error of the largest Lyapunov exponent") \
+  X(, "1/tau", "", "largest Lyapunov exponent")                            \
+  X(error, "1/tau", "", "standard error of the largest Lyapunov exponent") \
   X(per_period, "1", "", "largest Lyapunov exponent times the forcing period")
 
 enum {

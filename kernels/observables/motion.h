@@ -34,6 +34,7 @@ enum { motion_outputs = MOTION_OUTPUTS(COUNT_OUTPUT) };
 enum { motion_undecided, motion_periodic, motion_quasi_periodic, motion_chaotic };
 
 SHARED_FN void motion_begin_half(real* sums, const real* x) {
+  UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[motion_least + i] = x[i];
     sums[motion_greatest + i] = x[i];
@@ -42,6 +43,7 @@ SHARED_FN void motion_begin_half(real* sums, const real* x) {
 
 SHARED_FN real motion_present_extent(const real* sums) {
   real extent = 0;
+  UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     extent = lane_max(extent, sums[motion_greatest + i] - sums[motion_least + i]);
   }
@@ -65,6 +67,7 @@ SHARED_FN void motion_period(real* sums, const real* x, const real* growth, real
     sums[motion_extent] = motion_present_extent(sums);
     motion_begin_half(sums, x);
   }
+  UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[motion_least + i] = lane_min(sums[motion_least + i], x[i]);
     sums[motion_greatest + i] = lane_max(sums[motion_greatest + i], x[i]);

@@ -23,6 +23,7 @@ enum {
 enum { period_outputs = PERIOD_OUTPUTS(COUNT_OUTPUT), period_most = 32, period_window = 64 };
 
 SHARED_FN void period_take_reference(real* sums, const real* x) {
+  UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[period_reference + i] = x[i];
     sums[period_scale] = lane_max(sums[period_scale], lane_abs(x[i]));
@@ -49,6 +50,7 @@ SHARED_FN void period_period(real* sums, const real* x, const real* growth, real
   const real one = 1;
 
   real distance = 0;
+  UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[period_scale] = lane_max(sums[period_scale], lane_abs(x[i]));
     distance = lane_max(distance, lane_abs(x[i] - sums[period_reference + i]));

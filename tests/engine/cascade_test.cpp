@@ -1,7 +1,9 @@
-// Period doubling at the published parameters: bifurcation points found by shooting, to 8 digits,
-// from the description of the models, section "Published answers".
+// Period doubling and loss of symmetry at the published parameters: bifurcation points found by
+// shooting, to 8 digits, from the description of the models, section "Published answers".
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/run.hpp"
@@ -19,30 +21,113 @@ std::size_t distinct(std::vector<double> samples, double tolerance) {
   return count;
 }
 
-TEST(Cascade, PendulumDoublesAtThePublishedDamping) {
-  std::string values;
-  std::vector<double> Q;
-  for (int i = 0; i < 80; ++i) {
-    Q.push_back(1.337 + 0.0005 * i);
-    values += std::to_string(1.0 / Q.back()) + ", ";
+// The period of each point's motion. Just beyond a doubling, the two values that one has become
+// stand apart by the square root of the distance to it, more than 1e-3 within a cell of these
+// sweeps; just before it, 2000 periods have brought the motion closer than that.
+std::vector<std::size_t> periods_of(const SweepResult& result) {
+  std::vector<std::size_t> periods;
+  for (std::size_t point = 0; point < result.status.size(); ++point) {
+    periods.push_back(distinct(samples_of(result, point, 0), 1e-3));
   }
-  const SweepResult result = run("[model]\nname = 'pendulum'\npreset = 'cascade'\n"
-      "[[axes]]\nname = 'damping'\nvalues = [" + values + "]\n[integrate]\nsettle = 2000\n"
-      "record = 64\nsteps_per_period = 128\n[observe]\nquantities = ['poincare', 'x_mean']\n"
-      "poincare = ['v']\n");
-  for (std::size_t i = 0; i < Q.size(); ++i) {
-    printf("Q %.4f: %zu %zu  %g\n", Q[i], distinct(samples_of(result, i, 0), 1e-3),distinct(samples_of(result, i, 0), 1e-5), map_of(result, "x_mean")[i]);
+  return periods;
+}
+
+// The published point lies in the cell in which the period first reaches `period`.
+void expect_doubling(const std::vector<double>& swept, const std::vector<std::size_t>& periods,
+                     std::size_t period, double published) {
+  std::size_t i = 1;
+  while (i + 1 < swept.size() && periods[i] < period) ++i;
+  EXPECT_EQ(periods[i - 1], period / 2);
+  EXPECT_EQ(periods[i], period);
+  EXPECT_LE(std::min(swept[i - 1], swept[i]), published) << "period " << period;
+  EXPECT_GE(std::max(swept[i - 1], swept[i]), published) << "period " << period;
+}
+
+constexpr const char* kIntegrate = R"(
+  [integrate]
+  settle = 2000
+  record = 64
+  steps_per_period = 128
+  [observe]
+  quantities = ["poincare"]
+  poincare = ["v"]
+)";
+
+// The mean angle of a motion that is its own mirror image is 0; it tears away as the square root of
+// the distance beyond the published Q, which lies within the cell between the last broken motion
+// and the first symmetric one. 4000 periods leave 1e-11 of the start at the nearest point.
+TEST(Cascade, PendulumLosesItsSymmetryAtThePublishedDamping) {
+  const double published = 1.0 / 1.24693151;
+  const SweepResult result = run(R"(
+    [model]
+    name = "pendulum"
+    preset = "cascade"
+    [[axes]]
+    name = "damping"
+    from = 0.7905
+    to = 0.8135
+    count = 24
+    [initial]
+    state = {x = 0.1}
+    [integrate]
+    settle = 4000
+    record = 2
+    steps_per_period = 128
+    [observe]
+    quantities = ["x_mean"]
+  )");
+  for (std::size_t i = 0; i < result.status.size(); ++i) {
+    const double damping = result.study.axes[0].values[i];
+    const double mean = std::abs(map_of(result, "x_mean")[i]);
+    if (damping < published) {
+      EXPECT_GT(mean, 0.05) << damping;
+    } else {
+      EXPECT_LT(mean, 1e-9) << damping;
+    }
   }
 }
 
-TEST(Cascade, Duffing) {
-  const SweepResult result = run("[model]\nname = 'duffing'\npreset = 'two_well'\n[parameters]\ndamping = 0.3\nomega = 1.2\nphase = 1.5707963267948966\n"
-      "[[axes]]\nname = 'amplitude'\nfrom = 0.26\nto = 0.2915\ncount = 64\n[initial]\nstate={x=1.0}\n[integrate]\nsettle = 2000\n"
-      "record = 64\nsteps_per_period = 128\n[observe]\nquantities = ['poincare', 'x_mean']\n"
-      "poincare = ['v']\n");
-  for (std::size_t i = 0; i < 64; ++i) {
-    printf("g %.4f: %zu %zu  %g\n", 0.26+0.0005*i, distinct(samples_of(result, i, 0), 1e-3),distinct(samples_of(result, i, 0), 1e-5), map_of(result, "x_mean")[i]);
+TEST(Cascade, PendulumDoublesAtThePublishedDamping) {
+  // Ascending damping = 1/Q, so from the end of the cascade backwards.
+  std::string values;
+  std::vector<double> Q;
+  for (int i = 0; i < 80; ++i) {
+    Q.push_back(1.3755 - 0.0005 * i);
+    values += fmt::format("{:.17g}, ", 1.0 / Q.back());
   }
+  const SweepResult result =
+      run("[model]\nname = 'pendulum'\npreset = 'cascade'\n[[axes]]\nname = 'damping'\nvalues = [" +
+          values + "]\n" + kIntegrate);
+  std::vector<std::size_t> periods = periods_of(result);
+  std::reverse(Q.begin(), Q.end());
+  std::reverse(periods.begin(), periods.end());
+  expect_doubling(Q, periods, 2, 1.34921264);
+  expect_doubling(Q, periods, 4, 1.37012224);
+  expect_doubling(Q, periods, 8, 1.37457590);
+}
+
+TEST(Cascade, TwoWellDuffingDoublesAtThePublishedForcing) {
+  const SweepResult result = run(std::string(R"(
+    [model]
+    name = "duffing"
+    preset = "two_well"
+    [parameters]
+    damping = 0.3
+    omega = 1.2
+    phase = 1.5707963267948966
+    [[axes]]
+    name = "amplitude"
+    from = 0.26
+    to = 0.2915
+    count = 64
+    [initial]
+    state = {x = 1.0}
+  )") + kIntegrate);
+  const std::vector<std::size_t> periods = periods_of(result);
+  const std::vector<double>& amplitudes = result.study.axes[0].values;
+  expect_doubling(amplitudes, periods, 2, 0.26558179);
+  expect_doubling(amplitudes, periods, 4, 0.28669316);
+  expect_doubling(amplitudes, periods, 8, 0.29108991);
 }
 
 }  // namespace

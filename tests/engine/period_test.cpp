@@ -1,0 +1,195 @@
+// Period, settling and kind of motion against orbits that are known, and against the section's own
+// samples.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/bits.hpp"
+#include "support/run.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+// Values of motion_class.
+constexpr double kUndecided = 0.0, kPeriodic = 1.0, kQuasiPeriodic = 2.0, kChaotic = 3.0;
+
+const std::string kQuantities =
+    "quantities = ['motion_class', 'period', 'settled', 'lyapunov_max', 'lyapunov_max_error', "
+    "'poincare']\n";
+
+// gear5 at some mesh frequencies. All tests ask for the same quantities, so that there are few
+// programs to build.
+std::string sweep(const std::string& preset, const std::string& omegas) {
+  return "[model]\npreset = '" + preset + "'\n[[axes]]\nname = 'omega'\nvalues = [" + omegas +
+         "]\n[observe]\npoincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n" +
+         kQuantities;
+}
+
+// Distance of two recorded sections, by the greatest component, relative to the greatest of all.
+class Sections {
+ public:
+  Sections(const SweepResult& result, std::size_t point) {
+    for (std::size_t state = 0; state < result.study.selection.poincare.size(); ++state) {
+      states_.push_back(samples_of(result, point, state));
+      for (const double value : states_.back()) scale_ = std::max(scale_, std::abs(value));
+    }
+  }
+  std::size_t count() const { return states_[0].size(); }
+  double distance(std::size_t i, std::size_t j) const {
+    double greatest = 0.0;
+    for (const auto& state : states_) greatest = std::max(greatest, std::abs(state[i] - state[j]));
+    return greatest / scale_;
+  }
+
+ private:
+  std::vector<std::vector<double>> states_;
+  double scale_ = 0.0;
+};
+
+// The first is in the table of reference numbers that independent programs agree on, with period 1;
+// so is the last, with period 3.
+TEST(Period, IsThatOfTheReferenceOrbits) {
+  for (const std::string precision : {"fp64", "fp32"}) {
+    SCOPED_TRACE(precision);
+    const SweepResult result =
+        run(sweep("consistent", "0.7, 1.0, 1.2"), {"integrate.precision=" + precision});
+    EXPECT_EQ(map_of(result, "period"), (std::vector<double>{1.0, 1.0, 3.0}));
+    // 400 periods of settling are more than enough here.
+    for (const double settled : map_of(result, "settled")) EXPECT_LT(settled, 400.0 + 16.0);
+  }
+}
+
+// What the kernel says of an orbit holds for its samples: they recur after the period, and after no
+// smaller number of periods. The kernel compares each with a reference at one phase of the orbit;
+// at others the same deviation may be some times larger, hence ten times the tolerance.
+TEST(Period, IsTheLeastThatTheSectionRecursAfter) {
+  const SweepResult result =
+      run(sweep("coarse", "0.65, 0.8, 1.0, 1.2, 1.4, 1.7, 1.9"), {"integrate.record=2000"});
+  EXPECT_EQ(map_of(result, "period"), (std::vector<double>{1.0, 1.0, 1.0, 6.0, 0.0, 8.0, 2.0}));
+  for (std::size_t point = 0; point < 7; ++point) {
+    SCOPED_TRACE(result.study.axes[0].values[point]);
+    const auto period = static_cast<std::size_t>(map_of(result, "period")[point]);
+    const Sections sections(result, point);
+    if (period == 0) {
+      EXPECT_TRUE(std::isnan(map_of(result, "settled")[point]));
+      // The motion is not periodic: the last section has no double in the 500 before it.
+      for (std::size_t lag = 1; lag <= 500; ++lag) {
+        EXPECT_GT(sections.distance(1999, 1999 - lag), 1e-6) << lag;
+      }
+      continue;
+    }
+    const auto settled = static_cast<std::size_t>(map_of(result, "settled")[point]) - 400;
+    for (std::size_t i = settled; i + period < sections.count(); ++i) {
+      ASSERT_LE(sections.distance(i, i + period), 1e-5) << i;
+    }
+    for (std::size_t lag = 1; lag < period; ++lag) {
+      EXPECT_GT(sections.distance(1999, 1999 - lag), 1e-6) << lag;
+    }
+  }
+}
+
+// From the start, without settling: the transient is not taken for the motion, and `settled` tells
+// how long it took. References lie at most 64 periods apart, so the orbit may have settled up to
+// two windows before.
+TEST(Settled, TellsHowLongASlowTransientTook) {
+  const SweepResult result =
+      run(sweep("coarse", "0.8, 1.9"), {"integrate.settle=0", "integrate.record=1600"});
+  EXPECT_EQ(map_of(result, "period"), (std::vector<double>{1.0, 2.0}));
+  for (std::size_t point = 0; point < 2; ++point) {
+    SCOPED_TRACE(result.study.axes[0].values[point]);
+    const Sections sections(result, point);
+    const auto period = static_cast<std::size_t>(map_of(result, "period")[point]);
+    // The first section that is as the last of its phase within the tolerance.
+    std::size_t first = sections.count() - 1;
+    while (first > 0 &&
+           sections.distance(first - 1,
+                             sections.count() - 1 - (sections.count() - first) % period) <= 1e-6) {
+      --first;
+    }
+    const double settled = map_of(result, "settled")[point];
+    EXPECT_GT(settled, 20.0);
+    EXPECT_NEAR(settled, static_cast<double>(first), 128.0);
+  }
+}
+
+// At omega 1.9 a mode decays by exp(-0.0157) each period: after 400 it is still 2e-3 of what it
+// was, and the 200 that are recorded do not suffice.
+TEST(Motion, CallsASlowTransientUndecided) {
+  const SweepResult early = run(sweep("coarse", "1.9"));
+  EXPECT_EQ(map_of(early, "period")[0], 0.0);
+  EXPECT_EQ(map_of(early, "motion_class")[0], kUndecided);
+  const SweepResult late = run(sweep("coarse", "1.9"), {"integrate.record=1600"});
+  EXPECT_EQ(map_of(late, "period")[0], 2.0);
+  EXPECT_EQ(map_of(late, "motion_class")[0], kPeriodic);
+}
+
+TEST(Motion, TellsPeriodicQuasiPeriodicAndChaotic) {
+  const SweepResult result =
+      run(sweep("coarse", "0.55, 0.65, 1.1, 1.4, 1.5, 1.7"), {"integrate.record=2000"});
+  EXPECT_EQ(map_of(result, "motion_class"),
+            (std::vector<double>{kChaotic, kPeriodic, kQuasiPeriodic, kChaotic, kQuasiPeriodic,
+                                 kPeriodic}));
+}
+
+// On the ridge between two wells at rest the state recurs exactly, yet what is beside it leaves by
+// exp(0.883 t), 0.883 being the positive root of s^2 + 0.25 s - 1.
+TEST(Motion, CallsAContradictionUndecided) {
+  const SweepResult result =
+      run("[model]\nname = 'duffing'\npreset = 'two_well'\n[parameters]\namplitude = 0\n"
+          "[[axes]]\nname = 'omega'\nvalues = [1.0]\n[observe]\n" +
+          kQuantities);
+  EXPECT_GT(map_of(result, "lyapunov_max")[0], 0.8);
+  EXPECT_EQ(map_of(result, "period")[0], 1.0);
+  EXPECT_EQ(map_of(result, "motion_class")[0], kUndecided);
+}
+
+const std::string kMap =
+    "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 1.9\ncount = 9\n"
+    "[[axes]]\nname = 'b'\nfrom = 0.3\nto = 1.3\ncount = 7\n[observe]\n" +
+    kQuantities;
+
+// The classes rest on what the study's other maps say, each computed on its own.
+TEST(Motion, AgreesWithPeriodAndExponent) {
+  const SweepResult result = run(kMap);
+  std::vector<std::size_t> seen(4, 0);
+  for (std::size_t point = 0; point < result.status.size(); ++point) {
+    const double period = map_of(result, "period")[point];
+    const double exponent = map_of(result, "lyapunov_max")[point];
+    const double error = 3.0 * map_of(result, "lyapunov_max_error")[point];
+    const double motion = map_of(result, "motion_class")[point];
+    ++seen[static_cast<std::size_t>(motion)];
+    if (motion == kPeriodic) {
+      EXPECT_GT(period, 0.0);
+      // 2/(200 T) at the greatest omega, where a period T is least.
+      EXPECT_LE(exponent, std::max(error, 0.01 * 1.9 / (2.0 * M_PI)));
+    } else if (motion != kUndecided) {
+      EXPECT_EQ(period, 0.0);
+    }
+    if (motion == kChaotic) {
+      EXPECT_GT(exponent, error);
+    }
+    if (motion == kQuasiPeriodic) {
+      EXPECT_LE(std::abs(exponent), error);
+    }
+  }
+  for (const std::size_t count : seen) EXPECT_GT(count, 0U);
+}
+
+TEST(Period, HasTheSameBitsHoweverTheWorkIsCut) {
+  const std::string study = kMap + "[integrate]\nrecord = 70\n";
+  const SweepResult expected = run(study, {"integrate.lanes=1"});
+  for (const std::string cut : {"integrate.lanes=8", "integrate.tile=10", "integrate.round=1",
+                                "integrate.round=7", "integrate.round=1000"}) {
+    SCOPED_TRACE(cut);
+    const SweepResult result = run(study, {cut});
+    for (std::size_t i = 0; i < result.values.size(); ++i) {
+      EXPECT_EQ(different_bits(result.values[i], expected.values[i]), 0U) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
