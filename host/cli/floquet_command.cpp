@@ -224,7 +224,8 @@ void add_floquet_command(CLI::App* app) {
       ->add_option("--at", arguments->at,
                    "Where to look, NAME=VALUE,...: a value for each axis of the study, and for "
                    "other parameters")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option(
       "--along", arguments->along,
       "Follow the orbit, NAME=FROM:TO, and locate its bifurcations; starts where --at says, "
@@ -250,7 +251,7 @@ void add_floquet_command(CLI::App* app) {
       "Examples:\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5 --along omega=0.6:0.8\n"
-      "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 2   an orbit inside chaos\n\n"
+      "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 1   an orbit inside chaos\n\n"
       "The engine settles the motion; Newton's method on the period map finds the orbit.");
   command->callback([arguments] {
     const FloquetFindings findings = compute(*arguments);

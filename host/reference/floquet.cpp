@@ -179,7 +179,7 @@ Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<st
   if (period) {
     throw RunError(fmt::format(
         "Newton's method came to an orbit of period {}, not {}: give --period {}, or another "
-        "start (--set initial.policy=fixed)",
+        "start (a state in --at)",
         least, wanted, least));
   }
   const std::optional<PeriodImage> image = map.linearize(found->state, least);

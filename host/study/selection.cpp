@@ -102,7 +102,6 @@ std::vector<std::size_t> find_states(const Model& model, const std::vector<std::
     }
     found.push_back(state);
   }
-  if (found.empty()) throw InputError("observe.poincare names no state");
   return found;
 }
 
@@ -158,6 +157,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
         (offer->source.observable->kind == ObservableKind::section && !selection.poincare.empty());
     if (listed_before) throw InputError(fmt::format("quantity '{}' is listed twice", name));
     if (offer->source.observable->kind == ObservableKind::section) {
+      if (sampled.empty()) throw InputError("observe.poincare names no state");
       selection.poincare = sampled;
       continue;
     }

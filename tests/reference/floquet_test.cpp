@@ -98,7 +98,7 @@ TEST(Floquet, ShootingGivesTheReferenceOrbits) {
 }
 
 // On a periodic orbit the exponents are ln|multiplier| / T. The kernel averages over 1000 periods:
-// what is bounded by 1 in the logarithms is 1/(1000 T) = 1.1e-4 there.The long
+// what is bounded by 1 in the logarithms is 1/(1000 T) = 1.1e-4 there. The long
 // warm-up leaves the tangent vectors time to turn where neighbouring exponents differ by 0.01.
 TEST(Floquet, MultipliersAreTheKernelsLyapunovSpectrum) {
   const SweepResult result =
