@@ -16,7 +16,7 @@ struct SweepProgress {
   double share_resumed = 0.0;  // of the work, what the journal gave
   std::size_t points_done = 0, points = 0;
   std::size_t points_resumed = 0;  // of points_done, those that the journal gave
-  double seconds = 0.0;  // since the computation began
+  double seconds = 0.0;            // since the computation began
 };
 
 struct SweepOptions {

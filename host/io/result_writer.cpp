@@ -31,6 +31,7 @@ SiUnit si_unit(const std::string& unit, const Scales& scales) {
   if (unit == "b_n") return {scales.b_n, "m"};
   if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
   if (unit == "varpi") return {scales.varpi, "rad/s"};
+  if (unit == "1/tau") return {scales.varpi, "1/s"};
   if (unit == "k0") return {scales.k0, "N/m"};
   if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
   return {};

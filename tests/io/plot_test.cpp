@@ -125,7 +125,7 @@ TEST_F(PlotTest, AnExponentOfBothSignsIsWhiteAtZero) {
   // Exponent 3 goes from 0 up, 4 from -0.1 to 0.01, 9 stays below zero.
   const std::string script = script_of({path, "lyapunov_spectrum:4", "", "", {}});
   EXPECT_THAT(script, AllOf(HasSubstr("0 '#ffffff'"), HasSubstr("set cbrange [-0.1"),
-                            HasSubstr("lyapunov\\\\_spectrum:4 [ϖ]")));
+                            HasSubstr("lyapunov\\\\_spectrum:4 [1/τ]")));
   EXPECT_THAT(script_of({path, "lyapunov_spectrum:9", "", "", {}}), Not(HasSubstr("#ffffff")));
   EXPECT_THAT(script_of({path, "lyapunov_spectrum", "", "", {}}),
               HasSubstr("lyapunov\\\\_spectrum:1"));

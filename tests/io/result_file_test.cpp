@@ -100,7 +100,7 @@ TEST_F(ResultFileTest, ALyapunovSpectrumComesBackByExponent) {
 
   const ResultMap first = file.read("lyapunov_spectrum:1");
   EXPECT_THAT(first.values, same_numbers(result.values[0]));
-  EXPECT_EQ(first.unit, "varpi");
+  EXPECT_EQ(first.unit, "1/tau");
   EXPECT_THAT(first.meaning, HasSubstr("exponent 1"));
   const ResultMap tenth = file.read("lyapunov_spectrum:10", file.find_cut("b", 1.5));
   ASSERT_EQ(tenth.values.size(), 4U);
@@ -308,7 +308,7 @@ ds = xr.open_dataset(sys.argv[1])
 spectrum = ds["lyapunov_spectrum"]
 assert spectrum.dims == ("b", "omega", "exponent"), spectrum.dims
 np.testing.assert_array_equal(ds["exponent"], np.arange(1, 11))
-assert spectrum.attrs["units"] == "varpi" and spectrum.attrs["SI_units"] == "rad/s"
+assert spectrum.attrs["units"] == "1/tau" and spectrum.attrs["SI_units"] == "1/s"
 np.testing.assert_array_equal(spectrum.sel(exponent=1), ds["lyapunov_max"])
 np.testing.assert_allclose(spectrum[2, 3, 9], 0.3 + 0.11 - 1.0, rtol=1e-15)
 assert np.isnan(spectrum[1, 1]).all() and int(np.isnan(spectrum).sum()) == 10
