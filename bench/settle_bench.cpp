@@ -173,6 +173,11 @@ std::vector<Case> cases() {
       "\"poincare\"]";
   const std::vector<std::string> recording = {"integrate.settle=0", "integrate.record=12",
                                               everything};
+  // What tangent vectors cost is the ratio of these rows' steps/s to that of the first.
+  const auto measuring = [](const std::string& quantity) {
+    return std::vector<std::string>{"integrate.settle=0", "integrate.record=12",
+                                    "observe.quantities=[\"" + quantity + "\"]"};
+  };
   return {
       {"settle/fp64/constant", {}, true, true},
       {"settle/fp64/constant/lanes:1", {"integrate.lanes=1"}, true, false},
@@ -184,6 +189,9 @@ std::vector<Case> cases() {
       {"settle/fp32/constant", {"integrate.precision=fp32"}, true, false},
       {"settle/fp32/dynamic", {"integrate.precision=fp32", "model.backlash=dynamic"}, true, false},
       {"record/fp64/constant", recording, false, false},
+      {"record/fp64/states_alone", measuring("x1_max"), false, false},
+      {"record/fp64/lyapunov_max", measuring("lyapunov_max"), false, false},
+      {"record/fp64/lyapunov_spectrum", measuring("lyapunov_spectrum"), false, false},
   };
 }
 

@@ -50,9 +50,9 @@ void draw_dots(const ResultMap& map, const ValueRange& range, PlotScript* script
   std::size_t dots = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] <= 0.0) continue;
-    const double bin = static_cast<double>(i / map.points());
-    append_numbers({map.axes[0].values[i % map.points()], range.least + (bin + 0.5) * step},
-                   &script->data);
+    const std::size_t bin = i / map.points();
+    const double middle = range.least + (static_cast<double>(bin) + 0.5) * step;
+    append_numbers({map.axes[0].values[i % map.points()], middle}, &script->data);
     ++dots;
   }
   script->text += fmt::format(
