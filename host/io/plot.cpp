@@ -149,6 +149,7 @@ std::string preamble(const fs::path& script, const std::string& output) {
 void ensure_plottable(const std::string& output_path) {
   terminal_of(output_path);
   ensure_writable(output_path);
+  run_gnuplot({"-e", "exit"});
 }
 
 void plot_map(const PlotRequest& request) {

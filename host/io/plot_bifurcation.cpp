@@ -45,6 +45,7 @@ void draw_density(const ResultMap& map, const ValueRange& range, PlotScript* scr
 void draw_dots(const ResultMap& map, const ValueRange& range, PlotScript* script) {
   // Samples that would fall on the same dot are drawn once.
   constexpr std::size_t kBins = 4000;
+  constexpr std::size_t kFewDots = 3000;  // they must be seen one by one
   const std::vector<double> counts = histogram(map, range, kBins);
   const double step = (range.greatest - range.least) / static_cast<double>(kBins);
   std::size_t dots = 0;
@@ -57,9 +58,9 @@ void draw_dots(const ResultMap& map, const ValueRange& range, PlotScript* script
   }
   script->text += fmt::format(
       "plot files.'.dat' binary record=({}) format='%double%double' "
-      "using 1:2 with points pointtype 7 pointsize 0.25 "
+      "using 1:2 with points pointtype 7 pointsize {} "
       "linecolor rgb '#01325a' notitle",
-      dots);
+      dots, dots < kFewDots ? 0.7 : 0.25);
 }
 
 }  // namespace
