@@ -21,8 +21,8 @@ struct PlotRequest {
   std::optional<std::pair<std::string, double>> at;
 };
 
-// Throws InputError when no picture can be put there (the ending or the place will not do), RunError
-// when gnuplot is not installed.
+// Throws InputError when no picture can be put there (the ending or the place will not do),
+// RunError when gnuplot is not installed.
 void ensure_plottable(const std::string& output_path);
 
 // Draws a heat map of two axes, curves of one, or a bifurcation diagram of `poincare` over one.
