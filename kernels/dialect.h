@@ -28,12 +28,10 @@ typedef SCALAR_NAME scalar;
 #if LANES == 1
 typedef SCALAR_NAME real;
 typedef int mask;
-#define any_lane(m) (m)
 #define all_lanes(m) (m)
 #else
 typedef JOIN(SCALAR_NAME, LANES) real;
 typedef JOIN(MASK_NAME, LANES) mask;
-#define any_lane(m) any(m)
 #define all_lanes(m) all(m)
 #endif
 

@@ -149,8 +149,10 @@ void add_run_command(CLI::App* app, int* status) {
   CLI::Option* plot =
       command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf");
   command
-      ->add_option("-q,--quantity", arguments->quantity,
-                   "The quantity to draw (default: the study's first)")
+      ->add_option(
+          "-q,--quantity", arguments->quantity,
+          "The quantity to draw (default: on one axis the samples, if there are any, else the "
+          "study's first)")
       ->needs(plot);
   command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
       ->check(CLI::NonNegativeNumber);
