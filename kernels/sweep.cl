@@ -68,6 +68,30 @@ SHARED_FN void mark_diverged(real* x) {
   TABLE uint *item_grid, TABLE SweepGrid *grids, TABLE uint *segment_steps, \
       TABLE scalar *segment_fractions, TABLE PhaseCoefs *stages
 
+// Advances a state by whole periods, and with it the tangent vectors, unless w is null.
+SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid grid,
+                               TABLE uint* segment_steps, TABLE scalar* segment_fractions,
+                               TABLE PhaseCoefs* stages, real* x, real* w, real* growth) {
+  for (uint period = 0; period < periods; ++period) {
+    TABLE PhaseCoefs* stage = stages + grid.first_stage;
+    for (uint segment = 0; segment < grid.segments; ++segment) {
+      const uint steps = segment_steps[grid.first_segment + segment];
+      const real h = segment_fractions[grid.first_segment + segment] * point->period;
+      for (uint step = 0; step < steps; ++step) {
+        if (w) {
+          tangent_step(point, stage, h, x, w);
+          if (TANGENT_IS_DUE(step, steps)) tangent_orthonormalize(w, growth);
+        } else {
+          rk4_step(point, stage, h, x);
+        }
+        stage += RK4_STAGES_PER_STEP;
+      }
+      stage += 1;
+    }
+    mark_diverged(x);
+  }
+}
+
 __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                      __global real* state) {
   const uint items = round.items;
@@ -78,21 +102,9 @@ __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   if (all_lanes(IS_DIVERGED(x))) return;
   ModelPoint point;
   load_point(items, item, uniform, swept, &point);
-  const SweepGrid grid = grids[item_grid[item]];
 
-  for (uint period = 0; period < round.periods; ++period) {
-    TABLE PhaseCoefs* stage = stages + grid.first_stage;
-    for (uint segment = 0; segment < grid.segments; ++segment) {
-      const uint steps = segment_steps[grid.first_segment + segment];
-      const real h = segment_fractions[grid.first_segment + segment] * point.period;
-      for (uint step = 0; step < steps; ++step) {
-        rk4_step(&point, stage, h, x);
-        stage += RK4_STAGES_PER_STEP;
-      }
-      stage += 1;
-    }
-    mark_diverged(x);
-  }
+  advance_periods(round.periods, &point, grids[item_grid[item]], segment_steps, segment_fractions,
+                  stages, x, 0, 0);
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
 
@@ -108,26 +120,13 @@ __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* s
   if (all_lanes(IS_DIVERGED(x))) return;
   ModelPoint point;
   load_point(items, item, uniform, swept, &point);
-  const SweepGrid grid = grids[item_grid[item]];
   real w[TANGENT_NUMBERS];
   real growth[TANGENT_VECTORS];
   for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
 
-  for (uint period = 0; period < round.periods; ++period) {
-    TABLE PhaseCoefs* stage = stages + grid.first_stage;
-    for (uint segment = 0; segment < grid.segments; ++segment) {
-      const uint steps = segment_steps[grid.first_segment + segment];
-      const real h = segment_fractions[grid.first_segment + segment] * point.period;
-      for (uint step = 0; step < steps; ++step) {
-        tangent_step(&point, stage, h, x, w);
-        if (TANGENT_IS_DUE(step, steps)) tangent_orthonormalize(w, growth);
-        stage += RK4_STAGES_PER_STEP;
-      }
-      stage += 1;
-    }
-    mark_diverged(x);
-  }
+  advance_periods(round.periods, &point, grids[item_grid[item]], segment_steps, segment_fractions,
+                  stages, x, w, growth);
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
 }
