@@ -146,7 +146,7 @@ class Contest {
     std::size_t round = 0;
     Rounds rounds;
     std::chrono::steady_clock::time_point start;
-    engine_->compute(plan_, tile(), initial_, [&](double steps) {
+    engine_->compute(plan_, tile(), initial_, windows_of(study_).front(), [&](double steps) {
       const auto now = std::chrono::steady_clock::now();
       ++round;
       if (round == 1) start = now;

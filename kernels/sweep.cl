@@ -7,7 +7,7 @@
 //   OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)  CHANNEL(observable, channel, value of it),
 //                                   STEP(observable), TANGENT(observable) or ORBIT(observable)
 //   TANGENTS                        tangent vectors that the observers need
-//   PERIOD_TOLERANCE, SETTLE_PERIODS  of the study; undefined when no observer is an ORBIT
+//   PERIOD_TOLERANCE                of the study; undefined when no observer is an ORBIT
 //   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
 //
 // Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
@@ -199,7 +199,7 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   {                                                                            \
     real out[kind##_outputs];                                                  \
     load(accumulators, items, item, first, kind##_accumulators, sums);         \
-    kind##_finish(sums, round.record, out);                                    \
+    kind##_finish(sums, round, out);                                           \
     store_components(outputs, items, item, first_output, kind##_outputs, out); \
     first += kind##_accumulators;                                              \
     first_output += kind##_outputs;                                            \
@@ -253,7 +253,9 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
     OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD, ORBIT_PERIOD)
     mark_diverged(x);
 #ifdef POINCARE_STATES
-    poincare_section(series, round.recorded + period, items, item, x);
+    if (round.recorded + period < round.samples) {
+      poincare_section(series, round.recorded + period, items, item, x);
+    }
 #endif
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);

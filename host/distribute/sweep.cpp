@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <numeric>
 
 #include "distribute/assembly.hpp"
+#include "distribute/extension.hpp"
 #include "journal/journal.hpp"
 #include "model/version.hpp"
 #include "opencl/opencl_engine.hpp"
@@ -40,6 +42,14 @@ class Progress {
     progress_.points = plan.study().points();
   }
 
+  void begin_tile(const Tile& tile) {
+    planned_ = expected_ = tile.work;
+    partial_ = 0.0;
+  }
+
+  // The running tile turns out to take more steps than were planned.
+  void add_work(double steps) { expected_ += steps; }
+
   // false when the sweep is to stop. `steps` of the running tile are done.
   bool round(double steps) {
     partial_ += steps;
@@ -49,7 +59,7 @@ class Progress {
 
   void tile_done(const Tile& tile, bool resumed) {
     done_ += tile.work;
-    partial_ = 0.0;
+    planned_ = 0.0;
     progress_.points_done += tile.points.size();
     progress_.share_kept = done_ / total_;
     if (resumed) {
@@ -66,28 +76,54 @@ class Progress {
  private:
   void tell() {
     // A phase grid may hold a few steps more than the plan counted.
-    progress_.share = total_ > 0.0 ? std::min(1.0, (done_ + partial_) / total_) : 1.0;
+    const double of_tile = planned_ > 0.0 ? std::min(1.0, partial_ / expected_) : 0.0;
+    const double share = total_ > 0.0 ? (done_ + of_tile * planned_) / total_ : 1.0;
+    progress_.share = std::max(progress_.share, share);
     progress_.seconds = seconds();
     if (options_.on_progress) options_.on_progress(progress_);
   }
 
-  double total_, done_ = 0.0, partial_ = 0.0;
+  double total_, done_ = 0.0;
+  double planned_ = 0.0, expected_ = 0.0, partial_ = 0.0;  // steps of the running tile
   SweepProgress progress_;
   const SweepOptions& options_;
   std::chrono::steady_clock::time_point start_;
 };
 
-// A tile's result with what it took; nothing when stopped.
+// A tile's result with what it took; nothing when stopped. After the study's own window the points
+// that are still undecided go on into longer ones, packed together.
 std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
                                        const std::vector<double>& initial, Engine* engine,
                                        Progress* progress) {
+  const Study& study = plan.study();
+  const std::vector<Window> windows = windows_of(study);
+  progress->begin_tile(tile);
   double steps = 0.0;
   const double start = progress->seconds();
-  std::optional<TileResult> result = engine->compute(plan, tile, initial, [&](double round_steps) {
+  const auto after_round = [&](double round_steps) {
     steps += round_steps;
     return progress->round(round_steps);
-  });
-  if (result) result->effort = {steps, progress->seconds() - start};
+  };
+  std::optional<TileResult> result =
+      engine->compute(plan, tile, initial, windows.front(), after_round);
+  if (!result) return std::nullopt;
+  std::vector<std::size_t> open(tile.points.size());  // positions in the tile
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  TileResult last = *result;  // of the points in `open`
+  for (std::size_t i = 1; i < windows.size(); ++i) {
+    const std::vector<std::size_t> undecided = undecided_positions(study, last);
+    if (undecided.empty()) break;
+    for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
+    open.resize(undecided.size());
+    const Tile part = part_of(plan, tile, open, windows[i]);
+    progress->add_work(part.work);
+    std::optional<TileResult> longer =
+        engine->compute(plan, part, end_states(last, undecided), windows[i], after_round);
+    if (!longer) return std::nullopt;
+    adopt_verdicts(study, open, *longer, &*result);
+    last = std::move(*longer);
+  }
+  result->effort = {steps, progress->seconds() - start};
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/result.hpp"
+#include "engine/window.hpp"
 #include "plan/plan.hpp"
 
 namespace gearsweep {
@@ -31,9 +32,11 @@ class Engine {
   // best.
   virtual std::size_t least_tile() const = 0;
   virtual std::size_t preferred_tile() const = 0;
-  // initial: [point][state]. Nothing when the callback asked to stop. Throws RunError.
+  // initial: [point][state], at the beginning of the window. Nothing when the callback asked to
+  // stop. Throws RunError.
   virtual std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
                                             const std::vector<double>& initial,
+                                            const Window& window,
                                             const RoundCallback& after_round) = 0;
 };
 

@@ -19,6 +19,15 @@ namespace {
 constexpr double kRoundSeconds = 0.3;  // short enough to cancel and for a display's watchdog
 constexpr std::size_t kMostSeriesBytes = std::size_t{256} << 20U;  // of a tile's samples
 
+// A launch that advances by `periods`, of which `done` of the same kind lie behind it.
+SweepRound round_of(const Window& window, std::size_t items, std::size_t periods,
+                    std::size_t done) {
+  const auto number = [](std::size_t count) { return static_cast<sweep_uint>(count); };
+  return {number(items),           number(periods),        number(done),
+          number(window.record),   number(window.samples), number(window.before + window.settle),
+          window.is_last ? 1U : 0U};
+}
+
 // The number of periods of the next launch, from how long the last one took.
 std::size_t next_round(std::size_t last, double seconds) {
   const double factor = std::clamp(kRoundSeconds / std::max(seconds, 1e-6), 0.1, 8.0);
@@ -59,10 +68,10 @@ class OpenClEngine final : public Engine {
   }
 
   std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
-                                    const std::vector<double>& initial,
+                                    const std::vector<double>& initial, const Window& window,
                                     const RoundCallback& after_round) override {
     try {
-      return compute_tile(plan, tile, initial, after_round);
+      return compute_tile(plan, tile, initial, window, after_round);
     } catch (const cl::Error& error) {
       throw RunError(fmt::format("{}\n(a smaller integrate.tile needs less memory)",
                                  describe_error(fmt::format("computing a tile of {} points on '{}'",
@@ -100,34 +109,34 @@ class OpenClEngine final : public Engine {
   }
 
   void launch(cl::Kernel& kernel, std::size_t items) {
-    const std::size_t global = (items + local_size_ - 1) / local_size_ * local_size_;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global),
-                                cl::NDRange(local_size_));
+    // Few items spread over all compute units rather than fill the work-groups of one.
+    const std::size_t fair = (items + info_.compute_units - 1) / info_.compute_units;
+    const std::size_t local = std::clamp(fair, std::size_t{1}, local_size_);
+    const std::size_t global = (items + local - 1) / local * local;
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
     queue_.finish();
   }
 
   // Advances a tile by `periods`, round by round; false when the callback asked to stop.
-  bool run_rounds(cl::Kernel& kernel, const Integrate& integrate, std::size_t items,
-                  std::size_t periods, double steps_per_period, const RoundCallback& after_round) {
-    std::size_t length = integrate.round > 0 ? integrate.round : 4;
+  bool run_rounds(cl::Kernel& kernel, const Window& window, std::size_t fixed_length,
+                  std::size_t items, std::size_t periods, double steps_per_period,
+                  const RoundCallback& after_round) {
+    std::size_t length = fixed_length > 0 ? fixed_length : 4;
     for (std::size_t done = 0; done < periods;) {
       const std::size_t now = std::min(length, periods - done);
-      const SweepRound round = {static_cast<sweep_uint>(items), static_cast<sweep_uint>(now),
-                                static_cast<sweep_uint>(done),
-                                static_cast<sweep_uint>(integrate.record)};
-      kernel.setArg(0, round);
+      kernel.setArg(0, round_of(window, items, now, done));
       const auto start = std::chrono::steady_clock::now();
       launch(kernel, items);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       done += now;
-      if (integrate.round == 0) length = next_round(now, took.count());
+      if (fixed_length == 0) length = next_round(now, took.count());
       if (!after_round(steps_per_period * static_cast<double>(now))) return false;
     }
     return true;
   }
 
   std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
-                                         const std::vector<double>& initial,
+                                         const std::vector<double>& initial, const Window& window,
                                          const RoundCallback& after_round) {
     const Study& study = plan.study();
     const Slots slots = arrange_slots(tile, lanes_);
@@ -153,8 +162,7 @@ class OpenClEngine final : public Engine {
     buffers.tangents = upload(pack(first_tangents(study, slot_count), fp64_), CL_MEM_READ_WRITE);
     buffers.accumulators = allocate(study.selection.accumulator_count() * slot_count);
     buffers.outputs = allocate(study.selection.output_count() * slot_count);
-    buffers.series =
-        allocate(study.selection.poincare.size() * study.integrate.record * slot_count);
+    buffers.series = allocate(study.selection.poincare.size() * window.samples * slot_count);
     const bool with_tangents = study.selection.tangent_count() > 0;
     for (cl::Kernel* kernel : {&settle_, &align_, &record_}) {
       if (kernel == &align_ && !with_tangents) continue;
@@ -169,40 +177,39 @@ class OpenClEngine final : public Engine {
     }
 
     const std::size_t aligned =
-        with_tangents ? std::min(study.integrate.warm_up, study.integrate.settle) : 0;
-    if (!run_rounds(settle_, study.integrate, slots.items(), study.integrate.settle - aligned,
-                    steps_per_period, after_round) ||
-        !run_rounds(align_, study.integrate, slots.items(), aligned, steps_per_period,
-                    after_round) ||
-        !run_rounds(record_, study.integrate, slots.items(), study.integrate.record,
-                    steps_per_period, after_round)) {
+        with_tangents ? std::min(study.integrate.warm_up, window.settle) : 0;
+    const auto advance = [&](cl::Kernel& kernel, std::size_t periods) {
+      return run_rounds(kernel, window, study.integrate.round, slots.items(), periods,
+                        steps_per_period, after_round);
+    };
+    if (!advance(settle_, window.settle - aligned) || !advance(align_, aligned) ||
+        !advance(record_, window.record)) {
       return std::nullopt;
     }
-    const SweepRound whole = {static_cast<sweep_uint>(slots.items()), 0, 0,
-                              static_cast<sweep_uint>(study.integrate.record)};
-    finish_.setArg(0, whole);
+    finish_.setArg(0, round_of(window, slots.items(), 0, window.record));
     finish_.setArg(1, buffers.accumulators);
     finish_.setArg(2, buffers.outputs);
     launch(finish_, slots.items());
-    return collect(study, slots, buffers);
+    return collect(study, window, slots, buffers);
   }
 
   // Brings a tile's answers home, from slots to the tile's order.
-  TileResult collect(const Study& study, const Slots& slots, const Buffers& buffers) {
+  TileResult collect(const Study& study, const Window& window, const Slots& slots,
+                     const Buffers& buffers) {
     const std::size_t points = slots.slot_of.size();
     const std::size_t slot_count = slots.position.size();
     const std::size_t states = study.model->states.size();
     const std::size_t outputs = study.selection.output_count();
     const std::size_t sampled = study.selection.poincare.size();
-    const std::size_t record = study.integrate.record;
+    const std::size_t samples = window.samples;
     const std::vector<double> state = download(buffers.state, states * slot_count);
     const std::vector<double> values = download(buffers.outputs, outputs * slot_count);
-    const std::vector<double> series = download(buffers.series, sampled * record * slot_count);
+    const std::vector<double> series = download(buffers.series, sampled * samples * slot_count);
     const double nan = std::numeric_limits<double>::quiet_NaN();
 
     TileResult result;
     result.outputs.resize(outputs * points);
-    result.samples.resize(points * sampled * record);
+    result.samples.resize(points * sampled * samples);
     result.final_states.resize(points * states);
     for (std::size_t point = 0; point < points; ++point) {
       const std::size_t slot = slots.slot_of[point];
@@ -214,9 +221,9 @@ class OpenClEngine final : public Engine {
       for (std::size_t i = 0; i < outputs; ++i) {
         result.outputs[i * points + point] = diverged ? nan : values[i * slot_count + slot];
       }
-      for (std::size_t i = 0; i < sampled * record; ++i) {
-        const double value = series[(i % record * sampled + i / record) * slot_count + slot];
-        result.samples[point * sampled * record + i] = diverged ? nan : value;
+      for (std::size_t i = 0; i < sampled * samples; ++i) {
+        const double value = series[(i % samples * sampled + i / samples) * slot_count + slot];
+        result.samples[point * sampled * samples + i] = diverged ? nan : value;
       }
     }
     return result;

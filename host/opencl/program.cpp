@@ -66,8 +66,7 @@ void write_observers(const Study& study, std::ostream& out) {
   out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   // Only where they matter: a program that differs in nothing else need not be built again.
   if (watches_orbit) {
-    out << fmt::format("#define PERIOD_TOLERANCE {}\n#define SETTLE_PERIODS {}\n",
-                       study.selection.period_tolerance, study.integrate.settle);
+    out << fmt::format("#define PERIOD_TOLERANCE {}\n", study.selection.period_tolerance);
   }
   if (study.selection.poincare.empty()) return;
   out << "#define POINCARE_STATES(X)";

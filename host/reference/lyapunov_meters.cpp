@@ -18,11 +18,11 @@ double mean(const std::vector<double>& values) {
 
 class LyapunovMax final : public Meter {
  public:
-  void period(const Eigen::VectorXd& growth, double length) override {
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
     growths_.push_back(growth[0]);
     rates_.push_back(growth[0] / length);
   }
-  std::vector<double> finish(std::size_t) const override {
+  std::vector<double> finish(const Window&) const override {
     return {mean(rates_), standard_error(), mean(growths_)};
   }
 
@@ -50,12 +50,12 @@ class LyapunovMax final : public Meter {
 
 class LyapunovSpectrum final : public Meter {
  public:
-  void period(const Eigen::VectorXd& growth, double length) override {
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
     if (sums_.size() == 0) sums_ = Eigen::VectorXd::Zero(growth.size());
     sums_ += growth / length;
   }
-  std::vector<double> finish(std::size_t periods) const override {
-    const Eigen::VectorXd exponents = sums_ / static_cast<double>(periods);
+  std::vector<double> finish(const Window& window) const override {
+    const Eigen::VectorXd exponents = sums_ / static_cast<double>(window.record);
     return {exponents.begin(), exponents.end()};
   }
 
@@ -65,11 +65,11 @@ class LyapunovSpectrum final : public Meter {
 
 class KaplanYorke final : public Meter {
  public:
-  void period(const Eigen::VectorXd& growth, double length) override {
-    spectrum_.period(growth, length);
+  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
+    spectrum_.period(state, growth, length);
   }
-  std::vector<double> finish(std::size_t periods) const override {
-    std::vector<double> exponents = spectrum_.finish(periods);
+  std::vector<double> finish(const Window& window) const override {
+    std::vector<double> exponents = spectrum_.finish(window);
     std::sort(exponents.begin(), exponents.end(), std::greater<>());
     double sum = 0.0;
     for (std::size_t j = 0; j < exponents.size(); ++j) {

@@ -35,7 +35,7 @@ class Extrema final : public Meter {
     least_ = std::min(least_, low);
     greatest_ = std::max(greatest_, high);
   }
-  std::vector<double> finish(std::size_t) const override { return {least_, greatest_}; }
+  std::vector<double> finish(const Window&) const override { return {least_, greatest_}; }
 
  private:
   Channel channel_;
@@ -52,7 +52,7 @@ class Moments final : public Meter {
     add(channel_(before), 0.5 * share);
     add(channel_(after), 0.5 * share);
   }
-  std::vector<double> finish(std::size_t) const override {
+  std::vector<double> finish(const Window&) const override {
     const double variance = std::max(0.0, squares_ / weight_);  // rounding may make it negative
     return {mean_, std::sqrt(mean_ * mean_ + variance), std::sqrt(variance)};
   }
@@ -87,8 +87,8 @@ class Contact final : public Meter {
     seen_gap_ = seen_gap_ || to == Region::gap;
   }
 
-  std::vector<double> finish(std::size_t periods) const override {
-    const auto count = static_cast<double>(periods);
+  std::vector<double> finish(const Window& window) const override {
+    const auto count = static_cast<double>(window.record);
     const bool on_drive = drive_ > 0.0;
     const bool on_back = back_ > 0.0;
     double contact_class = 0.0;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/window.hpp"
 #include "reference/trajectory.hpp"
 #include "study/selection.hpp"
 
@@ -14,13 +15,15 @@ namespace gearsweep {
 class Meter {
  public:
   virtual ~Meter() = default;
+  // Before anything else: the state at phase 0 where the record begins.
+  virtual void begin(const Eigen::VectorXd&) {}
   // One step, with its share of the period.
   virtual void step(const Moment&, const Moment&, double) {}
-  // One period: the logarithms of how far its orthonormal tangent vectors grew (empty unless the
-  // selection has some), and its length in dimensionless time.
-  virtual void period(const Eigen::VectorXd&, double) {}
-  // The observable's outputs, in its order.
-  virtual std::vector<double> finish(std::size_t periods) const = 0;
+  // One period: the state at its end; the logarithms of how far its orthonormal tangent vectors
+  // grew (empty unless the selection has some); its length in dimensionless time.
+  virtual void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double) {}
+  // The observable's outputs, in its order, once the window is recorded.
+  virtual std::vector<double> finish(const Window& window) const = 0;
 };
 
 // Throws RunError for an observable that the reference engine does not know.

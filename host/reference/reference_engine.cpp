@@ -22,11 +22,12 @@ struct PointResult {
   std::vector<double> outputs, samples;
 };
 
-PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial) {
+PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial,
+                          const Window& window) {
   const Study& study = plan.study();
   Trajectory trajectory(plan, point, initial);
   PointResult result;
-  const std::size_t settle = study.integrate.settle;
+  const std::size_t settle = window.settle;
   const std::size_t warm_up = std::min(study.integrate.warm_up, settle);
   for (std::size_t i = 0; i < settle && !result.diverged; ++i) {
     if (i == settle - warm_up) set_start_tangents(study.selection.tangent_count(), &trajectory);
@@ -39,22 +40,25 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
     meters.push_back(make_meter(*study.model, observer));
   }
   const std::vector<std::size_t>& sampled = study.selection.poincare;
-  const std::size_t record = study.integrate.record;
-  result.samples.resize(sampled.size() * record);
-  for (std::size_t i = 0; i < record && !result.diverged; ++i) {
+  for (const auto& meter : meters) meter->begin(trajectory.state());
+  result.samples.resize(sampled.size() * window.samples);
+  for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
     result.diverged =
         !trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
           for (const auto& meter : meters) meter->step(before, after, share);
         });
     const Eigen::VectorXd growth = orthonormalize_tangents(&trajectory);
-    for (const auto& meter : meters) meter->period(growth, trajectory.period());
-    for (std::size_t j = 0; j < sampled.size(); ++j) {
-      result.samples[j * record + i] = trajectory.state()[static_cast<Eigen::Index>(sampled[j])];
+    for (const auto& meter : meters) {
+      meter->period(trajectory.state(), growth, trajectory.period());
+    }
+    for (std::size_t j = 0; j < sampled.size() && i < window.samples; ++j) {
+      result.samples[j * window.samples + i] =
+          trajectory.state()[static_cast<Eigen::Index>(sampled[j])];
     }
   }
   result.state = trajectory.state();
   for (const auto& meter : meters) {
-    const std::vector<double> outputs = meter->finish(record);
+    const std::vector<double> outputs = meter->finish(window);
     result.outputs.insert(result.outputs.end(), outputs.begin(), outputs.end());
   }
   return result;
@@ -67,7 +71,7 @@ class ReferenceEngine final : public Engine {
   std::size_t preferred_tile() const override { return 256; }
 
   std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
-                                    const std::vector<double>& initial,
+                                    const std::vector<double>& initial, const Window& window,
                                     const RoundCallback& after_round) override {
     const std::size_t count = tile.points.size();
     const auto states = static_cast<Eigen::Index>(plan.study().model->states.size());
@@ -81,7 +85,7 @@ class ReferenceEngine final : public Engine {
         try {
           const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(
               initial.data() + static_cast<Eigen::Index>(i) * states, states);
-          results[i] = compute_point(plan, tile.points[i], start);
+          results[i] = compute_point(plan, tile.points[i], start, window);
           const std::lock_guard lock(mutex);
           if (!after_round(tile.work / static_cast<double>(count))) stop = true;
         } catch (...) {

@@ -164,6 +164,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     Quantity quantity = offer->quantity;
     quantity.output = first_output_of(offer->source, model.states.size(), &selection) +
                       offer->source.output_in_observable * quantity.width;
+    if (quantity.name == "motion_class") selection.motion = quantity.output;
     selection.quantities.push_back(quantity);
   }
   return selection;

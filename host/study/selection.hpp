@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct Selection {
   std::vector<Observer> observers;    // all but poincare
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
+  // Output of motion_class, when an observer looks for kinds of motion.
+  std::optional<std::size_t> motion;
   // Two states at phase 0 are the same when they differ by no more than this, relative to the
   // greatest component (kernels/observables/period.h).
   double period_tolerance = 1e-6;

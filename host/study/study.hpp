@@ -44,6 +44,7 @@ struct Integrate {
   std::size_t settle = 400;          // periods
   std::size_t record = 200;          // periods
   std::size_t warm_up = 100;         // last periods of settle that tangent vectors are turned in
+  std::size_t extend = 16;           // an undecided point is recorded for up to so many records
   EngineKind engine = EngineKind::opencl;
   std::size_t lanes = 0;       // points per work-item
   std::size_t tile = 0;        // points per tile

@@ -69,8 +69,8 @@ SHARED_FN void contact_period(real* sums) {
 }
 
 // Class 0: one region all the time; 1: one flank is left and met again; 2: both flanks are met.
-SHARED_FN void contact_finish(const real* sums, uint record, real* out) {
-  const scalar periods = (scalar)(record);
+SHARED_FN void contact_finish(const real* sums, SweepRound round, real* out) {
+  const scalar periods = (scalar)(round.record);
   const real zero = 0;
   const real one = 1;
   const real two = 2;

@@ -24,7 +24,7 @@ SHARED_FN void extrema_update(real* sums, real before, real after, scalar weight
 
 SHARED_FN void extrema_period(real* sums) {}
 
-SHARED_FN void extrema_finish(const real* sums, uint record, real* out) {
+SHARED_FN void extrema_finish(const real* sums, SweepRound round, real* out) {
   out[0] = sums[extrema_least];
   out[1] = sums[extrema_greatest];
 }

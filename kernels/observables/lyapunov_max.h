@@ -45,12 +45,12 @@ SHARED_FN void lyapunov_max_period(real* sums, const real* growth, real period, 
 }
 
 // The error is not a number when there is only one block.
-SHARED_FN void lyapunov_max_finish(const real* sums, uint record, real* out) {
-  const scalar blocks = (scalar)(record / max(record / lyapunov_max_blocks, 1u));
+SHARED_FN void lyapunov_max_finish(const real* sums, SweepRound round, real* out) {
+  const scalar blocks = (scalar)(round.record / max(round.record / lyapunov_max_blocks, 1u));
   const real mean = sums[lyapunov_max_offsets] / blocks;
   const real variance = lane_max(sums[lyapunov_max_squares] / blocks - mean * mean, (real)(0));
-  out[0] = sums[lyapunov_max_sum] / (scalar)(record);
+  out[0] = sums[lyapunov_max_sum] / (scalar)(round.record);
   out[1] = lane_sqrt(variance / (blocks - 1));
-  out[2] = sums[lyapunov_max_growth] / (scalar)(record);
+  out[2] = sums[lyapunov_max_growth] / (scalar)(round.record);
 }
 #endif

@@ -22,7 +22,7 @@ SHARED_FN void lyapunov_spectrum_period(real* sums, const real* growth, real per
   for (int j = 0; j < TANGENTS; ++j) sums[j] += growth[j] / period;
 }
 
-SHARED_FN void lyapunov_spectrum_finish(const real* sums, uint record, real* out) {
-  for (int j = 0; j < TANGENTS; ++j) out[j] = sums[j] / (scalar)(record);
+SHARED_FN void lyapunov_spectrum_finish(const real* sums, SweepRound round, real* out) {
+  for (int j = 0; j < TANGENTS; ++j) out[j] = sums[j] / (scalar)(round.record);
 }
 #endif

@@ -45,8 +45,8 @@ SHARED_FN void moments_period(real* sums) {
   sums[moments_period_squares] = 0;
 }
 
-SHARED_FN void moments_finish(const real* sums, uint record, real* out) {
-  const scalar periods = (scalar)(record);
+SHARED_FN void moments_finish(const real* sums, SweepRound round, real* out) {
+  const scalar periods = (scalar)(round.record);
   const real offset = sums[moments_sum] / periods;
   const real mean = sums[moments_origin] + offset;
   const real variance = lane_max(sums[moments_squares] / periods - offset * offset, (real)(0));

@@ -1,14 +1,19 @@
 // What kind of motion it is, from two witnesses: whether the full state at phase 0 recurs
-// (observables/period.h) and the largest Lyapunov exponent (observables/lyapunov_max.h).
-//   periodic        a period, and an exponent that is not positive beyond its error;
-//   chaotic         no period, and an exponent that is positive beyond its error;
-//   quasi_periodic  no period, an exponent that is zero within its error, and a section whose
+// (observables/period.h), and what a small perturbation grew by over the record, with the error of
+// that (observables/lyapunov_max.h). Growth counts as positive or negative when it is so by more
+// than three standard errors.
+//   periodic        a period, and no positive growth;
+//   chaotic         no period, and positive growth by more than a factor exp(2), since even what
+//                   neither grows nor decays in the long run varies while it is carried round;
+//   quasi_periodic  no period, and for 1000 periods or more neither growth nor decay: by no more
+//                   than exp(2), or exp(10) where the errors allow no better; and a section whose
 //                   extent differs by no more than a quarter between the record's halves;
 //   undecided       all else: witnesses that contradict each other, a slow transient, a period
 //                   beyond the longest, chaos too weak for the record.
-// The error is three standard errors. A perturbation that neither grows nor decays in the long run
-// still varies while it is carried round; what it grew by over the whole record counts as nothing
-// up to a factor exp(2), beyond which the motion is not quasi-periodic whatever the error.
+// In the last window (host/engine/window.hpp) fewer periods do for quasi_periodic, and what decayed
+// by more than exp(10) is periodic, too, with a period that is longer than the longest, or not
+// reached within the tolerance: where no direction grows and none stays, the motion goes to a
+// periodic orbit.
 #include "observables/lyapunov_max.h"
 #include "observables/period.h"
 
@@ -31,6 +36,7 @@ enum { motion_accumulators = motion_greatest + PER_STATE };
 
 #ifdef __OPENCL_VERSION__
 enum { motion_outputs = MOTION_OUTPUTS(COUNT_OUTPUT) };
+enum { motion_least_neutral = 1000 };  // periods
 enum { motion_undecided, motion_periodic, motion_quasi_periodic, motion_chaotic };
 
 SHARED_FN void motion_begin_half(real* sums, const real* x) {
@@ -74,24 +80,32 @@ SHARED_FN void motion_period(real* sums, const real* x, const real* growth, real
   }
 }
 
-SHARED_FN void motion_finish(const real* sums, uint record, real* out) {
+SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
   real exponent[lyapunov_max_outputs];
-  lyapunov_max_finish(sums + motion_growth, record, exponent);
-  const real error = (scalar)(3) * exponent[1];
-  const real spare = (scalar)(2) / ((scalar)(record)*sums[motion_forcing]);
-  const mask recurs = period_found(sums + motion_recurrence, record) > zero;
-  const mask positive = (exponent[0] > error) & (exponent[0] > spare);
-  const mask neutral = (lane_abs(exponent[0]) <= error) & (lane_abs(exponent[0]) <= spare);
+  lyapunov_max_finish(sums + motion_growth, round, exponent);
+  const real time = (scalar)(round.record) * sums[motion_forcing];
+  const real growth = exponent[0] * time;
+  const real error = (scalar)(3) * exponent[1] * time;
+  const real turn = 2;
+  const real much = 10;
+  const real size = lane_abs(growth);
+  const mask recurs = period_found(sums + motion_recurrence, round.record) > zero;
+  const mask positive = (growth > error) & (growth > turn);
+  const mask neutral = (size <= turn) | ((size <= error) & (size <= much));
+  const mask decays = (growth < -error) & (growth < -much);
   const real early = sums[motion_extent];
   const real late = motion_present_extent(sums);
   const mask steady = (late <= (scalar)(1.25) * early) & (early <= (scalar)(1.25) * late);
 
   const real undecided = motion_undecided;
-  const real periodic = lane_select(positive, undecided, (real)(motion_periodic));
-  const real quasi_periodic =
-      lane_select(neutral & steady, (real)(motion_quasi_periodic), undecided);
-  const real other = lane_select(positive, (real)(motion_chaotic), quasi_periodic);
-  out[0] = lane_select(recurs, periodic, other);
+  const real periodic = motion_periodic;
+  real bounded = undecided;
+  if (round.is_last) bounded = lane_select(decays, periodic, bounded);
+  if (round.is_last || round.record >= motion_least_neutral) {
+    bounded = lane_select(neutral & steady, (real)(motion_quasi_periodic), bounded);
+  }
+  const real other = lane_select(positive, (real)(motion_chaotic), bounded);
+  out[0] = lane_select(recurs, lane_select(growth > error, undecided, periodic), other);
 }
 #endif

@@ -1,13 +1,15 @@
 // Period of the motion, in forcing periods: after how many the full state at phase 0 recurs. The
-// state is compared with a reference that moves on after 1, 2, 4, ... and at last each 64 periods
-// (R. P. Brent, BIT 20 (1980) 176-184, with his power of two bounded). Two states are the same when
-// no component differs by more than PERIOD_TOLERANCE times the greatest component of any recorded
-// state at phase 0. A period counts when all its multiples within reach recur, at least two of
-// them, from some reference to the end of the record and for a quarter of the record or more.
+// state is compared with a reference that moves on after 1, 2, 4, ... periods (R. P. Brent, BIT 20
+// (1980) 176-184) and at last each time a window is full: 64 periods, or the greatest power of two
+// that is at most a third of the record. Two states are the same when no component differs by more
+// than PERIOD_TOLERANCE times the greatest component of any recorded state at phase 0. A period
+// counts when all its multiples within reach recur, at least two of them, from some reference to
+// the end of the record and for a quarter of the record or more. The longest that counts is half a
+// window.
 
 #define PERIOD_KIND orbit
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define PERIOD_OUTPUTS(X) X(, "1", "", "period in forcing periods, at most 32; 0: none was found")
+#define PERIOD_OUTPUTS(X) X(, "1", "", "period in forcing periods; 0: none was found")
 
 enum {
   period_candidate,                                   // 0: none
@@ -20,7 +22,13 @@ enum {
 };
 
 #ifdef __OPENCL_VERSION__
-enum { period_outputs = PERIOD_OUTPUTS(COUNT_OUTPUT), period_most = 32, period_window = 64 };
+enum { period_outputs = PERIOD_OUTPUTS(COUNT_OUTPUT) };
+
+SHARED_FN uint period_longest_window(uint record) {
+  uint window = 64;
+  while (6 * window <= record) window *= 2;
+  return window;
+}
 
 SHARED_FN void period_take_reference(real* sums, const real* x) {
   UNROLL
@@ -38,9 +46,10 @@ SHARED_FN void period_init(real* sums, const real* x) {
 // x: state at the end of the recorded period of this number.
 SHARED_FN void period_period(real* sums, const real* x, const real* growth, real period,
                              uint number, uint record) {
+  const uint longest = period_longest_window(record);
   uint window = 1;
   uint start = 0;
-  while (window < period_window && number >= start + window) {
+  while (window < longest && number >= start + window) {
     start += window;
     window *= 2;
   }
@@ -63,7 +72,7 @@ SHARED_FN void period_period(real* sums, const real* x, const real* growth, real
   sums[period_due] = lane_select(hit, now + sums[period_candidate], sums[period_due]);
   sums[period_candidate] = lane_select(missed, zero, sums[period_candidate]);
   sums[period_due] = lane_select(missed, zero, sums[period_due]);
-  if (lag <= period_most) {
+  if (2 * lag <= longest) {
     const mask fresh =
         same & ((sums[period_candidate] == zero) | ((now < sums[period_due]) & !hit));
     sums[period_candidate] = lane_select(fresh, now, sums[period_candidate]);
@@ -84,7 +93,7 @@ SHARED_FN real period_found(const real* sums, uint record) {
   return lane_select(counts, sums[period_candidate], zero);
 }
 
-SHARED_FN void period_finish(const real* sums, uint record, real* out) {
-  out[0] = period_found(sums, record);
+SHARED_FN void period_finish(const real* sums, SweepRound round, real* out) {
+  out[0] = period_found(sums, round.record);
 }
 #endif

@@ -1,7 +1,7 @@
 // How many periods, settling included, went by before the orbit stayed periodic: those before the
 // reference of observables/period.h from which on the period holds. References lie 64 periods
 // apart, less at the record's beginning; an orbit that is periodic from there on has settled after
-// the periods of integrate.settle, or before.
+// the periods before the record, or before.
 #include "observables/period.h"
 
 #define SETTLED_KIND orbit
@@ -21,9 +21,9 @@ SHARED_FN void settled_period(real* sums, const real* x, const real* growth, rea
   period_period(sums, x, growth, period, number, record);
 }
 
-SHARED_FN void settled_finish(const real* sums, uint record, real* out) {
+SHARED_FN void settled_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
-  const real total = sums[period_since] + (scalar)(SETTLE_PERIODS);
-  out[0] = lane_select(period_found(sums, record) > zero, total, (real)(NAN));
+  const real total = sums[period_since] + (scalar)(round.settled);
+  out[0] = lane_select(period_found(sums, round.record) > zero, total, (real)(NAN));
 }
 #endif

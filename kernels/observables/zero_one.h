@@ -109,14 +109,14 @@ SHARED_FN real zero_one_correlation(const real* head, const real* tail, const re
 }
 
 // A series that stays at one value within PERIOD_TOLERANCE is regular, whatever its rounding does.
-SHARED_FN void zero_one_finish(const real* sums, uint record, real* out) {
+SHARED_FN void zero_one_finish(const real* sums, SweepRound round, real* out) {
   out[0] = NAN;
-  if (record < 100) return;
-  const uint lags = zero_one_lags(record);
+  if (round.record < 100) return;
+  const uint lags = zero_one_lags(round.record);
   real head[zero_one_most_lags];
   real tail[zero_one_most_lags];
   real products[zero_one_most_lags];
-  zero_one_center(sums, record, head, tail, products);
+  zero_one_center(sums, round.record, head, tail, products);
   real sorted[zero_one_angles];
   for (int i = 0; i < zero_one_angles; ++i) {
     // Multiples of the golden ratio, less their whole part, lie neither evenly nor in clusters.
@@ -133,7 +133,7 @@ SHARED_FN void zero_one_finish(const real* sums, uint record, real* out) {
   }
   const real zero = 0;
   const real least = (scalar)(PERIOD_TOLERANCE)*sums[zero_one_greatest];
-  const mask varies = products[0] > (scalar)(record - lags) * least * least;
+  const mask varies = products[0] > (scalar)(round.record - lags) * least * least;
   out[0] = lane_select(varies, sorted[zero_one_angles / 2], zero);
 }
 #endif

@@ -92,8 +92,8 @@ TEST(Period, IsTheLeastThatTheSectionRecursAfter) {
 }
 
 // From the start, without settling: the transient is not taken for the motion, and `settled` tells
-// how long it took. References lie at most 64 periods apart, so the orbit may have settled up to
-// two windows before.
+// how long it took. References lie at most 512 periods apart in a record of this length, so the
+// orbit may have settled up to so many periods before.
 TEST(Settled, TellsHowLongASlowTransientTook) {
   const SweepResult result =
       run(sweep("coarse", "0.8, 1.9"), {"integrate.settle=0", "integrate.record=1600"});
@@ -111,19 +111,34 @@ TEST(Settled, TellsHowLongASlowTransientTook) {
     }
     const double settled = map_of(result, "settled")[point];
     EXPECT_GT(settled, 20.0);
-    EXPECT_NEAR(settled, static_cast<double>(first), 128.0);
+    EXPECT_NEAR(settled, static_cast<double>(first), 512.0);
   }
 }
 
 // At omega 1.9 a mode decays by exp(-0.0157) each period: after 400 it is still 2e-3 of what it
 // was, and the 200 that are recorded do not suffice.
-TEST(Motion, CallsASlowTransientUndecided) {
-  const SweepResult early = run(sweep("coarse", "1.9"));
-  EXPECT_EQ(map_of(early, "period")[0], 0.0);
-  EXPECT_EQ(map_of(early, "motion_class")[0], kUndecided);
-  const SweepResult late = run(sweep("coarse", "1.9"), {"integrate.record=1600"});
-  EXPECT_EQ(map_of(late, "period")[0], 2.0);
-  EXPECT_EQ(map_of(late, "motion_class")[0], kPeriodic);
+TEST(Motion, CallsASlowTransientUndecidedWhenItMayNotGoOn) {
+  const SweepResult result = run(sweep("coarse", "1.9"), {"integrate.extend=1"});
+  EXPECT_EQ(map_of(result, "period")[0], 0.0);
+  EXPECT_EQ(map_of(result, "motion_class")[0], kUndecided);
+}
+
+// By default such a point goes on until its period shows. What is not a verdict on the motion stays
+// as the study's own window had it, to the last bit.
+TEST(Motion, GoesOnUntilASlowTransientHasSettled) {
+  const std::string study = sweep("coarse", "1.9");
+  const std::string more =
+      "observe.quantities=['x1_rms', 'dmf_max', 'period', 'settled', 'motion_class', 'poincare']";
+  const SweepResult result = run(study, {more});
+  EXPECT_EQ(map_of(result, "period")[0], 2.0);
+  EXPECT_EQ(map_of(result, "motion_class")[0], kPeriodic);
+  // exp(-0.0157 n) is 1e-6 of the first deviation, of size 1, after some 880 periods.
+  EXPECT_GT(map_of(result, "settled")[0], 600.0);
+  EXPECT_LT(map_of(result, "settled")[0], 2000.0);
+  const SweepResult single = run(study, {more, "integrate.extend=1"});
+  EXPECT_EQ(map_of(result, "x1_rms"), map_of(single, "x1_rms"));
+  EXPECT_EQ(map_of(result, "dmf_max"), map_of(single, "dmf_max"));
+  EXPECT_EQ(result.samples, single.samples);
 }
 
 TEST(Motion, TellsPeriodicQuasiPeriodicAndChaotic) {
@@ -172,10 +187,12 @@ TEST(Motion, AgreesWithPeriodAndExponent) {
       EXPECT_GT(exponent, error);
     }
     if (motion == kQuasiPeriodic) {
-      EXPECT_LE(std::abs(exponent), error);
+      // exp(2) in 1000 periods, again at the greatest omega.
+      EXPECT_LE(std::abs(exponent), std::max(error, 0.002 * 1.9 / (2.0 * M_PI)));
     }
   }
-  for (const std::size_t count : seen) EXPECT_GT(count, 0U);
+  EXPECT_LE(seen[0], 1U);
+  for (std::size_t motion = 1; motion < seen.size(); ++motion) EXPECT_GT(seen[motion], 0U);
 }
 
 TEST(Period, HasTheSameBitsHoweverTheWorkIsCut) {

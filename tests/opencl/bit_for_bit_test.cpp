@@ -62,9 +62,8 @@ TEST_P(BitForBit, KernelAndHost) {
     initial.insert(initial.end(), own.begin(), own.end());
   }
   const std::optional<TileResult> kernel =
-      make_opencl_engine(study, std::nullopt)->compute(plan, tile, initial, [](double) {
-        return true;
-      });
+      make_opencl_engine(study, std::nullopt)
+          ->compute(plan, tile, initial, windows_of(study).front(), [](double) { return true; });
   ASSERT_TRUE(kernel);
 
   const std::size_t periods = study.integrate.settle + study.integrate.record;

@@ -1,1 +1,0 @@
-#include "engine/engine.hpp"  // checks that the interface stands on its own
