@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "cli/attractor_report.hpp"
 #include "cli/progress_bar.hpp"
 #include "sweep_types.h"
 
@@ -148,6 +149,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{}: {}\n", quantity.name,
                         describe_counts(count_classes(quantity, result.values[i])));
   }
+  text += describe_attractors(result);
   text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
   if (result.steps > 0.0) {
@@ -168,6 +170,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
     if (quantity.flags.empty()) continue;
     json["classes"][quantity.name] = counts_as_json(count_classes(quantity, result.values[i]));
   }
+  if (result.study.selection.survey) json["attractors"] = attractors_as_json(result);
   json["seconds"] = result.seconds;
   json["steps"] = result.steps;
   json["device"] = result.engine.device;

@@ -1,10 +1,30 @@
 #include "distribute/assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 
 #include "sweep_types.h"
 
 namespace gearsweep {
+namespace {
+
+// What to call the values of `attractor`, from 0; empty when there are too many to tell apart by
+// name.
+std::vector<std::string> class_names(const std::vector<Attractor>& attractors) {
+  constexpr std::size_t kMostNames = 30;
+  if (attractors.size() > kMostNames) return {};
+  std::vector<std::string> names = {"undecided"};
+  for (const Attractor& attractor : attractors) {
+    const std::string kind = attractor.period > 0.0 ? fmt::format("period_{}", attractor.period)
+                                                    : motion_names().at(attractor.motion);
+    names.push_back(fmt::format("{}_{}", names.size(), kind));
+  }
+  return names;
+}
+
+}  // namespace
 
 Assembly::Assembly(const Study& study) {
   const std::size_t points = study.points();
@@ -16,6 +36,7 @@ Assembly::Assembly(const Study& study) {
   }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
   final_states_.resize(points * study.model->states.size());
+  if (selection.survey) specimens_.resize(study.trajectories());
 }
 
 void Assembly::add(const Tile& tile, const TileResult& result) {
@@ -26,9 +47,13 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
   result_.seconds += result.effort[1];
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t point = tile.points[i];
+    if (!specimens_.empty()) add_specimen(point, result, i);
+    // The maps are those of each point's first trajectory.
+    if (point >= result_.status.size()) continue;
     result_.status[point] = result.status[i];
     for (std::size_t j = 0; j < result_.values.size(); ++j) {
       const Quantity& quantity = result_.study.selection.quantities[j];
+      if (quantity.is_surveyed) continue;
       for (std::size_t k = 0; k < quantity.width; ++k) {
         result_.values[j][point * quantity.width + k] =
             result.outputs[(quantity.output + k) * count + i];
@@ -62,6 +87,45 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   return initial;
 }
 
-SweepResult Assembly::take() { return std::move(result_); }
+void Assembly::add_specimen(std::size_t trajectory, const TileResult& result,
+                            std::size_t position) {
+  const Survey& survey = *result_.study.selection.survey;
+  const std::size_t count = result.status.size();
+  const auto output = [&](std::size_t index) { return result.outputs[index * count + position]; };
+  Specimen& specimen = specimens_[trajectory];
+  if (result.status[position] != STATUS_ok || output(survey.motion) == 0.0) return;
+  specimen.is_known = true;
+  specimen.motion = static_cast<std::size_t>(output(survey.motion));
+  specimen.period = output(survey.period);
+  specimen.rms = output(survey.rms);
+  specimen.exponent = output(survey.exponent);
+  specimen.peak = survey.peak ? output(*survey.peak) : std::numeric_limits<double>::quiet_NaN();
+  const std::size_t states = result_.study.model->states.size();
+  for (const std::size_t first : {survey.section_min, survey.section_max}) {
+    for (std::size_t i = 0; i < states; ++i) specimen.box.push_back(output(first + i));
+  }
+}
+
+void Assembly::survey() {
+  AttractorList list = find_attractors(result_.study, specimens_);
+  for (std::size_t j = 0; j < result_.values.size(); ++j) {
+    Quantity& quantity = result_.study.selection.quantities[j];
+    if (!quantity.is_surveyed) continue;
+    if (quantity.name == "attractor") quantity.flags = class_names(list.attractors);
+    for (std::size_t point = 0; point < result_.status.size(); ++point) {
+      const std::size_t value =
+          quantity.name == "attractor" ? list.number[point] : list.count[point];
+      result_.values[j][point] = result_.status[point] == STATUS_ok
+                                     ? static_cast<double>(value)
+                                     : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  result_.attractors = std::move(list.attractors);
+}
+
+SweepResult Assembly::take() {
+  if (!specimens_.empty()) survey();
+  return std::move(result_);
+}
 
 }  // namespace gearsweep

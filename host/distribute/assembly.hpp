@@ -1,6 +1,7 @@
 // Puts the answers of tiles together to the maps of a sweep. Private to this folder.
 #pragma once
 
+#include "distribute/attractors.hpp"
 #include "engine/engine.hpp"
 
 namespace gearsweep {
@@ -18,8 +19,12 @@ class Assembly {
   SweepResult take();
 
  private:
+  void add_specimen(std::size_t trajectory, const TileResult& result, std::size_t position);
+  void survey();
+
   SweepResult result_;
   std::vector<double> final_states_;  // [point][state]
+  std::vector<Specimen> specimens_;   // [trajectory]; empty unless the study has a survey
 };
 
 }  // namespace gearsweep

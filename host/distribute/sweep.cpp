@@ -31,7 +31,7 @@ std::string fingerprint(const Study& study, const EngineInfo& engine, std::size_
 std::size_t tile_size(const Study& study, const Engine& engine) {
   constexpr std::size_t kTiles = 32;
   if (study.integrate.tile > 0) return study.integrate.tile;
-  return std::clamp(study.points() / kTiles, engine.least_tile(), engine.preferred_tile());
+  return std::clamp(study.trajectories() / kTiles, engine.least_tile(), engine.preferred_tile());
 }
 
 // Counts what is done and tells the caller.
@@ -39,7 +39,7 @@ class Progress {
  public:
   Progress(const Plan& plan, const SweepOptions& options)
       : total_(plan.total_work()), options_(options), start_(std::chrono::steady_clock::now()) {
-    progress_.points = plan.study().points();
+    progress_.points = plan.study().trajectories();
   }
 
   void begin_tile(const Tile& tile) {

@@ -14,9 +14,9 @@ struct SweepProgress {
   double share = 0.0;          // of the work, 0 to 1
   double share_kept = 0.0;     // of the work, in finished tiles: what an interruption keeps
   double share_resumed = 0.0;  // of the work, what the journal gave
-  std::size_t points_done = 0, points = 0;
-  std::size_t points_resumed = 0;  // of points_done, those that the journal gave
-  double seconds = 0.0;            // since the computation began
+  std::size_t points_done = 0, points = 0;  // each trajectory of an ensemble counts
+  std::size_t points_resumed = 0;           // of points_done, those that the journal gave
+  double seconds = 0.0;                     // since the computation began
 };
 
 struct SweepOptions {

@@ -16,6 +16,16 @@ struct EngineInfo {
   std::string macros;  // the kernel's build options; empty for the reference engine
 };
 
+// One attractor of the list that `attractor` numbers, from 1.
+struct Attractor {
+  std::size_t motion = 0;  // class of motion_class, of most of its trajectories
+  double period = 0.0;     // in forcing periods, of most of its trajectories; 0: none
+  // Over its trajectories: mean rms of the model's first state, greatest dmf_max (NaN when the
+  // model has none), mean lyapunov_max.
+  double rms = 0.0, peak = 0.0, exponent = 0.0;
+  std::size_t trajectories = 0;  // that reached it
+};
+
 // Point (ix, iy) has index iy * nx + ix. A point that did not end `ok` has NaN in every map.
 struct SweepResult {
   Study study;
@@ -23,7 +33,8 @@ struct SweepResult {
   std::vector<std::uint8_t> status;  // [point], codes of kernels/sweep_types.h
   // [quantity of study.selection][point * its width + i]
   std::vector<std::vector<double>> values;
-  std::vector<double> samples;  // [point][chosen state][sample]; empty without poincare
+  std::vector<Attractor> attractors;  // empty unless the study has a survey
+  std::vector<double> samples;        // [point][chosen state][sample]; empty without poincare
   // Of all tiles, those of an interrupted run that this one continued included.
   double steps = 0.0;    // integration steps in all
   double seconds = 0.0;  // wall time of the computation

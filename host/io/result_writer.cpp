@@ -50,6 +50,7 @@ class Writer {
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       write_quantity(study_.selection.quantities[i], result_.values[i]);
     }
+    if (study_.selection.survey) write_attractors();
     if (!study_.selection.poincare.empty()) write_poincare();
   }
 
@@ -132,6 +133,45 @@ class Writer {
     } else {
       put_reals(variable, start, shape, values);
     }
+  }
+
+  // The list that `attractor` numbers, along a dimension of its own.
+  void write_attractors() {
+    const std::vector<Attractor>& list = result_.attractors;
+    const int number = numbered_dimension("attractor_number", list.size());
+    const auto write = [&](const std::string& name, const std::string& unit,
+                           const std::string& meaning, const auto& value) {
+      const int variable = file_.define_variable(name, NC_DOUBLE, {number});
+      describe(variable, unit, meaning);
+      std::vector<double> values;
+      for (const Attractor& attractor : list) values.push_back(value(attractor));
+      put_all(variable, values);
+      return variable;
+    };
+    const ChannelInfo& first = study_.model->states.front();
+    const int motion = write("attractor_motion_class", "", "kind of motion of each attractor",
+                             [](const Attractor& a) { return static_cast<double>(a.motion); });
+    std::vector<signed char> codes(motion_names().size());
+    std::iota(codes.begin(), codes.end(), static_cast<signed char>(0));
+    put_flags(motion, codes, motion_names());
+    write("attractor_period", "1", "period in forcing periods; 0: none",
+          [](const Attractor& a) { return a.period; });
+    write(fmt::format("attractor_{}_rms", first.name), first.unit,
+          fmt::format("root mean square of {}, mean over the attractor's trajectories", first.name),
+          [](const Attractor& a) { return a.rms; });
+    if (study_.selection.survey->peak) {
+      const auto signal = static_cast<std::size_t>(study_.model->find_signal("dmf"));
+      write("attractor_dmf_max", study_.model->signals[signal].unit,
+            "greatest dynamic meshing force of the attractor",
+            [](const Attractor& a) { return a.peak; });
+    }
+    write("attractor_lyapunov_max", "1/tau",
+          "largest Lyapunov exponent, mean over the attractor's trajectories",
+          [](const Attractor& a) { return a.exponent; });
+    write("attractor_share", "1", "share of all trajectories that reached the attractor",
+          [&](const Attractor& a) {
+            return static_cast<double>(a.trajectories) / static_cast<double>(study_.trajectories());
+          });
   }
 
   // The dimension of this name with the coordinate 1, 2, ..., made when it is not there yet.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <random>
 
 #include "model/error.hpp"
 
@@ -19,9 +20,18 @@ std::vector<std::size_t> all_points(std::size_t count) {
   return points;
 }
 
-bool is_chained(const Study& study) {
-  return study.initial.policy == InitialPolicy::forward ||
-         study.initial.policy == InitialPolicy::backward;
+// The same for all points, so that neighbours differ by their parameters alone. The first is zero.
+std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::size_t states) {
+  std::vector<std::vector<double>> offsets(initial.ensemble, std::vector<double>(states, 0.0));
+  std::mt19937_64 random(initial.seed);
+  for (std::size_t member = 1; member < offsets.size(); ++member) {
+    for (std::size_t i = 0; i < states; ++i) {
+      // Not std::uniform_real_distribution: its numbers differ between standard libraries.
+      const double unit = static_cast<double>(random() >> 11U) * 0x1p-53;
+      offsets[member][i] = initial.spread[i] * (2.0 * unit - 1.0);
+    }
+  }
+  return offsets;
 }
 
 // What makes two points share a phase grid: the number of steps and the phase-shaping parameters.
@@ -43,8 +53,9 @@ Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
     if (!wrong.empty()) throw InputError(wrong);
     steps_of(point);
   }
-  if (!is_chained(study_)) {
-    add_stage(all_points(study_.points()), tile_points);
+  offsets_ = ensemble_offsets(study_.initial, study_.model->states.size());
+  if (!study_.is_chained()) {
+    add_stage(all_points(study_.trajectories()), tile_points);
     return;
   }
   const std::size_t length = study_.axes[study_.initial.along].values.size();
@@ -69,7 +80,7 @@ double Plan::total_work() const {
 
 std::size_t Plan::axis_index(std::size_t axis, std::size_t point) const {
   const std::size_t nx = study_.axes[0].values.size();
-  return axis == 0 ? point % nx : point / nx;
+  return axis == 0 ? point % nx : point % study_.points() / nx;
 }
 
 double Plan::axis_value(std::size_t axis, std::size_t point) const {
@@ -104,7 +115,7 @@ PhaseGrid Plan::phase_grid_of(std::size_t point) const {
 }
 
 std::optional<std::size_t> Plan::predecessor(std::size_t point) const {
-  if (!is_chained(study_)) return std::nullopt;
+  if (!study_.is_chained()) return std::nullopt;
   const std::size_t along = study_.initial.along;
   const std::size_t index = axis_index(along, point);
   const std::size_t stride = along == 0 ? 1 : study_.axes[0].values.size();
@@ -119,6 +130,8 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
   std::vector<double> state = study_.initial.policy == InitialPolicy::fixed
                                   ? study_.initial.state
                                   : study_.model->equilibrium(setting_of(point));
+  const std::vector<double>& offset = offsets_[point / study_.points()];
+  for (std::size_t i = 0; i < state.size(); ++i) state[i] += offset[i];
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
     if (study_.axes[axis].is_state) state[study_.axes[axis].index] = axis_value(axis, point);
   }

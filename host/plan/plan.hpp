@@ -10,7 +10,8 @@
 
 namespace gearsweep {
 
-// The points that one launch sequence computes; those that share a phase grid stand together.
+// The points that one launch sequence computes; those that share a phase grid stand together. With
+// an ensemble, trajectory m of point p counts as point m * study.points() + p of the plan.
 struct Tile {
   std::vector<std::size_t> points;       // point indices
   std::vector<std::size_t> grid_starts;  // position in `points` where each phase grid begins
@@ -47,6 +48,7 @@ class Plan {
   void add_stage(const std::vector<std::size_t>& points, std::size_t tile_points);
 
   const Study study_;
+  std::vector<std::vector<double>> offsets_;  // [trajectory of a point][state]
   std::vector<Stage> stages_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -64,6 +65,18 @@ std::vector<Offer> offers_of(const Model& model) {
   return offers;
 }
 
+// Quantities that no observer gives, since they need the whole map.
+std::vector<Quantity> surveyed_quantities() {
+  Quantity attractor;
+  attractor.name = "attractor";
+  attractor.meaning = "number of the attractor reached, by the file's list; 0: undecided";
+  attractor.is_surveyed = true;
+  Quantity count = attractor;
+  count.name = "attractor_count";
+  count.meaning = "attractors that the initial states of the ensemble reached";
+  return {attractor, count};
+}
+
 std::size_t resolve_count(int count, std::size_t states) {
   return static_cast<std::size_t>(count % kPerState) +
          static_cast<std::size_t>(count / kPerState) * states;
@@ -84,6 +97,32 @@ std::size_t first_output_of(const Source& source, std::size_t states, Selection*
        observable.outputs.size() * (observable.dimension.empty() ? 1 : states),
        resolve_count(observable.tangents, states)});
   return first;
+}
+
+// The output of a quantity that the model offers, with the observer that gives it.
+std::size_t add_output(const std::vector<Offer>& offers, const std::string& name,
+                       std::size_t states, Selection* selection) {
+  const auto offer = std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
+    return candidate.quantity.name == name;
+  });
+  return first_output_of(offer->source, states, selection) +
+         offer->source.output_in_observable * offer->quantity.width;
+}
+
+void add_survey(const Model& model, const std::vector<Offer>& offers, Selection* selection) {
+  const auto output = [&](const std::string& name) {
+    return add_output(offers, name, model.states.size(), selection);
+  };
+  Survey survey;
+  survey.motion = output("motion_class");
+  survey.period = output("period");
+  survey.section_min = output("section_min");
+  survey.section_max = output("section_max");
+  survey.rms = output(model.states.front().name + "_rms");
+  survey.exponent = output("lyapunov_max");
+  if (model.find_signal("dmf") >= 0) survey.peak = output("dmf_max");
+  selection->survey = survey;
+  selection->motion = survey.motion;
 }
 
 std::vector<std::size_t> find_states(const Model& model, const std::vector<std::string>& names) {
@@ -128,6 +167,7 @@ std::size_t Selection::tangent_count() const {
 std::vector<Quantity> offered_quantities(const Model& model) {
   std::vector<Quantity> out;
   for (const Offer& offer : offers_of(model)) out.push_back(offer.quantity);
+  for (const Quantity& quantity : surveyed_quantities()) out.push_back(quantity);
   Quantity status;
   status.name = "status";
   status.meaning = "why the point ended";
@@ -135,36 +175,46 @@ std::vector<Quantity> offered_quantities(const Model& model) {
   return out;
 }
 
+std::vector<std::string> motion_names() {
+  for (const Observable& observable : observables()) {
+    if (observable.name == "motion") return observable.outputs.front().flags;
+  }
+  return {};
+}
+
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
                             const std::vector<std::string>& poincare_states) {
   const std::vector<Offer> offers = offers_of(model);
   const std::vector<std::size_t> sampled = find_states(model, poincare_states);
+  const std::vector<Quantity> known = offered_quantities(model);
   Selection selection;
+  std::set<std::string> listed;
   for (const std::string& name : names) {
-    if (name == "status") continue;  // always there
-    const auto offer = std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
-      return candidate.quantity.name == name;
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Quantity& candidate) {
+      return candidate.name == name;
     });
-    if (offer == offers.end()) {
-      std::vector<std::string> known = {"status"};
-      for (const Offer& candidate : offers) known.push_back(candidate.quantity.name);
+    if (found == known.end()) {
+      std::vector<std::string> known_names;
+      for (const Quantity& candidate : known) known_names.push_back(candidate.name);
       throw InputError(fmt::format("unknown quantity '{}' of model '{}'{}", name, model.name,
-                                   suggest_name(name, known)));
+                                   suggest_name(name, known_names)));
     }
-    const bool listed_before =
-        std::any_of(selection.quantities.begin(), selection.quantities.end(),
-                    [&](const Quantity& quantity) { return quantity.name == name; }) ||
-        (offer->source.observable->kind == ObservableKind::section && !selection.poincare.empty());
-    if (listed_before) throw InputError(fmt::format("quantity '{}' is listed twice", name));
-    if (offer->source.observable->kind == ObservableKind::section) {
+    if (name == "status") continue;  // always there
+    if (!listed.insert(name).second) {
+      throw InputError(fmt::format("quantity '{}' is listed twice", name));
+    }
+    if (name == "poincare") {
       if (sampled.empty()) throw InputError("observe.poincare names no state");
       selection.poincare = sampled;
       continue;
     }
-    Quantity quantity = offer->quantity;
-    quantity.output = first_output_of(offer->source, model.states.size(), &selection) +
-                      offer->source.output_in_observable * quantity.width;
-    if (quantity.name == "motion_class") selection.motion = quantity.output;
+    Quantity quantity = *found;
+    if (quantity.is_surveyed) {
+      add_survey(model, offers, &selection);
+    } else {
+      quantity.output = add_output(offers, name, model.states.size(), &selection);
+    }
+    if (name == "motion_class") selection.motion = quantity.output;
     selection.quantities.push_back(quantity);
   }
   return selection;

@@ -24,8 +24,19 @@ struct Quantity {
   std::string name, unit, meaning;
   std::vector<std::string> flags;  // class names when the value is a class
   std::size_t output = 0;          // index among the outputs of all observers, in their order
+  bool is_surveyed = false;        // not an output, but found from the whole map (distribute/)
   std::size_t width = 1;           // numbers for each point, next to each other among the outputs
   std::string dimension;           // the name of what they stand along; empty when width = 1
+};
+
+// What the list of attractors is made of: outputs of observers that run for it. Of the attractor's
+// own look there are the box around its section and what is told of it in the list.
+struct Survey {
+  std::size_t motion = 0, period = 0;            // motion_class, period
+  std::size_t section_min = 0, section_max = 0;  // the first of one output per state each
+  std::size_t rms = 0;                           // of the model's first state
+  std::size_t exponent = 0;                      // lyapunov_max
+  std::optional<std::size_t> peak;               // dmf_max, of a model that has it
 };
 
 struct Selection {
@@ -34,6 +45,7 @@ struct Selection {
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
   // Output of motion_class, when an observer looks for kinds of motion.
   std::optional<std::size_t> motion;
+  std::optional<Survey> survey;  // when attractors are to be told apart
   // Two states at phase 0 are the same when they differ by no more than this, relative to the
   // greatest component (kernels/observables/period.h).
   double period_tolerance = 1e-6;
@@ -45,6 +57,9 @@ struct Selection {
 
 // Every quantity that a model offers, `poincare` and `status` included.
 std::vector<Quantity> offered_quantities(const Model& model);
+
+// The classes of motion_class, by value.
+std::vector<std::string> motion_names();
 
 // Resolves quantity names. Throws InputError with the nearest known name (the caller adds the
 // place).

@@ -8,4 +8,8 @@ std::size_t Study::points() const {
   return count;
 }
 
+bool Study::is_chained() const {
+  return initial.policy == InitialPolicy::forward || initial.policy == InitialPolicy::backward;
+}
+
 }  // namespace gearsweep

@@ -31,6 +31,11 @@ struct Initial {
   InitialPolicy policy = InitialPolicy::shifted;
   std::vector<double> state;  // of policy fixed, one per state of the model
   std::size_t along = 0;      // axis index, of forward and backward
+  // Trajectories of each point: the first starts as above, the others at seeded random places of
+  // the box that reaches `spread` to both sides of that, state by state.
+  std::size_t ensemble = 1;
+  std::size_t seed = 1;
+  std::vector<double> spread;  // one per state of the model
 };
 
 enum class EngineKind { opencl, reference };
@@ -80,6 +85,9 @@ struct Study {
   std::string toml;  // the whole study as TOML, overrides included: reading it gives this study
 
   std::size_t points() const;
+  // Whether points go on from their neighbours (policies forward and backward).
+  bool is_chained() const;
+  std::size_t trajectories() const { return points() * initial.ensemble; }
 };
 
 // Reads a study file, the study in a result file (by its NetCDF attribute, see io), or a built-in

@@ -9,6 +9,7 @@
 #include "model/names.hpp"
 #include "study/axis_reader.hpp"
 #include "study/gear_table.hpp"
+#include "study/initial_reader.hpp"
 #include "study/overrides.hpp"
 #include "study/study.hpp"
 #include "study/toml_access.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double kMostPoints = 1e8;
 constexpr double kMostNumbers = 1e9;  // in the result: 8 GB
-const std::vector<std::string> kPolicies = {"fixed", "shifted", "forward", "backward"};
 
 toml::table parse(const std::string& text, const std::string& source) {
   if (std::all_of(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; })) {
@@ -85,7 +85,7 @@ void apply_preset(const PresetInfo& preset, Study* study) {
     const std::string name(key.str());
     if (name == "policy") {
       TableReader reader(&table, "[preset]");
-      study->initial.policy = static_cast<InitialPolicy>(reader.choice(name, 0, kPolicies));
+      study->initial.policy = static_cast<InitialPolicy>(reader.choice(name, 0, policy_names()));
     } else if (const int option = study->model->find_option(name); option >= 0) {
       const auto index = static_cast<std::size_t>(option);
       TableReader reader(&table, "[preset]");
@@ -149,38 +149,6 @@ void read_gear(const toml::table* gear, Study* study) {
   }
 }
 
-void read_initial(const toml::table* table, Study* study) {
-  const Model& model = *study->model;
-  TableReader reader(table, "[initial]");
-  Initial& initial = study->initial;
-  initial.policy = static_cast<InitialPolicy>(
-      reader.choice("policy", static_cast<std::size_t>(initial.policy), kPolicies));
-  initial.state.assign(model.states.size(), 0.0);
-  const toml::table* state = reader.table("state");
-  if (state != nullptr && initial.policy != InitialPolicy::fixed) {
-    fail_at(*state, "state belongs to policy = \"fixed\"");
-  }
-  TableReader state_reader(state, "initial.state");
-  for (std::size_t i = 0; i < model.states.size(); ++i) {
-    initial.state[i] = state_reader.number(model.states[i].name, 0.0, -SWEEP_DIVERGED_BEYOND,
-                                           SWEEP_DIVERGED_BEYOND);
-  }
-  state_reader.refuse_unknown();
-  const bool chained =
-      initial.policy == InitialPolicy::forward || initial.policy == InitialPolicy::backward;
-  if (const toml::node* along = reader.find("along"); along != nullptr && !chained) {
-    fail_at(*along, "along belongs to policy = \"forward\" or \"backward\"");
-  }
-  if (chained) initial.along = reader.choice("along", 0, names_of(study->axes));
-  reader.refuse_unknown();
-  if (chained && study->axes[initial.along].is_state) {
-    throw InputError(
-        fmt::format("{}: a chain cannot go along axis '{}', an initial state; name a "
-                    "parameter's axis with along = \"...\"",
-                    place_of(*table), study->axes[initial.along].name));
-  }
-}
-
 void read_integrate(const toml::table* table, Study* study) {
   TableReader reader(table, "[integrate]");
   Integrate& integrate = study->integrate;
@@ -232,13 +200,24 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   }
 }
 
+void check_attractors(const toml::table* observe, const Study& study) {
+  for (const Quantity& quantity : study.selection.quantities) {
+    if (quantity.name != "attractor_count" || study.initial.ensemble > 1) continue;
+    fail_at(*observe->get("quantities"),
+            "'attractor_count' counts over an ensemble of initial states: give it a size, "
+            "[initial] ensemble = 8, for example");
+  }
+}
+
 void check_size(const toml::table& root, const Study& study) {
   double points = 1.0;
   for (const Axis& axis : study.axes) points *= static_cast<double>(axis.values.size());
-  if (points > kMostPoints) {
-    fail_at(*root.get("axes"), fmt::format("the axes span {:.3g} points; at most {:.0g} are "
-                                           "possible",
-                                           points, kMostPoints));
+  const auto members = static_cast<double>(study.initial.ensemble);
+  if (points * members > kMostPoints) {
+    fail_at(*root.get("axes"),
+            fmt::format("the axes span {:.3g} points{}; at most {:.0g} are possible", points,
+                        members > 1.0 ? fmt::format(" of {} trajectories each", members) : "",
+                        kMostPoints));
   }
   const double numbers =
       points * static_cast<double>(study.selection.quantities.size() + 1 +
@@ -277,6 +256,7 @@ Study read_study(const std::string& text, const std::string& source,
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
+  check_attractors(reader.table("observe"), study);
   check_size(root, study);
 
   std::ostringstream canonical;

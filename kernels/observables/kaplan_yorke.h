@@ -26,7 +26,7 @@ SHARED_FN void kaplan_yorke_finish(const real* sums, SweepRound round, real* out
   const real one = 1;
   real sorted[TANGENTS];
   for (int j = 0; j < TANGENTS; ++j) sorted[j] = sums[j];
-  // A short round.record may leave neighbours out of order.
+  // A short record may leave neighbours out of order.
   for (int pass = 1; pass < TANGENTS; ++pass) {
     for (int j = 0; j + 1 < TANGENTS; ++j) {
       const real high = lane_max(sorted[j], sorted[j + 1]);

@@ -1,0 +1,33 @@
+// The box around the section: least and greatest value of each state at phase 0 over the record.
+
+#define SECTION_KIND orbit
+#define SECTION_DIMENSION "component"
+// X(suffix of the quantity's name, unit, flag meanings, meaning)
+#define SECTION_OUTPUTS(X)                                                      \
+  X(min, "1", "", "least value at phase 0 of each state, in the model's order") \
+  X(max, "1", "", "greatest value at phase 0 of each state, in the model's order")
+
+enum { section_accumulators = 2 * PER_STATE };
+
+#ifdef __OPENCL_VERSION__
+enum { section_outputs = 2 * PER_STATE };
+
+SHARED_FN void section_init(real* sums, const real* x) {
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[i] = x[i];
+    sums[MODEL_STATE_COUNT + i] = x[i];
+  }
+}
+
+SHARED_FN void section_period(real* sums, const real* x, const real* growth, real period,
+                              uint number, uint record) {
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[i] = lane_min(sums[i], x[i]);
+    sums[MODEL_STATE_COUNT + i] = lane_max(sums[MODEL_STATE_COUNT + i], x[i]);
+  }
+}
+
+SHARED_FN void section_finish(const real* sums, SweepRound round, real* out) {
+  for (int i = 0; i < section_outputs; ++i) out[i] = sums[i];
+}
+#endif
