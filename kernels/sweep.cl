@@ -77,10 +77,11 @@ SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid 
     for (uint segment = 0; segment < grid.segments; ++segment) {
       const uint steps = segment_steps[grid.first_segment + segment];
       const real h = segment_fractions[grid.first_segment + segment] * point->period;
+      const bool is_last = segment + 1 == grid.segments;
       for (uint step = 0; step < steps; ++step) {
         if (w) {
           tangent_step(point, stage, h, x, w);
-          if (TANGENT_IS_DUE(step, steps)) tangent_orthonormalize(w, growth);
+          if (TANGENT_IS_DUE(step, is_last && step + 1 == steps)) tangent_orthonormalize(w, growth);
         } else {
           rk4_step(point, stage, h, x);
         }
@@ -239,10 +240,11 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       const uint steps = segment_steps[grid.first_segment + segment];
       const scalar weight = segment_fractions[grid.first_segment + segment];
       const real h = weight * point.period;
+      const bool is_last = segment + 1 == grid.segments;
       take_sample(&point, stage, x, &before);
       for (uint step = 0; step < steps; ++step) {
         tangent_step(&point, stage, h, x, w);
-        if (TANGENT_IS_DUE(step, steps)) tangent_orthonormalize(w, growth);
+        if (TANGENT_IS_DUE(step, is_last && step + 1 == steps)) tangent_orthonormalize(w, growth);
         stage += RK4_STAGES_PER_STEP;
         take_sample(&point, stage, x, &after);
         OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE, TANGENT_UPDATE, ORBIT_UPDATE)

@@ -3,44 +3,51 @@
 // Giorgilli, Strelcyn, Meccanica 15 (1980) 9-30). A phase-driven model's phase is no state, so its
 // zero exponent is not among them. With TANGENTS 0 all of this is nothing.
 
-// Vectors are made orthonormal at the end of each segment of a period, and more often in long ones:
+// Vectors are made orthonormal at the end of each period, and more often in long segments of it:
 // the shortest must not drown in the longest.
 #define TANGENT_EVERY 64
-#define TANGENT_IS_DUE(step, steps) (((step) + 1) % TANGENT_EVERY == 0 || (step) + 1 == (steps))
+#define TANGENT_IS_DUE(step, is_period_end) (((step) + 1) % TANGENT_EVERY == 0 || (is_period_end))
 
 // Array sizes, which must not be 0.
 #define TANGENT_VECTORS (TANGENTS > 0 ? TANGENTS : 1)
 #define TANGENT_NUMBERS (TANGENT_VECTORS * MODEL_STATE_COUNT)
 
-// Scales a vector to length 1 and returns the logarithm of its length. The greatest component is
-// taken out first, so that no square overflows or vanishes in fp32.
-SHARED_FN real tangent_normalize(real* w) {
+// Divides a vector by its greatest component and returns that, so that no square overflows or
+// vanishes in fp32.
+SHARED_FN real tangent_tame(real* w) {
   const real one = 1;
   real greatest = lane_abs(w[0]);
   for (int i = 1; i < MODEL_STATE_COUNT; ++i) greatest = lane_max(greatest, lane_abs(w[i]));
   const real scale = one / greatest;
-  real squares = 0;
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    w[i] = w[i] * scale;
-    squares = squares + w[i] * w[i];
-  }
-  const real length = lane_sqrt(squares);
-  const real inverse = one / length;
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[i] = w[i] * inverse;
-  return lane_log(greatest) + lane_log(length);
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[i] = w[i] * scale;
+  return greatest;
 }
 
-// Makes the vectors orthonormal, and adds the logarithm of how far each had grown.
+// Makes the vectors orthonormal, and adds the logarithm of how far each had grown. Only the loops
+// over pairs of vectors are unrolled: there the time goes, and with the others unrolled a vector on
+// its own would move into the registers that the step of the state needs.
 SHARED_FN void tangent_orthonormalize(real* w, real* growth) {
+  const real one = 1;
   for (int j = 0; j < TANGENTS; ++j) {
     real* row = w + j * MODEL_STATE_COUNT;
-    growth[j] = growth[j] + tangent_normalize(row);
+    const real greatest = tangent_tame(row);
+    real squares = 0;
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) squares = squares + row[i] * row[i];
+    // The others need not wait for the root.
+    const real inverse_square = one / squares;
     for (int k = j + 1; k < TANGENTS; ++k) {
       real* other = w + k * MODEL_STATE_COUNT;
       real product = 0;
+      UNROLL
       for (int i = 0; i < MODEL_STATE_COUNT; ++i) product = product + row[i] * other[i];
-      for (int i = 0; i < MODEL_STATE_COUNT; ++i) other[i] = other[i] - product * row[i];
+      const real share = product * inverse_square;
+      UNROLL
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) other[i] = other[i] - share * row[i];
     }
+    const real length = lane_sqrt(squares);
+    const real inverse = one / length;
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = row[i] * inverse;
+    growth[j] = growth[j] + lane_log(greatest * length);
   }
 }
 
@@ -54,7 +61,7 @@ SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, re
     real row[MODEL_STATE_COUNT];
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = w[j * MODEL_STATE_COUNT + i];
-    rk4_tangent_step(point, stage, h, linear, row);
+    rk4_tangent_step(point, h, linear, row);
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[j * MODEL_STATE_COUNT + i] = row[i];
   }

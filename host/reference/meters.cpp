@@ -8,6 +8,8 @@
 
 #include "model/error.hpp"
 #include "reference/lyapunov_meters.hpp"
+#include "reference/orbit_meters.hpp"
+#include "reference/zero_one_meter.hpp"
 
 namespace gearsweep {
 namespace {
@@ -122,7 +124,8 @@ class Contact final : public Meter {
 
 }  // namespace
 
-std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer) {
+std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer,
+                                  double period_tolerance) {
   const std::string& kind = observer.observable->name;
   if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.channel));
   if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.channel));
@@ -130,6 +133,11 @@ std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer) 
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
   if (kind == "kaplan_yorke") return make_kaplan_yorke();
+  if (kind == "period") return make_period(period_tolerance);
+  if (kind == "settled") return make_settled(period_tolerance);
+  if (kind == "motion") return make_motion(period_tolerance);
+  if (kind == "section") return make_section();
+  if (kind == "zero_one") return make_zero_one(period_tolerance);
   throw RunError(fmt::format("the reference engine does not compute observable '{}'", kind));
 }
 

@@ -26,7 +26,9 @@ class Meter {
   virtual std::vector<double> finish(const Window& window) const = 0;
 };
 
-// Throws RunError for an observable that the reference engine does not know.
-std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer);
+// `period_tolerance` is the selection's. Throws RunError for an observable that the reference
+// engine does not know.
+std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer,
+                                  double period_tolerance);
 
 }  // namespace gearsweep

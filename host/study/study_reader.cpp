@@ -219,14 +219,19 @@ void check_size(const toml::table& root, const Study& study) {
                         members > 1.0 ? fmt::format(" of {} trajectories each", members) : "",
                         kMostPoints));
   }
+  // A survey keeps the section's box of each trajectory until all are there.
+  const double boxes = study.selection.survey
+                           ? members * 2.0 * static_cast<double>(study.model->states.size())
+                           : 0.0;
   const double numbers =
-      points * static_cast<double>(study.selection.quantities.size() + 1 +
-                                   study.selection.poincare.size() * study.integrate.record);
+      points * (static_cast<double>(study.selection.quantities.size() + 1 +
+                                    study.selection.poincare.size() * study.integrate.record) +
+                boxes);
   if (numbers > kMostNumbers) {
     throw InputError(
         fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "
-                    "possible: sample fewer states or periods (integrate.record), or "
-                    "leave out 'poincare'",
+                    "possible: sample fewer states or periods (integrate.record), leave out "
+                    "'poincare', or take a smaller initial.ensemble",
                     place_of(root), numbers, kMostNumbers));
   }
 }

@@ -25,7 +25,7 @@ SHARED_FN Rk4Lengths rk4_lengths(real h) {
 }
 
 // Advances x by h (dimensionless time). Unless `linear` is null, it keeps the linearisation at each
-// of the RK4_EVALUATIONS, for rk4_tangent_step.
+// of the RK4_EVALUATIONS, scaled as rk4_tangent_step wants it.
 SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
                                    real* x, ModelLinear* linear) {
   const Rk4Lengths lengths = rk4_lengths(h);
@@ -36,19 +36,19 @@ SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* st
   real at[MODEL_STATE_COUNT];
   real next[MODEL_STATE_COUNT];
 
-  if (linear) model_linearize(point, &start, x, &linear[0]);
+  if (linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
   model_rhs(point, &start, x, slope);
   rk4_advance(x, lengths.sixth_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
-  if (linear) model_linearize(point, &middle, at, &linear[1]);
+  if (linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
   model_rhs(point, &middle, at, slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
-  if (linear) model_linearize(point, &middle, at, &linear[2]);
+  if (linear) model_linearize(point, &middle, at, h, &linear[2]);
   model_rhs(point, &middle, at, slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, h, slope, at);
-  if (linear) model_linearize(point, &end, at, &linear[3]);
+  if (linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
   model_rhs(point, &end, at, slope);
   rk4_advance(next, lengths.sixth_h, slope, x);
 }
@@ -58,26 +58,47 @@ SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h
   rk4_step_linearized(point, stage, h, x, 0);
 }
 
-// Advances a tangent vector w by the same step: the derivative of the discrete map along w.
-SHARED_FN void rk4_tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
-                                const ModelLinear* linear, real* w) {
-  const Rk4Lengths lengths = rk4_lengths(h);
-  const PhaseCoefs start = stage[0];
-  const PhaseCoefs middle = stage[1];
-  const PhaseCoefs end = stage[2];
-  real slope[MODEL_STATE_COUNT];
-  real at[MODEL_STATE_COUNT];
-  real next[MODEL_STATE_COUNT];
+// With MODEL_SECOND_ORDER a model says that the first half of its states are positions, the second
+// half their velocities in the same order. Any model may be without it; positions then take a
+// longer way through rk4_tangent_step.
+#ifdef MODEL_SECOND_ORDER
+#define RK4_POSITIONS (MODEL_STATE_COUNT / 2)
+#else
+#define RK4_POSITIONS 0
+#endif
 
-  model_tangent(point, &start, &linear[0], w, slope);
-  rk4_advance(w, lengths.sixth_h, slope, next);
-  rk4_advance(w, lengths.half_h, slope, at);
-  model_tangent(point, &middle, &linear[1], at, slope);
-  rk4_advance(next, lengths.third_h, slope, next);
-  rk4_advance(w, lengths.half_h, slope, at);
-  model_tangent(point, &middle, &linear[2], at, slope);
-  rk4_advance(next, lengths.third_h, slope, next);
-  rk4_advance(w, h, slope, at);
-  model_tangent(point, &end, &linear[3], at, slope);
-  rk4_advance(next, lengths.sixth_h, slope, w);
+// Advances a tangent vector w by the same step: the derivative of the discrete map along w. With J
+// the Jacobians at the evaluations, the vectors
+//   w2 = w + h/2 J1 w, w3 = w + h/2 J2 w2, w4 = w + h J3 w3
+// hold all that the sum of the slopes would:
+//   w' = (w2 + 2 w3 + w4 - w)/3 + h/6 J4 w4,
+// and for positions x with velocities v (Nystroem's form)
+//   x' = x3 + h/6 (v4 + 2 v3 - (v2 - v)).
+// Without slopes and running sums one vector fits into a CPU's registers.
+SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLinear* linear,
+                                real* w) {
+  const real sixth_h = rk4_lengths(h).sixth_h;
+  const real third = (scalar)(1.0 / 3.0);
+  const real two = 2;
+  real zeros[MODEL_STATE_COUNT];
+  real w2[MODEL_STATE_COUNT];
+  real w3[MODEL_STATE_COUNT];
+  real w4[MODEL_STATE_COUNT];
+  real last[MODEL_STATE_COUNT];
+
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) zeros[i] = 0;
+  model_tangent(point, &linear[0], w, w, w2);
+  model_tangent(point, &linear[1], w2, w, w3);
+  model_tangent(point, &linear[2], w3, w, w4);
+  model_tangent(point, &linear[3], w4, zeros, last);
+  UNROLL
+  for (int i = 0; i < RK4_POSITIONS; ++i) {
+    const int v = RK4_POSITIONS + i;
+    w[i] = w3[i] + sixth_h * ((w4[v] + two * w3[v]) - (w2[v] - w[v]));
+  }
+  UNROLL
+  for (int i = RK4_POSITIONS; i < MODEL_STATE_COUNT; ++i) {
+    w[i] = last[i] + third * ((w4[i] + two * w3[i]) + (w2[i] - w[i]));
+  }
 }

@@ -9,6 +9,9 @@
   X(x, "1", "position") \
   X(v, "1", "velocity")
 
+// Positions, then their velocities in the same order: tangent vectors cost less.
+#define MODEL_SECOND_ORDER
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                              \
   X(damping, "1", 0.05, -10.0, 100.0, 0, "factor of the velocity")       \
@@ -54,22 +57,27 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
       point->amplitude * phase->sine - point->damping * x[STATE_v] - stiffness * x[STATE_x];
 }
 
-// What the Jacobian holds of the state.
+// `scale` times the Jacobian at a state.
 typedef struct {
+  real scale, damping;
   real stiffness;  // linear + 3 cubic x^2
 } ModelLinear;
 
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
+                               real scale, ModelLinear* linear) {
   (void)phase;
-  linear->stiffness = point->linear + (scalar)(3) * point->cubic * (x[STATE_x] * x[STATE_x]);
+  linear->scale = scale;
+  linear->damping = scale * point->damping;
+  linear->stiffness =
+      scale * (point->linear + (scalar)(3) * point->cubic * (x[STATE_x] * x[STATE_x]));
 }
 
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
-  (void)phase;
-  dw[STATE_x] = w[STATE_v];
-  dw[STATE_v] = -point->damping * w[STATE_v] - linear->stiffness * w[STATE_x];
+// out = base + scale J w; out is neither w nor base.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
+  (void)point;
+  out[STATE_x] = base[STATE_x] + linear->scale * w[STATE_v];
+  out[STATE_v] = base[STATE_v] - linear->stiffness * w[STATE_x] - linear->damping * w[STATE_v];
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

@@ -11,6 +11,9 @@
   X(x, "b_n", "transmission error, dynamic less static: the mesh deflection") \
   X(v, "b_n varpi", "velocity of x")
 
+// Positions, then their velocities in the same order: tangent vectors cost less.
+#define MODEL_SECOND_ORDER
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                             \
@@ -98,25 +101,28 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   dx[STATE_v] = drive - point->damping * x[STATE_v] - force;
 }
 
-// What the Jacobian holds of the state.
+// `scale` times the Jacobian at a phase and a state.
 typedef struct {
-  real contact;  // 1 on either flank, 0 in the gap
+  real scale, damping;
+  real stiffness;  // 0 in the gap
 } ModelLinear;
 
 // The field is continuous at x = +-b, so no jump of the tangent is needed there.
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
-  (void)phase;
+                               real scale, ModelLinear* linear) {
   const real zero = 0;
-  const real one = 1;
-  linear->contact = lane_select(point->b < lane_abs(x[STATE_x]), one, zero);
+  const real stiffness = scale * gear1_stiffness(point, phase);
+  linear->scale = scale;
+  linear->damping = scale * point->damping;
+  linear->stiffness = lane_select(point->b < lane_abs(x[STATE_x]), stiffness, zero);
 }
 
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
-  const real stiffness = gear1_stiffness(point, phase) * linear->contact;
-  dw[STATE_x] = w[STATE_v];
-  dw[STATE_v] = -point->damping * w[STATE_v] - stiffness * w[STATE_x];
+// out = base + scale J w; out is neither w nor base.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
+  (void)point;
+  out[STATE_x] = base[STATE_x] + linear->scale * w[STATE_v];
+  out[STATE_v] = base[STATE_v] - linear->stiffness * w[STATE_x] - linear->damping * w[STATE_v];
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

@@ -18,6 +18,9 @@
   X(v4, "b_n varpi", "velocity of x4")                                       \
   X(v5, "b_n varpi", "velocity of x5")
 
+// Positions, then their velocities in the same order: tangent vectors cost less.
+#define MODEL_SECOND_ORDER
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                                 \
@@ -211,26 +214,41 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
 }
 
-// What the Jacobian holds of the phase and the state, worked out once for all tangent vectors: the
-// mesh, its stiffness 0 in the gap, and how the backlash at work follows the shafts:
-// df = dD - wedge_u d(x4 - x2) - wedge_v d(x3 - x5) on either flank.
+// `scale` times the Jacobian at a phase and a state, worked out once for all tangent vectors. The
+// scale goes with x1's stiffness and damping and with the masses and bearings of the shafts, not
+// with the mesh's forces on them. All stiffness of the mesh is 0 in the gap.
 typedef struct {
-  Gear5Mesh mesh;
-  real wedge_u, wedge_v;  // unused with constant backlash
+  real scale;
+  real stiffness, damping;                                // of the mesh on x1, scaled
+  real normal_stiffness, slide_stiffness, slide_damping;  // of the mesh on the shafts
+  real mass_p, mass_g;                                    // scaled from here on
+  real bearing_damping[4];
+  real bearing_stiffness[4];
+  real wedge_u, wedge_v;  // dynamic backlash: df = dD - wedge_u d(x4 - x2) - wedge_v d(x3 - x5)
 } ModelLinear;
 
 // The field is continuous at D = +-b', so no jump of the tangent is needed there.
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
+                               real scale, ModelLinear* linear) {
   const real zero = 0;
   const real one = 1;
   const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
   const real backlash = gear5_backlash(point, phase, x);
   const real contact = lane_select(backlash < lane_abs(deflection), one, zero);
-  linear->mesh = gear5_mesh(point, phase);
-  linear->mesh.stiffness = contact * linear->mesh.stiffness;
-  linear->mesh.normal_stiffness = contact * linear->mesh.normal_stiffness;
-  linear->mesh.slide_stiffness = contact * linear->mesh.slide_stiffness;
+  const Gear5Mesh mesh = gear5_mesh(point, phase);
+  linear->scale = scale;
+  linear->stiffness = contact * (scale * mesh.stiffness);
+  linear->damping = scale * mesh.damping;
+  linear->normal_stiffness = contact * mesh.normal_stiffness;
+  linear->slide_stiffness = contact * mesh.slide_stiffness;
+  linear->slide_damping = mesh.slide_damping;
+  linear->mass_p = scale * point->mass_p;
+  linear->mass_g = scale * point->mass_g;
+  UNROLL
+  for (int i = 0; i < 4; ++i) {
+    linear->bearing_damping[i] = scale * point->bearing_damping[i];
+    linear->bearing_stiffness[i] = scale * point->bearing_stiffness[i];
+  }
   linear->wedge_u = zero;
   linear->wedge_v = zero;
   if (!point->dynamic) return;
@@ -242,18 +260,35 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
   linear->wedge_v = slope * v;
 }
 
-// dw = J w, J the Jacobian at the state and phase that `linear` was made from.
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
-  (void)phase;  // `linear` holds all that is needed of it
-  const real zero = 0;
+// out = base + scale J w; out is neither w nor base. Each sum ends with what waits longest for w's
+// rates.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
+  const real* damping = linear->bearing_damping;
+  const real* stiffness = linear->bearing_stiffness;
   const real rate = gear5_deflection(point, w[STATE_v1], w[STATE_v3], w[STATE_v5]);
   real f = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
   if (point->dynamic) {
     f = f - (linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) +
              linear->wedge_v * (w[STATE_x3] - w[STATE_x5]));
   }
-  gear5_motion(point, &linear->mesh, w, f, rate, zero, dw);
+  const real normal = point->normal_damping * rate + linear->normal_stiffness * f;
+  const real sliding = linear->slide_damping * rate + linear->slide_stiffness * f;
+
+  out[STATE_x1] = base[STATE_x1] + linear->scale * w[STATE_v1];
+  out[STATE_x2] = base[STATE_x2] + linear->scale * w[STATE_v2];
+  out[STATE_x3] = base[STATE_x3] + linear->scale * w[STATE_v3];
+  out[STATE_x4] = base[STATE_x4] + linear->scale * w[STATE_v4];
+  out[STATE_x5] = base[STATE_x5] + linear->scale * w[STATE_v5];
+  out[STATE_v1] = base[STATE_v1] - linear->stiffness * f - linear->damping * rate;
+  out[STATE_v2] = base[STATE_v2] - stiffness[0] * w[STATE_x2] - damping[0] * w[STATE_v2] -
+                  linear->mass_p * sliding;
+  out[STATE_v3] = base[STATE_v3] - stiffness[1] * w[STATE_x3] - damping[1] * w[STATE_v3] +
+                  linear->mass_p * normal;
+  out[STATE_v4] = base[STATE_v4] - stiffness[2] * w[STATE_x4] - damping[2] * w[STATE_v4] +
+                  linear->mass_g * sliding;
+  out[STATE_v5] = base[STATE_v5] - stiffness[3] * w[STATE_x5] - damping[3] * w[STATE_v5] -
+                  linear->mass_g * normal;
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

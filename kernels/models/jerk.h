@@ -50,27 +50,30 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   dx[STATE_a] = jerk_jerk(point, x, lane_abs(x[STATE_x]) - one);
 }
 
-// What the Jacobian holds of the state.
+// `scale` times the Jacobian at a state.
 typedef struct {
+  real scale;
   real side;  // the sign of x
 } ModelLinear;
 
 // The field is continuous at x = 0, so no jump of the tangent is needed there.
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
+                               real scale, ModelLinear* linear) {
   (void)point;
   (void)phase;
   const real zero = 0;
   const real one = 1;
+  linear->scale = scale;
   linear->side = lane_select(x[STATE_x] < zero, -one, one);
 }
 
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
-  (void)phase;
-  dw[STATE_x] = w[STATE_v];
-  dw[STATE_v] = w[STATE_a];
-  dw[STATE_a] = jerk_jerk(point, w, linear->side * w[STATE_x]);
+// out = base + scale J w; out is neither w nor base.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
+  const real scale = linear->scale;
+  out[STATE_x] = base[STATE_x] + scale * w[STATE_v];
+  out[STATE_v] = base[STATE_v] + scale * w[STATE_a];
+  out[STATE_a] = base[STATE_a] + scale * jerk_jerk(point, w, linear->side * w[STATE_x]);
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

@@ -49,25 +49,30 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   dx[STATE_z] = x[STATE_x] * x[STATE_y] - point->beta * x[STATE_z];
 }
 
-// What the Jacobian holds of the state.
+// `scale` times the Jacobian at a state.
 typedef struct {
-  real x, y, slope;  // slope: rho - z
+  real scale;
+  real x, y, slope;  // slope: rho - z; not scaled
 } ModelLinear;
 
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
+                               real scale, ModelLinear* linear) {
   (void)phase;
+  linear->scale = scale;
   linear->x = x[STATE_x];
   linear->y = x[STATE_y];
   linear->slope = point->rho - x[STATE_z];
 }
 
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
-  (void)phase;
-  dw[STATE_x] = point->sigma * (w[STATE_y] - w[STATE_x]);
-  dw[STATE_y] = linear->slope * w[STATE_x] - w[STATE_y] - linear->x * w[STATE_z];
-  dw[STATE_z] = linear->y * w[STATE_x] + linear->x * w[STATE_y] - point->beta * w[STATE_z];
+// out = base + scale J w; out is neither w nor base.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
+  const real scale = linear->scale;
+  out[STATE_x] = base[STATE_x] + scale * (point->sigma * (w[STATE_y] - w[STATE_x]));
+  out[STATE_y] =
+      base[STATE_y] + scale * (linear->slope * w[STATE_x] - w[STATE_y] - linear->x * w[STATE_z]);
+  out[STATE_z] = base[STATE_z] + scale * (linear->y * w[STATE_x] + linear->x * w[STATE_y] -
+                                          point->beta * w[STATE_z]);
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

@@ -48,24 +48,27 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   dx[STATE_z] = point->b + x[STATE_z] * (x[STATE_x] - point->c);
 }
 
-// What the Jacobian holds of the state.
+// `scale` times the Jacobian at a state.
 typedef struct {
-  real z, growth;  // growth: x - c
+  real scale;
+  real z, growth;  // growth: x - c; not scaled
 } ModelLinear;
 
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
+                               real scale, ModelLinear* linear) {
   (void)phase;
+  linear->scale = scale;
   linear->z = x[STATE_z];
   linear->growth = x[STATE_x] - point->c;
 }
 
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
-  (void)phase;
-  dw[STATE_x] = -w[STATE_y] - w[STATE_z];
-  dw[STATE_y] = w[STATE_x] + point->a * w[STATE_y];
-  dw[STATE_z] = linear->z * w[STATE_x] + linear->growth * w[STATE_z];
+// out = base + scale J w; out is neither w nor base.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
+  const real scale = linear->scale;
+  out[STATE_x] = base[STATE_x] - scale * (w[STATE_y] + w[STATE_z]);
+  out[STATE_y] = base[STATE_y] + scale * (w[STATE_x] + point->a * w[STATE_y]);
+  out[STATE_z] = base[STATE_z] + scale * (linear->z * w[STATE_x] + linear->growth * w[STATE_z]);
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

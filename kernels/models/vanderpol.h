@@ -8,6 +8,9 @@
   X(x, "1", "position") \
   X(v, "1", "velocity")
 
+// Positions, then their velocities in the same order: tangent vectors cost less.
+#define MODEL_SECOND_ORDER
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                        \
   X(mu, "1", 3.0, 0.0, 100.0, 0, "strength of the damping")        \
@@ -45,26 +48,28 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
   dx[STATE_v] = point->amplitude * phase->sine + growth * x[STATE_v] - x[STATE_x];
 }
 
-// What the Jacobian holds of the state.
+// `scale` times the Jacobian at a state.
 typedef struct {
+  real scale;
   real growth;     // mu (1 - x^2)
   real stiffness;  // 1 + 2 mu x v
 } ModelLinear;
 
 SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelLinear* linear) {
+                               real scale, ModelLinear* linear) {
   (void)phase;
   const real one = 1;
-  linear->growth = point->mu * (one - x[STATE_x] * x[STATE_x]);
-  linear->stiffness = one + (scalar)(2) * point->mu * (x[STATE_x] * x[STATE_v]);
+  linear->scale = scale;
+  linear->growth = scale * point->mu * (one - x[STATE_x] * x[STATE_x]);
+  linear->stiffness = scale * (one + (scalar)(2) * point->mu * (x[STATE_x] * x[STATE_v]));
 }
 
-SHARED_FN void model_tangent(const ModelPoint* point, const PhaseCoefs* phase,
-                             const ModelLinear* linear, const real* w, real* dw) {
+// out = base + scale J w; out is neither w nor base.
+SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                             const real* base, real* out) {
   (void)point;
-  (void)phase;
-  dw[STATE_x] = w[STATE_v];
-  dw[STATE_v] = linear->growth * w[STATE_v] - linear->stiffness * w[STATE_x];
+  out[STATE_x] = base[STATE_x] + linear->scale * w[STATE_v];
+  out[STATE_v] = base[STATE_v] - linear->stiffness * w[STATE_x] + linear->growth * w[STATE_v];
 }
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,

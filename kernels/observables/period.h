@@ -3,9 +3,9 @@
 // (1980) 176-184) and at last each time a window is full: 64 periods, or the greatest power of two
 // that is at most a third of the record. Two states are the same when no component differs by more
 // than PERIOD_TOLERANCE times the greatest component of any recorded state at phase 0. A period
-// counts when all its multiples within reach recur, at least two of them, from some reference to
-// the end of the record and for a quarter of the record or more. The longest that counts is half a
-// window.
+// counts when all its multiples within reach recur and nothing before or between them does, at
+// least two of them, from some reference to the end of the record and for a quarter of the record
+// or more. The longest that counts is half a window.
 
 #define PERIOD_KIND orbit
 // X(suffix of the quantity's name, unit, flag meanings, meaning)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/run.hpp"
@@ -140,6 +141,33 @@ TEST(Attractors, NumbersDoNotDependOnHowTheWorkIsCut) {
   }
   const SweepResult cut = run(study, {"integrate.tile=17", "integrate.lanes=2"});
   EXPECT_EQ(map_of(cut, "attractor"), map_of(expected, "attractor"));
+}
+
+// The second engine keeps all sections and takes their extremes at the end.
+TEST(Section, IsTheBoxThatTheSamplesFillInBothEngines) {
+  const std::string study =
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 1.2, 1.98]\n"
+      "[integrate]\nsettle = 20\nrecord = 30\n[observe]\npoincare = ['x2', 'v1']\n"
+      "quantities = ['section_min', 'section_max', 'poincare']\n";
+  const SweepResult kernel = run(study);
+  const SweepResult reference = run(study, {"integrate.engine=reference"});
+  // With the state where the record begins, which is the sample before its first.
+  const SweepResult longer = run(study, {"integrate.settle=19", "integrate.record=31"});
+  for (std::size_t point = 0; point < 3; ++point) {
+    for (std::size_t state = 0; state < 10; ++state) {
+      const std::size_t at = point * 10 + state;
+      // What rounding grows to in 50 periods.
+      EXPECT_NEAR(map_of(kernel, "section_min")[at], map_of(reference, "section_min")[at], 1e-9);
+      EXPECT_NEAR(map_of(kernel, "section_max")[at], map_of(reference, "section_max")[at], 1e-9);
+    }
+    for (std::size_t chosen = 0; chosen < 2; ++chosen) {
+      const std::vector<double> samples = samples_of(longer, point, chosen);
+      const auto [least, greatest] = std::minmax_element(samples.begin(), samples.end());
+      const std::size_t at = point * 10 + (chosen == 0 ? 1 : 5);
+      EXPECT_EQ(map_of(kernel, "section_min")[at], *least);
+      EXPECT_EQ(map_of(kernel, "section_max")[at], *greatest);
+    }
+  }
 }
 
 }  // namespace

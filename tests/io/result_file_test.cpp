@@ -122,6 +122,42 @@ TEST_F(ResultFileTest, ASpectrumOfOneAxisInSinglePrecision) {
   EXPECT_TRUE(std::isnan(map.values[50]));
 }
 
+// The list of attractors has a dimension of its own and is no map.
+TEST_F(ResultFileTest, AttractorsAreListedBesideTheMaps) {
+  SweepResult result = example_result();
+  result.study.selection = select_quantities(*result.study.model, {"attractor"}, {});
+  result.study.selection.quantities[0].flags = {"undecided", "1_period_1", "2_chaotic"};
+  result.values = {std::vector<double>(12, 2.0)};
+  result.samples.clear();
+  result.attractors = {{1, 1.0, 1.25, 0.2, -0.01, 3}, {3, 0.0, 1.5, 0.7, 0.04, 9}};
+  const std::string path = write(result);
+  const ResultFile file(path);
+  EXPECT_THAT(file.quantities(), ElementsAre("status", "attractor"));
+  EXPECT_EQ(file.read("attractor").flags[2], "2_chaotic");
+  const Spoken spoken = run_python(
+      "import sys, xarray\n"
+      "maps = xarray.open_dataset(sys.argv[1])\n"
+      "assert maps.attractor_period.dims == ('attractor_number',)\n"
+      "assert list(maps.attractor_number) == [1, 2]\n"
+      "assert list(maps.attractor_period) == [1, 0]\n"
+      "assert list(maps.attractor_x1_rms) == [1.25, 1.5]\n"
+      "assert list(maps.attractor_dmf_max) == [0.2, 0.7]\n"
+      "assert list(maps.attractor_lyapunov_max) == [-0.01, 0.04]\n"
+      "assert list(maps.attractor_share) == [0.25, 0.75]\n"
+      "names = maps.attractor_motion_class.flag_meanings.split()\n"
+      "assert names[int(maps.attractor_motion_class[1])] == 'chaotic'\n",
+      path);
+  EXPECT_EQ(spoken.status, 0) << spoken.text;
+}
+
+TEST_F(ResultFileTest, NoAttractorFoundIsAnEmptyList) {
+  SweepResult result = example_result();
+  result.study.selection = select_quantities(*result.study.model, {"attractor"}, {});
+  result.values = {std::vector<double>(12, 0.0)};
+  result.samples.clear();
+  EXPECT_THAT(ResultFile(write(result)).quantities(), ElementsAre("status", "attractor"));
+}
+
 TEST_F(ResultFileTest, SamplesOfManyPointsAreWrittenBlockByBlock) {
   SweepResult result = example_result(700, 2);
   const std::size_t record = result.study.integrate.record = 300;

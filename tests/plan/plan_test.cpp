@@ -148,5 +148,33 @@ TEST(Plan, AnInitialStateAxisReplacesThatState) {
   EXPECT_EQ(state[1], 0.0);
 }
 
+// Trajectory m of point p is point m * points + p of the plan.
+TEST(Plan, AnEnsembleStartsAroundTheStudysOwnStart) {
+  const std::string study =
+      axis("omega", "[0.5, 0.7, 0.9]") +
+      "[initial]\npolicy = 'fixed'\nstate = {x1 = 9.0}\nensemble = 50\nspread = {x1 = 2, v2 = 1}\n";
+  const Plan plan = plan_of(study, 1000);
+  EXPECT_EQ(points_of(plan.stages().at(0)).size(), 150U);
+  EXPECT_EQ(plan.own_initial_state(2), plan.study().initial.state);
+  std::set<double> starts;
+  for (std::size_t member = 1; member < 50; ++member) {
+    const std::vector<double> state = plan.own_initial_state(member * 3 + 1);
+    EXPECT_LT(std::abs(state[0] - 9.0), 2.0);
+    EXPECT_LT(std::abs(state[6]), 1.0);
+    EXPECT_EQ(state[1], 0.0);
+    // Points differ by their parameters alone.
+    EXPECT_EQ(plan.own_initial_state(member * 3 + 2), state);
+    EXPECT_EQ(plan.setting_of(member * 3 + 2).parameters, plan.setting_of(2).parameters);
+    starts.insert(state[0]);
+  }
+  EXPECT_EQ(starts.size(), 49U);
+  // They fill the box: the mean of 49 lies within three of its errors, 2/sqrt(3 * 49).
+  EXPECT_NEAR(std::accumulate(starts.begin(), starts.end(), 0.0) / 49.0, 9.0, 0.5);
+  const Plan again = plan_of(study, 1000);
+  EXPECT_EQ(again.own_initial_state(7), plan.own_initial_state(7));
+  const Plan other = plan_of(study + "seed = 2\n", 1000);
+  EXPECT_NE(other.own_initial_state(7), plan.own_initial_state(7));
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

@@ -137,6 +137,28 @@ TEST(Study, ContradictionsInTheInitialPolicyAreRefused) {
               HasSubstr("unknown key 'x6'"));
 }
 
+TEST(Study, AnEnsembleHasASizeASeedAndASpread) {
+  const std::string text = std::string(kAxis) + "[initial]\n";
+  const Study all = read_study(text + "ensemble = 5\nseed = 9\nspread = 0.5\n", "s.toml");
+  EXPECT_EQ(all.trajectories(), 10U);
+  EXPECT_EQ(all.initial.seed, 9U);
+  EXPECT_EQ(all.initial.spread, std::vector<double>(10, 0.5));
+  const Study some = read_study(text + "ensemble = 5\nspread = {x1 = 2.0, v1 = 1}\n", "s.toml");
+  EXPECT_THAT(some.initial.spread, ElementsAre(2, 0, 0, 0, 0, 1, 0, 0, 0, 0));
+  EXPECT_EQ(read_study(kAxis, "s.toml").initial.ensemble, 1U);
+}
+
+TEST(Study, AnEnsembleThatMakesNoSenseIsRefused) {
+  const std::string text = std::string(kAxis) + "[initial]\n";
+  EXPECT_THAT(refusal(text + "seed = 3\n"), HasSubstr("s.toml:5: seed belongs to an ensemble"));
+  EXPECT_THAT(refusal(text + "ensemble = 4\npolicy = 'forward'\n"),
+              HasSubstr("policy = \"shifted\""));
+  EXPECT_THAT(refusal(text + "ensemble = 4\nspread = {x9 = 1.0}\n"), HasSubstr("unknown key 'x9'"));
+  EXPECT_THAT(refusal(text + "ensemble = 4\nspread = 'wide'\n"), HasSubstr("s.toml:6"));
+  EXPECT_THAT(refusal(std::string(kAxis) + "[observe]\nquantities = ['attractor_count']\n"),
+              HasSubstr("[initial] ensemble = 8"));
+}
+
 TEST(Study, TooMuchOutputIsRefused) {
   EXPECT_THAT(refusal("[[axes]]\nname = 'b'\nfrom = 0.1\nto = 1.0\ncount = 100000\n[integrate]\n"
                       "record = 100000\n[observe]\nquantities = ['poincare']\n"),

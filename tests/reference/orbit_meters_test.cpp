@@ -1,0 +1,296 @@
+// The reference engine's period, settling and kind of motion: on sections whose answer is plain, on
+// published motions, and beside the kernel's.
+#include "reference/orbit_meters.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "reference/zero_one_meter.hpp"
+#include "support/run.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::NanSensitiveDoubleEq;
+
+// Values of motion_class.
+constexpr double kUndecided = 0.0, kPeriodic = 1.0, kQuasiPeriodic = 2.0, kChaotic = 3.0;
+constexpr double kTolerance = 1e-6;
+
+using Sequence = std::function<double(std::size_t)>;
+
+// What a meter says of sections whose first component is this sequence, the second half of it, and
+// of perturbations that grow like this (as logarithms). Periods last one unit of time.
+double measure(
+    const std::unique_ptr<Meter>& meter, const Window& window, const Sequence& section,
+    const Sequence& growth = [](std::size_t) { return 0.0; }) {
+  const auto state = [&](std::size_t i) { return Eigen::Vector2d(section(i), 0.5 * section(i)); };
+  meter->begin(state(0));
+  for (std::size_t i = 1; i <= window.record; ++i) {
+    meter->period(state(i), Eigen::VectorXd::Constant(1, growth(i - 1)), 1.0);
+  }
+  return meter->finish(window).front();
+}
+
+double period_of(std::size_t record, const Sequence& section, double tolerance = kTolerance) {
+  return measure(make_period(tolerance), {0, 0, record}, section);
+}
+
+double settled_of(const Window& window, const Sequence& section) {
+  return measure(make_settled(kTolerance), window, section);
+}
+
+// Never twice the same: multiples of the golden ratio, less their whole part.
+double wander(std::size_t i) {
+  const double turns = std::numbers::phi * static_cast<double>(i);
+  return turns - std::floor(turns);
+}
+
+Sequence cycle(std::size_t period) {
+  return [=](std::size_t i) { return wander(i % period); };
+}
+
+Sequence from_section(std::size_t first, const Sequence& later) {
+  return [=](std::size_t i) { return i < first ? 2.0 + wander(i) : later(i); };
+}
+
+// A window of 64 periods up to a record of 383, of 128 from 384 on.
+TEST(ReferencePeriod, IsFoundUpToHalfAWindow) {
+  for (std::size_t period = 1; period <= 32; ++period) {
+    EXPECT_EQ(period_of(383, cycle(period)), static_cast<double>(period));
+  }
+  EXPECT_EQ(period_of(383, cycle(33)), 0.0);
+  EXPECT_EQ(period_of(384, cycle(33)), 33.0);
+  EXPECT_EQ(period_of(384, cycle(64)), 64.0);
+  EXPECT_EQ(period_of(384, cycle(65)), 0.0);
+  EXPECT_EQ(period_of(384, wander), 0.0);
+}
+
+// 1e-7 more each period: within 1e-6 ten sections are the same and the eleventh is not, so nothing
+// recurs; within 1e-3 the motion stands still.
+TEST(ReferencePeriod, IsNotThatOfASlowDrift) {
+  const Sequence drift = [](std::size_t i) { return 1.0 + 1e-7 * static_cast<double>(i); };
+  EXPECT_EQ(period_of(200, drift), 0.0);
+  EXPECT_EQ(period_of(200, drift, 1e-3), 1.0);
+}
+
+// References are sections 63, 127, 191, ... What begins just after one is seen from the next on.
+TEST(ReferencePeriod, LastsForAQuarterOfTheRecordToItsEnd) {
+  EXPECT_EQ(period_of(170, from_section(127, cycle(5))), 5.0);  // 43 periods
+  EXPECT_EQ(period_of(169, from_section(127, cycle(5))), 0.0);  // 42
+  EXPECT_EQ(period_of(170, from_section(128, cycle(5))), 0.0);
+  // All but the last multiple of 5 recur.
+  const Sequence leaves = [](std::size_t i) { return i > 165 ? 2.0 : cycle(5)(i); };
+  EXPECT_EQ(period_of(170, leaves), 0.0);
+}
+
+// From section 63 on the multiples of 32 are sections 95 and 127.
+TEST(ReferencePeriod, RecursTwice) {
+  EXPECT_EQ(period_of(127, from_section(63, cycle(32))), 32.0);
+  EXPECT_EQ(period_of(126, from_section(63, cycle(32))), 0.0);
+}
+
+// The windows that begin at sections 0, 1, 3, 7, ... hold 1, 2, 4, 8, ... periods, and a period is
+// seen in the first that holds it. Periods before the record count, too.
+TEST(ReferenceSettled, IsTheReferenceFromWhichThePeriodHolds) {
+  for (std::size_t period = 1; period <= 64; ++period) {
+    EXPECT_EQ(settled_of({1000, 50, 400}, cycle(period)),
+              static_cast<double>(1050 + std::bit_ceil(period) - 1));
+  }
+  EXPECT_EQ(settled_of({0, 50, 400}, from_section(100, cycle(3))), 50.0 + 127.0);
+  EXPECT_EQ(settled_of({0, 50, 400}, from_section(128, cycle(3))), 50.0 + 255.0);
+  EXPECT_TRUE(std::isnan(settled_of({0, 50, 400}, wander)));
+}
+
+double motion_of(const Window& window, const Sequence& section, const Sequence& growth) {
+  return measure(make_motion(kTolerance), window, section, growth);
+}
+
+// Grows by `total` over a record of 160; by 3 standard errors of 16 blocks, +-`error`.
+Sequence grows(double total, double error = 0.0) {
+  // Blocks of 10 that are alternately greater and less by a have a standard error of a/sqrt(15).
+  const double a = error / (3.0 * 160.0) * std::sqrt(15.0);
+  return [=](std::size_t i) { return total / 160.0 + (i / 10 % 2 == 0 ? a : -a); };
+}
+
+constexpr Window kLast = {0, 100, 160, 0, true};
+constexpr Window kNotLast = {0, 100, 160, 0, false};
+
+TEST(ReferenceMotion, FollowsFromAPeriodAndFromGrowth) {
+  EXPECT_EQ(motion_of(kNotLast, cycle(3), grows(-5.0)), kPeriodic);
+  EXPECT_EQ(motion_of(kNotLast, cycle(3), grows(5.0, 5.5)), kPeriodic);
+  EXPECT_EQ(motion_of(kNotLast, cycle(3), grows(5.0, 4.5)), kUndecided);
+  EXPECT_EQ(motion_of(kNotLast, wander, grows(5.0, 4.5)), kChaotic);
+  EXPECT_EQ(motion_of(kNotLast, wander, grows(1.9)), kUndecided);
+  EXPECT_EQ(motion_of(kNotLast, wander, grows(-20.0)), kUndecided);
+}
+
+TEST(ReferenceMotion, DecidesMoreInTheLastWindow) {
+  EXPECT_EQ(motion_of(kLast, wander, grows(1.9)), kQuasiPeriodic);
+  EXPECT_EQ(motion_of(kLast, wander, grows(5.0, 5.5)), kQuasiPeriodic);
+  EXPECT_EQ(motion_of(kLast, wander, grows(-5.0, 4.5)), kUndecided);
+  EXPECT_EQ(motion_of(kLast, wander, grows(10.5, 11.0)), kUndecided);
+  EXPECT_EQ(motion_of(kLast, wander, grows(-10.5, 10.0)), kPeriodic);
+  EXPECT_EQ(motion_of(kLast, wander, grows(-10.5, 11.0)), kUndecided);
+}
+
+TEST(ReferenceMotion, IsQuasiPeriodicOnlyWhereTheSectionStaysAsLarge) {
+  const auto widens = [](double factor) {
+    return [=](std::size_t i) { return i > 80 ? factor * wander(i) : wander(i); };
+  };
+  EXPECT_EQ(motion_of(kLast, widens(1.2), grows(0.0)), kQuasiPeriodic);
+  EXPECT_EQ(motion_of(kLast, widens(1.3), grows(0.0)), kUndecided);
+  EXPECT_EQ(motion_of(kLast, widens(1.0 / 1.3), grows(0.0)), kUndecided);
+  const Sequence nothing = [](std::size_t) { return 0.0; };
+  EXPECT_EQ(motion_of({0, 100, 1000, 0, false}, wander, nothing), kQuasiPeriodic);
+  EXPECT_EQ(motion_of({0, 100, 999, 0, false}, wander, nothing), kUndecided);
+}
+
+const std::string kObserve =
+    "[observe]\nquantities = ['period', 'settled', 'motion_class', 'zero_one']\n";
+
+SweepResult run_reference(const std::string& study) {
+  return run(study, {"integrate.engine='reference'"});
+}
+
+// The pendulum doubles its period at Q = 1.34921264 and 1.37012224, the Duffing oscillator at an
+// amplitude of 0.26558179 and 0.28669316 (found by shooting); the points lie well between these.
+TEST(ReferencePeriod, DoublesAsPublished) {
+  const SweepResult pendulum = run_reference(
+      "[model]\nname = 'pendulum'\npreset = 'cascade'\n[[axes]]\nname = 'damping'\n"
+      "values = [0.7293, 0.7353, 0.7463]\n[initial]\nstate = {x = 0.1}\n"  // Q 1.371, 1.36, 1.34
+      "[integrate]\nsettle = 600\nrecord = 120\nsteps_per_period = 128\n" +
+      kObserve);
+  EXPECT_EQ(map_of(pendulum, "period"), (std::vector<double>{4.0, 2.0, 1.0}));
+  EXPECT_THAT(map_of(pendulum, "motion_class"), Each(kPeriodic));
+  const SweepResult duffing = run_reference(
+      "[model]\nname = 'duffing'\npreset = 'two_well'\n[parameters]\ndamping = 0.3\nomega = 1.2\n"
+      "[[axes]]\nname = 'amplitude'\nvalues = [0.25, 0.277, 0.289]\n[initial]\nstate = {x = 1.0}\n"
+      "[integrate]\nsettle = 600\nrecord = 120\nsteps_per_period = 128\n" +
+      kObserve);
+  EXPECT_EQ(map_of(duffing, "period"), (std::vector<double>{1.0, 2.0, 4.0}));
+  EXPECT_THAT(map_of(duffing, "motion_class"), Each(kPeriodic));
+}
+
+// Strange attractors with published exponents: 0.1034, 0.1572, 0.9056 and 0.1414 per unit of time,
+// which is 300 and more over the record.
+TEST(ReferenceMotion, IsChaoticWherePublishedExponentsArePositive) {
+  const auto chaos = [](const std::string& model, const std::string& preset) {
+    const SweepResult result =
+        run_reference("[model]\nname = '" + model + "'\npreset = '" + preset +
+                      "'\n[[axes]]\nname = 'x'\nvalues = [0.2, 0.3]\n"
+                      "[integrate]\nsettle = 100\nrecord = 500\n"
+                      "steps_per_period = 128\n" +
+                      kObserve);
+    EXPECT_THAT(map_of(result, "motion_class"), Each(kChaotic)) << model;
+    EXPECT_THAT(map_of(result, "period"), Each(0.0)) << model;
+    return map_of(result, "zero_one");
+  };
+  // Finite records leave a few hundredths.
+  EXPECT_THAT(chaos("duffing", "ueda"), Each(DoubleNear(1.0, 0.1)));
+  EXPECT_THAT(chaos("duffing", "two_well"), Each(DoubleNear(1.0, 0.1)));
+  EXPECT_THAT(chaos("lorenz", "classic"), Each(DoubleNear(1.0, 0.1)));
+  // The pendulum goes over the top this way and that: its angle is itself a walk, for which the 0-1
+  // test is not made.
+  chaos("pendulum", "sprott");
+}
+
+// Both engines on the same study; all maps but those of chaotic points must agree. These part from
+// each other within the record, and have the same class.
+void expect_engines_agree(const std::string& study, const std::vector<double>& classes) {
+  const SweepResult kernel = run(study + kObserve);
+  const SweepResult reference = run_reference(study + kObserve);
+  EXPECT_THAT(kernel.status, Each(0));
+  EXPECT_THAT(reference.status, Each(0));
+  EXPECT_EQ(map_of(kernel, "motion_class"), map_of(reference, "motion_class"));
+  for (const double motion : classes) EXPECT_THAT(map_of(kernel, "motion_class"), Contains(motion));
+  for (std::size_t i = 0; i < kernel.status.size(); ++i) {
+    SCOPED_TRACE(kernel.study.axes[0].values[i]);
+    EXPECT_EQ(map_of(kernel, "period")[i], map_of(reference, "period")[i]);
+    if (map_of(kernel, "motion_class")[i] == kChaotic) continue;
+    EXPECT_THAT(map_of(reference, "settled")[i],
+                NanSensitiveDoubleEq(map_of(kernel, "settled")[i]));
+    // Regular motions of the two engines stay within 1e-12 of each other. K is that of a series
+    // that varies by 1e-6 or more, so that this is at most a millionth of it.
+    EXPECT_NEAR(map_of(kernel, "zero_one")[i], map_of(reference, "zero_one")[i], 1e-6);
+  }
+}
+
+// Periods 1 to 8, transients that last beyond the record, a torus.
+TEST(ReferenceOrbits, AreThoseOfTheKernel) {
+  expect_engines_agree(
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\n"
+      "values = [0.5, 0.58, 0.6, 0.62, 0.65, 0.7, 0.82, 0.84, 0.86, 0.88, 0.9, 0.92, 0.98, 1.0, "
+      "1.02, 1.22, 1.44, 1.7, 1.86, 1.88, 1.92, 1.94, 1.97, 1.98, 1.99, 2.0]\n"
+      "[integrate]\nsettle = 100\nrecord = 120\nextend = 1\n",
+      {kUndecided, kPeriodic, kQuasiPeriodic});
+}
+
+// From the start, where transients are taken for motions most easily.
+TEST(ReferenceOrbits, AreThoseOfTheKernelInTransients) {
+  expect_engines_agree(
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 1.0\ncount = 33\n"
+      "[integrate]\nsettle = 0\nrecord = 120\nextend = 1\n",
+      {kUndecided, kPeriodic});
+}
+
+// Longer windows for what the first left undecided; `settled` counts the windows before.
+TEST(ReferenceOrbits, AreThoseOfTheKernelInLongerWindows) {
+  expect_engines_agree(
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.82, 1.9, 1.99]\n"
+      "[integrate]\nsettle = 100\nrecord = 120\nextend = 4\n",
+      {kPeriodic, kQuasiPeriodic});
+}
+
+// Chaos with 8 times its standard error or more.
+TEST(ReferenceOrbits, AreThoseOfTheKernelInChaos) {
+  expect_engines_agree(
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\n"
+      "values = [1.3, 1.32, 1.34, 1.36, 1.38, 1.4]\n[integrate]\nsettle = 100\nrecord = 600\n"
+      "extend = 1\n",
+      {kChaotic});
+}
+
+// The kernel's own sections, chaos and its end in a period included: what is said of the same
+// sections does not depend on how trajectories part. The kernel takes the mean out of products of
+// samples, where 1e-8 is left of them when a short transient is all that varies.
+TEST(ReferenceOrbits, AreThoseOfTheKernelOnItsOwnSections) {
+  constexpr Window kWindow = {0, 0, 1400};
+  const SweepResult kernel =
+      run("[model]\nname = 'duffing'\npreset = 'two_well'\n[[axes]]\nname = 'amplitude'\n"
+          "from = 0.1\nto = 0.6\ncount = 128\n[initial]\npolicy = 'fixed'\n"
+          "state = {x = 0.2, v = 0.1}\n[integrate]\nsettle = 0\nrecord = 1400\n"
+          "steps_per_period = 64\n[observe]\n"
+          "quantities = ['period', 'settled', 'zero_one', 'poincare']\npoincare = ['x', 'v']\n");
+  for (std::size_t point = 0; point < kernel.status.size(); ++point) {
+    SCOPED_TRACE(kernel.study.axes[0].values[point]);
+    const std::vector<double> x = samples_of(kernel, point, 0);
+    const std::vector<double> v = samples_of(kernel, point, 1);
+    const auto period = make_period(kTolerance);
+    const auto settled = make_settled(kTolerance);
+    const auto zero_one = make_zero_one(kTolerance);
+    for (Meter* meter : {period.get(), settled.get(), zero_one.get()}) {
+      meter->begin(Eigen::Vector2d(0.2, 0.1));
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        meter->period(Eigen::Vector2d(x[i], v[i]), Eigen::VectorXd(), 1.0);
+      }
+    }
+    EXPECT_EQ(period->finish(kWindow).front(), map_of(kernel, "period")[point]);
+    EXPECT_THAT(settled->finish(kWindow).front(),
+                NanSensitiveDoubleEq(map_of(kernel, "settled")[point]));
+    EXPECT_NEAR(zero_one->finish(kWindow).front(), map_of(kernel, "zero_one")[point], 2e-7);
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
