@@ -11,6 +11,7 @@
 #include "opencl/cl.hpp"
 #include "opencl/device.hpp"
 #include "opencl/program.hpp"
+#include "opencl/program_cache.hpp"
 #include "opencl/tile_buffers.hpp"
 
 namespace gearsweep {
@@ -43,7 +44,8 @@ class OpenClEngine final : public Engine {
     local_size_ = study.integrate.local_size;
     if (local_size_ == 0) local_size_ = info.is_cpu ? 4 : 64;
     options_ = build_options(study, lanes_);
-    program_ = build_program(context_, device, program_source(study), options_);
+    program_ = cached_program(context_, device, program_source(study), options_,
+                              program_cache_folder(info.platform));
     settle_ = cl::Kernel(program_, "settle");
     record_ = cl::Kernel(program_, "record");
     if (study.selection.tangent_count() > 0) align_ = cl::Kernel(program_, "align");
@@ -109,9 +111,10 @@ class OpenClEngine final : public Engine {
   }
 
   void launch(cl::Kernel& kernel, std::size_t items) {
-    // Few items spread over all compute units rather than fill the work-groups of one.
-    const std::size_t fair = (items + info_.compute_units - 1) / info_.compute_units;
-    const std::size_t local = std::clamp(fair, std::size_t{1}, local_size_);
+    // On a CPU, few items spread over all cores rather than fill the work-groups of one. No other
+    // sizes between: a driver may compile a kernel anew for each.
+    const bool are_few = info_.is_cpu && items < info_.compute_units * local_size_;
+    const std::size_t local = are_few ? 1 : local_size_;
     const std::size_t global = (items + local - 1) / local * local;
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
     queue_.finish();
