@@ -5,10 +5,14 @@
 #include <vector>
 
 #include "counted.hpp"
+#define REAL_BITS counted_bits
 #include "dialect.h"
 
 namespace gearsweep::bench {
 namespace {
+
+// Of the device's numbers that Counted stands for: some models need less work in fp32.
+int counted_bits = 64;
 
 using real = Counted;
 using scalar = Counted;
@@ -32,6 +36,7 @@ std::vector<PhaseCoefs> generic_stages(Tally* tally) {
 }  // namespace
 
 double flops_per_step(const Study& study) {
+  counted_bits = study.integrate.fp64 ? 64 : 32;
   ModelParameters parameters;
   std::size_t index = 0;
   // Parameters that share a default would look like one and the same.

@@ -1,7 +1,7 @@
 // The words that differ between OpenCL C and C++. The device compiler gets REAL_BITS (32 or 64),
 // LANES (points per work-item) and CONTRACT (0 forbids fused multiply-add) as build macros; a C++
 // includer of a model declares the type `real` (and `scalar`, the type of table entries) itself, in
-// the namespace that it includes the model into.
+// the namespace that it includes the model into, and REAL_BITS is what that type has.
 #ifndef GEARSWEEP_DIALECT_H
 #define GEARSWEEP_DIALECT_H
 
@@ -33,6 +33,13 @@ typedef int mask;
 typedef JOIN(SCALAR_NAME, LANES) real;
 typedef JOIN(MASK_NAME, LANES) mask;
 #define all_lanes(m) all(m)
+#ifdef __has_builtin
+#if __has_builtin(__builtin_reduce_and)
+// PoCL's all() makes a branch of every other lane; this is one test.
+#undef all_lanes
+#define all_lanes(m) (__builtin_reduce_and(m) != 0)
+#endif
+#endif
 #endif
 
 #define SHARED_FN static inline __attribute__((always_inline))
@@ -50,6 +57,10 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #define SHARED_FN [[maybe_unused]] static inline
 #define UNROLL
 #define TABLE const
+#ifndef REAL_BITS
+#define REAL_BITS ((int)(8 * sizeof(real)))
+#endif
+#define all_lanes(m) (m)
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
 #define lane_sin(a) sin(a)

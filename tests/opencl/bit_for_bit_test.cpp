@@ -33,6 +33,7 @@ namespace {
 
 struct Laws {
   std::string formulation, backlash, precision;
+  std::string centre = "2400";  // A
 };
 
 class BitForBit : public ::testing::TestWithParam<Laws> {};
@@ -42,7 +43,7 @@ class BitForBit : public ::testing::TestWithParam<Laws> {};
 std::string study_of(const Laws& laws) {
   const std::string masses = laws.formulation == "printed" ? "m1 = 0.0387\nm2 = 0.0387\n" : "";
   return "[model]\npreset = 'coarse'\nformulation = '" + laws.formulation + "'\nbacklash = '" +
-         laws.backlash + "'\n[parameters]\n" + masses +
+         laws.backlash + "'\n[parameters]\nA = " + laws.centre + "\n" + masses +
          "[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.6\ncount = 40\n"
          "[[axes]]\nname = 'b'\nfrom = 0.02\nto = 1.5\ncount = 25\n"
          "[initial]\npolicy = 'shifted'\n[integrate]\ncontract = false\nmax_step = 0.1\n"
@@ -90,9 +91,13 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Laws{"consistent", "constant", "fp64"}, Laws{"consistent", "dynamic", "fp64"},
                       Laws{"printed", "constant", "fp64"}, Laws{"printed", "dynamic", "fp64"},
                       Laws{"consistent", "constant", "fp32"}, Laws{"consistent", "dynamic", "fp32"},
-                      Laws{"printed", "constant", "fp32"}, Laws{"printed", "dynamic", "fp32"}),
+                      Laws{"printed", "constant", "fp32"}, Laws{"printed", "dynamic", "fp32"},
+                      // The shafts move out of the range of the backlash's series and back.
+                      Laws{"consistent", "dynamic", "fp64", "60"},
+                      Laws{"consistent", "dynamic", "fp32", "60"}),
     [](const auto& laws) {
-      return laws.param.formulation + "_" + laws.param.backlash + "_" + laws.param.precision;
+      return laws.param.formulation + "_" + laws.param.backlash + "_" + laws.param.precision +
+             "_A" + laws.param.centre;
     });
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/bits.hpp"
@@ -65,6 +68,30 @@ TEST(SameBits, Fp64ConstantBacklash) {
 TEST(SameBits, Fp64DynamicBacklash) { expect_any_cut(chaotic("dynamic"), "fp64", {"4", "8"}); }
 TEST(SameBits, Fp32ConstantBacklash) { expect_any_cut(chaotic("constant"), "fp32", {"8", "16"}); }
 TEST(SameBits, Fp32DynamicBacklash) { expect_any_cut(chaotic("dynamic"), "fp32", {"8", "16"}); }
+
+// With so small a centre distance the shafts move out of the range of the dynamic backlash's series
+// and back, and so the lanes of a work-item need different forms of it. The range ends where the
+// backlash has grown by about A tan(alpha)/256.
+TEST(SameBits, LanesOnBothSidesOfABranch) {
+  const double limit = 60.0 * std::tan(20.0 * std::numbers::pi / 180.0) / 256.0;
+  const std::string toml = chaotic("dynamic") + "[parameters]\nA = 60\n";
+  const std::string watched =
+      "observe.quantities=[\"x1_rms\", \"backlash_min\", \"backlash_max\", \"poincare\"]";
+  for (const auto& [precision, count] :
+       {std::pair{"fp64", "4"}, std::pair{"fp64", "8"}, std::pair{"fp32", "16"}}) {
+    const std::string precise = std::string("integrate.precision=") + precision;
+    const SweepResult expected = run(toml, {precise, watched, "integrate.lanes=1"});
+    const std::vector<double>& least = map_of(expected, "backlash_min");
+    const std::vector<double>& greatest = map_of(expected, "backlash_max");
+    std::size_t across = 0;
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      const double b = 0.1 + 0.2 * static_cast<double>(i / 13);  // 13 values of omega
+      if (least[i] - b < 0.9 * limit && greatest[i] - b > 1.1 * limit) ++across;
+    }
+    EXPECT_GT(across, least.size() / 2);
+    expect_same(expected, toml, {precise, watched, std::string("integrate.lanes=") + count});
+  }
+}
 
 // Each value of the contact ratio has a phase grid of its own.
 TEST(SameBits, AxisThatShapesThePhase) {
