@@ -10,6 +10,7 @@
 //   odeint_steps/s Boost.odeint's runge_kutta4: native, all cores, -O3 -march=native
 //   vs_odeint      steps/s / odeint_steps/s
 //   classic_steps/s, vs_classic   the same with its runge_kutta4_classic
+//   times_states   steps/s of recording states alone / steps/s: what tangent vectors cost
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -73,73 +74,37 @@ struct Case {
   std::vector<std::string> overrides;  // of kStudy
   bool settling = true;                // otherwise recording
   bool odeint = false;
+  std::vector<std::string> rival_overrides = {};  // of the kernel for times_states; empty: none
 };
 
-// Everything that one benchmark measures, ready to run.
-class Contest {
+// One kernel on the points of a study, ready to run.
+class KernelRun {
  public:
-  explicit Contest(const Case& what)
-      : study_(read_study(kStudy, "settle_bench", what.overrides)),
+  KernelRun(const std::vector<std::string>& overrides, bool settling)
+      : study_(read_study(kStudy, "settle_bench", overrides)),
         plan_(study_, study_.points()),
-        settling_(what.settling),
-        engine_(make_opencl_engine(study_, std::nullopt)),
-        peak_(default_device(list_devices()), study_.integrate.fp64) {
+        settling_(settling),
+        engine_(make_opencl_engine(study_, std::nullopt)) {
     for (const std::size_t point : tile().points) {
       const std::vector<double> state = plan_.own_initial_state(point);
       initial_.insert(initial_.end(), state.begin(), state.end());
     }
-    if (what.odeint) {
-      for (const Rival& rival : kRivals) {
-        rivals_.push_back(
-            std::make_unique<OdeintSweep>(plan_, tile(), kOdeintStride, rival.stepper));
-      }
-    }
-    run_kernel();  // the first launch finishes the build
+    run();  // the first launch finishes the build
   }
 
-  void measure(benchmark::State& state) {
-    const double flops = settling_ ? flops_per_step(study_) : 0.0;
-    std::vector<double> rates, peaks, shares;
-    std::array<std::vector<double>, kRivals.size()> rival_rates, ratios;
-    for ([[maybe_unused]] auto turn : state) {
-      peaks.push_back(peak_.flops_per_second());
-      const Rounds rounds = run_kernel();
-      state.SetIterationTime(rounds.seconds);
-      rates.push_back(rounds.steps / rounds.seconds);
-      shares.push_back(rates.back() * flops / peaks.back());
-      for (std::size_t i = 0; i < rivals_.size(); ++i) {
-        rival_rates[i].push_back(rivals_[i]->steps_per_second(kOdeintPeriods));
-        ratios[i].push_back(rates.back() / rival_rates[i].back());
-      }
-    }
-    const auto counter = [](double value) {
-      return benchmark::Counter(value, benchmark::Counter::kDefaults,
-                                benchmark::Counter::OneK::kIs1000);
-    };
-    state.counters["steps/s"] = counter(median(rates));
-    if (settling_) {
-      state.counters["flops_per_step"] = counter(flops);
-      state.counters["flop/s"] = counter(median(rates) * flops);
-      state.counters["peak_flop/s"] = counter(median(peaks));
-      state.counters["peak_share"] = counter(median(shares));
-    }
-    for (std::size_t i = 0; i < rivals_.size(); ++i) {
-      const std::string name = kRivals[i].name;
-      state.counters[name + "_steps/s"] = counter(median(rival_rates[i]));
-      state.counters["vs_" + name] = counter(median(ratios[i]));
-    }
-  }
+  const Study& study() const { return study_; }
+  const Plan& plan() const { return plan_; }
+  const Tile& tile() const { return plan_.stages().front().tiles.front(); }
+  bool settling() const { return settling_; }
 
- private:
   struct Rounds {
     double steps = 0.0, seconds = 0.0;
+    double rate() const { return steps / seconds; }
   };
-
-  const Tile& tile() const { return plan_.stages().front().tiles.front(); }
 
   // Times the launches alone: from the end of the first round of the kernel in question to the end
   // of its last one.
-  Rounds run_kernel() {
+  Rounds run() {
     const Integrate& integrate = study_.integrate;
     const std::size_t periods = settling_ ? integrate.settle : integrate.record;
     const std::size_t last = periods / integrate.round;
@@ -157,12 +122,69 @@ class Contest {
     return rounds;
   }
 
+ private:
   const Study study_;
   const Plan plan_;
   const bool settling_;
   const std::unique_ptr<Engine> engine_;
-  FmaPeak peak_;
   std::vector<double> initial_;
+};
+
+// Everything that one benchmark measures, ready to run.
+class Contest {
+ public:
+  explicit Contest(const Case& what)
+      : kernel_(what.overrides, what.settling),
+        peak_(default_device(list_devices()), kernel_.study().integrate.fp64) {
+    if (!what.rival_overrides.empty()) {
+      states_ = std::make_unique<KernelRun>(what.rival_overrides, what.settling);
+    }
+    if (!what.odeint) return;
+    for (const Rival& rival : kRivals) {
+      rivals_.push_back(std::make_unique<OdeintSweep>(kernel_.plan(), kernel_.tile(), kOdeintStride,
+                                                      rival.stepper));
+    }
+  }
+
+  void measure(benchmark::State& state) {
+    const double flops = kernel_.settling() ? flops_per_step(kernel_.study()) : 0.0;
+    std::vector<double> rates, peaks, shares, costs;
+    std::array<std::vector<double>, kRivals.size()> rival_rates, ratios;
+    for ([[maybe_unused]] auto turn : state) {
+      peaks.push_back(peak_.flops_per_second());
+      const KernelRun::Rounds rounds = kernel_.run();
+      state.SetIterationTime(rounds.seconds);
+      rates.push_back(rounds.rate());
+      shares.push_back(rates.back() * flops / peaks.back());
+      if (states_ != nullptr) costs.push_back(states_->run().rate() / rates.back());
+      for (std::size_t i = 0; i < rivals_.size(); ++i) {
+        rival_rates[i].push_back(rivals_[i]->steps_per_second(kOdeintPeriods));
+        ratios[i].push_back(rates.back() / rival_rates[i].back());
+      }
+    }
+    const auto counter = [](double value) {
+      return benchmark::Counter(value, benchmark::Counter::kDefaults,
+                                benchmark::Counter::OneK::kIs1000);
+    };
+    state.counters["steps/s"] = counter(median(rates));
+    if (kernel_.settling()) {
+      state.counters["flops_per_step"] = counter(flops);
+      state.counters["flop/s"] = counter(median(rates) * flops);
+      state.counters["peak_flop/s"] = counter(median(peaks));
+      state.counters["peak_share"] = counter(median(shares));
+    }
+    if (states_ != nullptr) state.counters["times_states"] = counter(median(costs));
+    for (std::size_t i = 0; i < rivals_.size(); ++i) {
+      const std::string name = kRivals[i].name;
+      state.counters[name + "_steps/s"] = counter(median(rival_rates[i]));
+      state.counters["vs_" + name] = counter(median(ratios[i]));
+    }
+  }
+
+ private:
+  KernelRun kernel_;
+  FmaPeak peak_;
+  std::unique_ptr<KernelRun> states_;
   std::vector<std::unique_ptr<OdeintSweep>> rivals_;
 };
 
@@ -173,11 +195,11 @@ std::vector<Case> cases() {
       "\"poincare\"]";
   const std::vector<std::string> recording = {"integrate.settle=0", "integrate.record=12",
                                               everything};
-  // What tangent vectors cost is the ratio of these rows' steps/s to that of the first.
   const auto measuring = [](const std::string& quantity) {
     return std::vector<std::string>{"integrate.settle=0", "integrate.record=12",
                                     "observe.quantities=[\"" + quantity + "\"]"};
   };
+  const std::vector<std::string> states_alone = measuring("x1_max");
   return {
       {"settle/fp64/constant", {}, true, true},
       {"settle/fp64/constant/lanes:1", {"integrate.lanes=1"}, true, false},
@@ -189,9 +211,8 @@ std::vector<Case> cases() {
       {"settle/fp32/constant", {"integrate.precision=fp32"}, true, false},
       {"settle/fp32/dynamic", {"integrate.precision=fp32", "model.backlash=dynamic"}, true, false},
       {"record/fp64/constant", recording, false, false},
-      {"record/fp64/states_alone", measuring("x1_max"), false, false},
-      {"record/fp64/lyapunov_max", measuring("lyapunov_max"), false, false},
-      {"record/fp64/lyapunov_spectrum", measuring("lyapunov_spectrum"), false, false},
+      {"record/fp64/lyapunov_max", measuring("lyapunov_max"), false, false, states_alone},
+      {"record/fp64/lyapunov_spectrum", measuring("lyapunov_spectrum"), false, false, states_alone},
   };
 }
 
