@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -55,16 +56,21 @@ ClassScale named_classes(const std::vector<std::string>& flags) {
 }
 
 // Numbers have an order, so their colours come from the sequential palette.
-ClassScale numbered_classes(const std::set<double>& numbers) {
+ClassScale numbered_classes(const std::set<double>& numbers, bool with_others) {
   ClassScale scale;
-  for (const double number : numbers) {
-    const std::size_t colour =
-        numbers.size() == 1 ? kSequential.size() / 2
-                            : scale.values.size() * (kSequential.size() - 1) / (numbers.size() - 1);
-    scale.values.push_back(number);
-    scale.names.push_back(fmt::format("{}", number));
+  const std::size_t classes = numbers.size() + (with_others ? 1 : 0);
+  const auto add = [&](const std::string& name) {
+    const std::size_t colour = classes == 1
+                                   ? kSequential.size() / 2
+                                   : scale.names.size() * (kSequential.size() - 1) / (classes - 1);
+    scale.names.push_back(name);
     scale.colours.emplace_back(kSequential[colour]);
+  };
+  for (const double number : numbers) {
+    scale.values.push_back(number);
+    add(fmt::format("{}", number));
   }
+  if (with_others) add("other");
   return scale;
 }
 
@@ -126,33 +132,48 @@ std::string diverging_palette(double least, double greatest) {
 
 double ClassScale::index_of(double value) const {
   const auto found = std::find(values.begin(), values.end(), value);
-  return found == values.end() ? std::nan("") : static_cast<double>(found - values.begin());
+  const bool has_class = found != values.end() || (names.size() > values.size() && value == value);
+  return has_class ? static_cast<double>(found - values.begin()) : std::nan("");
 }
 
 std::string ClassScale::palette() const {
   std::vector<std::string> bands, tics;
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
     bands.push_back(fmt::format("{} '{}', {} '{}'", i, colours[i], i + 1, colours[i]));
     tics.push_back(fmt::format("{} {}", quote(literal(names[i])), i));
   }
   return fmt::format(
       "set palette maxcolors {0}\nset palette defined ({1})\nset cbrange [-0.5:{0}-0.5]\n"
       "set cbtics ({2}) scale 0\n",
-      values.size(), fmt::join(bands, ", "), fmt::join(tics, ", "));
+      names.size(), fmt::join(bands, ", "), fmt::join(tics, ", "));
 }
 
 std::optional<ClassScale> class_scale(const ResultMap& map) {
   if (!map.flags.empty()) return named_classes(map.flags);
   constexpr std::size_t kFew = 10;
-  std::set<double> numbers;
+  constexpr double kNearlyAll = 0.9;
+  std::map<double, std::size_t> counts;
+  std::size_t total = 0;
   for (const double value : map.values) {
     if (!std::isfinite(value)) continue;
     if (value != std::round(value)) return std::nullopt;
-    numbers.insert(value);
-    if (numbers.size() > kFew) return std::nullopt;
+    ++counts[value];
+    ++total;
   }
-  if (numbers.empty()) return std::nullopt;
-  return numbered_classes(numbers);
+  if (counts.empty()) return std::nullopt;
+  std::vector<std::pair<double, std::size_t>> frequent(counts.begin(), counts.end());
+  std::stable_sort(frequent.begin(), frequent.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  const bool are_few = frequent.size() <= kFew;
+  if (!are_few) frequent.resize(kFew - 1);
+  std::set<double> numbers;
+  std::size_t covered = 0;
+  for (const auto& [number, count] : frequent) {
+    numbers.insert(number);
+    covered += count;
+  }
+  if (static_cast<double>(covered) < kNearlyAll * static_cast<double>(total)) return std::nullopt;
+  return numbered_classes(numbers, !are_few);
 }
 
 ValueRange colour_range(const std::vector<double>& values) {

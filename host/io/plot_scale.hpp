@@ -27,15 +27,16 @@ std::string diverging_palette(double least, double greatest);
 // The classes of a map, each with its colour; `values` are what the map holds for them.
 struct ClassScale {
   std::vector<double> values;
-  std::vector<std::string> names, colours;
+  std::vector<std::string> names, colours;  // one more than values when the last is for all others
 
-  // The map's value as an index into the classes; NaN stays NaN.
+  // The map's value as an index into the classes; NaN stays NaN, and so does a value of no class.
   double index_of(double value) const;
   // "set" lines of a palette and a colour bar with one colour per class.
   std::string palette() const;
 };
 
-// Classes with names, or the few whole numbers (such as periods) that are all a map holds.
+// Classes with names, or the few whole numbers (such as periods) that are all a map holds, or
+// nearly all: those that hardly occur are then one class, "other".
 std::optional<ClassScale> class_scale(const ResultMap& map);
 
 struct ValueRange {

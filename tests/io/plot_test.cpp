@@ -238,6 +238,23 @@ TEST(ClassScale, AFewWholeNumbersAreClasses) {
   EXPECT_FALSE(class_scale(map).has_value());
 }
 
+// A map of periods: hundreds of values, but few that matter.
+TEST(ClassScale, WholeNumbersThatHardlyOccurAreOneClass) {
+  ResultMap map;
+  for (int period = 0; period < 9; ++period) map.values.insert(map.values.end(), 20, period);
+  for (int period = 100; period < 115; ++period) map.values.push_back(period);
+  const auto scale = class_scale(map);
+  ASSERT_TRUE(scale.has_value());
+  EXPECT_THAT(scale->names, ElementsAre("0", "1", "2", "3", "4", "5", "6", "7", "8", "other"));
+  EXPECT_EQ(scale->index_of(8.0), 8.0);
+  EXPECT_EQ(scale->index_of(107.0), 9.0);
+  EXPECT_TRUE(std::isnan(scale->index_of(kNaN)));
+  EXPECT_EQ(scale->colours.size(), 10U);
+  // Where none stands out, the numbers are shades.
+  for (int period = 200; period < 400; ++period) map.values.push_back(period);
+  EXPECT_FALSE(class_scale(map).has_value());
+}
+
 TEST(PlotText, SymbolsAreSetAsInPrint) {
   EXPECT_EQ(typeset("k0 b_n"), "k_{0} b_{n}");
   EXPECT_EQ(label_of("x1_rms", "b_n varpi"), "x1\\_rms [b_{n} ϖ]");
