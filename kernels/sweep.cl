@@ -61,6 +61,16 @@ SHARED_FN void mark_diverged(real* x) {
   x[0] = lane_select(inside, x[0], (real)(NAN));
 }
 
+// Loads an item's states and parameters; false when there is nothing to advance.
+SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
+                         __global const real* state, real* x, ModelPoint* point) {
+  if (item >= items) return false;
+  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  if (all_lanes(IS_DIVERGED(x))) return false;
+  load_point(items, item, uniform, swept, point);
+  return true;
+}
+
 #include "tangent.h"
 
 // Where the phase grids of a tile lie.
@@ -97,12 +107,9 @@ __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* 
                      __global real* state) {
   const uint items = round.items;
   const uint item = get_global_id(0);
-  if (item >= items) return;
   real x[MODEL_STATE_COUNT];
-  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
-  if (all_lanes(IS_DIVERGED(x))) return;
   ModelPoint point;
-  load_point(items, item, uniform, swept, &point);
+  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
 
   advance_periods(round.periods, &point, grids[item_grid[item]], segment_steps, segment_fractions,
                   stages, x, 0, 0);
@@ -115,12 +122,9 @@ __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* s
                     __global real* state, __global real* tangents) {
   const uint items = round.items;
   const uint item = get_global_id(0);
-  if (item >= items) return;
   real x[MODEL_STATE_COUNT];
-  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
-  if (all_lanes(IS_DIVERGED(x))) return;
   ModelPoint point;
-  load_point(items, item, uniform, swept, &point);
+  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   real w[TANGENT_NUMBERS];
   real growth[TANGENT_VECTORS];
   for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
@@ -211,12 +215,9 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
                      __global real* series) {
   const uint items = round.items;
   const uint item = get_global_id(0);
-  if (item >= items) return;
   real x[MODEL_STATE_COUNT];
-  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
-  if (all_lanes(IS_DIVERGED(x))) return;
   ModelPoint point;
-  load_point(items, item, uniform, swept, &point);
+  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const SweepGrid grid = grids[item_grid[item]];
 
   OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE, ORBIT_DECLARE)

@@ -16,6 +16,9 @@ typedef std::uint32_t sweep_uint;
 #define SWEEP_STATUS_CODE(name, code, meaning) STATUS_##name = code,
 enum { SWEEP_STATUSES(SWEEP_STATUS_CODE) };
 
+// Kinds of motion, the values of motion_class (observables/motion.h).
+enum { MOTION_undecided, MOTION_periodic, MOTION_quasi_periodic, MOTION_chaotic };
+
 // A state component beyond this (in the model's own units) counts as diverged.
 #define SWEEP_DIVERGED_BEYOND 1e6
 

@@ -93,7 +93,8 @@ void Assembly::add_specimen(std::size_t trajectory, const TileResult& result,
   const std::size_t count = result.status.size();
   const auto output = [&](std::size_t index) { return result.outputs[index * count + position]; };
   Specimen& specimen = specimens_[trajectory];
-  if (result.status[position] != STATUS_ok || output(survey.motion) == 0.0) return;
+  if (result.status[position] != STATUS_ok || output(survey.motion) == double{MOTION_undecided})
+    return;
   specimen.is_known = true;
   specimen.motion = static_cast<std::size_t>(output(survey.motion));
   specimen.period = output(survey.period);

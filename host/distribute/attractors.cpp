@@ -7,17 +7,18 @@
 #include <numeric>
 #include <set>
 
+#include "sweep_types.h"
+
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kPeriodicMotion = 1;  // of motion_class
 constexpr double kSameOrbit = 1e-3;
 constexpr double kSameOrbitFp32 = 1e-2;
 constexpr double kSameExtent = 0.25;
 constexpr double kSameBranch = 0.05;
 constexpr double kLeastScale = 1e-3;
 
-bool is_periodic(const Specimen& specimen) { return specimen.motion == kPeriodicMotion; }
+bool is_periodic(const Specimen& specimen) { return specimen.motion == MOTION_periodic; }
 
 double greatest_number(const Specimen& specimen) {
   double greatest = 0.0;
@@ -46,7 +47,7 @@ bool same_attractor(const Specimen& a, const Specimen& b, double least) {
           std::max(a.box[states + state] - a.box[state], b.box[states + state] - b.box[state]);
       allowed = std::max(allowed, kSameExtent * extent);
     }
-    // Not <=, so that a number that is none never agrees.
+    // Written so that a number that is none never agrees.
     if (!(std::abs(a.box[i] - b.box[i]) <= allowed)) return false;
   }
   return true;
@@ -231,7 +232,7 @@ AttractorList find_attractors(const Study& study, const std::vector<Specimen>& s
   };
   std::stable_sort(order.begin(), order.end(), [&](const Branch& a, const Branch& b) {
     const auto kind = [](const Attractor& attractor) {
-      return std::make_pair(attractor.motion != kPeriodicMotion, attractor.period);
+      return std::make_pair(attractor.motion != MOTION_periodic, attractor.period);
     };
     if (kind(a.attractor) != kind(b.attractor)) return kind(a.attractor) < kind(b.attractor);
     return box(a) < box(b);

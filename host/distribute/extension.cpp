@@ -13,7 +13,7 @@ std::vector<std::size_t> undecided_positions(const Study& study, const TileResul
       result.outputs.begin() + static_cast<std::ptrdiff_t>(*study.selection.motion * points);
   std::vector<std::size_t> positions;
   for (std::size_t i = 0; i < points; ++i) {
-    const bool undecided = first_class[static_cast<std::ptrdiff_t>(i)] == 0.0;
+    const bool undecided = first_class[static_cast<std::ptrdiff_t>(i)] == double{MOTION_undecided};
     if (result.status[i] == STATUS_ok && undecided) positions.push_back(i);
   }
   return positions;

@@ -109,19 +109,18 @@ std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
   if (!result) return std::nullopt;
   std::vector<std::size_t> open(tile.points.size());  // positions in the tile
   std::iota(open.begin(), open.end(), std::size_t{0});
-  TileResult last = *result;  // of the points in `open`
+  std::optional<TileResult> longer;  // of the points in `open`, once they have gone on
   for (std::size_t i = 1; i < windows.size(); ++i) {
+    const TileResult& last = longer ? *longer : *result;
     const std::vector<std::size_t> undecided = undecided_positions(study, last);
     if (undecided.empty()) break;
     for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
     open.resize(undecided.size());
     const Tile part = part_of(plan, tile, open, windows[i]);
     progress->add_work(part.work);
-    std::optional<TileResult> longer =
-        engine->compute(plan, part, end_states(last, undecided), windows[i], after_round);
+    longer = engine->compute(plan, part, end_states(last, undecided), windows[i], after_round);
     if (!longer) return std::nullopt;
     adopt_verdicts(study, open, *longer, &*result);
-    last = std::move(*longer);
   }
   result->effort = {steps, progress->seconds() - start};
   return result;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "journal/database.hpp"
+#include "model/checksum.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -36,21 +37,6 @@ void visit_parts(Result& result, const Visit& visit) {
   visit(4, result.effort);
 }
 
-// FNV-1a, 64 bits: finds damage, not malice.
-class Checksum {
- public:
-  void add(std::span<const std::byte> bytes) {
-    for (const std::byte byte : bytes) {
-      value_ = (value_ ^ std::to_integer<std::uint64_t>(byte)) * 1099511628211U;
-    }
-  }
-  void add(std::uint64_t number) { add(std::as_bytes(std::span(&number, 1))); }
-  std::int64_t value() const { return static_cast<std::int64_t>(value_); }
-
- private:
-  std::uint64_t value_ = 14695981039346656037U;
-};
-
 std::int64_t checksum_of(std::size_t tile_number, const TileResult& result) {
   Checksum checksum;
   checksum.add(tile_number);
@@ -58,7 +44,7 @@ std::int64_t checksum_of(std::size_t tile_number, const TileResult& result) {
     checksum.add(values.size());
     checksum.add(std::as_bytes(std::span(values)));
   });
-  return checksum.value();
+  return static_cast<std::int64_t>(checksum.value());
 }
 
 std::int64_t read_integer(const Database& database, const std::string& sql) {

@@ -4,15 +4,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "model/checksum.hpp"
 #include "opencl/program.hpp"
 
 namespace gearsweep {
@@ -24,11 +25,10 @@ constexpr std::size_t kMostPrograms = 64;
 constexpr std::string_view kSuffix = ".gearsweep-program";  // an unfinished file's name goes on
 constexpr std::size_t kHashDigits = 16;
 
-// FNV-1a, as hexadecimal digits.
 std::string hash_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return fmt::format("{:016x}", hash);
+  Checksum checksum;
+  checksum.add(std::as_bytes(std::span(text)));
+  return fmt::format("{:0{}x}", checksum.value(), kHashDigits);
 }
 
 // All that decides what the device compiler makes, the source last.

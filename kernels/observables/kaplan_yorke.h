@@ -1,24 +1,23 @@
 // Kaplan-Yorke dimension from all Lyapunov exponents: j + (l_1 + ... + l_j)/|l_(j+1)|, j the
 // greatest number of exponents whose sum is not negative (Kaplan and Yorke 1979). The phase is not
 // a state here: for a phase-driven model this is the dimension of the section.
+#include "observables/lyapunov_spectrum.h"
 
 #define KAPLAN_YORKE_KIND tangent
 #define KAPLAN_YORKE_TANGENTS PER_STATE
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define KAPLAN_YORKE_OUTPUTS(X) X(, "1", "", "Kaplan-Yorke dimension of the section")
 
-enum { kaplan_yorke_accumulators = PER_STATE };
+enum { kaplan_yorke_accumulators = lyapunov_spectrum_accumulators };
 
 #ifdef __OPENCL_VERSION__
 enum { kaplan_yorke_outputs = 1 };
 
-SHARED_FN void kaplan_yorke_init(real* sums) {
-  for (int j = 0; j < TANGENTS; ++j) sums[j] = 0;
-}
+SHARED_FN void kaplan_yorke_init(real* sums) { lyapunov_spectrum_init(sums); }
 
 SHARED_FN void kaplan_yorke_period(real* sums, const real* growth, real period, uint number,
                                    uint record) {
-  for (int j = 0; j < TANGENTS; ++j) sums[j] += growth[j] / period;
+  lyapunov_spectrum_period(sums, growth, period, number, record);
 }
 
 SHARED_FN void kaplan_yorke_finish(const real* sums, SweepRound round, real* out) {

@@ -37,7 +37,6 @@ enum { motion_accumulators = motion_greatest + PER_STATE };
 #ifdef __OPENCL_VERSION__
 enum { motion_outputs = MOTION_OUTPUTS(COUNT_OUTPUT) };
 enum { motion_least_neutral = 1000 };  // periods
-enum { motion_undecided, motion_periodic, motion_quasi_periodic, motion_chaotic };
 
 SHARED_FN void motion_begin_half(real* sums, const real* x) {
   UNROLL
@@ -98,14 +97,14 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const real late = motion_present_extent(sums);
   const mask steady = (late <= (scalar)(1.25) * early) & (early <= (scalar)(1.25) * late);
 
-  const real undecided = motion_undecided;
-  const real periodic = motion_periodic;
+  const real undecided = MOTION_undecided;
+  const real periodic = MOTION_periodic;
   real bounded = undecided;
   if (round.is_last) bounded = lane_select(decays, periodic, bounded);
   if (round.is_last || round.record >= motion_least_neutral) {
-    bounded = lane_select(neutral & steady, (real)(motion_quasi_periodic), bounded);
+    bounded = lane_select(neutral & steady, (real)(MOTION_quasi_periodic), bounded);
   }
-  const real other = lane_select(positive, (real)(motion_chaotic), bounded);
+  const real other = lane_select(positive, (real)(MOTION_chaotic), bounded);
   out[0] = lane_select(recurs, lane_select(growth > error, undecided, periodic), other);
 }
 #endif
