@@ -1,108 +1,12 @@
 // The sweep kernels: a work-item advances LANES points by a round of whole periods.
 //
-// Build macros: REAL_BITS (32, 64), LANES (1, 2, 4, 8, 16), CONTRACT (0: no fused multiply-add).
-// The host writes selection.h for each study. It includes the model and the observables and defines
-//   MODEL_OPTION_VALUES             the model's options, as an initialiser
-//   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
+// The host writes selection.h for each study. Beside what items.h names it defines
 //   OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)  CHANNEL(observable, channel, value of it),
 //                                   STEP(observable), TANGENT(observable) or ORBIT(observable)
 //   TANGENTS                        tangent vectors that the observers need
 //   PERIOD_TOLERANCE                of the study; undefined when no observer is an ORBIT
 //   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
-//
-// Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
-// [component][item], each element a `real` of LANES neighbouring points.
-#include "dialect.h"
-#include "selection.h"
-#include "sweep_types.h"
-
-#define LOAD_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
-  parameters.name = (real)(PARAMETER_##name);
-
-// A point that has diverged carries NaN in its first state: from then on it stays out of the maps.
-#define IS_DIVERGED(x) ((x)[0] != (x)[0])
-
-SHARED_FN void load_point(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
-                          ModelPoint* point) {
-  const ModelOptions options = MODEL_OPTION_VALUES;
-  ModelParameters parameters;
-  MODEL_PARAMETERS(LOAD_PARAMETER)
-  model_prepare(&parameters, options, point);
-}
-
-SHARED_FN void load_components(__global const real* buffer, uint items, uint item, uint first,
-                               int count, real* values) {
-  UNROLL
-  for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
-}
-
-SHARED_FN void store_components(__global real* buffer, uint items, uint item, uint first, int count,
-                                const real* values) {
-  UNROLL
-  for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
-}
-
-// The same for more numbers than are worth unrolling.
-SHARED_FN void load_many(__global const real* buffer, uint items, uint item, uint first, int count,
-                         real* values) {
-  for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
-}
-
-SHARED_FN void store_many(__global real* buffer, uint items, uint item, uint first, int count,
-                          const real* values) {
-  for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
-}
-
-SHARED_FN void mark_diverged(real* x) {
-  const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
-  mask inside = lane_abs(x[0]) < limit;
-  UNROLL
-  for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limit);
-  x[0] = lane_select(inside, x[0], (real)(NAN));
-}
-
-// Loads an item's states and parameters; false when there is nothing to advance.
-SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
-                         __global const real* state, real* x, ModelPoint* point) {
-  if (item >= items) return false;
-  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
-  if (all_lanes(IS_DIVERGED(x))) return false;
-  load_point(items, item, uniform, swept, point);
-  return true;
-}
-
-#include "tangent.h"
-
-// Where the phase grids of a tile lie.
-#define GRID_TABLES                                                         \
-  TABLE uint *item_grid, TABLE SweepGrid *grids, TABLE uint *segment_steps, \
-      TABLE scalar *segment_fractions, TABLE PhaseCoefs *stages
-
-// Advances a state by whole periods, and with it the tangent vectors, unless w is null.
-SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid grid,
-                               TABLE uint* segment_steps, TABLE scalar* segment_fractions,
-                               TABLE PhaseCoefs* stages, real* x, real* w, real* growth) {
-  for (uint period = 0; period < periods; ++period) {
-    TABLE PhaseCoefs* stage = stages + grid.first_stage;
-    for (uint segment = 0; segment < grid.segments; ++segment) {
-      const uint steps = segment_steps[grid.first_segment + segment];
-      const real h = segment_fractions[grid.first_segment + segment] * point->period;
-      const bool is_last = segment + 1 == grid.segments;
-      for (uint step = 0; step < steps; ++step) {
-        if (w) {
-          tangent_step(point, stage, h, x, w);
-          if (TANGENT_IS_DUE(step, is_last && step + 1 == steps)) tangent_orthonormalize(w, growth);
-        } else {
-          rk4_step(point, stage, h, x);
-        }
-        stage += RK4_STAGES_PER_STEP;
-      }
-      stage += 1;
-    }
-    mark_diverged(x);
-  }
-}
-
+#include "items.h"
 __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                      __global real* state) {
   const uint items = round.items;
@@ -263,6 +167,42 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
+  uint first = 0;
+  OBSERVERS(CHANNEL_STORE, STEP_STORE, TANGENT_STORE, ORBIT_STORE)
+}
+
+#define CHANNEL_NONE(kind, channel, value)
+#define STEP_NONE(kind)
+
+// The record of a periodic orbit, of which `length` periods are integrated and the rest follow from
+// them: what the observers of tangents and orbits see of it. sections is [period][state][item],
+// growths [tangent vector][item], the logarithm of how far each grows in a period. The outputs of
+// all other observers mean nothing after it.
+__kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
+                     __global real* state, __global const real* growths, const uint length,
+                     __global real* sections, __global real* accumulators) {
+  const uint items = round.items;
+  const uint item = get_global_id(0);
+  real x[MODEL_STATE_COUNT];
+  ModelPoint point;
+  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  const SweepGrid grid = grids[item_grid[item]];
+
+  OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE, ORBIT_DECLARE)
+  real growth[TANGENT_VECTORS];
+  for (int j = 0; j < TANGENTS; ++j) growth[j] = growths[(size_t)j * items + item];
+  OBSERVERS(CHANNEL_NONE, STEP_NONE, TANGENT_INIT, ORBIT_INIT)
+  for (uint period = 0; period < round.record; ++period) {
+    const uint first_component = period % length * MODEL_STATE_COUNT;
+    if (period < length) {
+      advance_periods(1, &point, grid, segment_steps, segment_fractions, stages, x, 0, 0);
+      store_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
+    } else {
+      load_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
+    }
+    OBSERVERS(CHANNEL_NONE, STEP_NONE, TANGENT_PERIOD, ORBIT_PERIOD)
+  }
+  store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   uint first = 0;
   OBSERVERS(CHANNEL_STORE, STEP_STORE, TANGENT_STORE, ORBIT_STORE)
 }

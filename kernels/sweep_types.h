@@ -22,6 +22,9 @@ enum { MOTION_undecided, MOTION_periodic, MOTION_quasi_periodic, MOTION_chaotic 
 // A state component beyond this (in the model's own units) counts as diverged.
 #define SWEEP_DIVERGED_BEYOND 1e6
 
+// The longest period, in forcing periods, of an orbit that ends a point's settling.
+#define ORBIT_LONGEST 16
+
 // One kernel launch. A work-item is LANES points, so `items` is the tile's padded points / LANES.
 typedef struct {
   sweep_uint items;     // work-items that hold points; the global size is rounded up beyond it

@@ -149,6 +149,10 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{}: {}\n", quantity.name,
                         describe_counts(count_classes(quantity, result.values[i])));
   }
+  if (result.stopped > 0) {
+    text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
+                        result.stopped, result.study.trajectories());
+  }
   text += describe_attractors(result);
   text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
@@ -173,6 +177,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   if (result.study.selection.survey) json["attractors"] = attractors_as_json(result);
   json["seconds"] = result.seconds;
   json["steps"] = result.steps;
+  json["stopped"] = result.stopped;
   json["device"] = result.engine.device;
   return json.dump(2) + "\n";
 }

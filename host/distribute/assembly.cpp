@@ -45,6 +45,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
   const std::size_t states = result.final_states.size() / count;
   result_.steps += result.effort[0];
   result_.seconds += result.effort[1];
+  result_.stopped += static_cast<std::size_t>(result.effort[2]);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t point = tile.points[i];
     if (!specimens_.empty()) add_specimen(point, result, i);

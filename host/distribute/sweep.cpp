@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <numeric>
 
 #include "distribute/assembly.hpp"
-#include "distribute/extension.hpp"
+#include "distribute/tile_run.hpp"
 #include "journal/journal.hpp"
 #include "model/version.hpp"
 #include "opencl/opencl_engine.hpp"
@@ -47,7 +46,7 @@ class Progress {
     partial_ = 0.0;
   }
 
-  // The running tile turns out to take more steps than were planned.
+  // The running tile turns out to take so many steps more than were planned.
   void add_work(double steps) { expected_ += steps; }
 
   // false when the sweep is to stop. `steps` of the running tile are done.
@@ -90,39 +89,23 @@ class Progress {
   std::chrono::steady_clock::time_point start_;
 };
 
-// A tile's result with what it took; nothing when stopped. After the study's own window the points
-// that are still undecided go on into longer ones, packed together.
+// A tile's result with what it took; nothing when stopped.
 std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
                                        const std::vector<double>& initial, Engine* engine,
                                        Progress* progress) {
-  const Study& study = plan.study();
-  const std::vector<Window> windows = windows_of(study);
   progress->begin_tile(tile);
   double steps = 0.0;
   const double start = progress->seconds();
-  const auto after_round = [&](double round_steps) {
+  TileCallbacks callbacks;
+  callbacks.after_round = [&](double round_steps) {
     steps += round_steps;
     return progress->round(round_steps);
   };
-  std::optional<TileResult> result =
-      engine->compute(plan, tile, initial, windows.front(), after_round);
+  callbacks.on_work = [&](double more) { progress->add_work(more); };
+  std::optional<TileResult> result = run_tile(plan, tile, initial, engine, callbacks);
   if (!result) return std::nullopt;
-  std::vector<std::size_t> open(tile.points.size());  // positions in the tile
-  std::iota(open.begin(), open.end(), std::size_t{0});
-  std::optional<TileResult> longer;  // of the points in `open`, once they have gone on
-  for (std::size_t i = 1; i < windows.size(); ++i) {
-    const TileResult& last = longer ? *longer : *result;
-    const std::vector<std::size_t> undecided = undecided_positions(study, last);
-    if (undecided.empty()) break;
-    for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
-    open.resize(undecided.size());
-    const Tile part = part_of(plan, tile, open, windows[i]);
-    progress->add_work(part.work);
-    longer = engine->compute(plan, part, end_states(last, undecided), windows[i], after_round);
-    if (!longer) return std::nullopt;
-    adopt_verdicts(study, open, *longer, &*result);
-  }
-  result->effort = {steps, progress->seconds() - start};
+  result->effort[0] = steps;
+  result->effort[1] = progress->seconds() - start;
   return result;
 }
 

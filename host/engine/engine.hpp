@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "engine/orbit_engine.hpp"
 #include "engine/result.hpp"
 #include "engine/window.hpp"
 #include "plan/plan.hpp"
@@ -18,11 +18,11 @@ struct TileResult {
   std::vector<double> outputs;       // [output of the selection][point]
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
-  std::vector<double> effort;        // integration steps, seconds; the driver measures it
+  std::vector<double> effort;  // integration steps, seconds, points stopped early; by the driver
 };
 
-// Called after each round with the integration steps that it took; false asks the engine to stop.
-using RoundCallback = std::function<bool(double steps)>;
+// Takes the values of a point that did not end ok.
+void blank_point(std::size_t point, TileResult* result);
 
 class Engine {
  public:
@@ -38,6 +38,8 @@ class Engine {
                                             const std::vector<double>& initial,
                                             const Window& window,
                                             const RoundCallback& after_round) = 0;
+  // Null for an engine that cannot look for orbits.
+  virtual OrbitEngine* orbits() { return nullptr; }
 };
 
 }  // namespace gearsweep

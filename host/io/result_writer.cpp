@@ -71,6 +71,7 @@ class Writer {
     put("command_line", provenance.command_line);
     put("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
     put("integration_steps", result_.steps);
+    put("stopped_trajectories", static_cast<double>(result_.stopped));
     put("compute_seconds", result_.seconds);
     const Scales& scales = study_.scales;
     if (!scales.known()) return;

@@ -135,11 +135,11 @@ std::string flatten(const std::string& name, const std::map<std::string, std::st
   return flatten_once(name, sources, &included);
 }
 
-std::string program_source(const Study& study) {
+std::string program_source(const Study& study, const std::string& file) {
   std::map<std::string, std::string> sources = kernel_sources();
   sources["selection.h"] = selection_header(study);
   sources["observables.h"] = observables_header(study);
-  return flatten("sweep.cl", sources);
+  return flatten(file, sources);
 }
 
 std::string build_options(const Study& study, std::size_t lanes) {
@@ -153,7 +153,7 @@ cl::Program build_program(const cl::Context& context, const cl::Device& device,
   try {
     program.build({device}, options.c_str());
   } catch (const cl::Error& error) {
-    throw RunError(fmt::format("cannot build kernels/sweep.cl for '{}' ({})\noptions: {}\n{}",
+    throw RunError(fmt::format("cannot build the kernels for '{}' ({})\noptions: {}\n{}",
                                device.getInfo<CL_DEVICE_NAME>(), describe_code(error.err()),
                                options, program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
   }

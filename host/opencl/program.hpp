@@ -18,8 +18,8 @@ std::string selection_header(const Study& study);
 // of the device compiler name it. `sources` by path. Throws RunError for a missing file.
 std::string flatten(const std::string& name, const std::map<std::string, std::string>& sources);
 
-// The program's whole text.
-std::string program_source(const Study& study);
+// The whole text of the program `file` of kernels/.
+std::string program_source(const Study& study, const std::string& file);
 
 std::string build_options(const Study& study, std::size_t lanes);
 

@@ -18,16 +18,16 @@ Slots arrange_slots(const Tile& tile, std::size_t lanes) {
       slots.position.push_back(position);
     }
     while (slots.position.size() % lanes != 0) slots.position.push_back(end - 1);
-    slots.item_grid.resize(slots.position.size() / lanes, static_cast<std::uint32_t>(grid));
+    slots.item_group.resize(slots.position.size() / lanes, static_cast<std::uint32_t>(grid));
   }
   return slots;
 }
 
-GridTables make_grid_tables(const Plan& plan, const Tile& tile) {
+GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points) {
   const std::size_t width = plan.study().model->phase_coefs.size();
   GridTables tables;
-  for (const std::size_t start : tile.grid_starts) {
-    const PhaseGrid grid = plan.phase_grid_of(tile.points[start]);
+  for (const std::size_t point : points) {
+    const PhaseGrid grid = plan.phase_grid_of(point);
     tables.grids.push_back({static_cast<sweep_uint>(tables.coefs.size() / width),
                             static_cast<sweep_uint>(tables.segment_steps.size()),
                             static_cast<sweep_uint>(grid.segment_steps.size())});
@@ -71,10 +71,10 @@ std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64) {
 
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
   std::vector<double> values;
-  for (const Axis& axis : plan.study().axes) {
-    if (axis.is_state) continue;
+  for (std::size_t axis = 0; axis < plan.study().axes.size(); ++axis) {
+    if (plan.study().axes[axis].is_state) continue;
     for (const std::size_t position : slots.position) {
-      values.push_back(plan.setting_of(tile.points[position]).parameters[axis.index]);
+      values.push_back(plan.axis_value(axis, tile.points[position]));
     }
   }
   return values;
@@ -97,6 +97,26 @@ std::vector<double> spread_states(const std::vector<double>& states, std::size_t
     for (const std::size_t position : slots.position) {
       out.push_back(states[position * state_count + state]);
     }
+  }
+  return out;
+}
+
+std::vector<double> gather_points(const std::vector<double>& values, const Slots& slots) {
+  const std::size_t slot_count = slots.position.size();
+  std::vector<double> out;
+  out.reserve(values.size() / slot_count * slots.slot_of.size());
+  for (const std::size_t slot : slots.slot_of) {
+    for (std::size_t i = slot; i < values.size(); i += slot_count) out.push_back(values[i]);
+  }
+  return out;
+}
+
+std::vector<double> gather_components(const std::vector<double>& values, const Slots& slots) {
+  const std::size_t slot_count = slots.position.size();
+  std::vector<double> out;
+  out.reserve(values.size() / slot_count * slots.slot_of.size());
+  for (std::size_t first = 0; first < values.size(); first += slot_count) {
+    for (const std::size_t slot : slots.slot_of) out.push_back(values[first + slot]);
   }
   return out;
 }

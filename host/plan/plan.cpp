@@ -34,17 +34,6 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
   return offsets;
 }
 
-// What makes two points share a phase grid: the number of steps and the phase-shaping parameters.
-std::vector<double> grid_key(const Plan& plan, std::size_t point) {
-  const ModelSetting setting = plan.setting_of(point);
-  std::vector<double> key = {static_cast<double>(plan.steps_of(point))};
-  for (const Axis& axis : plan.study().axes) {
-    if (axis.is_state || !plan.study().model->parameters[axis.index].shapes_phase) continue;
-    key.push_back(setting.parameters[axis.index]);
-  }
-  return key;
-}
-
 }  // namespace
 
 Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
@@ -114,6 +103,17 @@ PhaseGrid Plan::phase_grid_of(std::size_t point) const {
   return make_phase_grid(*study_.model, setting_of(point), steps_of(point));
 }
 
+// The number of steps and the phase-shaping parameters among the axes.
+std::vector<double> Plan::grid_key(std::size_t point) const {
+  std::vector<double> key = {static_cast<double>(steps_of(point))};
+  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
+    const Axis& swept = study_.axes[axis];
+    if (swept.is_state || !study_.model->parameters[swept.index].shapes_phase) continue;
+    key.push_back(axis_value(axis, point));
+  }
+  return key;
+}
+
 std::optional<std::size_t> Plan::predecessor(std::size_t point) const {
   if (!study_.is_chained()) return std::nullopt;
   const std::size_t along = study_.initial.along;
@@ -140,7 +140,7 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
 
 void Plan::add_stage(const std::vector<std::size_t>& points, std::size_t tile_points) {
   std::map<std::vector<double>, std::vector<std::size_t>> by_grid;
-  for (const std::size_t point : points) by_grid[grid_key(*this, point)].push_back(point);
+  for (const std::size_t point : points) by_grid[grid_key(point)].push_back(point);
 
   const auto periods =
       static_cast<double>(study_.integrate.settle) + static_cast<double>(study_.integrate.record);

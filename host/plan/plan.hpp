@@ -37,13 +37,15 @@ class Plan {
   // Steps asked of the phase grid of a point (the grid may have a few more).
   std::size_t steps_of(std::size_t point) const;
   PhaseGrid phase_grid_of(std::size_t point) const;
+  // Points with the same key share a phase grid.
+  std::vector<double> grid_key(std::size_t point) const;
+  double axis_value(std::size_t axis, std::size_t point) const;
   // The point whose final state this one goes on from; nothing for the first of a chain.
   std::optional<std::size_t> predecessor(std::size_t point) const;
   // The state that a point starts from when no predecessor gives one.
   std::vector<double> own_initial_state(std::size_t point) const;
 
  private:
-  double axis_value(std::size_t axis, std::size_t point) const;
   std::size_t axis_index(std::size_t axis, std::size_t point) const;
   void add_stage(const std::vector<std::size_t>& points, std::size_t tile_points);
 

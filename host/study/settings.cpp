@@ -21,6 +21,7 @@ std::string resolved_settings(const Study& study) {
               : fmt::format("max_step = {}\n", integrate.max_step);
   text += fmt::format("settle = {}\nrecord = {}\nwarm_up = {}\nextend = {}\n", integrate.settle,
                       integrate.record, integrate.warm_up, integrate.extend);
+  text += fmt::format("stop = \"{}\"\n", integrate.stop == Stop::orbit ? "orbit" : "never");
   return text;
 }
 

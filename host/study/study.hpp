@@ -40,6 +40,9 @@ struct Initial {
 
 enum class EngineKind { opencl, reference };
 
+// Whether a point that settles on a periodic orbit stops there, or runs on to the end.
+enum class Stop { orbit, never };
+
 // How to integrate. The last five never change a result, only how it is computed; 0 means that the
 // engine chooses.
 struct Integrate {
@@ -50,6 +53,7 @@ struct Integrate {
   std::size_t record = 200;          // periods
   std::size_t warm_up = 100;         // last periods of settle that tangent vectors are turned in
   std::size_t extend = 16;           // an undecided point is recorded for up to so many records
+  Stop stop = Stop::orbit;
   EngineKind engine = EngineKind::opencl;
   std::size_t lanes = 0;       // points per work-item
   std::size_t tile = 0;        // points per tile

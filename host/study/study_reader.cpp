@@ -162,6 +162,7 @@ void read_integrate(const toml::table* table, Study* study) {
   integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
   integrate.warm_up = reader.count("warm_up", integrate.warm_up, 0, 100'000'000);
   integrate.extend = reader.count("extend", integrate.extend, 1, 1024);
+  integrate.stop = reader.choice("stop", 0, {"orbit", "never"}) == 0 ? Stop::orbit : Stop::never;
   integrate.engine = reader.choice("engine", 0, {"opencl", "reference"}) == 0
                          ? EngineKind::opencl
                          : EngineKind::reference;

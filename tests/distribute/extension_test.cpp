@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "distribute/parts.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep::testing {
@@ -75,7 +76,7 @@ TEST(Extension, TakesTheUndecidedPointsWithTheirStatesAndPhaseGrids) {
   EXPECT_EQ(positions, (std::vector<std::size_t>{0, 2}));
 
   const Window window = windows_of(study)[1];
-  const Tile part = part_of(plan, tile, positions, window);
+  const Tile part = part_of(plan, tile, positions, window.settle + window.record);
   EXPECT_EQ(part.points, (std::vector<std::size_t>{tile.points[0], tile.points[2]}));
   // Each phase grid of the tile that is still there begins where its first point stands.
   EXPECT_EQ(part.grid_starts, (std::vector<std::size_t>{0, 1}));

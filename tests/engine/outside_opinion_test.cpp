@@ -26,7 +26,7 @@ constexpr std::size_t kPeriods = 60;
 std::size_t expect_same_sections(const std::string& toml) {
   const std::string integrate =
       "\n[integrate]\nsteps_per_period = 8192\nsettle = " + std::to_string(kPeriods - 2) +
-      "\nrecord = 2\n[observe]\nquantities = ['poincare', 'contact_class']\n"
+      "\nrecord = 2\nstop = 'never'\n[observe]\nquantities = ['poincare', 'contact_class']\n"
       "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
   const SweepResult result = run(toml + integrate);
   const Plan plan(result.study, 1);

@@ -118,24 +118,26 @@ TEST(Settled, TellsHowLongASlowTransientTook) {
 // At omega 1.9 a mode decays by exp(-0.0157) each period: after 400 it is still 2e-3 of what it
 // was, and the 200 that are recorded do not suffice.
 TEST(Motion, CallsASlowTransientUndecidedWhenItMayNotGoOn) {
-  const SweepResult result = run(sweep("coarse", "1.9"), {"integrate.extend=1"});
+  const SweepResult result =
+      run(sweep("coarse", "1.9"), {"integrate.extend=1", "integrate.stop=never"});
   EXPECT_EQ(map_of(result, "period")[0], 0.0);
   EXPECT_EQ(map_of(result, "motion_class")[0], kUndecided);
 }
 
-// By default such a point goes on until its period shows. What is not a verdict on the motion stays
-// as the study's own window had it, to the last bit.
+// By default such a point goes on until its period shows, unless it stops on its orbit before. What
+// is not a verdict on the motion stays as the study's own window had it, to the last bit.
 TEST(Motion, GoesOnUntilASlowTransientHasSettled) {
   const std::string study = sweep("coarse", "1.9");
+  const std::string exhaustive = "integrate.stop=never";
   const std::string more =
       "observe.quantities=['x1_rms', 'dmf_max', 'period', 'settled', 'motion_class', 'poincare']";
-  const SweepResult result = run(study, {more});
+  const SweepResult result = run(study, {more, exhaustive});
   EXPECT_EQ(map_of(result, "period")[0], 2.0);
   EXPECT_EQ(map_of(result, "motion_class")[0], kPeriodic);
   // exp(-0.0157 n) is 1e-6 of the first deviation, of size 1, after some 880 periods.
   EXPECT_GT(map_of(result, "settled")[0], 600.0);
   EXPECT_LT(map_of(result, "settled")[0], 2000.0);
-  const SweepResult single = run(study, {more, "integrate.extend=1"});
+  const SweepResult single = run(study, {more, exhaustive, "integrate.extend=1"});
   EXPECT_EQ(map_of(result, "x1_rms"), map_of(single, "x1_rms"));
   EXPECT_EQ(map_of(result, "dmf_max"), map_of(single, "dmf_max"));
   EXPECT_EQ(result.samples, single.samples);

@@ -58,11 +58,12 @@ TEST(Flatten, NamesTheMissingFile) {
 }
 
 TEST(ProgramSource, IncludesNothingMore) {
-  EXPECT_THAT(program_source(some_study()), Not(HasSubstr("#include \"")));
+  EXPECT_THAT(program_source(some_study(), "sweep.cl"), Not(HasSubstr("#include \"")));
 }
 
 TEST(ProgramSource, HasTheObservablesThatTheStudyAsksFor) {
-  const std::string source = program_source(some_study("[observe]\nquantities = ['x1_rms']\n"));
+  const std::string source =
+      program_source(some_study("[observe]\nquantities = ['x1_rms']\n"), "sweep.cl");
   EXPECT_THAT(source, AllOf(HasSubstr("kernels/observables/moments.h"),
                             Not(HasSubstr("kernels/observables/contact.h")),
                             Not(HasSubstr("kernels/observables/poincare.h"))));
@@ -87,7 +88,7 @@ TEST(BuildOptions, SayPrecisionLanesAndContraction) {
 
 TEST(BuildProgram, AcceptsTheKernels) {
   const Study study = some_study();
-  EXPECT_EQ(build_error(program_source(study), build_options(study, 1)), "");
+  EXPECT_EQ(build_error(program_source(study, "sweep.cl"), build_options(study, 1)), "");
 }
 
 // An error that someone makes in kernels/integrators/rk4.h, say.

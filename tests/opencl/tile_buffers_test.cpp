@@ -24,14 +24,14 @@ Tile tile_of(std::size_t points, std::vector<std::size_t> grid_starts) {
 TEST(ArrangeSlots, NeverMixesPhaseGridsInOneItem) {
   const Slots slots = arrange_slots(tile_of(7, {0, 5}), 4);
   EXPECT_THAT(slots.position, ElementsAre(0, 1, 2, 3, 4, 4, 4, 4, 5, 6, 6, 6));
-  EXPECT_THAT(slots.item_grid, ElementsAre(0, 0, 1));
+  EXPECT_THAT(slots.item_group, ElementsAre(0, 0, 1));
   EXPECT_THAT(slots.slot_of, ElementsAre(0, 1, 2, 3, 4, 8, 9));
 }
 
 TEST(ArrangeSlots, OneLanePerItemNeedsNoSpare) {
   const Slots slots = arrange_slots(tile_of(3, {0, 2}), 1);
   EXPECT_THAT(slots.position, ElementsAre(0, 1, 2));
-  EXPECT_THAT(slots.item_grid, ElementsAre(0, 0, 1));
+  EXPECT_THAT(slots.item_group, ElementsAre(0, 0, 1));
 }
 
 TEST(SpreadStates, PutsEachStateBesideItsNeighbours) {
@@ -54,7 +54,7 @@ TEST(GridTables, LieOneAfterTheOther) {
                              "steps_per_period = 20\n",
                              "test.toml"),
                   10);
-  const GridTables tables = make_grid_tables(plan, plan.stages()[0].tiles[0]);
+  const GridTables tables = make_grid_tables(plan, {0, 1});
   ASSERT_EQ(tables.grids.size(), 2U);
   const PhaseGrid first = plan.phase_grid_of(0);
   const PhaseGrid second = plan.phase_grid_of(1);

@@ -1,0 +1,39 @@
+// Newton's method for a fixed point of a return map, by shooting, for one point. Private to this
+// folder.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace gearsweep {
+
+// Distances relative to the greatest component of the state.
+struct NewtonLimits {
+  double same;     // a state that comes back to within this is the orbit's
+  double far;      // the orbit sought lies no farther from where the trajectory is
+  double weakest;  // least multiplier, relative to the largest, that rounding leaves
+};
+
+enum class NewtonVerdict {
+  going_on,  // the state is a better guess now
+  found,     // the state is that of a stable orbit, the multipliers are its own
+  unstable,  // the orbit is not stable
+  failed,    // too far, too slow, or not told from rounding
+};
+
+struct NewtonTry {
+  std::vector<double> start;  // where the trajectory is
+  std::vector<double> state;  // the guess
+  // How far the guess before this one was from coming back.
+  double distance = std::numeric_limits<double>::infinity();
+  // Logarithms of the absolute values of the multipliers over the whole map, largest first.
+  std::vector<double> multipliers;
+};
+
+// One step, from the map of try.state and its derivative ([column][row]). `tangents`: of so many
+// multipliers the values are needed.
+NewtonVerdict newton_step(const double* mapped, const double* derivative,
+                          const NewtonLimits& limits, std::size_t tangents, NewtonTry* one);
+
+}  // namespace gearsweep

@@ -1,0 +1,169 @@
+#include "distribute/orbit_search.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "distribute/parts.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+// A trajectory that comes back to within kNear is worth a try, and the orbit that it settles on is
+// not farther than kFar, both times the greatest component of the state.
+constexpr double kNear = 3e-2;
+constexpr double kFar = 1e-1;
+constexpr std::size_t kMostSteps = 4;  // of Newton's method
+
+NewtonLimits limits_of(const Study& study) {
+  return {0.1 * study.selection.period_tolerance, kFar, study.integrate.fp64 ? 1e-10 : 1e-3};
+}
+
+// Calls work(i) for all i below `count`, on all cores.
+template <class Work>
+void for_each_on_all_cores(std::size_t count, const Work& work) {
+  constexpr std::size_t kShare = 32;
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    for (std::size_t first = next.fetch_add(kShare); first < count;
+         first = next.fetch_add(kShare)) {
+      for (std::size_t i = first; i < std::min(count, first + kShare); ++i) work(i);
+    }
+  };
+  const std::size_t useful = std::min<std::size_t>(
+      (count + kShare - 1) / kShare, std::max(1U, std::thread::hardware_concurrency()));
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 1; i < useful; ++i) threads.emplace_back(run);
+  run();
+}
+
+}  // namespace
+
+struct OrbitSearch::Attempt {
+  std::size_t index = 0;  // among the open points
+  std::uint32_t length = 0;
+  NewtonTry newton;
+  NewtonVerdict verdict = NewtonVerdict::going_on;
+};
+
+OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
+                         OrbitEngine* engine)
+    : plan_(plan),
+      tile_(tile),
+      engine_(engine),
+      open_(tile.points.size()),
+      states_(initial),
+      hopeless_(tile.points.size(), 0) {
+  std::iota(open_.begin(), open_.end(), std::size_t{0});
+}
+
+bool OrbitSearch::advance(const RoundCallback& after_round) {
+  found_.clear();
+  const Tile part = part_of(plan_, tile_, open_, ORBIT_LONGEST);
+  std::optional<Approach> approach =
+      engine_->approach(plan_, part, states_, ORBIT_LONGEST, kNear, after_round);
+  if (!approach) return false;
+  settled_ += ORBIT_LONGEST;
+  states_ = std::move(approach->states);
+  if (!pursue(candidates(approach->returns), after_round)) return false;
+  close_points();
+  return true;
+}
+
+// By phase grid and length, as a part's groups want them.
+std::vector<OrbitSearch::Attempt> OrbitSearch::candidates(
+    const std::vector<std::uint32_t>& returns) const {
+  const std::size_t states = plan_.study().model->states.size();
+  std::vector<Attempt> attempts;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    const std::uint32_t lengths = returns[i] & ~hopeless_[open_[i]];
+    if (lengths == 0) continue;
+    Attempt attempt;
+    attempt.index = i;
+    attempt.length = static_cast<std::uint32_t>(std::countr_zero(lengths)) + 1;
+    const auto first = states_.begin() + static_cast<std::ptrdiff_t>(i * states);
+    attempt.newton.start.assign(first, first + static_cast<std::ptrdiff_t>(states));
+    attempt.newton.state = attempt.newton.start;
+    attempts.push_back(std::move(attempt));
+  }
+  const auto group = [&](const Attempt& attempt) {
+    return std::make_pair(grid_of(tile_, open_[attempt.index]), attempt.length);
+  };
+  std::stable_sort(attempts.begin(), attempts.end(),
+                   [&](const Attempt& a, const Attempt& b) { return group(a) < group(b); });
+  return attempts;
+}
+
+bool OrbitSearch::pursue(std::vector<Attempt> attempts, const RoundCallback& after_round) {
+  const NewtonLimits limits = limits_of(plan_.study());
+  const std::size_t tangents = plan_.study().selection.tangent_count();
+  const std::size_t states = plan_.study().model->states.size();
+  for (std::size_t step = 0; step < kMostSteps && !attempts.empty(); ++step) {
+    std::vector<std::size_t> positions;
+    std::vector<std::uint32_t> lengths;
+    std::vector<double> guesses;
+    for (const Attempt& attempt : attempts) {
+      positions.push_back(open_[attempt.index]);
+      lengths.push_back(attempt.length);
+      guesses.insert(guesses.end(), attempt.newton.state.begin(), attempt.newton.state.end());
+    }
+    const Tile part = part_of(plan_, tile_, positions, 1, lengths);
+    std::vector<std::uint32_t> group_lengths;
+    for (const std::size_t start : part.grid_starts) group_lengths.push_back(lengths[start]);
+    const std::optional<ReturnMaps> maps =
+        engine_->return_maps(plan_, part, guesses, group_lengths, after_round);
+    if (!maps) return false;
+    for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
+      attempts[i].verdict = newton_step(maps->states.data() + i * states,
+                                        maps->derivatives.data() + i * states * states, limits,
+                                        tangents, &attempts[i].newton);
+    });
+    for (Attempt& attempt : attempts) {
+      const std::size_t position = open_[attempt.index];
+      if (attempt.verdict == NewtonVerdict::unstable) {
+        hopeless_[position] |= 1U << (attempt.length - 1);
+      } else if (attempt.verdict == NewtonVerdict::found) {
+        for (double& growth : attempt.newton.multipliers) growth /= attempt.length;
+        found_.push_back({position, attempt.length, std::move(attempt.newton.state),
+                          std::move(attempt.newton.multipliers)});
+      }
+    }
+    std::erase_if(attempts, [](const Attempt& attempt) {
+      return attempt.verdict != NewtonVerdict::going_on;
+    });
+  }
+  return true;
+}
+
+// Takes out of the open points what was found, and what has diverged.
+void OrbitSearch::close_points() {
+  const std::size_t states = plan_.study().model->states.size();
+  std::sort(found_.begin(), found_.end(),
+            [](const FoundOrbit& a, const FoundOrbit& b) { return a.position < b.position; });
+  std::size_t kept = 0;
+  auto next = found_.begin();
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (next != found_.end() && next->position == open_[i]) {
+      ++next;
+      continue;
+    }
+    if (std::isnan(states_[i * states])) {
+      diverged_.push_back(open_[i]);
+      continue;
+    }
+    open_[kept] = open_[i];
+    std::copy_n(states_.begin() + static_cast<std::ptrdiff_t>(i * states), states,
+                states_.begin() + static_cast<std::ptrdiff_t>(kept * states));
+    ++kept;
+  }
+  open_.resize(kept);
+  states_.resize(kept * states);
+  std::stable_sort(found_.begin(), found_.end(),
+                   [](const FoundOrbit& a, const FoundOrbit& b) { return a.length < b.length; });
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,61 @@
+// Settles a tile and takes out the points that arrive on a periodic orbit.
+//
+// Every ORBIT_LONGEST periods each point's state is compared with where it was. Where it is nearly
+// back after some number of periods, Newton's method (shooting) looks for the periodic orbit close
+// by; when there is one and its multipliers say that it is stable, the point is on its way there
+// and need not be integrated any longer. The step's derivative gives all multipliers, and so all
+// Lyapunov exponents. Private to this folder.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "distribute/orbit_newton.hpp"
+#include "engine/engine.hpp"
+
+namespace gearsweep {
+
+struct FoundOrbit {
+  std::size_t position = 0;     // of the point in the tile
+  std::uint32_t length = 0;     // periods of the forcing that it takes to come back
+  std::vector<double> state;    // at the end of the periods settled so far
+  std::vector<double> growths;  // log |multiplier| per forcing period, largest first
+};
+
+class OrbitSearch {
+ public:
+  // initial: [point of the tile][state]. `engine` and the others outlive the search.
+  OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
+              OrbitEngine* engine);
+
+  // Settles the open points by ORBIT_LONGEST periods. False when the callback asked to stop.
+  bool advance(const RoundCallback& after_round);
+
+  std::size_t settled() const { return settled_; }  // periods so far
+  // Those that the last advance() took out of the open points, by length and position.
+  const std::vector<FoundOrbit>& found() const { return found_; }
+  // Positions of those that have diverged since the search began; they are no longer open.
+  const std::vector<std::size_t>& diverged() const { return diverged_; }
+  const std::vector<std::size_t>& open() const { return open_; }  // positions
+  const std::vector<double>& states() const { return states_; }   // [open point][state]
+
+ private:
+  struct Attempt;
+
+  std::vector<Attempt> candidates(const std::vector<std::uint32_t>& returns) const;
+  bool pursue(std::vector<Attempt> attempts, const RoundCallback& after_round);
+  void close_points();
+
+  const Plan& plan_;
+  const Tile& tile_;
+  OrbitEngine* engine_;
+  std::size_t settled_ = 0;
+  std::vector<std::size_t> open_;
+  std::vector<double> states_;
+  std::vector<std::uint32_t> hopeless_;  // [point of the tile] bit n - 1: not this length again
+  std::vector<FoundOrbit> found_;
+  std::vector<std::size_t> diverged_;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,159 @@
+#include "distribute/tile_run.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "distribute/extension.hpp"
+#include "distribute/orbit_search.hpp"
+#include "distribute/parts.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+class TileRun {
+ public:
+  TileRun(const Plan& plan, const Tile& tile, Engine* engine, const TileCallbacks& callbacks)
+      : plan_(plan),
+        study_(plan.study()),
+        tile_(tile),
+        engine_(engine),
+        callbacks_(callbacks),
+        windows_(windows_of(study_)),
+        result_(empty_result(study_, tile.points.size())) {}
+
+  std::optional<TileResult> run(const std::vector<double>& initial) {
+    const bool finished = search_for_orbits(initial) && record_the_rest() && extend();
+    if (!finished) return std::nullopt;
+    result_.effort = {0.0, 0.0, static_cast<double>(stopped_)};
+    return std::move(result_);
+  }
+
+ private:
+  // Each of these is false when the callback asked to stop.
+
+  bool search_for_orbits(const std::vector<double>& initial) {
+    OrbitSearch search(plan_, tile_, initial, engine_->orbits());
+    // The tangent vectors' warm-up belongs to the record.
+    const std::size_t settle = windows_.front().settle;
+    const bool warms_up = study_.selection.tangent_count() > 0;
+    const std::size_t last = settle - (warms_up ? std::min(settle, study_.integrate.warm_up) : 0);
+    const bool can_search = engine_->orbits() != nullptr && study_.integrate.stop == Stop::orbit;
+    while (can_search && search.settled() + ORBIT_LONGEST <= last && !search.open().empty()) {
+      if (!search.advance(callbacks_.after_round)) return false;
+      if (!record_orbits(search.found(), search.settled())) return false;
+    }
+    for (const std::size_t position : search.diverged()) {
+      result_.status[position] = STATUS_diverged;
+      blank_point(position, &result_);
+    }
+    open_ = search.open();
+    states_ = search.states();
+    settled_ = search.settled();
+    return true;
+  }
+
+  // The orbits stand by length.
+  bool record_orbits(const std::vector<FoundOrbit>& orbits, std::size_t settled) {
+    for (auto first = orbits.begin(); first != orbits.end();) {
+      const auto last = std::find_if(first, orbits.end(), [&](const FoundOrbit& orbit) {
+        return orbit.length != first->length;
+      });
+      if (!record_orbits({first, last}, first->length, settled)) return false;
+      first = last;
+    }
+    return true;
+  }
+
+  // Observers of states and signals see one turn, those of tangents and orbits its repetition. The
+  // turn begins at that of its sections at which a run to the end would begin to record.
+  bool record_orbits(const std::vector<FoundOrbit>& orbits, std::size_t length,
+                     std::size_t settled) {
+    std::vector<std::size_t> positions;
+    std::vector<double> states, growths;
+    const std::size_t tangents = study_.selection.tangent_count();
+    for (const FoundOrbit& orbit : orbits) {
+      positions.push_back(orbit.position);
+      states.insert(states.end(), orbit.state.begin(), orbit.state.end());
+      const auto first = orbit.growths.begin();
+      growths.insert(growths.end(), first, first + static_cast<std::ptrdiff_t>(tangents));
+    }
+    const Window& whole = windows_.front();
+    const std::size_t samples = whole.samples > 0 ? length : 0;
+    const Window turn = {settled, (whole.settle - settled) % length, length, samples, true};
+    const Tile part = part_of(plan_, tile_, positions, turn.settle + 2 * length);
+    const Tile saved = part_of(plan_, tile_, positions, whole.settle - settled + whole.record);
+    callbacks_.on_work(part.work - saved.work);
+    std::optional<TileResult> once =
+        engine_->compute(plan_, part, states, turn, callbacks_.after_round);
+    if (!once) return false;
+    const Window repeated = {settled, 0, whole.record, 0, whole.is_last};
+    std::optional<TileResult> replayed = engine_->orbits()->replay(
+        plan_, part, once->final_states, length, growths, repeated, callbacks_.after_round);
+    if (!replayed) return false;
+    std::vector<std::size_t> all(positions.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    adopt_verdicts(study_, all, *replayed, &*once);
+    once->final_states = std::move(replayed->final_states);
+    put_part(study_, *once, positions, &result_);
+    stopped_ += positions.size();
+    return true;
+  }
+
+  // What is left runs to the end of the study's own window.
+  bool record_the_rest() {
+    if (open_.empty()) return true;
+    Window rest = windows_.front();
+    rest.before = settled_;
+    rest.settle -= settled_;
+    const Tile part = part_of(plan_, tile_, open_, rest.settle + rest.record);
+    const std::optional<TileResult> recorded =
+        engine_->compute(plan_, part, states_, rest, callbacks_.after_round);
+    if (!recorded) return false;
+    put_part(study_, *recorded, open_, &result_);
+    return true;
+  }
+
+  // Undecided points go on into longer windows, packed together.
+  bool extend() {
+    std::vector<std::size_t> open(tile_.points.size());  // positions in the tile
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    std::optional<TileResult> longer;  // of the points in `open`, once they have gone on
+    for (std::size_t i = 1; i < windows_.size(); ++i) {
+      const TileResult& last = longer ? *longer : result_;
+      const std::vector<std::size_t> undecided = undecided_positions(study_, last);
+      if (undecided.empty()) break;
+      const std::vector<double> states = end_states(last, undecided);
+      for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
+      open.resize(undecided.size());
+      const Tile part = part_of(plan_, tile_, open, windows_[i].settle + windows_[i].record);
+      callbacks_.on_work(part.work);
+      longer = engine_->compute(plan_, part, states, windows_[i], callbacks_.after_round);
+      if (!longer) return false;
+      adopt_verdicts(study_, open, *longer, &result_);
+    }
+    return true;
+  }
+
+  const Plan& plan_;
+  const Study& study_;
+  const Tile& tile_;
+  Engine* engine_;
+  const TileCallbacks& callbacks_;
+  const std::vector<Window> windows_;
+  TileResult result_;
+  std::vector<std::size_t> open_;  // positions
+  std::vector<double> states_;     // [open point][state]
+  std::size_t settled_ = 0;        // periods behind the open points
+  std::size_t stopped_ = 0;        // points
+};
+
+}  // namespace
+
+std::optional<TileResult> run_tile(const Plan& plan, const Tile& tile,
+                                   const std::vector<double>& initial, Engine* engine,
+                                   const TileCallbacks& callbacks) {
+  return TileRun(plan, tile, engine, callbacks).run(initial);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,16 @@
+#include "engine/engine.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace gearsweep {
+
+void blank_point(std::size_t point, TileResult* result) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t points = result->status.size();
+  const std::size_t samples = result->samples.size() / points;
+  for (std::size_t i = point; i < result->outputs.size(); i += points) result->outputs[i] = nan;
+  std::fill_n(result->samples.begin() + static_cast<std::ptrdiff_t>(point * samples), samples, nan);
+}
+
+}  // namespace gearsweep

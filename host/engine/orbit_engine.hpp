@@ -1,0 +1,60 @@
+// What an engine offers to the search for the periodic orbits that points settle on
+// (distribute/orbit_search.hpp). States are [point of the tile][state], at phase 0.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/result.hpp"
+#include "engine/window.hpp"
+#include "plan/plan.hpp"
+
+namespace gearsweep {
+
+struct TileResult;
+
+// Called after each round with the integration steps that it took (a step with tangent vectors
+// counts as what it costs); false asks the engine to stop.
+using RoundCallback = std::function<bool(double steps)>;
+
+struct Approach {
+  std::vector<double> states;  // at the end
+  // [point] bit n - 1: after n periods the state was near where it began.
+  std::vector<std::uint32_t> returns;
+};
+
+// The map from a state to the one some periods later, and its derivative there.
+struct ReturnMaps {
+  std::vector<double> states;       // [point][state]
+  std::vector<double> derivatives;  // [point][column][row]
+};
+
+class OrbitEngine {
+ public:
+  virtual ~OrbitEngine() = default;
+
+  // Settles by `periods` (at most ORBIT_LONGEST). After n of them the state is near where it began
+  // when it differs by no more than near / n^2 times the greatest component.
+  virtual std::optional<Approach> approach(const Plan& plan, const Tile& tile,
+                                           const std::vector<double>& states, std::size_t periods,
+                                           double near, const RoundCallback& after_round) = 0;
+
+  // periods: [group of points, as the tile's grid_starts begin them].
+  virtual std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
+                                                const std::vector<double>& states,
+                                                const std::vector<std::uint32_t>& periods,
+                                                const RoundCallback& after_round) = 0;
+
+  // What the observers of kinds tangent and orbit say of the window's record of a periodic orbit,
+  // of which one turn of `length` periods is integrated and the rest is its repetition. growths is
+  // [point][tangent vector]: logarithms of their growth in each period. The other outputs and the
+  // samples are left empty or without meaning.
+  virtual std::optional<TileResult> replay(const Plan& plan, const Tile& tile,
+                                           const std::vector<double>& states, std::size_t length,
+                                           const std::vector<double>& growths, const Window& window,
+                                           const RoundCallback& after_round) = 0;
+};
+
+}  // namespace gearsweep

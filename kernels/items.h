@@ -1,0 +1,104 @@
+// What every kernel does with the items of a tile: parameters, states, whole periods of steps.
+//
+// Build macros: REAL_BITS (32, 64), LANES (1, 2, 4, 8, 16), CONTRACT (0: no fused multiply-add).
+// The host writes selection.h for each study (sweep.cl); of it these need the model and
+//   MODEL_OPTION_VALUES             the model's options, as an initialiser
+//   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
+//   TANGENTS                        tangent vectors that travel with a state
+//
+// Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
+// [component][item], each element a `real` of LANES neighbouring points.
+
+#include "dialect.h"
+#include "selection.h"
+#include "sweep_types.h"
+
+#define LOAD_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
+  parameters.name = (real)(PARAMETER_##name);
+
+// A point that has diverged carries NaN in its first state: from then on it stays out of the maps.
+#define IS_DIVERGED(x) ((x)[0] != (x)[0])
+
+SHARED_FN void load_point(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
+                          ModelPoint* point) {
+  const ModelOptions options = MODEL_OPTION_VALUES;
+  ModelParameters parameters;
+  MODEL_PARAMETERS(LOAD_PARAMETER)
+  model_prepare(&parameters, options, point);
+}
+
+SHARED_FN void load_components(__global const real* buffer, uint items, uint item, uint first,
+                               int count, real* values) {
+  UNROLL
+  for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
+}
+
+SHARED_FN void store_components(__global real* buffer, uint items, uint item, uint first, int count,
+                                const real* values) {
+  UNROLL
+  for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
+}
+
+// The same for more numbers than are worth unrolling.
+SHARED_FN void load_many(__global const real* buffer, uint items, uint item, uint first, int count,
+                         real* values) {
+  for (int i = 0; i < count; ++i) values[i] = buffer[(size_t)(first + i) * items + item];
+}
+
+SHARED_FN void store_many(__global real* buffer, uint items, uint item, uint first, int count,
+                          const real* values) {
+  for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
+}
+
+SHARED_FN void mark_diverged(real* x) {
+  const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
+  mask inside = lane_abs(x[0]) < limit;
+  UNROLL
+  for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limit);
+  x[0] = lane_select(inside, x[0], (real)(NAN));
+}
+
+// Loads an item's states and parameters; false when there is nothing to advance.
+SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
+                         __global const real* state, real* x, ModelPoint* point) {
+  if (item >= items) return false;
+  load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+  if (all_lanes(IS_DIVERGED(x))) return false;
+  load_point(items, item, uniform, swept, point);
+  return true;
+}
+
+#include "tangent.h"
+
+// Where the phase grids of a tile lie.
+#define GRID_TABLES                                                         \
+  TABLE uint *item_grid, TABLE SweepGrid *grids, TABLE uint *segment_steps, \
+      TABLE scalar *segment_fractions, TABLE PhaseCoefs *stages
+
+// Advances a state by whole periods, and with it the tangent vectors, unless w is null. They are
+// kept orthonormal and their growth is summed, unless growth is null.
+SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid grid,
+                               TABLE uint* segment_steps, TABLE scalar* segment_fractions,
+                               TABLE PhaseCoefs* stages, real* x, real* w, real* growth) {
+  for (uint period = 0; period < periods; ++period) {
+    TABLE PhaseCoefs* stage = stages + grid.first_stage;
+    for (uint segment = 0; segment < grid.segments; ++segment) {
+      const uint steps = segment_steps[grid.first_segment + segment];
+      const real h = segment_fractions[grid.first_segment + segment] * point->period;
+      const bool is_last = segment + 1 == grid.segments;
+      for (uint step = 0; step < steps; ++step) {
+        if (w) {
+          tangent_step(point, stage, h, x, w);
+          if (growth && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
+            tangent_orthonormalize(w, growth);
+          }
+        } else {
+          rk4_step(point, stage, h, x);
+        }
+        stage += RK4_STAGES_PER_STEP;
+      }
+      stage += 1;
+    }
+    mark_diverged(x);
+  }
+}
