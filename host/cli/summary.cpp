@@ -153,6 +153,10 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
+  if (result.pilot) {
+    text += fmt::format("steps of at most {}: {} periodic points of a pilot run agree to {:.2g}\n",
+                        result.pilot->step, result.pilot->points, result.pilot->error);
+  }
   text += describe_attractors(result);
   text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
@@ -178,6 +182,11 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["seconds"] = result.seconds;
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
+  if (result.pilot) {
+    json["pilot"] = {{"max_step", result.pilot->step},
+                     {"error", result.pilot->error},
+                     {"points", result.pilot->points}};
+  }
   json["device"] = result.engine.device;
   return json.dump(2) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "distribute/assembly.hpp"
+#include "distribute/pilot.hpp"
 #include "distribute/tile_run.hpp"
 #include "journal/journal.hpp"
 #include "model/version.hpp"
@@ -21,8 +22,9 @@ std::unique_ptr<Engine> make_engine(const Study& study, std::optional<std::size_
 
 // What two runs must have in common for one to continue the other's journal.
 std::string fingerprint(const Study& study, const EngineInfo& engine, std::size_t tile_points) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\ntile {}", study.toml, source_hash(), engine.device,
-                     engine.driver, engine.macros, tile_points);
+  return fmt::format("{}\n{}\n{}\n{}\n{}\ntile {}\nstep {}", study.toml, source_hash(),
+                     engine.device, engine.driver, engine.macros, tile_points,
+                     study.integrate.max_step);
 }
 
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
@@ -132,9 +134,10 @@ bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine
   return true;
 }
 
-}  // namespace
-
-std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& options) {
+// The sweep, once its steps are known.
+std::optional<SweepResult> run_with_steps(const Study& study,
+                                          const std::optional<PilotFindings>& pilot,
+                                          const SweepOptions& options) {
   const std::unique_ptr<Engine> engine = make_engine(study, options.device);
   const std::size_t tile_points = tile_size(study, *engine);
   const Plan plan(study, tile_points);
@@ -152,9 +155,21 @@ std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& opt
   }
   SweepResult result = assembly.take();
   result.engine = engine->info();
+  result.pilot = pilot;
   if (options.deliver) options.deliver(result);
   if (journal) journal->remove();
   return result;
+}
+
+}  // namespace
+
+std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& options) {
+  if (study.integrate.tolerance > 0.0) {
+    const std::optional<PilotRun> pilot = find_step(study, options);
+    if (!pilot) return std::nullopt;
+    return run_with_steps(pilot->study, pilot->findings, options);
+  }
+  return run_with_steps(study, std::nullopt, options);
 }
 
 }  // namespace gearsweep

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct Attractor {
   std::size_t trajectories = 0;  // that reached it
 };
 
+// How integrate.tolerance was met (distribute/pilot.hpp).
+struct PilotFindings {
+  double step = 0.0;       // max_step, in dimensionless time
+  double error = 0.0;      // relative, of sections and rms at 95 % of the points
+  std::size_t points = 0;  // periodic ones, that were compared
+};
+
 // Point (ix, iy) has index iy * nx + ix. A point that did not end `ok` has NaN in every map.
 struct SweepResult {
   Study study;
@@ -33,8 +41,9 @@ struct SweepResult {
   std::vector<std::uint8_t> status;  // [point], codes of kernels/sweep_types.h
   // [quantity of study.selection][point * its width + i]
   std::vector<std::vector<double>> values;
-  std::vector<Attractor> attractors;  // empty unless the study has a survey
-  std::vector<double> samples;        // [point][chosen state][sample]; empty without poincare
+  std::optional<PilotFindings> pilot;  // of a study with a tolerance
+  std::vector<Attractor> attractors;   // empty unless the study has a survey
+  std::vector<double> samples;         // [point][chosen state][sample]; empty without poincare
   // Of all tiles, those of an interrupted run that this one continued included.
   double steps = 0.0;       // integration steps in all
   double seconds = 0.0;     // wall time of the computation

@@ -73,6 +73,11 @@ class Writer {
     put("integration_steps", result_.steps);
     put("stopped_trajectories", static_cast<double>(result_.stopped));
     put("compute_seconds", result_.seconds);
+    if (result_.pilot) {
+      put("pilot_max_step", result_.pilot->step);
+      put("pilot_error", result_.pilot->error);
+      put("pilot_points", static_cast<double>(result_.pilot->points));
+    }
     const Scales& scales = study_.scales;
     if (!scales.known()) return;
     put("scale_varpi_rad_per_s", scales.varpi);

@@ -48,6 +48,7 @@ enum class Stop { orbit, never };
 struct Integrate {
   bool fp64 = true;
   double max_step = 0.05;  // greatest step in dimensionless time, when steps_per_period = 0
+  double tolerance = 0.0;  // > 0: a pilot run finds the max_step that leaves no greater an error
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
   std::size_t settle = 400;          // periods
   std::size_t record = 200;          // periods

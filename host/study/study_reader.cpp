@@ -158,6 +158,12 @@ void read_integrate(const toml::table* table, Study* study) {
   if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
     fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");
   }
+  integrate.tolerance = reader.number("tolerance", 0.0, 1e-10, 0.1);
+  if (integrate.tolerance > 0.0 &&
+      (reader.find("max_step") != nullptr || integrate.steps_per_period > 0)) {
+    fail_at(*reader.find("tolerance"),
+            "give tolerance, from which the step follows, or the step, not both");
+  }
   integrate.settle = reader.count("settle", integrate.settle, 0, 100'000'000);
   integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
   integrate.warm_up = reader.count("warm_up", integrate.warm_up, 0, 100'000'000);
