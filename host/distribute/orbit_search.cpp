@@ -61,6 +61,15 @@ OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<d
   std::iota(open_.begin(), open_.end(), std::size_t{0});
 }
 
+bool OrbitSearch::can_advance() const {
+  const Integrate& integrate = plan_.study().integrate;
+  if (engine_ == nullptr || integrate.stop == Stop::never || open_.empty()) return false;
+  const bool warms_up = plan_.study().selection.tangent_count() > 0;
+  const std::size_t last =
+      integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
+  return settled_ + ORBIT_LONGEST <= last;
+}
+
 bool OrbitSearch::advance(const RoundCallback& after_round) {
   found_.clear();
   const Tile part = part_of(plan_, tile_, open_, ORBIT_LONGEST);

@@ -29,6 +29,10 @@ class OrbitSearch {
   OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
               OrbitEngine* engine);
 
+  // Whether another advance() stays within the study's settling, less the tangent vectors' warm-up,
+  // which belongs to the record, and there is a point to settle. Never with stop = "never".
+  bool can_advance() const;
+
   // Settles the open points by ORBIT_LONGEST periods. False when the callback asked to stop.
   bool advance(const RoundCallback& after_round);
 

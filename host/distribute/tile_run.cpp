@@ -34,12 +34,7 @@ class TileRun {
 
   bool search_for_orbits(const std::vector<double>& initial) {
     OrbitSearch search(plan_, tile_, initial, engine_->orbits());
-    // The tangent vectors' warm-up belongs to the record.
-    const std::size_t settle = windows_.front().settle;
-    const bool warms_up = study_.selection.tangent_count() > 0;
-    const std::size_t last = settle - (warms_up ? std::min(settle, study_.integrate.warm_up) : 0);
-    const bool can_search = engine_->orbits() != nullptr && study_.integrate.stop == Stop::orbit;
-    while (can_search && search.settled() + ORBIT_LONGEST <= last && !search.open().empty()) {
+    while (search.can_advance()) {
       if (!search.advance(callbacks_.after_round)) return false;
       if (!record_orbits(search.found(), search.settled())) return false;
     }

@@ -38,6 +38,13 @@ class Engine {
                                             const std::vector<double>& initial,
                                             const Window& window,
                                             const RoundCallback& after_round) = 0;
+  // The states of one point at both ends of each step of `record` periods, which follow on `settle`
+  // others: [row][state], where each segment of a period has a row more than steps. Fewer rows when
+  // the point diverges. initial: [state].
+  virtual std::optional<std::vector<double>> rows(const Plan& plan, std::size_t point,
+                                                  const std::vector<double>& initial,
+                                                  std::size_t settle, std::size_t record,
+                                                  const RoundCallback& after_round) = 0;
   // Null for an engine that cannot look for orbits.
   virtual OrbitEngine* orbits() { return nullptr; }
 };

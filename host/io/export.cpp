@@ -4,8 +4,8 @@
 
 #include <bit>
 #include <cmath>
-#include <iterator>
 
+#include "io/csv_text.hpp"
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
@@ -22,32 +22,6 @@ std::vector<double> coordinates(const ResultMap& map, std::size_t point) {
   }
   return out;
 }
-
-class CsvText {
- public:
-  void add_name(const std::string& name) {
-    start_field();
-    text_ += name;
-  }
-  void add_number(double number) {
-    start_field();
-    if (!std::isnan(number)) fmt::format_to(std::back_inserter(text_), "{}", number);
-  }
-  void end_row() {
-    text_ += '\n';
-    row_is_empty_ = true;
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  void start_field() {
-    if (!row_is_empty_) text_ += ',';
-    row_is_empty_ = false;
-  }
-
-  std::string text_;
-  bool row_is_empty_ = true;
-};
 
 std::string csv_of(const ResultMap& map) {
   CsvText csv;

@@ -114,6 +114,12 @@ void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
         fmt::format("write the variable '{}'", variable_name(variable)));
 }
 
+void NetcdfFile::put_text(int variable, const std::vector<std::size_t>& start,
+                          const std::vector<std::size_t>& count, const std::string& text) {
+  check(nc_put_vara_text(id_, variable, start.data(), count.data(), text.data()),
+        fmt::format("write the variable '{}'", variable_name(variable)));
+}
+
 std::vector<std::string> NetcdfFile::variables() const {
   int count = 0;
   check(nc_inq_nvars(id_, &count), "count the variables");

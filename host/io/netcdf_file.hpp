@@ -47,6 +47,8 @@ class NetcdfFile {
            const std::vector<std::size_t>& count, const std::vector<float>& values);
   void put(int variable, const std::vector<std::size_t>& start,
            const std::vector<std::size_t>& count, const std::vector<signed char>& values);
+  void put_text(int variable, const std::vector<std::size_t>& start,
+                const std::vector<std::size_t>& count, const std::string& text);
 
   std::vector<std::string> variables() const;
   std::string variable_name(int variable) const;

@@ -34,6 +34,9 @@ bool is_netcdf(const std::string& path);
 // The TOML of the study that made this file. Throws InputError when it is not a result file.
 std::string read_study_text(const std::string& path);
 
+// The max_step that the pilot run of an integrate.tolerance found; nothing when there was none.
+std::optional<double> read_pilot_step(const std::string& path);
+
 struct ResultAxis {
   std::string name, unit, meaning;
   std::vector<double> values;

@@ -80,6 +80,12 @@ std::string read_study_text(const std::string& path) {
   return *study;
 }
 
+std::optional<double> read_pilot_step(const std::string& path) {
+  const std::vector<double> step =
+      NetcdfFile::open(path).number_attribute(NC_GLOBAL, "pilot_max_step");
+  return step.empty() ? std::nullopt : std::optional(step.front());
+}
+
 std::size_t ResultMap::points() const {
   std::size_t count = 1;
   for (const ResultAxis& axis : axes) count *= axis.values.size();

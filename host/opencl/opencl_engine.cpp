@@ -50,6 +50,15 @@ class OpenClEngine final : public Engine {
     return std::clamp(kMostSeriesBytes / series_bytes_per_point_, std::size_t{64}, points);
   }
 
+  std::optional<std::vector<double>> rows(const Plan& plan, std::size_t point,
+                                          const std::vector<double>& initial, std::size_t settle,
+                                          std::size_t record,
+                                          const RoundCallback& after_round) override {
+    const Tile tile = {{point}, {0}, 0.0};
+    return launcher_.guard(
+        tile, [&] { return trace_rows(plan, tile, initial, settle, record, after_round); });
+  }
+
   OrbitEngine* orbits() override { return orbits_.get(); }
 
   std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
@@ -105,6 +114,46 @@ class OpenClEngine final : public Engine {
     finish_.setArg(2, buffers.outputs);
     launcher_.launch(&finish_, inputs.slots.items());
     return collect(study, window, inputs.slots, buffers);
+  }
+
+  std::optional<std::vector<double>> trace_rows(const Plan& plan, const Tile& tile,
+                                                const std::vector<double>& initial,
+                                                std::size_t settle, std::size_t record,
+                                                const RoundCallback& after_round) {
+    constexpr std::size_t kRowsAtOnce = 65536;
+    const std::size_t states = plan.study().model->states.size();
+    const TileInputs inputs = launcher_.prepare(plan, tile);
+    const Slots& slots = inputs.slots;
+    const cl::Buffer state =
+        launcher_.upload(spread_states(initial, states, slots), CL_MEM_READ_WRITE);
+    settle_.setArg(Launcher::set_inputs(&settle_, inputs), state);
+    if (!launcher_.run_rounds(&settle_, {}, inputs, settle, after_round)) return std::nullopt;
+
+    Study bare = plan.study();
+    bare.selection = {};  // what is observed does not matter here
+    cl::Kernel trace(launcher_.program(bare, "trace.cl"), "trace");
+    const PhaseGrid grid = plan.phase_grid_of(tile.points.front());
+    const std::size_t rows_per_period = grid.steps + grid.segment_steps.size();
+    const std::size_t at_once = std::max<std::size_t>(1, kRowsAtOnce / rows_per_period);
+    const std::size_t numbers = rows_per_period * states * slots.position.size();
+    const cl::Buffer rows = launcher_.allocate(numbers * std::min(at_once, record));
+    cl_uint argument = Launcher::set_inputs(&trace, inputs);
+    trace.setArg(argument++, state);
+    trace.setArg(argument++, rows);
+    std::vector<double> out;
+    for (std::size_t done = 0; done < record;) {
+      const std::size_t now = std::min(at_once, record - done);
+      trace.setArg(0, round_of({}, slots.items(), now, done));
+      launcher_.launch(&trace, slots.items());
+      const std::vector<double> end = launcher_.download(state, states * slots.position.size());
+      if (std::isnan(end[0])) break;
+      const std::vector<double> block =
+          gather_points(launcher_.download(rows, numbers * now), slots);
+      out.insert(out.end(), block.begin(), block.end());
+      done += now;
+      if (!after_round(inputs.steps_per_period * static_cast<double>(now))) return std::nullopt;
+    }
+    return out;
   }
 
   // Brings a tile's answers home, from slots to the tile's order.

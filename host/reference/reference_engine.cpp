@@ -106,6 +106,35 @@ class ReferenceEngine final : public Engine {
     return collect(plan.study(), results);
   }
 
+  std::optional<std::vector<double>> rows(const Plan& plan, std::size_t point,
+                                          const std::vector<double>& initial, std::size_t settle,
+                                          std::size_t record,
+                                          const RoundCallback& after_round) override {
+    Trajectory trajectory(plan, point,
+                          Eigen::Map<const Eigen::VectorXd>(
+                              initial.data(), static_cast<Eigen::Index>(initial.size())));
+    std::vector<double> out;
+    const auto keep = [&](const Moment& moment) {
+      out.insert(out.end(), moment.state.begin(), moment.state.end());
+    };
+    const PhaseGrid grid = plan.phase_grid_of(point);
+    for (std::size_t period = 0; period < settle + record; ++period) {
+      std::size_t segment = 0, step = 0;
+      const bool alive = trajectory.advance_period(
+          [&](const Moment& before, const Moment& after, double /*share*/) {
+            if (period < settle) return;
+            if (step == 0) keep(before);
+            keep(after);
+            if (++step < grid.segment_steps[segment]) return;
+            step = 0;
+            ++segment;
+          });
+      if (!alive) break;
+      if (!after_round(static_cast<double>(grid.steps))) return std::nullopt;
+    }
+    return out;
+  }
+
  private:
   static TileResult collect(const Study& study, const std::vector<PointResult>& points) {
     const std::size_t outputs = study.selection.output_count();

@@ -77,10 +77,13 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
     "formulation = 'printed'\nstiffness = 'fourier'\npolicy = 'fixed'\n")
 
 // X(name, unit, meaning)
-#define MODEL_SIGNALS(X)                                             \
-  X(deflection, "b_n", "mesh deflection D along the line of action") \
-  X(backlash, "b_n", "half backlash b' at work")                     \
-  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")
+#define MODEL_SIGNALS(X)                                                                     \
+  X(deflection, "b_n", "mesh deflection D along the line of action")                         \
+  X(backlash, "b_n", "half backlash b' at work")                                             \
+  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                     \
+  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                         \
+  X(friction, "k0 b_n", "sliding friction on the shafts, mu (C f + 2 zeta H D'), all pairs") \
+  X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")
 
 // What depends on the phase alone. With friction arms a_i = rho_p s_pi/Rp + rho_g s_gi/Rg (printed:
 // s_gi/R) and sliding directions lambda_i, the sums of model equations over the pairs are
@@ -328,10 +331,16 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
                              ModelSignals* signals) {
   const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
   const real backlash = gear5_backlash(point, phase, x);
+  const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
+  const real f = gear5_penetration(deflection, backlash);
+  const Gear5Mesh mesh = gear5_mesh(point, phase);
   signals->deflection = deflection;
   signals->backlash = backlash;
-  signals->dmf =
-      (phase->stiffness - point->friction * phase->lever) * gear5_penetration(deflection, backlash);
+  signals->dmf = mesh.stiffness * f;
+  signals->mesh_stiffness = phase->stiffness;
+  signals->friction = mesh.slide_stiffness * f + mesh.slide_damping * rate;
+  signals->friction_lever =
+      point->friction * phase->lever * f + point->sliding_damping * phase->lever_damping * rate;
 }
 
 #ifdef MODEL_HOST_PART

@@ -1,0 +1,228 @@
+// gearsweep trace: the time history of points of a study or of a map.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/place.hpp"
+#include "cli/signal_watch.hpp"
+#include "cli/study_source.hpp"
+#include "distribute/trace_run.hpp"
+#include "io/trace_file.hpp"
+#include "model/error.hpp"
+#include "model/names.hpp"
+#include "model/version.hpp"
+#include "plan/plan.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct TraceArguments {
+  std::string study, output;
+  std::vector<std::string> at;  // one point each: "omega=0.7,b=1"
+  std::vector<std::string> overrides;
+  std::optional<std::size_t> device, settle, record;
+  std::size_t samples_per_period = 0;
+  bool quiet = false;
+};
+
+std::string command_line(const TraceArguments& arguments) {
+  std::string line = fmt::format("gearsweep trace '{}'", arguments.study);
+  for (const std::string& point : arguments.at) line += fmt::format(" --at '{}'", point);
+  if (arguments.settle) line += fmt::format(" --settle {}", *arguments.settle);
+  if (arguments.record) line += fmt::format(" --record {}", *arguments.record);
+  if (arguments.samples_per_period > 0) {
+    line += fmt::format(" --samples-per-period {}", arguments.samples_per_period);
+  }
+  for (const std::string& text : arguments.overrides) line += fmt::format(" --set '{}'", text);
+  return line + fmt::format(" -o '{}'", arguments.output);
+}
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts = {""};
+  for (const char letter : text) {
+    if (letter == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  return parts;
+}
+
+// The nearest value of a swept axis; `value` must not lie beyond its ends.
+std::size_t nearest_value(const Axis& axis, double value) {
+  if (value < axis.values.front() || value > axis.values.back()) {
+    throw InputError(fmt::format("--at: {} = {} is beyond the axis, {} .. {}", axis.name, value,
+                                 axis.values.front(), axis.values.back()));
+  }
+  const auto nearest = std::min_element(
+      axis.values.begin(), axis.values.end(),
+      [&](double a, double b) { return std::abs(a - value) < std::abs(b - value); });
+  return static_cast<std::size_t>(nearest - axis.values.begin());
+}
+
+// A point of a map is one of its grid; so is a point that goes on from its neighbours.
+void snap(const Study& whole, bool is_map, std::vector<Placed>* place) {
+  for (Placed& placed : *place) {
+    for (std::size_t i = 0; i < whole.axes.size(); ++i) {
+      const Axis& axis = whole.axes[i];
+      if (axis.is_state != placed.is_state || axis.index != placed.index) continue;
+      if (!is_map && !(whole.is_chained() && whole.initial.along == i)) continue;
+      placed.value = axis.values[nearest_value(axis, placed.value)];
+    }
+  }
+}
+
+// The values of the axis that a chained study goes along, up to the point.
+std::vector<double> chain_to(const Study& whole, double value) {
+  const std::vector<double>& values = whole.axes[whole.initial.along].values;
+  const auto own = std::find(values.begin(), values.end(), value);
+  return whole.initial.policy == InitialPolicy::forward
+             ? std::vector<double>(values.begin(), own + 1)
+             : std::vector<double>(own, values.end());
+}
+
+// The study of one point, as run_trace() wants it.
+Study point_study(const Study& whole, const std::vector<Placed>& place) {
+  Study study = whole;
+  place_parameters(place, &study);
+  const bool moves_start = std::any_of(place.begin(), place.end(), [&](const Placed& placed) {
+    return placed.is_state &&
+           std::none_of(whole.axes.begin(), whole.axes.end(), [&](const Axis& axis) {
+             return axis.is_state && axis.index == placed.index;
+           });
+  });
+  if (whole.is_chained()) {
+    if (moves_start)
+      throw InputError("--at: an initial state fits no study that sweeps along an axis");
+    std::vector<double>& values = study.axes[study.initial.along].values;
+    values = chain_to(whole, values.front());
+  } else if (moves_start) {
+    place_states(place, &study);
+  }
+  study.initial.ensemble = 1;
+  return study;
+}
+
+std::string label_of(const Model& model, const std::vector<Placed>& place) {
+  std::string label;
+  for (const Placed& placed : place) {
+    const std::string& name =
+        placed.is_state ? model.states[placed.index].name : model.parameters[placed.index].name;
+    label += fmt::format("{}{}={:.6g}", label.empty() ? "" : ", ", name, placed.value);
+  }
+  return label;
+}
+
+Study load(const TraceArguments& arguments) {
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.settle) overrides.push_back(fmt::format("integrate.settle={}", *arguments.settle));
+  if (arguments.record) overrides.push_back(fmt::format("integrate.record={}", *arguments.record));
+  Study study = load_study(arguments.study, overrides);
+  if (study.integrate.tolerance > 0.0) {
+    const std::optional<double> step =
+        is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt;
+    if (!step) {
+      throw InputError(
+          "integrate.tolerance takes a map to find the step: trace a point of the finished map "
+          "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
+          "integrate.max_step=0.05");
+    }
+    study.integrate.max_step = *step;
+  }
+  return study;
+}
+
+int run(const TraceArguments& arguments) {
+  const Study whole = load(arguments);
+  const bool is_map = is_netcdf(arguments.study);
+  ensure_writable(arguments.output);
+  ensure_trace_ending(arguments.output);
+  const SignalWatch signals;
+  SweepOptions options;
+  options.device = arguments.device;
+  options.stop = &signals.interrupted();
+  std::vector<std::string> points = arguments.at;
+  if (points.empty()) points.emplace_back();
+  std::vector<Trace> traces;
+  std::vector<std::string> labels, placed_names;
+  for (const std::string& point : points) {
+    std::vector<Placed> place;
+    if (!point.empty()) place = read_place(*whole.model, split_at_commas(point));
+    snap(whole, is_map, &place);
+    const Study study = point_study(whole, place);
+    const std::optional<Trace> trace = run_trace(study, arguments.samples_per_period, options);
+    if (!trace) {
+      fmt::print(stderr, "gearsweep: interrupted\n");
+      return kInterrupted;
+    }
+    labels.push_back(label_of(*whole.model, place));
+    traces.push_back(*trace);
+    for (const Placed& placed : place) {
+      if (placed.is_state) continue;
+      const std::string& name = whole.model->parameters[placed.index].name;
+      if (std::find(placed_names.begin(), placed_names.end(), name) == placed_names.end()) {
+        placed_names.push_back(name);
+      }
+    }
+    if (!arguments.quiet) {
+      fmt::print(stderr, "{}: {} moments of {} periods after {}\n",
+                 labels.back().empty() ? "the study's point" : labels.back(), trace->tau.size(),
+                 study.integrate.record, trace->settled);
+    }
+  }
+  write_traces(traces, labels, placed_names, whole, arguments.output,
+               {command_line(arguments), version(), source_hash()});
+  if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.output);
+  return kDone;
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App* app, int* status) {
+  CLI::App* command =
+      app->add_subcommand("trace", "The time history of points of a study or of a map");
+  const auto arguments = std::make_shared<TraceArguments>();
+  command
+      ->add_option("study", arguments->study,
+                   "A study file, a built-in study, or a result file: then --at means the nearest "
+                   "point of the map")
+      ->required();
+  command
+      ->add_option("--at", arguments->at,
+                   "A point, NAME=VALUE,...: a value for each axis, and for other parameters and "
+                   "initial states; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", arguments->output, "The traces: .nc or .csv")->required();
+  command->add_option("--settle", arguments->settle,
+                      "Forcing periods before the trace (default: the study's; 0 shows the start)");
+  command
+      ->add_option("--record", arguments->record,
+                   "Forcing periods of the trace (default: the study's)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--samples-per-period", arguments->samples_per_period,
+                   "Evenly spaced moments per forcing period, interpolated (default: both ends of "
+                   "every integration step)")
+      ->check(CLI::Range(1, 1 << 20));
+  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--set", arguments->overrides,
+                   "Override a key of the study, PATH=VALUE; may be given several times")
+      ->allow_extra_args(false);
+  command->add_flag("--quiet", arguments->quiet, "No summary");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep trace coarse-map --at omega=0.7,e0=0.5 --record 8 -o trace.nc\n"
+      "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --at omega=0.55,e0=0.6 -o two.nc\n"
+      "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --samples-per-period 256 -o trace.csv\n\n"
+      "A point of a map passes through the map's own samples: same start, same steps.");
+  command->callback([arguments, status] { *status = run(*arguments); });
+}
+
+}  // namespace gearsweep

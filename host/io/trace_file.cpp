@@ -1,0 +1,214 @@
+#include "io/trace_file.hpp"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "io/csv_text.hpp"
+#include "io/netcdf_file.hpp"
+#include "io/output_file.hpp"
+#include "model/error.hpp"
+#include "study/settings.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kContent = "traces of gearsweep";
+
+double parameter_of(const Study& study, const Trace& trace, const std::string& name) {
+  return trace.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
+}
+
+std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::string>& placed,
+                   const Study& study) {
+  CsvText csv;
+  csv.add_name("trace");
+  for (const std::string& name : placed) csv.add_name(name);
+  csv.add_name("tau");
+  for (const ChannelInfo& channel : traces.front().channels) csv.add_name(channel.name);
+  csv.end_row();
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const Trace& trace = traces[i];
+    for (std::size_t moment = 0; moment < trace.tau.size(); ++moment) {
+      csv.add_number(static_cast<double>(i + 1));
+      for (const std::string& name : placed) csv.add_number(parameter_of(study, trace, name));
+      csv.add_number(trace.tau[moment]);
+      for (const std::vector<double>& values : trace.values) csv.add_number(values[moment]);
+      csv.end_row();
+    }
+  }
+  return csv.text();
+}
+
+// Defines the whole file, then fills it.
+class Writer {
+ public:
+  Writer(const std::vector<Trace>& traces, NetcdfFile* file)
+      : traces_(traces),
+        file_(*file),
+        trace_(file_.define_dimension("trace", traces.size())),
+        moment_(file_.define_dimension("moment", longest())) {}
+
+  void write(const std::vector<std::string>& labels, const std::vector<std::string>& placed,
+             const Study& study, const Provenance& provenance) {
+    write_provenance(study, provenance);
+    write_labels(labels);
+    write_numbers("period", "1/varpi", "forcing period in dimensionless time",
+                  [](const Trace& trace) { return trace.period; });
+    write_numbers("settled", "1", "forcing periods before the first moment",
+                  [](const Trace& trace) { return static_cast<double>(trace.settled); });
+    for (const std::string& name : placed) {
+      const ParameterInfo& info =
+          study.model->parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
+      write_numbers(name, info.unit, info.meaning,
+                    [&](const Trace& trace) { return parameter_of(study, trace, name); });
+    }
+    write_history({"tau", "1/varpi", "dimensionless time since the first moment"},
+                  [](const Trace& trace) -> const std::vector<double>& { return trace.tau; });
+    const std::vector<ChannelInfo>& channels = traces_.front().channels;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      write_history(channels[i], [i](const Trace& trace) -> const std::vector<double>& {
+        return trace.values[i];
+      });
+    }
+  }
+
+ private:
+  std::size_t longest() const {
+    std::size_t most = 0;
+    for (const Trace& trace : traces_) most = std::max(most, trace.tau.size());
+    return most;
+  }
+
+  void write_provenance(const Study& study, const Provenance& provenance) {
+    const auto put = [&](const std::string& name, const std::string& text) {
+      file_.put_attribute(NC_GLOBAL, name, text);
+    };
+    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    put("content", kContent);
+    put("title", study.title);
+    put("study", study.toml);
+    put("settings", resolved_settings(study));
+    put("gearsweep_version", provenance.version);
+    put("source_hash", provenance.source_hash);
+    put("command_line", provenance.command_line);
+    put("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
+  }
+
+  void write_labels(const std::vector<std::string>& labels) {
+    std::size_t width = 1;
+    for (const std::string& label : labels) width = std::max(width, label.size());
+    const int dimension = file_.define_dimension("label_width", width);
+    const int variable = file_.define_variable("label", NC_CHAR, {trace_, dimension});
+    file_.put_attribute(variable, "long_name", "what each trace is of");
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      std::string padded = labels[i];
+      padded.resize(width, ' ');
+      file_.put_text(variable, {i, 0}, {1, width}, padded);
+    }
+  }
+
+  void describe(int variable, const std::string& unit, const std::string& meaning) {
+    if (!unit.empty()) file_.put_attribute(variable, "units", unit);
+    file_.put_attribute(variable, "long_name", meaning);
+  }
+
+  template <class Value>
+  void write_numbers(const std::string& name, const std::string& unit, const std::string& meaning,
+                     const Value& value) {
+    const int variable = file_.define_variable(name, NC_DOUBLE, {trace_});
+    describe(variable, unit, meaning);
+    std::vector<double> numbers;
+    for (const Trace& trace : traces_) numbers.push_back(value(trace));
+    file_.put(variable, {0}, {numbers.size()}, numbers);
+  }
+
+  template <class Values>
+  void write_history(const ChannelInfo& info, const Values& values_of) {
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    const int variable = file_.define_variable(info.name, NC_DOUBLE, {trace_, moment_});
+    describe(variable, info.unit, info.meaning);
+    file_.put_attribute(variable, "_FillValue", missing);
+    file_.compress(variable);
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+      std::vector<double> values = values_of(traces_[i]);
+      values.resize(longest(), missing);
+      file_.put(variable, {i, 0}, {1, values.size()}, values);
+    }
+  }
+
+  const std::vector<Trace>& traces_;
+  NetcdfFile& file_;
+  const int trace_, moment_;
+};
+
+}  // namespace
+
+void ensure_trace_ending(const std::string& path) {
+  if (path.ends_with(".nc") || path.ends_with(".csv")) return;
+  throw InputError(
+      fmt::format("cannot write traces to '{}': its name must end in .nc or .csv", path));
+}
+
+void write_traces(const std::vector<Trace>& traces, const std::vector<std::string>& labels,
+                  const std::vector<std::string>& placed, const Study& study,
+                  const std::string& path, const Provenance& provenance) {
+  if (path.ends_with(".csv")) {
+    write_file(path, csv_of(traces, placed, study));
+    return;
+  }
+  ensure_trace_ending(path);
+  OutputFile output(path);
+  NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
+  Writer(traces, &file).write(labels, placed, study, provenance);
+  file.close();
+  output.commit();
+}
+
+bool is_trace_file(const std::string& path) {
+  if (!is_netcdf(path)) return false;
+  return NetcdfFile::open(path).text_attribute(NC_GLOBAL, "content") == kContent;
+}
+
+std::vector<StoredTrace> read_traces(const std::string& path) {
+  const NetcdfFile file = NetcdfFile::open(path);
+  const int tau = file.find_variable("tau");
+  const int label = file.find_variable("label");
+  const int period = file.find_variable("period");
+  if (file.text_attribute(NC_GLOBAL, "content") != kContent || tau < 0 || label < 0 || period < 0 ||
+      file.dimensions_of(tau).size() != 2) {
+    throw InputError(
+        fmt::format("'{}' holds no traces; give a file that 'gearsweep trace' wrote", path));
+  }
+  const std::vector<int> dimensions = file.dimensions_of(tau);
+  const std::size_t count = file.dimension_size(dimensions[0]);
+  const std::size_t moments = file.dimension_size(dimensions[1]);
+  const std::vector<std::string> labels = file.read_texts(label);
+  const std::vector<double> periods = file.read(period, {0}, {count});
+  std::vector<StoredTrace> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    StoredTrace stored;
+    stored.label = labels[i];
+    stored.trace.period = periods[i];
+    stored.trace.tau = file.read(tau, {i, 0}, {1, moments});
+    const auto end = std::find_if(stored.trace.tau.begin(), stored.trace.tau.end(),
+                                  [](double time) { return std::isnan(time); });
+    const auto length = static_cast<std::size_t>(end - stored.trace.tau.begin());
+    stored.trace.tau.resize(length);
+    for (const std::string& name : file.variables()) {
+      const int variable = file.find_variable(name);
+      if (name == "tau" || file.dimensions_of(variable) != dimensions) continue;
+      stored.trace.channels.push_back({name, file.text_attribute(variable, "units").value_or(""),
+                                       file.text_attribute(variable, "long_name").value_or("")});
+      stored.trace.values.push_back(file.read(variable, {i, 0}, {1, moments}));
+      stored.trace.values.back().resize(length);
+    }
+    out.push_back(std::move(stored));
+  }
+  return out;
+}
+
+}  // namespace gearsweep

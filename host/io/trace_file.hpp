@@ -1,0 +1,38 @@
+// Files of traces: NetCDF-4, or CSV to be read elsewhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/trace.hpp"
+#include "io/result_file.hpp"
+
+namespace gearsweep {
+
+// Throws InputError unless the name ends in .nc or .csv.
+void ensure_trace_ending(const std::string& path);
+
+// Writes them whole or not at all. The end of `path` decides:
+//   .nc   dimensions (trace, moment): tau and each channel, missing values beyond a trace's end;
+//         (trace): label, period, settled, and the parameters named in `placed`. All traces have
+//         the channels of the first.
+//   .csv  a row per moment: trace (from 1), the parameters of `placed`, tau, the channels.
+// labels: one for each trace, "omega=0.7, b=1". Throws InputError for an ending or a place that
+// will not do, RunError when the disk fails.
+void write_traces(const std::vector<Trace>& traces, const std::vector<std::string>& labels,
+                  const std::vector<std::string>& placed, const Study& study,
+                  const std::string& path, const Provenance& provenance);
+
+// By what it says of itself; false when there is no such file.
+bool is_trace_file(const std::string& path);
+
+// A trace as a file holds it; the setting is left empty.
+struct StoredTrace {
+  std::string label;
+  Trace trace;
+};
+
+// Throws InputError when it is no file of traces, RunError when it cannot be read.
+std::vector<StoredTrace> read_traces(const std::string& path);
+
+}  // namespace gearsweep
