@@ -1,8 +1,6 @@
 #include "contest.hpp"
 
-#include <algorithm>
-#include <map>
-
+#include "figures.hpp"
 #include "flop_count.hpp"
 #include "opencl/device.hpp"
 
@@ -12,12 +10,6 @@ namespace {
 // Enough points for many cores, and for some 50 ms on few.
 constexpr std::size_t kScalarShare = 16, kScalarPeriods = 16;
 constexpr std::size_t kSimdShare = 1, kSimdPeriods = 8;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -48,31 +40,28 @@ Contest::Contest(const Case& what)
 void Contest::measure(benchmark::State& state) {
   const std::size_t tangents = kernel_.settling() ? 0 : kernel_.study().selection.tangent_count();
   const double flops = flops_per_step(kernel_.study(), tangents);
-  std::map<std::string, std::vector<double>> found;
+  Figures figures;
   for ([[maybe_unused]] auto turn : state) {
     const double peak = peak_.flops_per_second();
     const KernelRun::Rounds rounds = kernel_.run();
     const double rate = rounds.rate();
     state.SetIterationTime(rounds.seconds);
     const auto compare = [&](const std::string& name, double other) {
-      found[name + "_steps/s"].push_back(other);
-      found["vs_" + name].push_back(rate / other);
+      figures.add(name + "_steps/s", other);
+      figures.add("vs_" + name, rate / other);
     };
-    found["steps/s"].push_back(rate);
-    found["flops_per_step"].push_back(flops);
-    found["flop/s"].push_back(rate * flops);
-    found["peak_flop/s"].push_back(peak);
-    found["peak_share"].push_back(rate * flops / peak);
+    figures.add("steps/s", rate);
+    figures.add("flops_per_step", flops);
+    figures.add("flop/s", rate * flops);
+    figures.add("peak_flop/s", peak);
+    figures.add("peak_share", rate * flops / peak);
     if (one_lane_ != nullptr) compare("one_lane", one_lane_->run().rate());
-    if (states_ != nullptr) found["times_states"].push_back(states_->run().rate() / rate);
+    if (states_ != nullptr) figures.add("times_states", states_->run().rate() / rate);
     for (const Rival& rival : rivals_) {
       compare(rival.name, rival.sweep->steps_per_second(rival.periods));
     }
   }
-  for (const auto& [name, values] : found) {
-    state.counters[name] = benchmark::Counter(median(values), benchmark::Counter::kDefaults,
-                                              benchmark::Counter::OneK::kIs1000);
-  }
+  figures.report(state);
 }
 
 }  // namespace gearsweep::bench
