@@ -4,7 +4,7 @@
 //   steps/s          integration steps of single points per second, rounds after the first only
 //   flops_per_step   counted on the kernel's source (see Tally in counted.hpp), without observables
 //   flop/s           steps/s x flops_per_step
-//   peak_flop/s      of the FMA micro-kernel, on the same device
+//   peak_flop/s      of the FMA micro-kernel on the same device, mean of before and after
 //   peak_share       of the two
 //   one_lane_steps/s, vs_one_lane   the same kernel with one point per work-item, and steps/s /
 //   that times_states     steps/s of recording states alone / steps/s: what tangent vectors cost

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
+#include <ostream>
+#include <utility>
 
 namespace gearsweep::bench {
 namespace {
@@ -63,7 +67,23 @@ std::string row_of(const Run& run, const std::vector<Column>& columns) {
   return row + '\n';
 }
 
-// Runs of one table.
+std::string speed_of(const Run& run) {
+  const auto number = [&](const char* counter) { return run.counters.at(counter).value; };
+  return fmt::format("{:.0f}, {:.0f}, {:.0f} %", number("steps/s") / 1e6, number("flop/s") / 1e9,
+                     number("peak_share") * 100.0);
+}
+
+std::string heading_of(const std::string& first, const std::vector<std::string>& others) {
+  std::string text = fmt::format("| {} |", first);
+  std::string rule = "| --- |";
+  for (const std::string& other : others) {
+    text += fmt::format(" {} |", other);
+    rule += " --- |";
+  }
+  return text + '\n' + rule + '\n';
+}
+
+// Runs of one table, a row each.
 std::string table_of(const std::vector<Run>& runs) {
   std::vector<Column> columns;
   const auto is_used = [&](const Column& column) {
@@ -73,14 +93,34 @@ std::string table_of(const std::vector<Run>& runs) {
   };
   std::copy_if(kColumns.begin(), kColumns.end(), std::back_inserter(columns), is_used);
   if (columns.empty()) return "";
-  std::string text = fmt::format("| {} |", name_of(runs.front()).table);
-  std::string rule = "| --- |";
-  for (const Column& column : columns) {
-    text += fmt::format(" {} |", column.heading);
-    rule += " --- |";
-  }
-  text += '\n' + rule + '\n';
+  std::vector<std::string> headings;
+  for (const Column& column : columns) headings.emplace_back(column.heading);
+  std::string text = heading_of(name_of(runs.front()).table, headings);
   for (const Run& run : runs) text += row_of(run, columns);
+  return text + '\n';
+}
+
+// Runs of one table that form a matrix: the last part of their names makes the columns.
+std::string matrix_of(const std::vector<Run>& runs) {
+  std::vector<std::string> rows, columns;
+  std::map<std::pair<std::string, std::string>, std::string> cells;
+  const auto note = [](const std::string& name, std::vector<std::string>* names) {
+    if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
+  };
+  for (const Run& run : runs) {
+    const std::string name = name_of(run).row;
+    const std::size_t slash = name.rfind('/');
+    const std::string row = name.substr(0, slash), column = name.substr(slash + 1);
+    note(row, &rows);
+    note(column, &columns);
+    cells[{row, column}] = run.error_occurred ? run.error_message : speed_of(run);
+  }
+  std::string text = heading_of("M steps/s, GFLOP/s, share of peak", columns);
+  for (const std::string& row : rows) {
+    text += fmt::format("| {} |", row);
+    for (const std::string& column : columns) text += fmt::format(" {} |", cells[{row, column}]);
+    text += '\n';
+  }
   return text + '\n';
 }
 
@@ -90,6 +130,10 @@ bool MarkdownReporter::ReportContext(const Context&) { return true; }
 
 void MarkdownReporter::ReportRuns(const std::vector<Run>& runs) {
   runs_.insert(runs_.end(), runs.begin(), runs.end());
+  for (const Run& run : runs) {
+    GetErrorStream() << run.run_name.function_name << ": "
+                     << (run.error_occurred ? run.error_message : "done") << std::endl;
+  }
 }
 
 void MarkdownReporter::Finalize() { GetOutputStream() << markdown_tables(runs_); }
@@ -100,7 +144,7 @@ std::string markdown_tables(const std::vector<Run>& runs) {
     const std::string table = name_of(*first).table;
     const auto end = std::find_if(first, runs.end(),
                                   [&](const Run& run) { return name_of(run).table != table; });
-    text += table_of({first, end});
+    text += table == "matrix" ? matrix_of({first, end}) : table_of({first, end});
     first = end;
   }
   return text;

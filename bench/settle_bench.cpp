@@ -100,15 +100,23 @@ std::vector<Case> matrix() {
   return cases;
 }
 
+// The contest that ran last, by the name of its case.
+struct Running {
+  std::string name;
+  std::unique_ptr<Contest> contest;
+};
+
 // Built when it first runs, as a filter may leave it out, and let go when the next one is built;
 // Google Benchmark calls `run` again until it has enough iterations. A device that cannot do it (no
 // fp64) spoils this case only.
-void add_case(const Case& what, bool of_five) {
-  const auto contest = std::make_shared<std::unique_ptr<Contest>>();
-  const auto run = [what, contest](benchmark::State& state) {
+void add_case(const Case& what, bool of_five, const std::shared_ptr<Running>& running) {
+  const auto run = [what, running](benchmark::State& state) {
     try {
-      if (*contest == nullptr) *contest = std::make_unique<Contest>(what);
-      (*contest)->measure(state);
+      if (running->name != what.name) {
+        *running = {};
+        *running = {what.name, std::make_unique<Contest>(what)};
+      }
+      running->contest->measure(state);
     } catch (const std::exception& error) {
       state.SkipWithError(error.what());
     }
@@ -121,9 +129,10 @@ void add_case(const Case& what, bool of_five) {
 }  // namespace
 
 void add_benchmarks(bool all) {
-  for (const Case& what : headline()) add_case(what, all);
+  const auto running = std::make_shared<Running>();
+  for (const Case& what : headline()) add_case(what, all, running);
   if (!all) return;
-  for (const Case& what : matrix()) add_case(what, all);
+  for (const Case& what : matrix()) add_case(what, all, running);
 }
 
 }  // namespace gearsweep::bench
