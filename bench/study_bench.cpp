@@ -59,13 +59,13 @@ void add_figures(const Outcome& outcome, Figures* figures) {
   figures->add("peak_bytes", outcome.peak_bytes);
 }
 
-// measure: one iteration; adds its figures and gives the seconds to report. A run of `command` with
-// next to no work comes first, so that its kernels have been built.
-void add(const std::string& name, int turns, const Command& command,
+// measure: one iteration; adds its figures and gives the seconds to report. A run of `first` with
+// next to no work comes first, so that the kernels have been built.
+void add(const std::string& name, int turns, const Command& first,
          const std::function<double(Figures*)>& measure) {
-  const auto benchmark = [=](benchmark::State& state) {
+  const auto body = [=](benchmark::State& state) {
     try {
-      Command brief = command;
+      Command brief = first;
       brief.overrides.insert(brief.overrides.end(), kFewest.begin(), kFewest.end());
       run(brief);
       Figures figures;
@@ -75,16 +75,20 @@ void add(const std::string& name, int turns, const Command& command,
       state.SkipWithError(error.what());
     }
   };
-  benchmark::internal::Benchmark* added = benchmark::RegisterBenchmark(name.c_str(), benchmark);
+  benchmark::internal::Benchmark* added = benchmark::RegisterBenchmark(name.c_str(), body);
   added->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(turns);
 }
 
-void add_study(const std::string& name, int turns, const Command& command) {
-  add(name, turns, command, [command](Figures* figures) {
+void add_study(const std::string& name, int turns, const Command& first, const Command& command) {
+  add(name, turns, first, [command](Figures* figures) {
     const Outcome outcome = run(command);
     add_figures(outcome, figures);
     return outcome.wall_seconds;
   });
+}
+
+void add_study(const std::string& name, int turns, const Command& command) {
+  add_study(name, turns, command, command);
 }
 
 void add_cores(int turns) {
@@ -155,7 +159,8 @@ void add_benchmarks(bool all) {
   constexpr int kTurns = 5;
   const int turns = all ? kTurns : 1;
   const auto add_points = [&](int times, std::size_t x, std::size_t y) {
-    add_study(fmt::format("points/{}", x * y), times,
+    const Command first = {.study = kMap, .overrides = with_counts(kBrief, 40, 25)};
+    add_study(fmt::format("points/{}", x * y), times, first,
               {.study = kMap, .overrides = with_counts(kBrief, x, y)});
   };
   if (all) {
