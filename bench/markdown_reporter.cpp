@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <ostream>
+#include <string>
 #include <utility>
 
 namespace gearsweep::bench {
@@ -129,25 +130,19 @@ std::string matrix_of(const std::vector<Run>& runs) {
 bool MarkdownReporter::ReportContext(const Context&) { return true; }
 
 void MarkdownReporter::ReportRuns(const std::vector<Run>& runs) {
-  runs_.insert(runs_.end(), runs.begin(), runs.end());
   for (const Run& run : runs) {
+    if (!table_.empty() && name_of(run).table != name_of(table_.front()).table) Finalize();
+    table_.push_back(run);
     GetErrorStream() << run.run_name.function_name << ": "
                      << (run.error_occurred ? run.error_message : "done") << std::endl;
   }
 }
 
-void MarkdownReporter::Finalize() { GetOutputStream() << markdown_tables(runs_); }
-
-std::string markdown_tables(const std::vector<Run>& runs) {
-  std::string text;
-  for (auto first = runs.begin(); first != runs.end();) {
-    const std::string table = name_of(*first).table;
-    const auto end = std::find_if(first, runs.end(),
-                                  [&](const Run& run) { return name_of(run).table != table; });
-    text += table == "matrix" ? matrix_of({first, end}) : table_of({first, end});
-    first = end;
-  }
-  return text;
+void MarkdownReporter::Finalize() {
+  if (table_.empty()) return;
+  const bool is_matrix = name_of(table_.front()).table == "matrix";
+  GetOutputStream() << (is_matrix ? matrix_of(table_) : table_of(table_)) << std::flush;
+  table_.clear();
 }
 
 }  // namespace gearsweep::bench

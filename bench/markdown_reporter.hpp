@@ -1,10 +1,11 @@
-// Prints benchmarks as the tables of the README, one for each first part of their names, and on the
-// error stream how far it is.
+// Prints benchmarks as the tables of the README, one for each first part of their names, as soon as
+// it is whole: a row for each run, but for "matrix/ROW/COLUMN", which become rows and columns. Of
+// the counters only those that a table has a heading for; a run that could not be done gets its
+// reason instead of numbers. The error stream tells how far it is.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
-#include <string>
 #include <vector>
 
 namespace gearsweep::bench {
@@ -16,12 +17,7 @@ class MarkdownReporter : public benchmark::BenchmarkReporter {
   void Finalize() override;
 
  private:
-  std::vector<Run> runs_;
+  std::vector<Run> table_;  // runs of the one that is not whole yet
 };
-
-// The tables, in the order of the runs: a row for each run, but for "matrix/ROW/COLUMN", which
-// become rows and columns. Of the counters only those that a table has a heading for; a run that
-// could not be done gets its reason instead of numbers.
-std::string markdown_tables(const std::vector<benchmark::BenchmarkReporter::Run>& runs);
 
 }  // namespace gearsweep::bench
