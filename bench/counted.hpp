@@ -23,8 +23,11 @@ class Tally {
 
 // Numbers without a tally do not change in time, and nothing counts what is done with them alone: a
 // compiler takes that out of the loop.
+template <int bits>
 class Counted {
  public:
+  static constexpr int kBits = bits;  // of the device's number that it stands for
+
   Counted() = default;
   Counted(double value, Tally* tally = nullptr) : value_(value), tally_(tally) {}
 

@@ -1,65 +1,33 @@
 #include "flop_count.hpp"
 
 #include <cstring>
-#include <string>
 #include <vector>
 
 #include "counted.hpp"
-#define REAL_BITS counted_bits
+// Some models need less work in fp32.
+#define REAL_BITS (real::kBits)
 #include "dialect.h"
 
 namespace gearsweep::bench {
 namespace {
 
-// Of the device's numbers that Counted stands for: some models need less work in fp32.
-int counted_bits = 64;
+namespace fp64 {
+using real = Counted<64>;
+using scalar = real;
+#include "counted_step.hpp"
+}  // namespace fp64
 
-using real = Counted;
-using scalar = Counted;
-#include "models/gear5.h"
-//
-#include "integrators/rk4.h"
-
-// Three rows of coefficients that change with the phase. Any numbers do, as long as no two are
-// alike.
-std::vector<PhaseCoefs> generic_stages(Tally* tally) {
-  std::vector<PhaseCoefs> stages(RK4_STAGES_PER_STEP + 1);
-  double value = 0.3;
-  const auto next = [&] { return Counted(value += 0.0137, tally); };
-#define SET_COEF(name, meaning) coefs.name = next();
-  for (PhaseCoefs& coefs : stages) {
-    MODEL_PHASE_COEFS(SET_COEF)
-  }
-  return stages;
-}
+namespace fp32 {
+using real = Counted<32>;
+using scalar = real;
+#include "counted_step.hpp"
+}  // namespace fp32
 
 }  // namespace
 
-double flops_per_step(const Study& study) {
-  counted_bits = study.integrate.fp64 ? 64 : 32;
-  ModelParameters parameters;
-  std::size_t index = 0;
-  // Parameters that share a default would look like one and the same.
-  const auto next = [&] {
-    const double value = study.setting.parameters[index];
-    return Counted(value * (1.0 + 0.00173 * static_cast<double>(++index)));
-  };
-#define SET_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
-  parameters.name = next();
-  MODEL_PARAMETERS(SET_PARAMETER)
-  ModelOptions options;
-  static_assert(sizeof options % sizeof(int) == 0);
-  std::memcpy(&options, study.setting.options.data(), sizeof options);
-  ModelPoint point;
-  model_prepare(&parameters, options, &point);
-
-  Tally tally;
-  const std::vector<PhaseCoefs> stages = generic_stages(&tally);
-  real x[MODEL_STATE_COUNT];
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = Counted(0.11 + 0.019 * i, &tally);
-  x[STATE_x1] = Counted(3.1, &tally);  // in contact, so that the mesh force is not zero
-  rk4_step(&point, stages.data(), 0.047, x);
-  return tally.flops();
+double flops_per_step(const Study& study, std::size_t tangents) {
+  return study.integrate.fp64 ? fp64::count_step(study.setting, tangents)
+                              : fp32::count_step(study.setting, tangents);
 }
 
 }  // namespace gearsweep::bench

@@ -6,8 +6,9 @@
 
 namespace gearsweep::bench {
 
-// Of one point over one Runge-Kutta step of gear5 with the study's options; what counts is said at
-// Tally (counted.hpp).
-double flops_per_step(const Study& study);
+// Of one point over one Runge-Kutta step of gear5 with the study's options, and with so many
+// tangent vectors; what counts is said at Tally (counted.hpp). What observables do with a step is
+// not in it.
+double flops_per_step(const Study& study, std::size_t tangents);
 
 }  // namespace gearsweep::bench

@@ -1,152 +1,154 @@
-// It gets what the kernel has: coefficients from the table, options known to the compiler, the
-// right-hand side inlined, a state of fixed size, and -O3 -march=native with contraction.
+// It gets what the kernel has: coefficients from the table, options known to the compiler, a state
+// of fixed size, and -O3 -march=native with contraction. Whether to inline the right-hand side is
+// left to the compiler: told to, it makes slower code.
 #include "odeint_sweep.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <experimental/simd>
 #include <functional>
-#include <string>
 #include <thread>
 #include <vector>
 
+#define REAL_BITS ((int)(8 * sizeof(scalar)))
 #include "dialect.h"
+// The same for a type whose comparisons give a mask.
+#undef lane_select
+#undef all_lanes
+#define lane_select(condition, yes, no) choose(condition, yes, no)
+#define all_lanes(m) all(m)
 
 namespace gearsweep::bench {
 namespace {
 
-using real = double;
-using scalar = double;
-#define MODEL_HOST_PART
-#include "models/gear5.h"
+using std::fabs;
+using std::sqrt;
 
-using State = std::array<double, MODEL_STATE_COUNT>;
-using Generic = boost::numeric::odeint::runge_kutta4<State>;
-using Classic = boost::numeric::odeint::runge_kutta4_classic<State>;
+constexpr std::size_t kRunPoints = 16;
 
-struct Grid {
-  PhaseGrid grid;
-  std::vector<PhaseCoefs> rows;
+// Neighbouring points of a tile that share a phase grid.
+struct Run {
+  std::size_t first = 0;  // position in the tile
+  std::size_t grid = 0;
 };
 
-struct Point {
-  ModelPoint model;
-  std::size_t grid;
-  State x;
-};
-
-// What odeint calls: the four stages of a step in turn.
-struct System {
-  const ModelPoint& point;
-  const PhaseCoefs* rows;
-  int stage = 0;
-  void operator()(const State& x, State& dx, double) {
-    static constexpr std::array<int, 4> kRow = {0, 1, 1, 2};
-    model_rhs(&point, rows + kRow[static_cast<std::size_t>(stage++)], x.data(), dx.data());
-  }
-};
-
-template <class Stepper, bool dynamic>
-void advance(const Grid& grid, std::size_t periods, Point* point) {
-  ModelPoint model = point->model;
-  model.printed = 0;
-  model.dynamic = dynamic;
-  State x = point->x;
-  Stepper stepper;
-  for (std::size_t period = 0; period < periods; ++period) {
-    const PhaseCoefs* rows = grid.rows.data();
-    for (std::size_t segment = 0; segment < grid.grid.segment_steps.size(); ++segment) {
-      const double h = grid.grid.segment_fractions[segment] * model.period;
-      for (std::uint32_t step = 0; step < grid.grid.segment_steps[segment]; ++step) {
-        System system{model, rows};
-        stepper.do_step(std::ref(system), x, 0.0, h);
-        rows += 2;
-      }
-      rows += 1;
+std::vector<Run> choose_runs(const Tile& tile, std::size_t share) {
+  std::vector<Run> runs;
+  for (std::size_t grid = 0; grid < tile.grid_starts.size(); ++grid) {
+    const bool is_last = grid + 1 == tile.grid_starts.size();
+    const std::size_t end = is_last ? tile.points.size() : tile.grid_starts[grid + 1];
+    for (std::size_t first = tile.grid_starts[grid]; first + kRunPoints <= end;
+         first += kRunPoints * share) {
+      runs.push_back({first, grid});
     }
   }
-  point->x = x;
+  return runs;
 }
 
-Grid make_grid(const PhaseGrid& grid) {
-  Grid result{grid,
-              std::vector<PhaseCoefs>(grid.coefs.size() * sizeof(double) / sizeof(PhaseCoefs))};
-  std::memcpy(result.rows.data(), grid.coefs.data(), grid.coefs.size() * sizeof(double));
-  return result;
+void on_all_cores(const std::function<void()>& work) {
+  std::vector<std::jthread> threads;
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  for (unsigned core = 0; core < cores; ++core) threads.emplace_back(work);
 }
 
-Point make_point(const Plan& plan, std::size_t number, std::size_t grid) {
-  const ModelSetting setting = plan.setting_of(number);
-  ModelParameters parameters;
-  std::memcpy(&parameters, setting.parameters.data(), sizeof parameters);
-  ModelOptions options;
-  std::memcpy(&options, setting.options.data(), sizeof options);
-  Point point{};
-  model_prepare(&parameters, options, &point.model);
-  point.grid = grid;
-  const std::vector<double> start = plan.own_initial_state(number);
-  std::copy(start.begin(), start.end(), point.x.begin());
-  return point;
+template <class T>
+T choose(bool condition, T yes, T no) {
+  return condition ? yes : no;
 }
+inline bool all(bool condition) { return condition; }
+
+namespace simd {
+
+using std::experimental::native_simd;
+
+template <class T>
+native_simd<T> choose(const typename native_simd<T>::mask_type& condition, native_simd<T> yes,
+                      const native_simd<T>& no) {
+  std::experimental::where(!condition, yes) = no;
+  return yes;
+}
+template <class Mask>
+bool all(const Mask& condition) {
+  return std::experimental::all_of(condition);
+}
+template <class Real>
+Real lane_min(const Real& a, const Real& b) {
+  return std::experimental::min(a, b);
+}
+template <class Real>
+Real lane_max(const Real& a, const Real& b) {
+  return std::experimental::max(a, b);
+}
+template <class Real>
+Real lane_clamp(const Real& a, const Real& low, const Real& high) {
+  return lane_min(lane_max(a, low), high);
+}
+
+}  // namespace simd
+
+namespace fp64 {
+using real = double;
+using scalar = double;
+constexpr std::size_t kLanes = 1;
+template <class Get>
+real fill_lanes(const Get& get) {
+  return get(0);
+}
+#include "odeint_points.hpp"
+}  // namespace fp64
+
+namespace fp32 {
+using real = float;
+using scalar = float;
+constexpr std::size_t kLanes = 1;
+template <class Get>
+real fill_lanes(const Get& get) {
+  return static_cast<real>(get(0));
+}
+#include "odeint_points.hpp"
+}  // namespace fp32
+
+namespace simd::fp64 {
+using real = native_simd<double>;
+using scalar = double;
+constexpr std::size_t kLanes = real::size();
+template <class Get>
+real fill_lanes(const Get& get) {
+  return real([&](std::size_t lane) { return get(lane); });
+}
+#include "odeint_points.hpp"
+}  // namespace simd::fp64
+
+namespace simd::fp32 {
+using real = native_simd<float>;
+using scalar = float;
+constexpr std::size_t kLanes = real::size();
+template <class Get>
+real fill_lanes(const Get& get) {
+  return real([&](std::size_t lane) { return static_cast<float>(get(lane)); });
+}
+#include "odeint_points.hpp"
+}  // namespace simd::fp32
 
 }  // namespace
 
-struct OdeintSweep::Work {
-  std::vector<Grid> grids;
-  std::vector<Point> points;
-};
-
-OdeintSweep::OdeintSweep(const Plan& plan, const Tile& tile, std::size_t stride,
-                         OdeintStepper stepper)
-    : work_(std::make_unique<Work>()), stepper_(stepper) {
-  std::size_t grid = 0;
-  for (const std::size_t start : tile.grid_starts) {
-    work_->grids.push_back(make_grid(plan.phase_grid_of(tile.points[start])));
+std::unique_ptr<OdeintSweep> make_odeint_sweep(const Plan& plan, const Tile& tile,
+                                               std::size_t share, OdeintStepper stepper,
+                                               OdeintNumber number) {
+  const std::vector<Run> runs = choose_runs(tile, share);
+  const bool is_simd = number == OdeintNumber::simd;
+  if (plan.study().integrate.fp64) {
+    return is_simd ? simd::fp64::make_points(plan, tile, runs, stepper)
+                   : fp64::make_points(plan, tile, runs, stepper);
   }
-  for (std::size_t position = 0; position < tile.points.size(); position += stride) {
-    while (grid + 1 < tile.grid_starts.size() && tile.grid_starts[grid + 1] <= position) ++grid;
-    work_->points.push_back(make_point(plan, tile.points[position], grid));
-  }
-}
-
-OdeintSweep::~OdeintSweep() = default;
-
-template <class Stepper>
-void OdeintSweep::advance_every(std::size_t step, std::size_t first, std::size_t periods) {
-  for (std::size_t i = first; i < work_->points.size(); i += step) {
-    Point& point = work_->points[i];
-    const Grid& grid = work_->grids[point.grid];
-    if (point.model.dynamic) {
-      advance<Stepper, true>(grid, periods, &point);
-    } else {
-      advance<Stepper, false>(grid, periods, &point);
-    }
-  }
-}
-
-double OdeintSweep::steps_per_second(std::size_t periods) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto run = [&](std::size_t core) {
-    if (stepper_ == OdeintStepper::runge_kutta4) {
-      advance_every<Generic>(cores, core, periods);
-    } else {
-      advance_every<Classic>(cores, core, periods);
-    }
-  };
-  double steps = 0.0;
-  for (const Point& point : work_->points) {
-    steps += static_cast<double>(work_->grids[point.grid].grid.steps * periods);
-  }
-  const auto start = std::chrono::steady_clock::now();
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t core = 0; core < cores; ++core) threads.emplace_back(run, core);
-  }
-  return steps / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return is_simd ? simd::fp32::make_points(plan, tile, runs, stepper)
+                 : fp32::make_points(plan, tile, runs, stepper);
 }
 
 }  // namespace gearsweep::bench

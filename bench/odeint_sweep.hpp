@@ -13,22 +13,23 @@ enum class OdeintStepper {
   runge_kutta4_classic,  // written out by hand; what a compiler makes of it is often faster
 };
 
+enum class OdeintNumber {
+  scalar,  // double or float: one point after the other
+  simd,    // std::experimental::native_simd of them: neighbouring points at once
+};
+
 class OdeintSweep {
  public:
-  // Takes every `stride`-th point of the tile, of a study of gear5 in the formulation `consistent`.
-  OdeintSweep(const Plan& plan, const Tile& tile, std::size_t stride, OdeintStepper stepper);
-  ~OdeintSweep();
+  virtual ~OdeintSweep() = default;
 
   // Goes on by so many periods; steps per second of all points together.
-  double steps_per_second(std::size_t periods);
-
- private:
-  struct Work;
-  template <class Stepper>
-  void advance_every(std::size_t step, std::size_t first, std::size_t periods);
-
-  std::unique_ptr<Work> work_;
-  OdeintStepper stepper_;
+  virtual double steps_per_second(std::size_t periods) = 0;
 };
+
+// Takes one run of 16 neighbouring points of the tile in `share`, in the study's precision. The
+// study is one of gear5 in the formulation `consistent`.
+std::unique_ptr<OdeintSweep> make_odeint_sweep(const Plan& plan, const Tile& tile,
+                                               std::size_t share, OdeintStepper stepper,
+                                               OdeintNumber number);
 
 }  // namespace gearsweep::bench
