@@ -164,6 +164,9 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format(", {:.3g} steps, {:.1f} M steps/s", result.steps,
                         result.steps / result.seconds / 1e6);
   }
+  if (result.kernel_seconds > 0.0) {
+    text += fmt::format(", {:.0f} % in kernels", 100.0 * result.kernel_seconds / result.seconds);
+  }
   return text + fmt::format("\n{}\n", path);
 }
 
@@ -180,6 +183,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   }
   if (result.study.selection.survey) json["attractors"] = attractors_as_json(result);
   json["seconds"] = result.seconds;
+  json["kernel_seconds"] = result.kernel_seconds;
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
   if (result.pilot) {

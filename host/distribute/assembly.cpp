@@ -35,7 +35,7 @@ Assembly::Assembly(const Study& study) {
     result_.values.emplace_back(points * quantity.width);
   }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
-  final_states_.resize(points * study.model->states.size());
+  if (study.is_chained()) final_states_.resize(points * study.model->states.size());
   if (selection.survey) specimens_.resize(study.trajectories());
 }
 
@@ -45,6 +45,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
   const std::size_t states = result.final_states.size() / count;
   result_.steps += result.effort[0];
   result_.seconds += result.effort[1];
+  result_.kernel_seconds += result.effort[3];
   result_.stopped += static_cast<std::size_t>(result.effort[2]);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t point = tile.points[i];
@@ -67,7 +68,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
                 to->begin() + static_cast<std::ptrdiff_t>(point * width));
     };
     copy(result.samples, series, &result_.samples);
-    copy(result.final_states, states, &final_states_);
+    if (!final_states_.empty()) copy(result.final_states, states, &final_states_);
   }
 }
 

@@ -98,6 +98,7 @@ std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
   progress->begin_tile(tile);
   double steps = 0.0;
   const double start = progress->seconds();
+  const double in_kernels = engine->kernel_seconds();
   TileCallbacks callbacks;
   callbacks.after_round = [&](double round_steps) {
     steps += round_steps;
@@ -108,6 +109,9 @@ std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
   if (!result) return std::nullopt;
   result->effort[0] = steps;
   result->effort[1] = progress->seconds() - start;
+  result->effort[3] = engine->kernel_seconds() - in_kernels;
+  // Only neighbours in a chain ask for them again.
+  if (!plan.study().is_chained()) result->final_states.clear();
   return result;
 }
 

@@ -25,7 +25,7 @@ class TileRun {
   std::optional<TileResult> run(const std::vector<double>& initial) {
     const bool finished = search_for_orbits(initial) && record_the_rest() && extend();
     if (!finished) return std::nullopt;
-    result_.effort = {0.0, 0.0, static_cast<double>(stopped_)};
+    result_.effort = {0.0, 0.0, static_cast<double>(stopped_), 0.0};
     return std::move(result_);
   }
 

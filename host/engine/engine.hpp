@@ -18,7 +18,9 @@ struct TileResult {
   std::vector<double> outputs;       // [output of the selection][point]
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
-  std::vector<double> effort;  // integration steps, seconds, points stopped early; by the driver
+  // Integration steps, seconds, points stopped early, of the seconds those in kernels; the driver
+  // measures it.
+  std::vector<double> effort;
 };
 
 // Takes the values of a point that did not end ok.
@@ -28,6 +30,8 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual EngineInfo info() const = 0;
+  // Seconds that kernels have run so far.
+  virtual double kernel_seconds() const { return 0.0; }
   // Points per tile when the study does not say: what keeps the engine busy, and what suits it
   // best.
   virtual std::size_t least_tile() const = 0;

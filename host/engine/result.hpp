@@ -45,9 +45,10 @@ struct SweepResult {
   std::vector<Attractor> attractors;   // empty unless the study has a survey
   std::vector<double> samples;         // [point][chosen state][sample]; empty without poincare
   // Of all tiles, those of an interrupted run that this one continued included.
-  double steps = 0.0;       // integration steps in all
-  double seconds = 0.0;     // wall time of the computation
-  std::size_t stopped = 0;  // trajectories that settled on a periodic orbit and stopped there
+  double steps = 0.0;           // integration steps in all
+  double seconds = 0.0;         // wall time of the computation
+  double kernel_seconds = 0.0;  // of these in kernels; 0: the engine has none
+  std::size_t stopped = 0;      // trajectories that settled on a periodic orbit and stopped there
 };
 
 }  // namespace gearsweep

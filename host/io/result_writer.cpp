@@ -73,6 +73,7 @@ class Writer {
     put("integration_steps", result_.steps);
     put("stopped_trajectories", static_cast<double>(result_.stopped));
     put("compute_seconds", result_.seconds);
+    put("kernel_seconds", result_.kernel_seconds);
     if (result_.pilot) {
       put("pilot_max_step", result_.pilot->step);
       put("pilot_error", result_.pilot->error);

@@ -149,8 +149,10 @@ void Launcher::launch(cl::Kernel* kernel, std::size_t items) {
   const bool are_few = info_.is_cpu && items < info_.compute_units * local_size_;
   const std::size_t local = are_few ? 1 : local_size_;
   const std::size_t global = (items + local - 1) / local * local;
+  const auto start = std::chrono::steady_clock::now();
   queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
   queue_.finish();
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,

@@ -59,6 +59,7 @@ class Launcher {
   static cl_uint set_inputs(cl::Kernel* kernel, const TileInputs& inputs);
 
   void launch(cl::Kernel* kernel, std::size_t items);
+  double seconds() const { return seconds_; }  // of all launches so far
   // Advances a tile by `periods`, round by round; false when the callback asked to stop. A period
   // counts as `cost` of its steps.
   bool run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
@@ -86,6 +87,7 @@ class Launcher {
   cl::Context context_;
   cl::CommandQueue queue_;
   GridBank bank_;
+  double seconds_ = 0.0;
 };
 
 // A launch that advances by `periods`, of which `done` of the same kind lie behind it.

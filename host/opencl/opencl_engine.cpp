@@ -38,6 +38,8 @@ class OpenClEngine final : public Engine {
             launcher_.build_options()};
   }
 
+  double kernel_seconds() const override { return launcher_.seconds(); }
+
   std::size_t least_tile() const override {
     const DeviceInfo& device = launcher_.device();
     const std::size_t filling = 4 * device.compute_units * launcher_.local_size();
