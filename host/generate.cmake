@@ -45,7 +45,7 @@ gearsweep_embed(${GENERATED}/kernel_sources.cpp kernel_sources opencl/kernel_sou
 set(GEARSWEEP_KERNEL_SOURCES ${GENERATED}/kernel_sources.cpp)
 
 set(STUDIES ${PROJECT_SOURCE_DIR}/host/studies)
-file(GLOB study_files CONFIGURE_DEPENDS ${STUDIES}/*.toml)
+file(GLOB_RECURSE study_files CONFIGURE_DEPENDS ${STUDIES}/*.toml)
 gearsweep_embed(${GENERATED}/builtin_studies.cpp builtin_studies study/builtin_studies.hpp
                 ${STUDIES} ${study_files})
 set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp)

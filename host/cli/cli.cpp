@@ -29,6 +29,7 @@ void add_commands(CLI::App* app, int* status) {
   add_plot_command(app);
   add_export_command(app);
   add_floquet_command(app);
+  add_reproduce_command(app, status);
   add_studies_command(app);
   add_model_command(app);
   add_devices_command(app);

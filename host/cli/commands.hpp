@@ -10,6 +10,7 @@ enum ExitStatus { kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130 };
 
 void add_run_command(CLI::App* app, int* status);
 void add_trace_command(CLI::App* app, int* status);
+void add_reproduce_command(CLI::App* app, int* status);
 void add_plot_command(CLI::App* app);
 void add_export_command(CLI::App* app);
 void add_floquet_command(CLI::App* app);

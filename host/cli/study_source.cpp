@@ -37,7 +37,7 @@ std::string read_text(const std::string& path) {
 std::vector<std::string> builtin_study_names() {
   std::vector<std::string> names;
   for (const auto& [file, text] : builtin_studies()) {
-    names.push_back(std::filesystem::path(file).stem().string());
+    names.push_back(std::filesystem::path(file).replace_extension().string());
   }
   return names;
 }
@@ -57,7 +57,8 @@ Study load_study(const std::string& name_or_path, const std::vector<std::string>
         is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);
     return read_study(text, name_or_path, overrides);
   }
-  if (name_or_path.find_first_of("./") != std::string::npos) {
+  const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;
+  if (!is_builtin && name_or_path.find_first_of("./") != std::string::npos) {
     throw InputError(fmt::format("{}: there is no such file", name_or_path));
   }
   return read_study(builtin_study_text(name_or_path), name_or_path, overrides);

@@ -1,0 +1,72 @@
+// gearsweep reproduce: the paper's figures and what they say.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/signal_watch.hpp"
+#include "io/plot.hpp"
+#include "reproduce/reproduce.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct ReproduceArguments {
+  std::string preset = "paper", folder;
+  std::optional<std::size_t> device;
+  bool quiet = false;
+};
+
+int run(const ReproduceArguments& arguments) {
+  const SignalWatch signals;
+  const auto start = std::chrono::steady_clock::now();
+  ReproduceOptions options;
+  options.preset = arguments.preset;
+  options.folder = arguments.folder;
+  options.device = arguments.device;
+  options.stop = &signals.interrupted();
+  if (!arguments.quiet) {
+    options.on_step = [&](const std::string& what) {
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+      fmt::print(stderr, "{:>8}  {}\n", format_duration(spent.count()), what);
+    };
+  }
+  ensure_plottable(arguments.folder + "/report.png");
+  if (!reproduce(options)) {
+    fmt::print(stderr, "gearsweep: interrupted\n");
+    return kInterrupted;
+  }
+  if (!arguments.quiet) fmt::print(stderr, "{}/report.md\n", arguments.folder);
+  return kDone;
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App* app, int* status) {
+  CLI::App* command = app->add_subcommand(
+      "reproduce", "The figures of Chen et al. 2011, and a report on what the paper says of them");
+  const auto arguments = std::make_shared<ReproduceArguments>();
+  command
+      ->add_option("--preset", arguments->preset,
+                   "paper: the printed equations, fitted to the figures (default); consistent: the "
+                   "same questions to the consistent equations")
+      ->check(CLI::IsMember({"paper", "consistent"}));
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "The folder for report.md, pictures and results")
+      ->required();
+  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--quiet", arguments->quiet, "No progress");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep reproduce -o paper\n"
+      "  gearsweep reproduce --preset consistent -o consistent\n\n"
+      "The studies behind the figures are built in: gearsweep run paper/fig7 -o fig7.nc");
+  command->callback([arguments, status] { *status = run(*arguments); });
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,24 @@
+// The paper's figures, computed, drawn, and held against what it says of them.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace gearsweep {
+
+struct ReproduceOptions {
+  std::string preset;  // "paper" or "consistent"
+  std::string folder;  // made when it is not there
+  std::optional<std::size_t> device;
+  std::function<void(const std::string&)> on_step;  // what is being done now
+  const std::atomic<bool>* stop = nullptr;
+};
+
+// Runs the built-in studies PRESET/fig4 .. PRESET/fig11 and what the report adds to them, and
+// writes into the folder each result, each picture, and report.md. False when `stop` was set.
+// Throws InputError for a folder that will not do, RunError.
+bool reproduce(const ReproduceOptions& options);
+
+}  // namespace gearsweep
