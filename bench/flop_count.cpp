@@ -58,7 +58,7 @@ double flops_per_step(const Study& study) {
   real x[MODEL_STATE_COUNT];
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = Counted(0.11 + 0.019 * i, &tally);
   x[STATE_x1] = Counted(3.1, &tally);  // in contact, so that the mesh force is not zero
-  rk4_step(&point, stages.data(), 0.047, x);
+  rk4_step(&point, stages.data(), 0.047, study.integrate.events, x);
   return tally.flops();
 }
 

@@ -158,6 +158,7 @@ void read_integrate(const toml::table* table, Study* study) {
   if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
     fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");
   }
+  integrate.events = reader.boolean("events", integrate.events);
   integrate.settle = reader.count("settle", integrate.settle, 0, 100'000'000);
   integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
   integrate.warm_up = reader.count("warm_up", integrate.warm_up, 0, 100'000'000);
