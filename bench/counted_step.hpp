@@ -38,7 +38,7 @@ inline ModelPoint generic_point(const ModelSetting& setting) {
   return point;
 }
 
-inline double count_step(const ModelSetting& setting, std::size_t tangents) {
+inline double count_step(const ModelSetting& setting, bool events, std::size_t tangents) {
   const ModelPoint point = generic_point(setting);
   Tally tally;
   const std::vector<PhaseCoefs> stages = generic_stages(&tally);
@@ -49,11 +49,13 @@ inline double count_step(const ModelSetting& setting, std::size_t tangents) {
   for (real& number : x) number = next();
   x[STATE_x1] = real(3.1, &tally);  // in contact, so that the mesh force is not zero
   ModelLinear linear[RK4_EVALUATIONS];
-  rk4_step_linearized(&point, stages.data(), h, x, tangents > 0 ? linear : nullptr);
+  Crossings crossings;
+  Crossings* const corrected = events ? &crossings : nullptr;
+  rk4_step_linearized(&point, stages.data(), h, x, tangents > 0 ? linear : nullptr, corrected);
   for (std::size_t j = 0; j < tangents; ++j) {
     real w[MODEL_STATE_COUNT];
     for (real& number : w) number = next();
-    rk4_tangent_step(&point, h, linear, w);
+    rk4_tangent_step(&point, h, linear, corrected, w);
   }
   return tally.flops();
 }

@@ -26,8 +26,8 @@ using scalar = real;
 }  // namespace
 
 double flops_per_step(const Study& study, std::size_t tangents) {
-  return study.integrate.fp64 ? fp64::count_step(study.setting, tangents)
-                              : fp32::count_step(study.setting, tangents);
+  return study.integrate.fp64 ? fp64::count_step(study.setting, study.integrate.events, tangents)
+                              : fp32::count_step(study.setting, study.integrate.events, tangents);
 }
 
 }  // namespace gearsweep::bench

@@ -1,6 +1,7 @@
 // What every kernel does with the items of a tile: parameters, states, whole periods of steps.
 //
-// Build macros: REAL_BITS (32, 64), LANES (1, 2, 4, 8, 16), CONTRACT (0: no fused multiply-add).
+// Build macros: REAL_BITS (32, 64), LANES (1, 2, 4, 8, 16), CONTRACT (0: no fused multiply-add),
+// EVENTS (1: steps that cross a limit of the contact are corrected).
 // The host writes selection.h for each study (sweep.cl); of it these need the model and
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
 //   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
@@ -93,7 +94,7 @@ SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid 
             tangent_orthonormalize(w, growth);
           }
         } else {
-          rk4_step(point, stage, h, x);
+          rk4_step(point, stage, h, EVENTS, x);
         }
         stage += RK4_STAGES_PER_STEP;
       }

@@ -30,3 +30,10 @@ typedef struct {
 typedef struct {
   MODEL_PHASE_COEFS(MODEL_PHASE_COEF_FIELD)
 } PhaseCoefs;
+
+#ifdef MODEL_CONTACT
+// Where the contact's distance stands: in contact while backlash < |deflection|.
+typedef struct {
+  real deflection, backlash;
+} ModelContact;
+#endif

@@ -55,13 +55,14 @@ SHARED_FN void tangent_orthonormalize(real* w, real* growth) {
 SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, real* x,
                             real* w) {
   ModelLinear linear[RK4_EVALUATIONS];
-  rk4_step_linearized(point, stage, h, x, linear);
+  Crossings crossings;
+  rk4_step_linearized(point, stage, h, x, linear, EVENTS ? &crossings : 0);
   // Not unrolled: many vectors do not fit the registers, one does.
   for (int j = 0; j < TANGENTS; ++j) {
     real row[MODEL_STATE_COUNT];
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = w[j * MODEL_STATE_COUNT + i];
-    rk4_tangent_step(point, h, linear, row);
+    rk4_tangent_step(point, h, linear, EVENTS ? &crossings : 0, row);
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[j * MODEL_STATE_COUNT + i] = row[i];
   }

@@ -21,7 +21,7 @@ __kernel void trace(const SweepRound round, TABLE scalar* uniform, TABLE real* s
       const real h = segment_fractions[grid.first_segment + segment] * point.period;
       store_components(rows, items, item, row++ * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
       for (uint step = 0; step < steps; ++step) {
-        rk4_step(&point, stage, h, x);
+        rk4_step(&point, stage, h, EVENTS, x);
         stage += RK4_STAGES_PER_STEP;
         store_components(rows, items, item, row++ * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
       }

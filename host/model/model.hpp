@@ -52,6 +52,12 @@ class PreparedPoint {
   virtual void jacobian(const double* coefs, const double* x, double* out) const = 0;
   // out: one number per signal.
   virtual void signals(const double* coefs, const double* x, double* out) const = 0;
+
+  // Of a model that has_contact. out: d(dx_i/dtau)/d(penetration), one number per state.
+  virtual void push(const double* coefs, double* out) const = 0;
+  // Of a model that has_contact. out: d(penetration)/dx_j of the flank that the deflection points
+  // to, one number per state.
+  virtual void penetration_gradient(const double* coefs, const double* x, double* out) const = 0;
 };
 
 struct Model {
@@ -61,6 +67,8 @@ struct Model {
   std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
   std::vector<ChannelInfo> phase_coefs;
+  // A force grows from the limits of a backlash: the signals `deflection` and `backlash`.
+  bool has_contact = false;
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
   std::string (*check)(const ModelSetting&);

@@ -143,8 +143,9 @@ std::string program_source(const Study& study, const std::string& file) {
 }
 
 std::string build_options(const Study& study, std::size_t lanes) {
-  return fmt::format("-cl-std=CL1.2 -DREAL_BITS={} -DLANES={} -DCONTRACT={}",
-                     study.integrate.fp64 ? 64 : 32, lanes, study.integrate.contract ? 1 : 0);
+  return fmt::format("-cl-std=CL1.2 -DREAL_BITS={} -DLANES={} -DCONTRACT={} -DEVENTS={}",
+                     study.integrate.fp64 ? 64 : 32, lanes, study.integrate.contract ? 1 : 0,
+                     study.integrate.events ? 1 : 0);
 }
 
 cl::Program build_program(const cl::Context& context, const cl::Device& device,

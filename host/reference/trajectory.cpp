@@ -1,5 +1,6 @@
 #include "reference/trajectory.hpp"
 
+#include "reference/crossing.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -8,8 +9,13 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
     : grid_(plan.phase_grid_of(point)),
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
+      has_events_(plan.study().integrate.events && plan.study().model->has_contact),
       point_(plan.study().model->prepare(plan.setting_of(point))),
-      state_(state) {}
+      state_(state) {
+  if (!has_events_) return;
+  deflection_ = plan.study().model->find_signal("deflection");
+  backlash_ = plan.study().model->find_signal("backlash");
+}
 
 bool Trajectory::advance_period() { return advance_period(StepCallback()); }
 
@@ -49,15 +55,52 @@ Moment Trajectory::moment(std::size_t row) const {
 }
 
 void Trajectory::step(std::size_t row, double h) {
-  const auto ahead = [this](double length, const Bundle& slope) {
-    return Bundle{state_ + length * slope.state, tangents_ + length * slope.tangents};
+  const Bundle start{state_, tangents_};
+  const auto ahead = [&start](double length, const Bundle& slope) {
+    return Bundle{start.state + length * slope.state, start.tangents + length * slope.tangents};
   };
-  const Bundle k1 = slope(row, {state_, tangents_});
-  const Bundle k2 = slope(row + 1, ahead(0.5 * h, k1));
-  const Bundle k3 = slope(row + 1, ahead(0.5 * h, k2));
-  const Bundle k4 = slope(row + 2, ahead(h, k3));
+  const Bundle k1 = slope(row, start);
+  const Bundle at2 = ahead(0.5 * h, k1);
+  const Bundle k2 = slope(row + 1, at2);
+  const Bundle at3 = ahead(0.5 * h, k2);
+  const Bundle k3 = slope(row + 1, at3);
+  const Bundle at4 = ahead(h, k3);
+  const Bundle k4 = slope(row + 2, at4);
   state_ += h / 6.0 * (k1.state + 2.0 * (k2.state + k3.state) + k4.state);
   tangents_ += h / 6.0 * (k1.tangents + 2.0 * (k2.tangents + k3.tangents) + k4.tangents);
+  if (has_events_) correct_crossings(row, h, {start, at2, at3, at4});
+}
+
+void Trajectory::correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at) {
+  const Eigen::Index states = state_.size();
+  const auto coefs = [&](std::size_t i) { return grid_.coefs.data() + (row + i) * row_width_; };
+  constexpr std::array<std::size_t, 4> kRow = {0, 1, 1, 2};
+  Eigen::Vector4d deflection, backlash;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Eigen::VectorXd signals(static_cast<Eigen::Index>(signal_count_));
+    point_->signals(coefs(kRow[i]), at[i].state.data(), signals.data());
+    deflection[static_cast<Eigen::Index>(i)] = signals[deflection_];
+    backlash[static_cast<Eigen::Index>(i)] = signals[backlash_];
+  }
+  for (const double flank : {1.0, -1.0}) {
+    const Eigen::Vector4d p = deflection - flank * backlash;
+    const auto weights = crossing_weights(p, flank);
+    if (!weights) continue;
+    Eigen::VectorXd first(states), last(states);
+    point_->push(coefs(0), first.data());
+    point_->push(coefs(2), last.data());
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(states, states);
+    point_->jacobian(coefs(2), state_.data(), jacobian.data());
+    const Eigen::VectorXd carry = first - last + h * jacobian * last;
+    state_ += h * (last * weights->sum.dot(p) + carry * weights->moment.dot(p));
+    for (std::size_t i = 0; i < 4 && tangents_.cols() > 0; ++i) {
+      Eigen::RowVectorXd gradient(states);
+      point_->penetration_gradient(coefs(kRow[i]), at[i].state.data(), gradient.data());
+      const auto k = static_cast<Eigen::Index>(i);
+      tangents_ +=
+          h * (last * weights->sum[k] + carry * weights->moment[k]) * (gradient * at[i].tangents);
+    }
+  }
 }
 
 bool Trajectory::in_range() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <memory>
 
@@ -47,10 +48,14 @@ class Trajectory {
   Bundle slope(std::size_t row, const Bundle& at) const;
   Moment moment(std::size_t row) const;
   void step(std::size_t row, double h);
+  // Corrects the step's end for the crossings of the contact's limits between its evaluations `at`.
+  void correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at);
   bool in_range() const;
 
   PhaseGrid grid_;
   std::size_t row_width_, signal_count_;
+  bool has_events_;                             // steps that cross a limit are corrected
+  Eigen::Index deflection_ = 0, backlash_ = 0;  // signals of a model that has contact
   std::unique_ptr<PreparedPoint> point_;
   Eigen::VectorXd state_;
   Eigen::MatrixXd tangents_;

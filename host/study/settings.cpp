@@ -20,6 +20,7 @@ std::string resolved_settings(const Study& study) {
               ? fmt::format("steps_per_period = {}\n", integrate.steps_per_period)
               : fmt::format("max_step = {}\n", integrate.max_step);
   if (integrate.tolerance > 0.0) text += fmt::format("tolerance = {}\n", integrate.tolerance);
+  text += fmt::format("events = {}\n", integrate.events);
   text += fmt::format("settle = {}\nrecord = {}\nwarm_up = {}\nextend = {}\n", integrate.settle,
                       integrate.record, integrate.warm_up, integrate.extend);
   text += fmt::format("stop = \"{}\"\n", integrate.stop == Stop::orbit ? "orbit" : "never");

@@ -50,6 +50,7 @@ struct Integrate {
   double max_step = 0.05;  // greatest step in dimensionless time, when steps_per_period = 0
   double tolerance = 0.0;  // > 0: a pilot run finds the max_step that leaves no greater an error
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
+  bool events = true;                // steps that cross a contact's limit are corrected
   std::size_t settle = 400;          // periods
   std::size_t record = 200;          // periods
   std::size_t warm_up = 100;         // last periods of settle that tangent vectors are turned in

@@ -164,6 +164,7 @@ void read_integrate(const toml::table* table, Study* study) {
     fail_at(*reader.find("tolerance"),
             "give tolerance, from which the step follows, or the step, not both");
   }
+  integrate.events = reader.boolean("events", integrate.events);
   integrate.settle = reader.count("settle", integrate.settle, 0, 100'000'000);
   integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
   integrate.warm_up = reader.count("warm_up", integrate.warm_up, 0, 100'000'000);

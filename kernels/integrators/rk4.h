@@ -5,6 +5,28 @@
 #define RK4_STAGES_PER_STEP 2
 #define RK4_EVALUATIONS 4
 
+#include "integrators/crossing.h"
+
+// Where the contact is at each evaluation; nothing in a model without it.
+#ifdef MODEL_CONTACT
+typedef ModelContact Rk4Contact;
+#else
+typedef int Rk4Contact;
+typedef int Crossings;
+#endif
+
+// dx = dx/dtau.
+SHARED_FN void rk4_slope(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         Rk4Contact* contact, real* dx) {
+#ifdef MODEL_CONTACT
+  model_contact(point, phase, x, contact);
+  model_rhs_in_contact(point, phase, x, contact, dx);
+#else
+  (void)contact;
+  model_rhs(point, phase, x, dx);
+#endif
+}
+
 // out = base + h slope.
 SHARED_FN void rk4_advance(const real* base, real h, const real* slope, real* out) {
   UNROLL
@@ -25,9 +47,10 @@ SHARED_FN Rk4Lengths rk4_lengths(real h) {
 }
 
 // Advances x by h (dimensionless time). Unless `linear` is null, it keeps the linearisation at each
-// of the RK4_EVALUATIONS, scaled as rk4_tangent_step wants it.
+// of the RK4_EVALUATIONS, scaled as rk4_tangent_step wants it. Unless `crossings` is null, a step
+// in which a limit of the contact is crossed is corrected.
 SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
-                                   real* x, ModelLinear* linear) {
+                                   real* x, ModelLinear* linear, Crossings* crossings) {
   const Rk4Lengths lengths = rk4_lengths(h);
   const PhaseCoefs start = stage[0];
   const PhaseCoefs middle = stage[1];
@@ -35,27 +58,33 @@ SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* st
   real slope[MODEL_STATE_COUNT];
   real at[MODEL_STATE_COUNT];
   real next[MODEL_STATE_COUNT];
+  Rk4Contact contact[RK4_EVALUATIONS];
 
   if (linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
-  model_rhs(point, &start, x, slope);
+  rk4_slope(point, &start, x, &contact[0], slope);
   rk4_advance(x, lengths.sixth_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
   if (linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
-  model_rhs(point, &middle, at, slope);
+  rk4_slope(point, &middle, at, &contact[1], slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
   if (linear) model_linearize(point, &middle, at, h, &linear[2]);
-  model_rhs(point, &middle, at, slope);
+  rk4_slope(point, &middle, at, &contact[2], slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, h, slope, at);
   if (linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
-  model_rhs(point, &end, at, slope);
+  rk4_slope(point, &end, at, &contact[3], slope);
   rk4_advance(next, lengths.sixth_h, slope, x);
+#ifdef MODEL_CONTACT
+  if (crossings) crossings_correct(point, &start, &end, h, contact, x, crossings);
+#endif
 }
 
-// Advances x by h.
-SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, real* x) {
-  rk4_step_linearized(point, stage, h, x, 0);
+// Advances x by h; `events`: steps in which a limit of the contact is crossed are corrected.
+SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, bool events,
+                        real* x) {
+  Crossings crossings;
+  rk4_step_linearized(point, stage, h, x, 0, events ? &crossings : 0);
 }
 
 // With MODEL_SECOND_ORDER a model says that the first half of its states are positions, the second
@@ -74,9 +103,10 @@ SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h
 //   w' = (w2 + 2 w3 + w4 - w)/3 + h/6 J4 w4,
 // and for positions x with velocities v (Nystroem's form)
 //   x' = x3 + h/6 (v4 + 2 v3 - (v2 - v)).
-// Without slopes and running sums one vector fits into a CPU's registers.
+// Without slopes and running sums one vector fits into a CPU's registers. `crossings` as the step
+// of the state left it.
 SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLinear* linear,
-                                real* w) {
+                                const Crossings* crossings, real* w) {
   const real sixth_h = rk4_lengths(h).sixth_h;
   const real third = (scalar)(1.0 / 3.0);
   const real two = 2;
@@ -92,6 +122,13 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLine
   model_tangent(point, &linear[1], w2, w, w3);
   model_tangent(point, &linear[2], w3, w, w4);
   model_tangent(point, &linear[3], w4, zeros, last);
+#ifdef MODEL_CONTACT
+  real p[RK4_EVALUATIONS];
+  p[0] = model_penetration_tangent(point, &linear[0], w);
+  p[1] = model_penetration_tangent(point, &linear[1], w2);
+  p[2] = model_penetration_tangent(point, &linear[2], w3);
+  p[3] = model_penetration_tangent(point, &linear[3], w4);
+#endif
   UNROLL
   for (int i = 0; i < RK4_POSITIONS; ++i) {
     const int v = RK4_POSITIONS + i;
@@ -101,4 +138,10 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLine
   for (int i = RK4_POSITIONS; i < MODEL_STATE_COUNT; ++i) {
     w[i] = last[i] + third * ((w4[i] + two * w3[i]) + (w2[i] - w[i]));
   }
+#ifdef MODEL_CONTACT
+  if (crossings && crossings->any) {
+    crossing_correct(crossings, &crossings->drive, p, w);
+    crossing_correct(crossings, &crossings->back, p, w);
+  }
+#endif
 }

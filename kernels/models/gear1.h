@@ -14,6 +14,9 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
+// A force that starts at the limits of a backlash: steps that cross one are corrected.
+#define MODEL_CONTACT
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                             \
@@ -92,13 +95,43 @@ SHARED_FN real gear1_penetration(const ModelPoint* point, real deflection) {
   return deflection - lane_clamp(deflection, -point->b, point->b);
 }
 
-SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                         real* dx) {
+SHARED_FN void model_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                             ModelContact* contact) {
+  (void)phase;
+  contact->deflection = x[STATE_x];
+  contact->backlash = point->b;
+}
+
+// model_rhs where the contact is known.
+SHARED_FN void model_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                                    const ModelContact* contact, real* dx) {
   const real drive = point->load + point->forcing[0] * phase->cosine +
                      point->forcing[1] * phase->cosine_2 + point->forcing[2] * phase->cosine_3;
-  const real force = gear1_stiffness(point, phase) * gear1_penetration(point, x[STATE_x]);
+  const real force = gear1_stiffness(point, phase) * gear1_penetration(point, contact->deflection);
   dx[STATE_x] = x[STATE_v];
   dx[STATE_v] = drive - point->damping * x[STATE_v] - force;
+}
+
+// dx = dx/dtau.
+SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                         real* dx) {
+  ModelContact contact;
+  model_contact(point, phase, x, &contact);
+  model_rhs_in_contact(point, phase, x, &contact, dx);
+}
+
+// How dx/dtau changes with the penetration.
+SHARED_FN void model_push(const ModelPoint* point, const PhaseCoefs* phase, real* push) {
+  push[STATE_x] = 0;
+  push[STATE_v] = -gear1_stiffness(point, phase);
+}
+
+// How dx/dtau changes along a push. That has no position, and so leaves the penetration alone.
+SHARED_FN void model_push_carried(const ModelPoint* point, const PhaseCoefs* phase,
+                                  const real* push, real* dx) {
+  (void)phase;
+  dx[STATE_x] = push[STATE_v];
+  dx[STATE_v] = -point->damping * push[STATE_v];
 }
 
 // `scale` times the Jacobian at a phase and a state.
@@ -115,6 +148,14 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
   linear->scale = scale;
   linear->damping = scale * point->damping;
   linear->stiffness = lane_select(point->b < lane_abs(x[STATE_x]), stiffness, zero);
+}
+
+// What a tangent vector adds to the deflection beyond a limit.
+SHARED_FN real model_penetration_tangent(const ModelPoint* point, const ModelLinear* linear,
+                                         const real* w) {
+  (void)point;
+  (void)linear;
+  return w[STATE_x];
 }
 
 // out = base + scale J w; out is neither w nor base.

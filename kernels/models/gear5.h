@@ -21,6 +21,9 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
+// A force that starts at the limits of a backlash: steps that cross one are corrected.
+#define MODEL_CONTACT
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                                 \
@@ -239,14 +242,48 @@ SHARED_FN void gear5_motion(const ModelPoint* point, const Gear5Mesh* mesh, cons
                    point->bearing_stiffness[3] * x[STATE_x5]);
 }
 
+SHARED_FN void model_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                             ModelContact* contact) {
+  contact->deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
+  contact->backlash = gear5_backlash(point, phase, x);
+}
+
+// model_rhs where the contact is known.
+SHARED_FN void model_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                                    const ModelContact* contact, real* dx) {
+  const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
+  const real f = gear5_penetration(contact->deflection, contact->backlash);
+  const Gear5Mesh mesh = gear5_mesh(point, phase);
+  gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
+}
+
 // dx = dx/dtau.
 SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                          real* dx) {
-  const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
-  const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
-  const real f = gear5_penetration(deflection, gear5_backlash(point, phase, x));
+  ModelContact contact;
+  model_contact(point, phase, x, &contact);
+  model_rhs_in_contact(point, phase, x, &contact, dx);
+}
+
+// How dx/dtau changes with the penetration.
+SHARED_FN void model_push(const ModelPoint* point, const PhaseCoefs* phase, real* push) {
   const Gear5Mesh mesh = gear5_mesh(point, phase);
-  gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) push[i] = 0;
+  push[STATE_v1] = -mesh.stiffness;
+  push[STATE_v2] = -point->mass_p * mesh.slide_stiffness;
+  push[STATE_v3] = point->mass_p * mesh.normal_stiffness;
+  push[STATE_v4] = point->mass_g * mesh.slide_stiffness;
+  push[STATE_v5] = -point->mass_g * mesh.normal_stiffness;
+}
+
+// How dx/dtau changes along a push. That has no positions, and so leaves the penetration alone.
+SHARED_FN void model_push_carried(const ModelPoint* point, const PhaseCoefs* phase,
+                                  const real* push, real* dx) {
+  const real zero = 0;
+  const real rate = gear5_deflection(point, push[STATE_v1], push[STATE_v3], push[STATE_v5]);
+  const Gear5Mesh mesh = gear5_mesh(point, phase);
+  gear5_motion(point, &mesh, push, zero, rate, zero, dx);
 }
 
 // `scale` times the Jacobian at a phase and a state, worked out once for all tangent vectors. The
@@ -296,6 +333,15 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
   linear->wedge_v = slope * v;
 }
 
+// What a tangent vector adds to the deflection beyond the limit of the flank that it points to.
+SHARED_FN real model_penetration_tangent(const ModelPoint* point, const ModelLinear* linear,
+                                         const real* w) {
+  const real f = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
+  if (!point->dynamic) return f;
+  return f - (linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) +
+              linear->wedge_v * (w[STATE_x3] - w[STATE_x5]));
+}
+
 // out = base + scale J w; out is neither w nor base. Each sum ends with what waits longest for w's
 // rates.
 SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
@@ -303,11 +349,7 @@ SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear,
   const real* damping = linear->bearing_damping;
   const real* stiffness = linear->bearing_stiffness;
   const real rate = gear5_deflection(point, w[STATE_v1], w[STATE_v3], w[STATE_v5]);
-  real f = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
-  if (point->dynamic) {
-    f = f - (linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) +
-             linear->wedge_v * (w[STATE_x3] - w[STATE_x5]));
-  }
+  const real f = model_penetration_tangent(point, linear, w);
   const real normal = point->normal_damping * rate + linear->normal_stiffness * f;
   const real sliding = linear->slide_damping * rate + linear->slide_stiffness * f;
 
@@ -329,13 +371,13 @@ SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear,
 
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                              ModelSignals* signals) {
-  const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
-  const real backlash = gear5_backlash(point, phase, x);
+  ModelContact contact;
+  model_contact(point, phase, x, &contact);
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
-  const real f = gear5_penetration(deflection, backlash);
+  const real f = gear5_penetration(contact.deflection, contact.backlash);
   const Gear5Mesh mesh = gear5_mesh(point, phase);
-  signals->deflection = deflection;
-  signals->backlash = backlash;
+  signals->deflection = contact.deflection;
+  signals->backlash = contact.backlash;
   signals->dmf = mesh.stiffness * f;
   signals->mesh_stiffness = phase->stiffness;
   signals->friction = mesh.slide_stiffness * f + mesh.slide_damping * rate;

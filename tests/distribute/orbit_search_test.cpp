@@ -94,11 +94,11 @@ TEST(OrbitSearch, KnowsTheOrbitOfALinearOscillator) {
 
 const std::string kGear =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 1.9\ncount = 15\n"
-    "[[axes]]\nname = 'b'\nvalues = [0.7, 1.0]\n[integrate]\nsettle = 1500\nrecord = 120\n"
+    "[[axes]]\nname = 'b'\nvalues = [0.7, 1.0]\n[integrate]\nsettle = 4000\nrecord = 120\n"
     "[observe]\nquantities = ['x1_rms', 'x1_max', 'dmf_max', 'contact_drive', 'period', "
     "'lyapunov_max', 'poincare']\npoincare = ['x1', 'v3']\n";
 
-// Periods 1, 2 and others that divide 120, and chaos. After 1,500 periods every orbit that is found
+// Periods 1, 2 and others that divide 120, and chaos. After 4,000 periods every orbit that is found
 // is reached to 1e-6 by plain settling, too.
 TEST(OrbitSearch, SaysWhatARunToTheEndSays) {
   const SweepResult stopped = run(kGear);

@@ -10,9 +10,9 @@
 namespace gearsweep::testing {
 namespace {
 
-// Steps per period at which the motions are converged. With impacts the step matters: a step that
-// crosses the edge of the backlash has an error of second order in its length, and 4096 steps
-// leave 1e-8 of it in the section. The `paper` rows have no impact, hence fewer steps.
+// Steps per period at which the motions are converged, and at which least and greatest of the
+// steps' ends are those of the motion (see expect_row). The `paper` rows move slowly, hence fewer
+// steps.
 std::string steps_for(const ReferenceRow& row) {
   if (row.preset != "paper") return "steps_per_period = 4096\n";
   return row.omega < 0.2 ? "steps_per_period = 1024\n" : "steps_per_period = 512\n";
@@ -33,8 +33,9 @@ double section_distance(const SweepResult& result, const ReferenceRow& row) {
 void expect_row(const SweepResult& result, const ReferenceRow& row) {
   ASSERT_EQ(result.status[0], 0);
   const auto value = [&](const char* quantity) { return map_of(result, quantity)[0]; };
-  // Half of the seventh decimal that is stated, and 2e-8 for the steps (see steps_for).
-  EXPECT_LE(section_distance(result, row), 5e-8 + 2e-8);
+  // Half of the seventh decimal that is stated, and 5e-9 for the steps and what is left of the
+  // start.
+  EXPECT_LE(section_distance(result, row), 5e-8 + 5e-9);
   // Half of the fifth decimal; sampling adds (h/2)^2/2 |x1''|, which is less than 2e-6.
   EXPECT_NEAR(value("x1_min"), row.least, 5e-6);
   EXPECT_NEAR(value("x1_max"), row.greatest, 5e-6);

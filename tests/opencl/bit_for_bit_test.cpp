@@ -76,7 +76,8 @@ TEST_P(BitForBit, KernelAndHost) {
     ASSERT_GE(grid.steps * periods, 1000U);
     const auto step = study.integrate.fp64 ? fp64::step_periods : fp32::step_periods;
     const std::vector<double> state =
-        step(plan.setting_of(point), grid, plan.own_initial_state(point), periods);
+        step(plan.setting_of(point), grid, plan.own_initial_state(point), periods,
+             study.integrate.events);
     host.insert(host.end(), state.begin(), state.end());
     EXPECT_EQ(kernel->status[i], 0) << "point " << point;
     if (kernel->outputs[4 * tile.points.size() + i] > 0.0) ++impacts;  // contact_class

@@ -6,7 +6,8 @@
 
 // The state after `periods` periods, NaN in x[0] when it diverged.
 inline std::vector<double> step_periods(const ModelSetting& setting, const PhaseGrid& grid,
-                                        const std::vector<double>& start, std::size_t periods) {
+                                        const std::vector<double>& start, std::size_t periods,
+                                        bool events) {
   std::vector<real> values;
   for (const double value : setting.parameters) values.push_back(static_cast<real>(value));
   ModelParameters parameters;
@@ -29,7 +30,7 @@ inline std::vector<double> step_periods(const ModelSetting& setting, const Phase
     for (std::size_t segment = 0; segment < grid.segment_steps.size(); ++segment) {
       const real h = static_cast<scalar>(grid.segment_fractions[segment]) * point.period;
       for (std::uint32_t step = 0; step < grid.segment_steps[segment]; ++step) {
-        rk4_step(&point, stage, h, x);
+        rk4_step(&point, stage, h, events, x);
         stage += RK4_STAGES_PER_STEP;
       }
       stage += 1;

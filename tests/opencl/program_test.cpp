@@ -79,11 +79,13 @@ TEST(SelectionHeader, ReadsAxesFromTheSweptTable) {
                             HasSubstr("#define PARAMETER_b uniform[1]")));
 }
 
-TEST(BuildOptions, SayPrecisionLanesAndContraction) {
+TEST(BuildOptions, SayPrecisionLanesContractionAndEvents) {
   const Study study = some_study("[integrate]\nprecision = 'fp32'\ncontract = false\n");
   EXPECT_THAT(build_options(study, 8),
               AllOf(HasSubstr("-DREAL_BITS=32"), HasSubstr("-DLANES=8"), HasSubstr("-DCONTRACT=0"),
-                    HasSubstr("-cl-std=CL1.2")));
+                    HasSubstr("-DEVENTS=1"), HasSubstr("-cl-std=CL1.2")));
+  EXPECT_THAT(build_options(some_study("[integrate]\nevents = false\n"), 8),
+              HasSubstr("-DEVENTS=0"));
 }
 
 TEST(BuildProgram, AcceptsTheKernels) {

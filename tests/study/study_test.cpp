@@ -85,11 +85,14 @@ TEST(Study, ItsTomlGivesTheSameStudyWithoutTheOverrides) {
 }
 
 TEST(Study, ItsSettingsNameEveryValueWithDefaultsResolved) {
-  const Study study = read_study(std::string("[model]\npreset = 'paper'\n") + kAxis, "s.toml");
+  const Study study = read_study(std::string("[model]\npreset = 'paper'\n") + kAxis, "s.toml",
+                                 {"integrate.events=false"});
   const Study again = read_study(resolved_settings(study) + kAxis, "settings");
   EXPECT_EQ(again.setting.parameters, study.setting.parameters);
   EXPECT_EQ(again.setting.options, study.setting.options);
   EXPECT_EQ(again.integrate.max_step, study.integrate.max_step);
+  EXPECT_TRUE(read_study(kAxis, "s.toml").integrate.events);
+  EXPECT_FALSE(again.integrate.events);
   EXPECT_EQ(again.integrate.settle, study.integrate.settle);
 }
 
