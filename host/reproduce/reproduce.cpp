@@ -75,11 +75,14 @@ std::string beyond(const Measured& measured) {
   if (measured.jumps.empty()) {
     text += "- No jump: the largest meshing force stays below 0.6 over all of figures 7 and 10.\n";
   }
-  const double hysteresis = differing(measured.maps.at("fig7-forward"),
-                                      measured.maps.at("fig7-backward"), "x1_rms", 0.01);
+  const double hysteresis = differing(measured.maps.at("fig9-forward"),
+                                      measured.maps.at("fig9-backward"), "x1_rms", 0.01);
   text += fmt::format(
-      "- **Sweeping b forward and backward**, each point from its neighbour's last state: the RMS "
-      "differs by more than 1 % at {:.0f} % of the values.\n",
+      "- **Sweeping omega forward and backward** at b = 1, each point from its neighbour's last "
+      "state: the RMS "
+      "differs by more than 1 % at {:.0f} % of the frequencies: there two motions coexist, or "
+      "chaos does "
+      "not come to the same average.\n",
       100.0 * hysteresis);
   text += fmt::format(
       "- **Energy**, undamped, unforced, without friction, in contact, over three periods: "

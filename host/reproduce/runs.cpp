@@ -37,9 +37,10 @@ class Runs {
     find_jump("fig7");
     find_jump("fig10");
     for (const char* direction : {"forward", "backward"}) {
-      const std::string name = fmt::format("fig7-{}", direction);
+      const std::string name = fmt::format("fig9-{}", direction);
       measured_.maps.emplace(
-          name, sweep(name, study_of("fig7", {fmt::format("initial.policy={}", direction),
+          name, sweep(name, study_of("fig9", {fmt::format("initial.policy={}", direction),
+                                              fmt::format("title={}", direction),
                                               "integrate.settle=300"})));
     }
     for (const char* law : {"constant", "dynamic"}) {

@@ -1,0 +1,89 @@
+// gearsweep trace and reproduce as a user types them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const char* const kStudy =
+    "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8, 1.0]\n"
+    "[[axes]]\nname = 'b'\nvalues = [0.5, 1.0]\n[integrate]\nsettle = 20\nrecord = 4\n"
+    "[observe]\nquantities = ['x1_rms']\n";
+
+// Of a map the nearest point is taken, of a study the point itself.
+TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
+  const Folder folder;
+  folder.write("study.toml", kStudy);
+  ASSERT_EQ(gearsweep(folder, "run study.toml -o map.nc --quiet").status, 0);
+  const Outcome map =
+      gearsweep(folder,
+                "trace map.nc --at omega=0.71,b=0.9 --at omega=1.0,b=0.6 --samples-per-period 8 "
+                "-o trace.csv");
+  EXPECT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(map.err, HasSubstr("omega=0.8, b=1: 32 moments of 4 periods after"));
+  const std::string table = read_all(folder / "trace.csv");
+  EXPECT_THAT(table, StartsWith("trace,omega,b,tau,x1,x2,"));
+  EXPECT_THAT(table, HasSubstr("\n2,1,0.5,0,"));
+  const Outcome study =
+      gearsweep(folder, "trace study.toml --at omega=0.71,b=0.9 --record 1 -o trace.nc");
+  EXPECT_EQ(study.status, 0) << study.err;
+  EXPECT_THAT(study.err, HasSubstr("omega=0.71, b=0.9: "));
+}
+
+TEST(TraceCommand, StartsWhereItIsTold) {
+  const Folder folder;
+  folder.write("study.toml", kStudy);
+  ASSERT_EQ(gearsweep(folder,
+                      "trace study.toml --at omega=0.6,b=1,x1=0.25 --settle 0 --record 1 "
+                      "-o start.csv --quiet")
+                .status,
+            0);
+  EXPECT_THAT(read_all(folder / "start.csv"), HasSubstr("\n1,0.6,1,0,0.25,"));
+}
+
+struct Refusal {
+  std::string arguments, message;
+};
+
+class TraceRefusal : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(TraceRefusal, SaysWhatIsWrongAndLeavesNoFile) {
+  const Folder folder;
+  folder.write("study.toml", kStudy);
+  const Outcome outcome = gearsweep(folder, GetParam().arguments);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr(GetParam().message));
+  EXPECT_EQ(folder.files(), std::set<std::string>{"study.toml"});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, TraceRefusal,
+    ::testing::Values(
+        Refusal{"trace study.toml --at omega=0.7 -o t.nc", "add b=0.5"},
+        Refusal{"trace study.toml --at omga=0.7,b=1 -o t.nc", "'omga'"},
+        Refusal{"trace study.toml --at omega=fast,b=1 -o t.nc", "'fast' is not a number"},
+        Refusal{"trace study.toml --at omega=0.7,b=1 -o t.txt", "must end in .nc or .csv"},
+        Refusal{"trace study.toml --at omega=0.7,b=1 -o missing/t.nc", "missing"},
+        Refusal{"trace study.toml --at omega=0.7,b=1 -o t.nc --set integrate.tolerance=1e-4",
+                "trace a point of the finished map"},
+        Refusal{"reproduce --preset other -o folder", "paper"},
+        Refusal{"reproduce -o study.toml", "study.toml"}),
+    [](const auto& refusal) { return "number_" + std::to_string(refusal.index); });
+
+TEST(ReproduceCommand, BringsItsStudies) {
+  const Folder folder;
+  EXPECT_THAT(gearsweep(folder, "studies paper/fig7").out, HasSubstr("preset = \"paper\""));
+  const Outcome run = gearsweep(folder, "run paper/fig5 -o fig5.nc");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("2 points: ok 2"));
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
