@@ -8,7 +8,6 @@
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
-#include "io/plot.hpp"
 #include "reproduce/reproduce.hpp"
 
 namespace gearsweep {
@@ -34,7 +33,6 @@ int run(const ReproduceArguments& arguments) {
       fmt::print(stderr, "{:>8}  {}\n", format_duration(spent.count()), what);
     };
   }
-  ensure_plottable(arguments.folder + "/report.png");
   if (!reproduce(options)) {
     fmt::print(stderr, "gearsweep: interrupted\n");
     return kInterrupted;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/output_file.hpp"
+#include "io/plot.hpp"
 #include "model/error.hpp"
 #include "reproduce/claims.hpp"
 #include "reproduce/pictures.hpp"
@@ -106,6 +107,7 @@ std::string beyond(const Measured& measured) {
 
 bool reproduce(const ReproduceOptions& options) {
   make_folder(options.folder);
+  ensure_plottable(options.folder + "/report.png");
   const std::optional<Measured> measured = run_figures(options);
   if (!measured) return false;
   if (options.on_step) options.on_step("pictures");
