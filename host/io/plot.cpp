@@ -33,7 +33,7 @@ std::string terminal_of(const std::string& output, const PlotScript& drawn) {
   if (output.ends_with(".pdf")) {
     return fmt::format(
         "pdfcairo size 8in,{:.3g}in font 'DejaVu Sans,{}' linewidth {} background 'white'",
-        8 * drawn.height, large ? 16 : 13, large ? 1.6 : 1.0);
+        8 * drawn.height, large ? 21 : 13, large ? 1.6 : 1.0);
   }
   throw InputError(
       fmt::format("cannot draw '{}': its name must end in .png, .svg or .pdf", output));

@@ -13,7 +13,9 @@
 namespace gearsweep {
 namespace {
 
-// Where things are, in widths of the picture, which is also the height of letters: see kLine.
+// All lengths here are in widths of the picture.
+constexpr double kLetter = 0.0165;  // mean width of the large letters
+
 struct Layout {
   static constexpr double kLine = 0.04;  // from line to line of the large letters
   static constexpr double kGap = 0.03;   // between panels
@@ -41,9 +43,8 @@ struct PanelLabel {
   bool has_two_lines = false;
 
   PanelLabel(const ChannelInfo& shown, double panel) {
-    constexpr double kLetter = 0.0165;  // mean width of the large letters
     constexpr double kSmallest = 0.6;
-    const auto most = panel / kLetter;
+    const double most = panel / kLetter;
     text = label_of(shown.name, shown.unit);
     const bool has_unit = !shown.unit.empty() && shown.unit != "1";
     const auto length = static_cast<double>(shown.name.size());
@@ -189,7 +190,9 @@ Layout layout_of(const Stack& stack, std::size_t title_lines, std::size_t key_li
     if (PanelLabel(shown_by(panel.front()), layout.panel).has_two_lines) {
       layout.left = std::max(layout.left, 0.2);
     }
-    if (!panel.front().map.flags.empty()) layout.left = 0.28;  // names of classes
+    for (const std::string& name : panel.front().map.flags) {
+      layout.left = std::max(layout.left, 0.085 + kLetter * static_cast<double>(name.size()));
+    }
   }
   layout.top = Layout::kLine * (static_cast<double>(title_lines) + 0.5);
   layout.key = Layout::kLine * (static_cast<double>(key_lines) + 0.5);
