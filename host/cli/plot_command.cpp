@@ -1,4 +1,4 @@
-// gearsweep plot, gearsweep export: a result file's maps as pictures and tables.
+// gearsweep plot, gearsweep export: maps and traces as pictures, maps as tables.
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -30,27 +30,47 @@ struct ExportArguments {
 }  // namespace
 
 void add_plot_command(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("plot", "Draw a map of a result file");
+  CLI::App* command = app->add_subcommand("plot", "Draw maps of result files, or traces");
   const auto request = std::make_shared<PlotRequest>();
   const auto cut = std::make_shared<std::string>();
-  command->add_option("result", request->result_path, "A result file, OUT.nc")->required();
+  command
+      ->add_option("file", request->paths,
+                   "A result file or a file of traces; several are laid over one another (result "
+                   "files over one axis)")
+      ->required();
   command->add_option(
       "-q,--quantity", request->quantity,
-      "What to draw (default: the file's first); poincare:v1 picks a sampled state");
+      "What to draw. Of maps (default: the file's first): poincare:v1 picks a sampled state; over "
+      "one axis several, NAME,NAME, stand above one another. Of traces: time (the default), phase, "
+      "section, spectrum or force; time:v3, phase:x3, phase:x1:x3, spectrum:dmf pick channels "
+      "(default: the first state; force: dmf)");
   command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")
       ->required();
   command->add_option(
       "--script", request->script_path,
       "Keep the gnuplot script (FILE.gp) and its data (FILE.dat, replaced if there)");
   command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis, AXIS=VALUE");
+  command
+      ->add_option("--periods", request->periods,
+                   "Of traces, at most so many last periods (default: 10 in time and force, else "
+                   "all; a spectrum separates subharmonics best over a multiple of their period)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--orders", request->orders,
+                   "The highest order of a spectrum (default: 10). It is of whole periods with "
+                   "Hann's window, without the mean, and shows the amplitudes of sines")
+      ->check(CLI::PositiveNumber);
   command->footer(
       "Examples:\n"
       "  gearsweep plot map.nc -q contact_class -o class.png\n"
-      "  gearsweep plot line.nc -q poincare -o bifurcation.pdf\n"
-      "  gearsweep plot map.nc -q x1_rms --at b=1 -o cut.svg --script cut.gp");
+      "  gearsweep plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf\n"
+      "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
+      "  gearsweep plot map.nc -q x1_rms --at b=1 -o cut.svg --script cut.gp\n"
+      "  gearsweep plot trace.nc -q force -o force.png\n"
+      "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png");
   command->callback([request, cut] {
     if (!cut->empty()) request->at = parse_cut(*cut);
-    plot_map(*request);
+    plot_files(*request);
   });
 }
 

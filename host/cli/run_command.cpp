@@ -127,7 +127,11 @@ int run(const RunArguments& given) {
   if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
   if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(*result, output));
   if (!arguments.plot.empty()) {
-    plot_map({output, arguments.quantity, arguments.plot, "", std::nullopt});
+    PlotRequest request;
+    request.paths = {output};
+    request.quantity = arguments.quantity;
+    request.output_path = arguments.plot;
+    plot_files(request);
     if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.plot);
   }
   return kDone;

@@ -36,34 +36,33 @@ void draw_density(const ResultMap& map, const ValueRange& range, PlotScript* scr
   script->text += fmt::format(
       "set palette defined (0 '#8fb4d9', 0.35 '#3690c0', 0.7 '#034e7b', 1 '#01121f')\n"
       "set logscale cb\nset cbrange [{}:1]\nset cblabel 'share of the samples'\n"
-      "plot files.'.dat' binary array=({},{}) origin=({},{}) dx={} dy={} format='%double' using 1 "
-      "with image notitle",
+      "plot files.'.dat' binary array=({},{}) origin=({},{}) dx={} dy={} "
+      "format='%double' using 1 with image notitle",
       1.0 / per_point, map.points(), kBins, map.axes[0].values.front(), range.least + 0.5 * step,
       (edges.back() - edges.front()) / static_cast<double>(map.points()), step);
 }
 
-void draw_dots(const ResultMap& map, const ValueRange& range, PlotScript* script) {
+}  // namespace
+
+void add_dots(const ResultMap& map, const ValueRange& range, const std::string& colour,
+              PlotScript* script) {
   // Samples that would fall on the same dot are drawn once.
   constexpr std::size_t kBins = 4000;
   constexpr std::size_t kFewDots = 3000;  // they must be seen one by one
   const std::vector<double> counts = histogram(map, range, kBins);
   const double step = (range.greatest - range.least) / static_cast<double>(kBins);
-  std::size_t dots = 0;
+  const auto dots = static_cast<std::size_t>(
+      std::count_if(counts.begin(), counts.end(), [](double count) { return count > 0.0; }));
+  script->text +=
+      fmt::format("{} using 1:2 with points pointtype 7 pointsize {} linecolor rgb '{}' notitle",
+                  next_records(*script, dots, 2), dots < kFewDots ? 0.7 : 0.25, colour);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] <= 0.0) continue;
     const std::size_t bin = i / map.points();
     const double middle = range.least + (static_cast<double>(bin) + 0.5) * step;
     append_numbers({map.axes[0].values[i % map.points()], middle}, &script->data);
-    ++dots;
   }
-  script->text += fmt::format(
-      "plot files.'.dat' binary record=({}) format='%double%double' "
-      "using 1:2 with points pointtype 7 pointsize {} "
-      "linecolor rgb '#01325a' notitle",
-      dots, dots < kFewDots ? 0.7 : 0.25);
 }
-
-}  // namespace
 
 PlotScript draw_bifurcation(const Picture& picture) {
   const ResultMap& map = picture.map;
@@ -79,10 +78,11 @@ PlotScript draw_bifurcation(const Picture& picture) {
   if (map.values.size() > kManySamples && map.points() >= kManyPoints && is_even(map.axes[0])) {
     draw_density(map, range, &script);
   } else {
-    draw_dots(map, range, &script);
+    script.text += "plot ";
+    add_dots(map, range, "#01325a", &script);
   }
-  script.text += missing_marks(picture) + "\n";
-  script.missing = missing_places(picture);
+  add_missing_marks(picture, kMissingColour, &script);
+  script.text += "\n";
   return script;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/plot_text.hpp"
+#include "model/error.hpp"
 
 namespace gearsweep {
 namespace {
@@ -35,6 +36,17 @@ constexpr std::array<std::pair<double, const char*>, 9> kDiverging = {{{-1.0, "#
 // Okabe and Ito's colours, which the colour-blind tell apart too.
 constexpr std::array<const char*, 8> kDistinct = {"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                                   "#56b4e9", "#d55e00", "#f0e442", "#000000"};
+
+// Of curves laid over one another: dark ones first, and dashes for print without colours.
+struct LayerStyle {
+  const char *colour, *dashes;
+};
+constexpr std::array<LayerStyle, 6> kLayers = {{{"#0072b2", "1"},
+                                                {"#d55e00", "(9,4)"},
+                                                {"#009e73", "(5,3)"},
+                                                {"#000000", "(12,3,3,3)"},
+                                                {"#cc79a7", "(18,5)"},
+                                                {"#e69f00", "(2,2)"}}};
 
 std::vector<double> finite(const std::vector<double>& values) {
   std::vector<double> out;
@@ -114,6 +126,20 @@ bool is_even(const ResultAxis& axis) {
   return true;
 }
 
+void ensure_tellable(std::size_t layers) {
+  if (layers <= kLayers.size()) return;
+  throw InputError(
+      fmt::format("{} are too many to be told apart when laid over one another; at most {}", layers,
+                  kLayers.size()));
+}
+
+std::string layer_colour(std::size_t index) { return kLayers.at(index).colour; }
+
+std::string layer_line(std::size_t index) {
+  return fmt::format("linecolor rgb '{}' dashtype {}", kLayers.at(index).colour,
+                     kLayers.at(index).dashes);
+}
+
 std::string sequential_palette() {
   std::vector<std::string> anchors;
   for (std::size_t i = 0; i < kSequential.size(); ++i) {
@@ -146,6 +172,15 @@ std::string ClassScale::palette() const {
       "set palette maxcolors {0}\nset palette defined ({1})\nset cbrange [-0.5:{0}-0.5]\n"
       "set cbtics ({2}) scale 0\n",
       names.size(), fmt::join(bands, ", "), fmt::join(tics, ", "));
+}
+
+std::string ClassScale::tics() const {
+  std::vector<std::string> tics;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    tics.push_back(fmt::format("{} {}", quote(literal(names[i])), i));
+  }
+  return fmt::format("set yrange [-0.5:{}-0.5]\nset ytics ({})\n", names.size(),
+                     fmt::join(tics, ", "));
 }
 
 std::optional<ClassScale> class_scale(const ResultMap& map) {

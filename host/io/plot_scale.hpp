@@ -17,6 +17,13 @@ std::vector<double> cell_edges(const ResultAxis& axis);
 // True when the values are so even on a linear scale that an image shows them in their places.
 bool is_even(const ResultAxis& axis);
 
+// Throws InputError when so many curves could not be told apart.
+void ensure_tellable(std::size_t layers);
+// One of several curves that lie over one another: "#0072b2", and as "plot" takes it with its
+// dashes.
+std::string layer_colour(std::size_t index);
+std::string layer_line(std::size_t index);
+
 // Colours from dark to bright that are perceptually uniform, as a "set palette" line.
 std::string sequential_palette();
 
@@ -31,6 +38,8 @@ struct ClassScale {
 
   // The map's value as an index into the classes; NaN stays NaN, and so does a value of no class.
   double index_of(double value) const;
+  // "set" lines of a y axis with the classes' names.
+  std::string tics() const;
   // "set" lines of a palette and a colour bar with one colour per class.
   std::string palette() const;
 };

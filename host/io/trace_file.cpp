@@ -191,6 +191,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   std::vector<StoredTrace> out;
   for (std::size_t i = 0; i < count; ++i) {
     StoredTrace stored;
+    stored.title = file.text_attribute(NC_GLOBAL, "title").value_or("");
     stored.label = labels[i];
     stored.trace.period = periods[i];
     stored.trace.tau = file.read(tau, {i, 0}, {1, moments});

@@ -28,6 +28,7 @@ bool is_trace_file(const std::string& path);
 
 // A trace as a file holds it; the setting is left empty.
 struct StoredTrace {
+  std::string title;  // of the study
   std::string label;
   Trace trace;
 };

@@ -16,6 +16,9 @@ namespace {
 
 constexpr double kLargeForce = 0.6;  // beyond it, figures 7 and 10 have jumped
 
+constexpr std::size_t kWholeSixths = 96;  // periods, so that sixths of the mesh order are lines
+constexpr std::size_t kSamples = 256;     // per period, for spectra
+
 // A run was stopped: unwinds to run_figures().
 struct Stopped {};
 
@@ -29,11 +32,13 @@ class Runs {
     for (const std::string& name : figure_names()) {
       measured_.maps.emplace(name, sweep(name, study_of(name)));
     }
-    trace("fig5", 96, 0);
-    trace("fig6", 96, 0);
-    trace("fig8", 100, 0);
-    trace("fig8-late", 100, 1500);
-    trace("fig11", 8, 0);
+    for (const char* figure : {"fig5", "fig6"}) {
+      measured_.traces[figure] = trace(figure, kWholeSixths, 0);
+      trace(fmt::format("{}-even", figure), kWholeSixths, 0, kSamples);
+    }
+    measured_.traces["fig8"] = trace("fig8", 100, 0);
+    measured_.traces["fig8-late"] = trace("fig8-late", 100, 1500);
+    measured_.traces["fig11"] = trace("fig11", 8, 0);
     find_jump("fig7");
     find_jump("fig10");
     for (const char* direction : {"forward", "backward"}) {
@@ -91,8 +96,10 @@ class Runs {
     return result;
   }
 
-  // Each point of a figure of one axis; "-late" after the name means other settling only.
-  void trace(const std::string& name, std::size_t record, std::size_t settle) {
+  // Each point of a figure of one axis; what stands after a hyphen in the name only tells two
+  // traces of one figure apart.
+  std::vector<Trace> trace(const std::string& name, std::size_t record, std::size_t settle,
+                           std::size_t samples_per_period = 0) {
     const std::string figure = name.substr(0, name.find('-'));
     std::vector<std::string> overrides = {fmt::format("integrate.record={}", record)};
     if (settle > 0) overrides.push_back(fmt::format("integrate.settle={}", settle));
@@ -104,13 +111,13 @@ class Runs {
     for (const double value : axis.values) {
       Study point = whole;
       point.axes.front().values = {value};
-      const std::optional<Trace> found = run_trace(point, 0, sweep_options());
+      const std::optional<Trace> found = run_trace(point, samples_per_period, sweep_options());
       if (!found) throw Stopped();
       traces.push_back(*found);
       labels.push_back(fmt::format("{}={}", axis.name, value));
     }
     write_traces(traces, labels, {axis.name}, whole, path_of(name + "-trace"), provenance());
-    measured_.traces.emplace(name, std::move(traces));
+    return traces;
   }
 
   // How many attractors there are on both sides of the first value with a large force.

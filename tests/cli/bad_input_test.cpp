@@ -238,6 +238,7 @@ TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {
   folder_.write("text.nc", "not a map");
   expect_refused("plot text.nc -o map.png", {"text.nc"});
   expect_refused("plot missing.nc -o map.png", {"missing.nc"});
+  expect_refused("plot text.nc missing.nc -q x1_rms -o map.png", {"text.nc"});
   expect_refused("export text.nc -q x1_rms -o map.csv", {"text.nc"});
 }
 

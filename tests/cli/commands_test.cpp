@@ -44,6 +44,38 @@ TEST(Commands, AResultFileRunsAgainToTheSameMaps) {
   EXPECT_EQ(gearsweep(folder, "run map.nc").status, 2) << "it would replace its own study";
 }
 
+TEST(Commands, ATraceIsDrawnInEveryWayAndOverAnother) {
+  const Folder folder;
+  const std::string trace =
+      "trace coarse-map --at omega=0.65,e0=0.6 --settle 20 --record 12 --samples-per-period 64 ";
+  ASSERT_EQ(gearsweep(folder, trace + "-o trace.nc").status, 0);
+  ASSERT_EQ(gearsweep(folder, trace + "--set parameters.mu=0 -o frictionless.nc").status, 0);
+  for (const std::string picture : {"time:v3", "phase", "section", "spectrum:dmf", "force"}) {
+    const Outcome one = gearsweep(folder, "plot trace.nc -o one.png -q " + picture);
+    EXPECT_EQ(one.status, 0) << one.err;
+    const Outcome two =
+        gearsweep(folder, "plot trace.nc frictionless.nc --periods 4 -o two.svg -q " + picture);
+    EXPECT_EQ(two.status, 0) << two.err;
+    EXPECT_THAT(read_all(folder / "one.png"), HasSubstr("PNG"));
+    EXPECT_THAT(read_all(folder / "two.svg"), HasSubstr("frictionless"));
+  }
+}
+
+TEST(Commands, StudiesOverOneAxisAreStackedAndLaidOverOneAnother) {
+  const Folder folder;
+  const std::string run =
+      "run coarse-bifurcation --set axes.omega.count=12 --set integrate.settle=5 --quiet --set "
+      "integrate.record=3 --set 'observe.quantities=[\"poincare\",\"x1_rms\",\"dmf_max\"]' ";
+  ASSERT_EQ(gearsweep(folder, run + "-o line.nc").status, 0);
+  ASSERT_EQ(gearsweep(folder, run + "--set parameters.mu=0 -o frictionless.nc").status, 0);
+  const Outcome stack = gearsweep(folder, "plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf");
+  EXPECT_EQ(stack.status, 0) << stack.err;
+  EXPECT_THAT(read_all(folder / "stack.pdf"), StartsWith("%PDF"));
+  const Outcome both = gearsweep(folder, "plot line.nc frictionless.nc -q x1_rms -o both.svg");
+  EXPECT_EQ(both.status, 0) << both.err;
+  EXPECT_THAT(read_all(folder / "both.svg"), HasSubstr("frictionless"));
+}
+
 TEST(Commands, WithoutOutputTheFileBearsTheNameOfTheStudy) {
   const Folder folder;
   EXPECT_EQ(gearsweep(folder, std::string("run coarse-map --quiet") + kSmall).status, 0);

@@ -28,7 +28,7 @@ class PlotTest : public gearsweep::testing::IoTest {
   // The first bytes of the picture that the request draws.
   std::string drawn(PlotRequest request, const std::string& ending = ".png") const {
     request.output_path = in_folder("picture" + ending);
-    plot_map(request);
+    plot_files(request);
     return content(request.output_path).substr(0, 200);
   }
 
@@ -47,13 +47,13 @@ class PlotTest : public gearsweep::testing::IoTest {
 
 TEST_F(PlotTest, TheEndingChoosesTheFormat) {
   const std::string path = write(example_result());
-  EXPECT_THAT(drawn({path, "x1_rms", "", "", {}}, ".png"), StartsWith("\x89PNG"));
-  EXPECT_THAT(drawn({path, "x1_rms", "", "", {}}, ".pdf"), StartsWith("%PDF"));
-  EXPECT_THAT(drawn({path, "x1_rms", "", "", {}}, ".svg"), HasSubstr("<svg"));
+  EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".svg"), HasSubstr("<svg"));
 }
 
 TEST_F(PlotTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {
-  const std::string script = script_of({write(example_result()), "", "", "", {}});
+  const std::string script = script_of({{write(example_result())}, "", "", "", {}, {}, {}});
   EXPECT_THAT(script,
               AllOf(HasSubstr("with image"), HasSubstr("set ylabel \"half backlash, b"),
                     HasSubstr("mesh frequency / ϖ, omega\""), HasSubstr("x1\\\\_rms [b_{n}]"),
@@ -63,46 +63,57 @@ TEST_F(PlotTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {
 TEST_F(PlotTest, AnUnevenOrLogarithmicGridIsMadeOfBoxes) {
   SweepResult result = example_result();
   result.study.axes[0].values = {0.1, 1.0, 10.0, 100.0};
-  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("with boxxyerror"));
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+              HasSubstr("with boxxyerror"));
   result.study.axes[0].logarithmic = true;
-  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("set logscale x"));
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+              HasSubstr("set logscale x"));
 }
 
 TEST_F(PlotTest, ClassesHaveNamesAtTheColourBar) {
   const std::string path = write(example_result());
-  EXPECT_THAT(script_of({path, "contact_class", "", "", {}}),
+  EXPECT_THAT(script_of({{path}, "contact_class", "", "", {}, {}, {}}),
               HasSubstr("set cbtics (\"no impact\" 0, \"single sided\" 1, \"double sided\" 2)"));
-  EXPECT_THAT(script_of({path, "status", "", "", {}}), HasSubstr("\"diverged\" 1"));
+  EXPECT_THAT(script_of({{path}, "status", "", "", {}, {}, {}}), HasSubstr("\"diverged\" 1"));
 }
 
 TEST_F(PlotTest, AMapWithoutAnyValueIsDrawnGrey) {
   SweepResult result = example_result();
   result.status.assign(12, 1);
   for (auto& map : result.values) map.assign(12, kNaN);
-  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("12 of 12 points"));
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+              HasSubstr("12 of 12 points"));
   result.study.axes[0].logarithmic = true;
-  EXPECT_THAT(script_of({write(result), "contact_class", "", "", {}}), HasSubstr("NaN notitle"));
+  EXPECT_THAT(script_of({{write(result)}, "contact_class", "", "", {}, {}, {}}),
+              HasSubstr("NaN notitle"));
+  SweepResult line = example_result(7, 0);
+  line.status.assign(7, 1);
+  line.samples.assign(line.samples.size(), kNaN);
+  for (auto& map : line.values) map.assign(7, kNaN);
+  for (const char* const quantity : {"poincare", "x1_rms", "poincare,x1_rms,contact_class"}) {
+    EXPECT_THAT(drawn({{write(line)}, quantity, "", "", {}, {}, {}}), StartsWith("\x89PNG"));
+  }
 }
 
 TEST_F(PlotTest, OneAxisIsACurveAndACutMakesOne) {
   SweepResult result = example_result(7, 0);
-  EXPECT_THAT(script_of({write(result), "x1_rms", "", "", {}}), HasSubstr("linespoints"));
-  EXPECT_THAT(script_of({write(result), "contact_class", "", "", {}}),
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}), HasSubstr("linespoints"));
+  EXPECT_THAT(script_of({{write(result)}, "contact_class", "", "", {}, {}, {}}),
               HasSubstr("set ytics (\"no impact\" 0"));
-  EXPECT_THAT(script_of({write(example_result()), "x1_rms", "", "", {{"b", 1.0}}}),
+  EXPECT_THAT(script_of({{write(example_result())}, "x1_rms", "", "", {{"b", 1.0}}, {}, {}}),
               AllOf(HasSubstr("b = 0.9 b_{n}"), HasSubstr("diverged at 1 of 4 points")));
 }
 
 TEST_F(PlotTest, PoincareIsABifurcationDiagram) {
   const std::string path = write(example_result(7, 0));
-  EXPECT_THAT(script_of({path, "", "", "", {}}), HasSubstr("set ylabel \"x1 [b_{n}]\""));
-  EXPECT_THAT(script_of({path, "poincare:v1", "", "", {}}),
+  EXPECT_THAT(script_of({{path}, "", "", "", {}, {}, {}}), HasSubstr("set ylabel \"x1 [b_{n}]\""));
+  EXPECT_THAT(script_of({{path}, "poincare:v1", "", "", {}, {}, {}}),
               HasSubstr("set ylabel \"v1 [b_{n} ϖ]\""));
   const std::string map = write(example_result());
-  EXPECT_THAT(script_of({map, "poincare", "", "", {{"omega", 2.0}}}),
+  EXPECT_THAT(script_of({{map}, "poincare", "", "", {{"omega", 2.0}}, {}, {}}),
               AllOf(HasSubstr("with points"), HasSubstr("omega = 2")));
   EXPECT_THAT(refusal([&] {
-                drawn({map, "poincare", "", "", {}});
+                drawn({{map}, "poincare", "", "", {}, {}, {}});
               }),
               AllOf(HasSubstr("axes 'omega' and 'b'"), HasSubstr("cut it")));
 }
@@ -112,43 +123,102 @@ TEST_F(PlotTest, ManySamplesAreShownByTheirDensity) {
   result.study.integrate.record = 100;
   result.samples.assign(200 * 2 * 100, 0.5);
   result.samples[7] = 0.6;
-  EXPECT_THAT(script_of({write(result), "poincare", "", "", {}}),
+  EXPECT_THAT(script_of({{write(result)}, "poincare", "", "", {}, {}, {}}),
               AllOf(HasSubstr("with points"), Not(HasSubstr("share of the samples"))));
   result.study.integrate.record = 101;
   result.samples.assign(200 * 2 * 101, 0.5);
-  EXPECT_THAT(script_of({write(result), "poincare", "", "", {}}),
+  EXPECT_THAT(script_of({{write(result)}, "poincare", "", "", {}, {}, {}}),
               HasSubstr("share of the samples"));
 }
 
 TEST_F(PlotTest, AnExponentOfBothSignsIsWhiteAtZero) {
   const std::string path = write(spectrum_result());
   // Exponent 3 goes from 0 up, 4 from -0.1 to 0.01, 9 stays below zero.
-  const std::string script = script_of({path, "lyapunov_spectrum:4", "", "", {}});
+  const std::string script = script_of({{path}, "lyapunov_spectrum:4", "", "", {}, {}, {}});
   EXPECT_THAT(script, AllOf(HasSubstr("0 '#ffffff'"), HasSubstr("set cbrange [-0.1"),
                             HasSubstr("lyapunov\\\\_spectrum:4 [1/τ]")));
-  EXPECT_THAT(script_of({path, "lyapunov_spectrum:9", "", "", {}}), Not(HasSubstr("#ffffff")));
-  EXPECT_THAT(script_of({path, "lyapunov_spectrum", "", "", {}}),
+  EXPECT_THAT(script_of({{path}, "lyapunov_spectrum:9", "", "", {}, {}, {}}),
+              Not(HasSubstr("#ffffff")));
+  EXPECT_THAT(script_of({{path}, "lyapunov_spectrum", "", "", {}, {}, {}}),
               HasSubstr("lyapunov\\\\_spectrum:1"));
 }
 
 TEST_F(PlotTest, OverOneAxisASpectrumIsACurveForEachExponent) {
   const std::string path = write(spectrum_result(7, 0));
-  const std::string all = script_of({path, "lyapunov_spectrum", "", "", {}});
+  const std::string all = script_of({{path}, "lyapunov_spectrum", "", "", {}, {}, {}});
   EXPECT_THAT(all, AllOf(HasSubstr("format='%11double'"), HasSubstr("using 1:11"),
                          HasSubstr("title \"exponent 2 to 10\""), HasSubstr("using 1:2 "),
                          HasSubstr("title \"exponent 1\""), HasSubstr("xzeroaxis"),
                          HasSubstr("diverged at 1 of 7 points")));
-  EXPECT_THAT(script_of({path, "lyapunov_spectrum:2", "", "", {}}),
+  EXPECT_THAT(script_of({{path}, "lyapunov_spectrum:2", "", "", {}, {}, {}}),
               AllOf(HasSubstr("format='%2double'"), Not(HasSubstr("exponent 2 to"))));
   const std::string map = write(spectrum_result());
-  EXPECT_THAT(script_of({map, "lyapunov_spectrum", "", "", {{"b", 1.5}}}),
+  EXPECT_THAT(script_of({{map}, "lyapunov_spectrum", "", "", {{"b", 1.5}}, {}, {}}),
               AllOf(HasSubstr("b = 1.5"), HasSubstr("exponent 2 to 10")));
 }
 
+TEST_F(PlotTest, QuantitiesOfOneAxisStandAboveOneAnother) {
+  const std::string script = script_of(
+      {{write(spectrum_result(7, 0))}, "lyapunov_max,lyapunov_spectrum", "", "", {}, {}, {}});
+  EXPECT_THAT(script, AllOf(HasSubstr("set multiplot"), HasSubstr("lyapunov\\\\_max"),
+                            HasSubstr("exponent 2 to 10"), HasSubstr("diverged at 1 of 7 points"),
+                            HasSubstr("set format x ''")));
+  // Only the lowest panel has the shared axis.
+  EXPECT_EQ(script.find("unset xlabel"), script.rfind("unset xlabel"));
+  const std::string line = write(example_result(7, 0));
+  EXPECT_THAT(script_of({{line}, "poincare,x1_rms,contact_class", "", "", {}, {}, {}}),
+              AllOf(HasSubstr("set ylabel \"x1 [b_{n}]\""), HasSubstr("x1\\\\_rms"),
+                    HasSubstr("set ytics (\"no impact\" 0")));
+  const std::string map = write(example_result());
+  EXPECT_THAT(script_of({{map}, "x1_rms,contact_class", "", "", {{"b", 1.0}}, {}, {}}),
+              HasSubstr("at b = 0.9"));
+}
+
+TEST_F(PlotTest, StudiesOfOneAxisLieOverOneAnother) {
+  SweepResult result = example_result(7, 0);
+  const std::string first = write(result, "first.nc");
+  const std::string second = write(result, "second.nc");
+  for (const char* const quantity : {"x1_rms", "poincare:v1", "contact_class", "status,x1_rms"}) {
+    EXPECT_THAT(script_of({{first, second}, quantity, "", "", {}, {}, {}}),
+                AllOf(HasSubstr("title \"first\""), HasSubstr("title \"second\"")))
+        << quantity;
+  }
+  // Titles that differ say more than files; values of both axes are shown.
+  result.study.title = "without friction";
+  result.study.axes[0].values = {2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0};
+  const std::string other = write(result, "other.nc");
+  EXPECT_THAT(script_of({{first, other}, "x1_rms", "", "", {}, {}, {}}),
+              AllOf(HasSubstr("title \"without friction\""), HasSubstr("coarse"),
+                    HasSubstr("without friction: diverged at 1 of 7 points"), HasSubstr(":5.25]")));
+}
+
+TEST_F(PlotTest, WhatDoesNotShareOneAxisIsNotLaidOver) {
+  const std::string map = write(example_result(), "map.nc");
+  const std::string line = write(example_result(7, 0), "line.nc");
+  SweepResult result = example_result(7, 0);
+  result.study.axes[0].name = "e0";
+  const std::string other = write(result, "other.nc");
+  const std::string png = in_folder("a.png");
+  const auto refused = [&](const std::vector<std::string>& paths, const std::string& quantity) {
+    return refusal([&] { plot_files({paths, quantity, png, "", {}, {}, {}}); });
+  };
+  EXPECT_THAT(refused({map, map}, "x1_rms"),
+              AllOf(HasSubstr("'omega' and 'b'"), HasSubstr("--at")));
+  EXPECT_THAT(refused({map}, "x1_rms,status"), HasSubstr("'omega' and 'b'"));
+  EXPECT_THAT(refused({line, other}, "x1_rms"), HasSubstr("over the axis 'e0'"));
+  EXPECT_THAT(refused({line}, "x1_rms,contact_clas"), HasSubstr("did you mean 'contact_class'?"));
+  EXPECT_THAT(refused({line, line, line, line, line, line, line}, "x1_rms"), HasSubstr("7 are"));
+  EXPECT_THAT(refusal([&] {
+                plot_files({{line}, "x1_rms", png, "", {}, 3, {}});
+              }),
+              HasSubstr("--periods"));
+  EXPECT_EQ(files(), 3U);
+}
+
 TEST_F(PlotTest, OddGridsAreDrawn) {
-  EXPECT_THAT(script_of({write(example_result(1, 1)), "x1_rms", "", "", {}}),
+  EXPECT_THAT(script_of({{write(example_result(1, 1))}, "x1_rms", "", "", {}, {}, {}}),
               HasSubstr("with boxxyerror"));
-  EXPECT_THAT(script_of({write(example_result(1, 0)), "x1_rms", "", "", {}}),
+  EXPECT_THAT(script_of({{write(example_result(1, 0))}, "x1_rms", "", "", {}, {}, {}}),
               HasSubstr("set yrange"));
 }
 
@@ -156,17 +226,17 @@ TEST_F(PlotTest, NothingInATitleIsACommand) {
   SweepResult result = example_result();
   const std::string trap = in_folder("trap");
   result.study.title = "`touch " + trap + "` it's \"50 %\" {x}^2 \\n @a & b_c $d '.system('x').'";
-  script_of({write(result), "x1_rms", "", "", {}});
+  script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}});
   EXPECT_FALSE(fs::exists(trap));
 }
 
 TEST_F(PlotTest, OddNamesOfFilesWork) {
   fs::create_directory(folder_ / "it's {here} ü");
   PlotRequest request;
-  request.result_path = write(example_result());
+  request.paths = {write(example_result())};
   request.output_path = in_folder("it's {here} ü/'a' \\@b \"`c`.png");
   request.script_path = in_folder("it's {here} ü/'@b' \"`c`.gp");
-  plot_map(request);
+  plot_files(request);
   EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
   fs::remove(request.output_path);
   run_gnuplot({request.script_path});
@@ -176,19 +246,23 @@ TEST_F(PlotTest, OddNamesOfFilesWork) {
 TEST_F(PlotTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
   const std::string path = write(example_result());
   const auto refused = [&](const PlotRequest& request) {
-    return refusal([&] { plot_map(request); });
+    return refusal([&] { plot_files(request); });
   };
   const std::string png = in_folder("a.png");
-  EXPECT_THAT(refused({path, "x1_rms", in_folder("a.jpg"), "", {}}),
+  EXPECT_THAT(refused({{path}, "x1_rms", in_folder("a.jpg"), "", {}, {}, {}}),
               HasSubstr(".png, .svg or .pdf"));
-  EXPECT_THAT(refused({path, "x1_rms", png, in_folder("a.txt"), {}}), HasSubstr("end in .gp"));
-  EXPECT_THAT(refused({path, "x1_rsm", png, in_folder("a.gp"), {}}), HasSubstr("did you mean"));
-  EXPECT_THAT(refused({path, "x1_rms", png, "", {{"b", 9.0}}}), HasSubstr("outside the axis"));
-  EXPECT_THAT(refused({path, "x1_rms", in_folder("missing/a.png"), "", {}}),
+  EXPECT_THAT(refused({{path}, "x1_rms", png, in_folder("a.txt"), {}, {}, {}}),
+              HasSubstr("end in .gp"));
+  EXPECT_THAT(refused({{path}, "x1_rsm", png, in_folder("a.gp"), {}, {}, {}}),
+              HasSubstr("did you mean"));
+  EXPECT_THAT(refused({{path}, "x1_rms", png, "", {{"b", 9.0}}, {}, {}}),
+              HasSubstr("outside the axis"));
+  EXPECT_THAT(refused({{path}, "x1_rms", in_folder("missing/a.png"), "", {}, {}, {}}),
               HasSubstr("there is no folder"));
   EXPECT_EQ(files(), 1U);
   const std::string line = write(example_result(7, 0));
-  EXPECT_THAT(refused({line, "x1_rms", png, "", {{"b", 1.0}}}), HasSubstr("has one axis"));
+  EXPECT_THAT(refused({{line}, "x1_rms", png, "", {{"b", 1.0}}, {}, {}}),
+              HasSubstr("has one axis"));
 }
 
 TEST_F(PlotTest, AMissingOrFailingGnuplotIsTold) {
@@ -207,7 +281,9 @@ TEST_F(PlotTest, AMissingOrFailingGnuplotIsTold) {
   const std::string path = write(example_result());
   const std::string before = std::getenv("PATH");
   setenv("PATH", folder_.c_str(), 1);
-  const std::string said = failure([&] { plot_map({path, "", in_folder("a.png"), "", {}}); });
+  const std::string said = failure([&] {
+    plot_files({{path}, "", in_folder("a.png"), "", {}, {}, {}});
+  });
   setenv("PATH", before.c_str(), 1);
   EXPECT_THAT(said, HasSubstr("install it"));
   EXPECT_EQ(files(), 1U);

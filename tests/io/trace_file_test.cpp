@@ -46,12 +46,14 @@ class TraceFile : public ::testing::Test {
 
 // Traces of different length stand beside each other; each comes back with its own.
 TEST_F(TraceFile, GivesBackWhatWasWritten) {
-  const Study study = gear_study();
+  Study study = gear_study();
+  study.title = "two gears";
   const std::vector<Trace> traces = {made_trace(study, 7), made_trace(study, 4)};
   write_traces(traces, {"omega=0.5", "omega=0.75, b=1"}, {"omega"}, study, path("t.nc"), {});
   EXPECT_TRUE(is_trace_file(path("t.nc")));
   const std::vector<StoredTrace> back = read_traces(path("t.nc"));
   ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(back[0].title, "two gears");
   EXPECT_EQ(back[0].label, "omega=0.5");
   EXPECT_EQ(back[1].label, "omega=0.75, b=1");
   for (std::size_t i = 0; i < 2; ++i) {

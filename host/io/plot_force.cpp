@@ -1,0 +1,132 @@
+// A channel over time with the flanks in contact behind it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "io/plot_scale.hpp"
+#include "io/plot_text.hpp"
+#include "io/plot_trace.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct Band {
+  double from = 0.0, to = 0.0;  // in forcing periods
+  int flank = 0;                // as the channel `contact`
+};
+
+// The time between two moments with different flanks is shared between them.
+std::vector<Band> bands_of(const Trace& trace) {
+  const std::vector<double> time = periods_of(trace);
+  const std::vector<double>& contact = values_of(trace, "contact");
+  std::vector<Band> bands;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const int flank = static_cast<int>(contact[i]);
+    if (bands.empty() || bands.back().flank != flank) {
+      const double from = bands.empty() ? time[i] : 0.5 * (time[i - 1] + time[i]);
+      if (!bands.empty()) bands.back().to = from;
+      bands.push_back({from, from, flank});
+    }
+    bands.back().to = time[i];
+  }
+  return bands;
+}
+
+struct FlankStyle {
+  int flank;
+  const char *name, *colour;
+};
+constexpr std::array<FlankStyle, 3> kFlanks = {
+    {{1, "drive flank", "#dbe8f3"}, {0, "no contact", "#fff0c9"}, {-1, "back flank", "#e2b9d3"}}};
+
+// Boxes over the part [bottom, top] of the picture's height; returns whether there are any.
+bool add_boxes(const std::vector<Band>& bands, int flank, double bottom, double top,
+               const std::string& fill, PlotScript* script) {
+  const auto count = static_cast<std::size_t>(std::count_if(
+      bands.begin(), bands.end(), [&](const Band& band) { return band.flank == flank; }));
+  if (count == 0) return false;
+  script->text +=
+      fmt::format("{} using 1:2:3:4:5:6 axes x1y2 with boxxyerror {} notitle, \\\n     ",
+                  next_records(*script, count, 6), fill);
+  for (const Band& band : bands) {
+    if (band.flank != flank) continue;
+    append_numbers({band.from, bottom, band.from, band.to, bottom, top}, &script->data);
+  }
+  return true;
+}
+
+std::string filled(const std::string& colour) {
+  return fmt::format("fillstyle solid 1 noborder linecolor rgb '{}'", colour);
+}
+
+// What the key says of the colours beside the curves.
+struct FlankKey {
+  std::vector<std::string> names;
+  std::string text;  // elements of "plot"
+
+  void add(const std::string& colour, const std::string& name) {
+    names.push_back(name);
+    text += fmt::format(
+        ", \\\n     keyentry with boxes fillstyle solid 1 border linecolor rgb '#999999' "
+        "fillcolor rgb '{}' title {}",
+        colour, quote(name));
+  }
+};
+
+// Bands of one trace over the whole height.
+FlankKey add_bands(const Trace& trace, PlotScript* script) {
+  const std::vector<Band> bands = bands_of(trace);
+  FlankKey key;
+  for (const FlankStyle& style : kFlanks) {
+    if (add_boxes(bands, style.flank, 0.0, 1.0, filled(style.colour), script)) {
+      key.add(style.colour, style.name);
+    }
+  }
+  return key;
+}
+
+constexpr double kStrip = 0.045;  // of the height
+
+// A strip of each trace in its colour, the first at the top: nothing on the drive flank, a tint
+// without contact, full on the back flank.
+FlankKey add_strips(const TracePicture& picture, PlotScript* script) {
+  bool any_gap = false, any_back = false;
+  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    const double bottom = kStrip * static_cast<double>(picture.layers.size() - 1 - i);
+    const std::vector<Band> bands = bands_of(picture.layers[i].trace);
+    const auto add = [&](int flank, const std::string& colour) {
+      return add_boxes(bands, flank, bottom + 0.006, bottom + kStrip - 0.003, filled(colour),
+                       script);
+    };
+    const std::string transparent = fmt::format("#b0{}", layer_colour(i).substr(1));
+    any_gap = add(0, transparent) || any_gap;
+    any_back = add(-1, layer_colour(i)) || any_back;
+  }
+  FlankKey key;
+  if (any_gap) key.add("#cccccc", "no contact");
+  if (any_back) key.add("#555555", "back flank");
+  return key;
+}
+
+}  // namespace
+
+PlotScript draw_force(const TracePicture& picture) {
+  const bool several = picture.layers.size() > 1;
+  ValueRange range = padded_range(all_values(picture, picture.channel.name));
+  if (several) {
+    const double part = kStrip * static_cast<double>(picture.layers.size());
+    range.least -= (range.greatest - range.least) * part / (1.0 - part);
+  }
+  PlotScript script;
+  script.for_column = true;
+  const FlankKey key =
+      several ? add_strips(picture, &script) : add_bands(picture.layers.front().trace, &script);
+  add_histories(picture, &script);
+  script.text = trace_frame(picture, picture.channel.meaning, key.names) + time_axis(picture) +
+                channel_axis(picture, range) + "set y2range [0:1]\nset border front\nplot " +
+                script.text + key.text + "\n";
+  return script;
+}
+
+}  // namespace gearsweep

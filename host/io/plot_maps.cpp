@@ -1,0 +1,161 @@
+// Which maps of which files a picture is of.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "io/plot_sources.hpp"
+#include "io/plot_stack.hpp"
+#include "io/plot_text.hpp"
+#include "io/result_file.hpp"
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr std::string_view kPoincare = "poincare";
+
+// Along one axis the samples, where the file has them: a bifurcation diagram. Otherwise the first
+// map, else the status, which every file has.
+std::string default_quantity(const ResultFile& file, bool one_axis) {
+  if (one_axis && !file.poincare_states().empty()) return std::string(kPoincare);
+  for (const std::string& name : file.quantities()) {
+    if (name != "status" && name != kPoincare) return name;
+  }
+  return "status";
+}
+
+std::string chosen_quantity(const ResultFile& file, const std::string& asked, bool one_axis) {
+  const std::string name = asked.empty() ? default_quantity(file, one_axis) : asked;
+  if (!name.starts_with(kPoincare)) return name;
+  const std::vector<std::string> states = file.poincare_states();
+  if (states.empty()) return name;
+  if (!one_axis) {
+    throw InputError(
+        fmt::format("'{}' has the axes '{}' and '{}', but a bifurcation diagram has "
+                    "one; cut it at one value of either (--at {}={}), or use a "
+                    "study with one axis",
+                    file.path(), file.axes()[0].name, file.axes()[1].name, file.axes()[1].name,
+                    file.axes()[1].values.front()));
+  }
+  return name == kPoincare ? fmt::format("{}:{}", kPoincare, states.front()) : name;
+}
+
+MissingPoints find_missing(const ResultMap& map, const ResultMap& status) {
+  MissingPoints missing;
+  const std::size_t width = map.values.size() / map.points();
+  std::vector<std::size_t> reasons(status.flags.size(), 0);
+  for (std::size_t point = 0; point < map.points(); ++point) {
+    const auto first = map.values.begin() + static_cast<std::ptrdiff_t>(point * width);
+    missing.mask.push_back(std::none_of(first, first + static_cast<std::ptrdiff_t>(width),
+                                        [](double value) { return std::isfinite(value); }));
+    const auto reason = static_cast<std::size_t>(status.values[point]);
+    if (missing.mask.back() && reason < reasons.size()) ++reasons[reason];
+  }
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    if (reasons[i] == 0) continue;
+    const std::string name = status.flags[i] == "ok" ? "undefined" : status.flags[i];
+    notes.push_back(fmt::format("{} at {} of {} points", name, reasons[i], map.points()));
+  }
+  missing.note = fmt::format("{}", fmt::join(notes, ", "));
+  return missing;
+}
+
+// `request` names the cut.
+Picture read_picture(const std::string& path, const std::string& quantity,
+                     const PlotRequest& request) {
+  const ResultFile file(path);
+  std::optional<Cut> cut;
+  if (request.at) {
+    if (file.axes().size() < 2) {
+      throw InputError(fmt::format("'{}' has one axis, '{}', so there is nothing to cut at {} = {}",
+                                   file.path(), file.axes()[0].name, request.at->first,
+                                   request.at->second));
+    }
+    cut = file.find_cut(request.at->first, request.at->second);
+  }
+  const bool one_axis = cut || file.axes().size() == 1;
+  const bool is_layer = request.paths.size() > 1;
+  Picture picture;
+  picture.map = file.read(chosen_quantity(file, quantity, one_axis), cut);
+  if ((!one_axis || is_layer) && picture.map.part_count() > 1) {
+    const std::string first = picture.map.parts.front().name;
+    picture.map = file.read(fmt::format("{}:{}", picture.map.name, first), cut);
+  }
+  picture.missing = find_missing(picture.map, file.read("status", cut));
+  picture.title = file.title();
+  if (cut) {
+    const ResultAxis& axis = file.axes()[cut->axis];
+    picture.remark = fmt::format("{} = {:.6g}", axis.name, axis.values[cut->index]);
+    if (!axis.unit.empty() && axis.unit != "1") picture.remark += " " + axis.unit;
+  }
+  return picture;
+}
+
+// Throws InputError unless all are over one axis, of one name.
+void ensure_one_axis(const std::vector<Picture>& layers, const PlotRequest& request) {
+  const ResultAxis& first = layers.front().map.axes.front();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::vector<ResultAxis>& axes = layers[i].map.axes;
+    if (axes.size() > 1) {
+      throw InputError(fmt::format(
+          "'{}' has the axes '{}' and '{}', but only what is over one axis can be "
+          "stacked or laid over one another; cut it at one value of either (--at {}={})",
+          request.paths[i], axes[0].name, axes[1].name, axes[1].name, axes[1].values.front()));
+    }
+    if (axes.front().name != first.name || axes.front().logarithmic != first.logarithmic) {
+      throw InputError(fmt::format(
+          "'{}' is over the {}axis '{}' and '{}' over the {}axis '{}', so they cannot be laid "
+          "over one another",
+          request.paths[0], first.logarithmic ? "logarithmic " : "", first.name, request.paths[i],
+          axes.front().logarithmic ? "logarithmic " : "", axes.front().name));
+    }
+  }
+}
+
+// The studies by their titles, or where these do not tell them apart by their files.
+std::vector<std::string> names_of(const std::vector<Picture>& layers,
+                                  const std::vector<std::string>& paths) {
+  std::vector<std::string> titles, stems;
+  for (const Picture& layer : layers) titles.push_back(layer.title);
+  for (const std::string& path : paths) {
+    stems.push_back(std::filesystem::path(path).stem().string());
+  }
+  return first_distinct({titles, stems, paths});
+}
+
+}  // namespace
+
+PlotScript draw_maps(const PlotRequest& request) {
+  if (request.periods || request.orders) {
+    throw InputError("--periods and --orders are for traces, and these files hold maps");
+  }
+  const std::vector<std::string> quantities = split(request.quantity, ',');
+  if (quantities.size() == 1 && request.paths.size() == 1) {
+    const Picture picture = read_picture(request.paths.front(), request.quantity, request);
+    if (picture.map.axes.size() == 2) return draw_heat_map(picture);
+    return picture.map.is_poincare() ? draw_bifurcation(picture) : draw_curve(picture);
+  }
+  ensure_tellable(request.paths.size());
+  constexpr std::size_t kMostPanels = 8;
+  if (quantities.size() > kMostPanels) {
+    throw InputError(fmt::format("{} quantities are too many for one picture; it holds {}",
+                                 quantities.size(), kMostPanels));
+  }
+  Stack stack;
+  for (const std::string& quantity : quantities) {
+    std::vector<Picture> layers;
+    for (const std::string& path : request.paths) {
+      layers.push_back(read_picture(path, quantity, request));
+    }
+    ensure_one_axis(layers, request);
+    stack.panels.push_back(std::move(layers));
+  }
+  stack.names = names_of(stack.panels.front(), request.paths);
+  return draw_stack(stack);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,14 @@
+// From files to a picture's script. Private to this folder.
+#pragma once
+
+#include "io/plot.hpp"
+#include "io/plot_picture.hpp"
+
+namespace gearsweep {
+
+// Of result files. Throw what plot_files throws, as far as it lies in the files.
+PlotScript draw_maps(const PlotRequest& request);
+// Of files of traces.
+PlotScript draw_traces(const PlotRequest& request);
+
+}  // namespace gearsweep

@@ -1,0 +1,19 @@
+// Several quantities above one another over one axis, and several studies laid over one another.
+// Private to this folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/plot_picture.hpp"
+
+namespace gearsweep {
+
+struct Stack {
+  std::vector<std::vector<Picture>> panels;  // [quantity][study], all over an axis of one name
+  std::vector<std::string> names;            // of the studies, for the key
+};
+
+PlotScript draw_stack(const Stack& stack);
+
+}  // namespace gearsweep

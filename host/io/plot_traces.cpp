@@ -1,0 +1,198 @@
+// Which traces of which files a picture is of, and what of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "io/plot_sources.hpp"
+#include "io/plot_text.hpp"
+#include "io/plot_trace.hpp"
+#include "io/trace_file.hpp"
+#include "model/error.hpp"
+#include "model/names.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct Kind {
+  std::string name;
+  PlotScript (*draw)(const TracePicture&);
+  bool is_recent;  // shows the last periods only, unless more are asked for
+  std::size_t channels;
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> kKinds = {{"time", draw_time, true, 1},
+                                           {"phase", draw_phase, false, 2},
+                                           {"section", draw_section, false, 2},
+                                           {"spectrum", draw_spectrum, false, 1},
+                                           {"force", draw_force, true, 1}};
+  return kKinds;
+}
+
+// `words`: of the quantity, at its colons.
+const Kind& find_kind(const std::vector<std::string>& words) {
+  const std::string name = words.front().empty() ? "time" : words.front();
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds()) {
+    names.push_back(kind.name);
+    if (kind.name != name) continue;
+    if (words.size() - 1 > kind.channels) {
+      throw InputError(fmt::format("'{}' is of {}", name,
+                                   kind.channels == 1 ? "one channel, as in " + name + ":x1"
+                                                      : "two channels, as in " + name + ":x1:v1"));
+    }
+    return kind;
+  }
+  throw InputError(
+      fmt::format("unknown picture of a trace '{}'{}", name, suggest_name(name, names)));
+}
+
+ChannelInfo find_in(const StoredTrace& stored, const std::string& name) {
+  std::vector<std::string> names;
+  for (const ChannelInfo& channel : stored.trace.channels) {
+    if (channel.name == name) return channel;
+    names.push_back(channel.name);
+  }
+  throw InputError(fmt::format("the trace has no channel '{}'{}", name, suggest_name(name, names)));
+}
+
+// "v3" of "x3"; empty when the trace has none.
+std::string velocity_of(const Trace& trace, const std::string& position) {
+  if (!position.starts_with('x')) return "";
+  const std::string velocity = fmt::format("v{}", position.substr(1));
+  return find_channel(trace, velocity) < 0 ? "" : velocity;
+}
+
+// What is drawn: one channel, or of a phase portrait that over which it is drawn, then it.
+std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::string>& words,
+                                       const Trace& trace) {
+  std::vector<std::string> names(words.begin() + 1, words.end());
+  if (kind.name == "force") {
+    if (find_channel(trace, "contact") < 0) {
+      throw InputError("'force' shows the flanks in contact, and this model has no backlash");
+    }
+    if (names.empty()) return {"dmf"};
+  }
+  const bool is_chosen = !names.empty();
+  if (!is_chosen) names.push_back(trace.channels.front().name);
+  if (kind.channels == 1 || names.size() == 2) return names;
+  std::string velocity = velocity_of(trace, names.front());
+  if (velocity.empty() && !is_chosen) velocity = trace.channels.at(1).name;
+  if (velocity.empty()) {
+    find_in({"", "", trace}, names.front());
+    throw InputError(
+        fmt::format("'{0}' has no velocity beside it; name two channels, as in {1}:{0}:{2}",
+                    names.front(), kind.name, trace.channels.front().name));
+  }
+  return {names.front(), velocity};
+}
+
+// Far less than a step, far more than the rounding of tau.
+constexpr double kInstant = 1e-6;  // of a period
+
+double whole_periods(const Trace& trace) {
+  if (trace.tau.empty()) return 0.0;
+  return std::ceil(trace.tau.back() / trace.period - kInstant);
+}
+
+Trace last_periods(const Trace& trace, std::size_t periods) {
+  const double from = whole_periods(trace) - static_cast<double>(periods);
+  if (from <= 0.0) return trace;
+  const auto first =
+      std::lower_bound(trace.tau.begin(), trace.tau.end(), (from - kInstant) * trace.period) -
+      trace.tau.begin();
+  Trace last = trace;
+  last.tau.erase(last.tau.begin(), last.tau.begin() + first);
+  for (double& tau : last.tau) tau -= from * trace.period;
+  for (std::vector<double>& values : last.values) {
+    values.erase(values.begin(), values.begin() + first);
+  }
+  return last;
+}
+
+struct Source {
+  std::string path;
+  StoredTrace stored;
+};
+
+std::vector<Source> read_sources(const std::vector<std::string>& paths) {
+  std::vector<Source> sources;
+  for (const std::string& path : paths) {
+    for (StoredTrace& stored : read_traces(path)) sources.push_back({path, std::move(stored)});
+  }
+  ensure_tellable(sources.size());
+  return sources;
+}
+
+// What all traces say; empty where they differ.
+std::string common(const std::vector<Source>& sources,
+                   const std::function<std::string(const Source&)>& text) {
+  const std::string first = text(sources.front());
+  const bool same = std::all_of(sources.begin(), sources.end(),
+                                [&](const Source& source) { return text(source) == first; });
+  return same ? first : "";
+}
+
+// The traces by their labels, or where these do not tell them apart by their files.
+std::vector<std::string> names_of(const std::vector<Source>& sources) {
+  std::vector<std::string> labels, stems, both;
+  for (const Source& source : sources) {
+    labels.push_back(source.stored.label);
+    stems.push_back(std::filesystem::path(source.path).stem().string());
+    both.push_back(fmt::format("{}: {}", source.path, labels.back()));
+  }
+  return first_distinct({labels, stems, both});
+}
+
+std::string remark_of(const std::vector<Source>& sources, std::optional<std::size_t> shown) {
+  const std::string label =
+      common(sources, [](const Source& source) { return source.stored.label; });
+  std::string remark = label.empty() ? "" : "at " + label;
+  const auto is_longer = [&](const Source& source) {
+    return shown && whole_periods(source.stored.trace) > static_cast<double>(*shown);
+  };
+  if (std::any_of(sources.begin(), sources.end(), is_longer)) {
+    remark += fmt::format("{}the last {} periods", remark.empty() ? "" : "; ", *shown);
+  }
+  return remark;
+}
+
+}  // namespace
+
+PlotScript draw_traces(const PlotRequest& request) {
+  if (request.at) {
+    throw InputError("--at cuts maps, and this file holds traces; 'gearsweep trace' takes --at");
+  }
+  const std::vector<std::string> words = split(request.quantity, ':');
+  const Kind& kind = find_kind(words);
+  if (request.orders && kind.name != "spectrum") {
+    throw InputError("--orders is for spectra (-q spectrum)");
+  }
+  const std::vector<Source> sources = read_sources(request.paths);
+  const Trace& first = sources.front().stored.trace;
+  const std::vector<std::string> channels = channel_names(kind, words, first);
+  constexpr std::size_t kRecentPeriods = 10;
+  std::optional<std::size_t> shown = request.periods;
+  if (!shown && kind.is_recent) shown = kRecentPeriods;
+
+  TracePicture picture;
+  picture.across = find_in(sources.front().stored, channels.front());
+  picture.channel = find_in(sources.front().stored, channels.back());
+  picture.title = common(sources, [](const Source& source) { return source.stored.title; });
+  picture.remark = remark_of(sources, shown);
+  picture.forcing = find_channel(first, "contact") < 0 ? "forcing" : "mesh";
+  picture.orders = request.orders.value_or(picture.orders);
+  const std::vector<std::string> names = names_of(sources);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const StoredTrace& stored = sources[i].stored;
+    for (const std::string& name : channels) find_in(stored, name);
+    if (kind.name == "force") find_in(stored, "contact");
+    picture.layers.push_back({names[i], shown ? last_periods(stored.trace, *shown) : stored.trace});
+  }
+  return kind.draw(picture);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,216 @@
+// Pictures of traces: each kind is drawn without complaint and shows what its name says.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <numbers>
+
+#include "io/example_result.hpp"
+#include "io/plot.hpp"
+#include "io/trace_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+// The trace of a gear, so many moments to the period: x1 = sin, v1 = cos of 2 pi time, in contact
+// on the drive flank where x1 is above 0.1.
+Trace made_trace(const Study& study, std::size_t periods, std::size_t per_period) {
+  Trace trace;
+  trace.setting = study.setting;
+  trace.period = 2.5;
+  trace.channels = {{"x1", "b_n", "a position"},
+                    {"v1", "b_n varpi", "velocity of x1"},
+                    {"dmf", "k0 b_n", "a force"},
+                    {"contact", "1", "flank"}};
+  trace.values.resize(4);
+  for (std::size_t i = 0; i < periods * per_period; ++i) {
+    const double time = static_cast<double>(i) / static_cast<double>(per_period);
+    const double sine = std::sin(2.0 * std::numbers::pi * time);
+    trace.tau.push_back(trace.period * time);
+    trace.values[0].push_back(sine);
+    trace.values[1].push_back(std::cos(2.0 * std::numbers::pi * time));
+    trace.values[2].push_back(std::max(sine, 0.0));
+    trace.values[3].push_back(sine > 0.1 ? 1.0 : 0.0);
+  }
+  return trace;
+}
+
+class PlotTraceTest : public gearsweep::testing::IoTest {
+ protected:
+  PlotTraceTest() : study_(read_study("[[axes]]\nname = 'omega'\nvalues = [0.5]\n", "test")) {
+    study_.title = "two gears";
+  }
+
+  std::string write(const std::string& name, const std::vector<Trace>& traces,
+                    const std::vector<std::string>& labels) const {
+    write_traces(traces, labels, {}, study_, in_folder(name), gearsweep::testing::kProvenance);
+    return in_folder(name);
+  }
+  std::string write_one(std::size_t periods = 20, std::size_t per_period = 16) const {
+    return write("one.nc", {made_trace(study_, periods, per_period)}, {"omega=0.5"});
+  }
+
+  PlotRequest request(const std::vector<std::string>& paths, const std::string& quantity) const {
+    PlotRequest request;
+    request.paths = paths;
+    request.quantity = quantity;
+    request.output_path = in_folder("picture.png");
+    return request;
+  }
+
+  // The script of a picture; drawing it must make gnuplot say nothing.
+  std::string script_of(PlotRequest request) const {
+    request.script_path = in_folder("picture.gp");
+    plot_files(request);
+    EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
+    const std::string said = in_folder("said.txt");
+    const std::string command = "gnuplot '" + request.script_path + "' > '" + said + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(content(said), "");
+    return content(request.script_path);
+  }
+  std::string script_of(const std::vector<std::string>& paths, const std::string& quantity) const {
+    return script_of(request(paths, quantity));
+  }
+
+  // The numbers that the script reads, from the first on.
+  std::vector<double> data() const {
+    const std::string bytes = content(in_folder("picture.dat"));
+    std::vector<double> numbers(bytes.size() / sizeof(double));
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    return numbers;
+  }
+
+  std::string refused(const std::vector<std::string>& paths, const std::string& quantity) const {
+    return refusal([&] { plot_files(request(paths, quantity)); });
+  }
+
+  Study study_;
+};
+
+TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
+  const std::string path = write_one();
+  EXPECT_THAT(script_of({path}, ""),
+              AllOf(HasSubstr("set ylabel \"x1 [b_{n}]\""), HasSubstr("time [mesh periods]"),
+                    HasSubstr("set xrange [0:10]"), HasSubstr("the last 10 periods"),
+                    HasSubstr("two gears"), HasSubstr("at omega=0.5")));
+  EXPECT_EQ(data().size(), 2U * 10U * 16U);
+  PlotRequest three = request({path}, "time:v1");
+  three.periods = 3;
+  EXPECT_THAT(script_of(three), AllOf(HasSubstr("set xrange [0:3]"), HasSubstr("v1 [b_{n} ϖ]")));
+  EXPECT_NEAR(data()[1], 1.0, 1e-12);  // cos of whole turns, to rounding
+  three.periods = 30;
+  EXPECT_THAT(script_of(three), AllOf(HasSubstr("set xrange [0:20]"), Not(HasSubstr("the last"))));
+}
+
+TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
+  const std::string script = script_of({write_one()}, "phase");
+  EXPECT_THAT(script, AllOf(HasSubstr("set xlabel \"x1 [b_{n}]\""),
+                            HasSubstr("set ylabel \"v1 [b_{n} ϖ]\""), HasSubstr("record=(320)"),
+                            HasSubstr("record=(20)"), HasSubstr("title 'phase 0'")));
+  // After the curve: sin and cos at phase 0, to rounding.
+  const std::vector<double> numbers = data();
+  for (std::size_t i = 640; i < numbers.size(); i += 2) {
+    EXPECT_NEAR(numbers[i], 0.0, 1e-12);
+    EXPECT_NEAR(numbers[i + 1], 1.0, 1e-12);
+  }
+  EXPECT_EQ(numbers.size(), 2U * (320U + 20U));
+  EXPECT_THAT(script_of({write_one()}, "phase:dmf:x1"),
+              AllOf(HasSubstr("set xlabel \"dmf"), HasSubstr("set ylabel \"x1")));
+}
+
+// Moments of steps: the end of one and the start of the next are the same.
+TEST_F(PlotTraceTest, ASectionTakesEachPeriodOnce) {
+  Trace trace = made_trace(study_, 5, 16);
+  trace.tau.insert(trace.tau.begin() + 32, trace.tau[32]);
+  for (std::vector<double>& values : trace.values) {
+    values.insert(values.begin() + 32, values[32]);
+  }
+  const std::string script = script_of({write("steps.nc", {trace}, {""})}, "section");
+  EXPECT_THAT(script, AllOf(HasSubstr("record=(5)"), HasSubstr("at phase 0 of each period")));
+  EXPECT_EQ(data().size(), 2U * 5U);
+}
+
+TEST_F(PlotTraceTest, ASpectrumIsInDecibelsOverTheOrder) {
+  PlotRequest spectrum = request({write_one()}, "spectrum:x1");
+  EXPECT_THAT(script_of(spectrum),
+              AllOf(HasSubstr("set ylabel \"x1 [dB re 1 b_{n}]\""), HasSubstr("mesh frequency"),
+                    HasSubstr("set xrange [0:10]"), Not(HasSubstr("the last"))));
+  const std::vector<double> numbers = data();
+  ASSERT_EQ(numbers.size(), 2U * (160U + 1U));
+  EXPECT_NEAR(numbers[40], 1.0, 1e-12);  // rounding
+  EXPECT_NEAR(numbers[41], 0.0, 1e-9);   // a sine of amplitude 1 is 0 dB
+  spectrum.orders = 3.0;
+  EXPECT_THAT(script_of(spectrum), HasSubstr("set xrange [0:3]"));
+}
+
+TEST_F(PlotTraceTest, ForceHasTheFlanksBehindIt) {
+  const std::string one = script_of({write_one(2)}, "force");
+  EXPECT_THAT(one, AllOf(HasSubstr("dmf [k_{0} b_{n}]"), HasSubstr("\"drive flank\""),
+                         HasSubstr("\"no contact\""), Not(HasSubstr("back flank"))));
+  // The first band of the drive flank: from half a step after 0 to half a step after sin is last
+  // above 0.1, moment 7 of 16; over the whole height.
+  const std::vector<double> numbers = data();
+  EXPECT_NEAR(numbers[2], 0.5 / 16.0, 1e-12);  // rounding
+  EXPECT_NEAR(numbers[3], 7.5 / 16.0, 1e-12);
+  EXPECT_EQ(numbers[5], 1.0);
+}
+
+TEST_F(PlotTraceTest, TracesOfOneFileOrOfSeveralLieOverOneAnother) {
+  const Trace trace = made_trace(study_, 4, 16);
+  const std::string two = write("two.nc", {trace, trace}, {"mu=0", "mu=0.1"});
+  const std::string one = write("one.nc", {trace}, {"mu=0.1"});
+  for (const char* const quantity : {"time", "phase", "section", "spectrum", "force"}) {
+    EXPECT_THAT(script_of({two}, quantity),
+                AllOf(HasSubstr("title \"mu=0\""), HasSubstr("title \"mu=0.1\"")))
+        << quantity;
+  }
+  // The same label does not tell them apart, so the files do.
+  const std::string other = write("other.nc", {trace}, {"mu=0.1"});
+  EXPECT_THAT(
+      script_of({one, other}, "time"),
+      AllOf(HasSubstr("title \"one\""), HasSubstr("title \"other\""), HasSubstr("at mu=0.1")));
+}
+
+TEST_F(PlotTraceTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
+  const std::string path = write_one();
+  EXPECT_THAT(refused({path}, "tme"), HasSubstr("did you mean 'time'?"));
+  EXPECT_THAT(refused({path}, "time:dfm"), HasSubstr("did you mean 'dmf'?"));
+  EXPECT_THAT(refused({path}, "time:x1:v1"), HasSubstr("one channel"));
+  EXPECT_THAT(refused({path}, "phase:dmf"), HasSubstr("phase:dmf:x1"));
+  EXPECT_THAT(refused({path}, "phase:x2"), HasSubstr("no channel 'x2'"));
+  EXPECT_THAT(refused({write("short.nc", {made_trace(study_, 1, 16)}, {""}), path}, "phase:x1:x2"),
+              HasSubstr("no channel 'x2'"));
+  Trace part = made_trace(study_, 1, 16);
+  part.tau.resize(9);
+  for (std::vector<double>& values : part.values) values.resize(9);
+  EXPECT_THAT(refused({write("part.nc", {part}, {""})}, "spectrum"),
+              HasSubstr("9 of its 16 moments"));
+  part.tau[3] += 0.01;
+  EXPECT_THAT(refused({write("part.nc", {part}, {""})}, "spectrum"),
+              HasSubstr("--samples-per-period 256"));
+  Trace free = made_trace(study_, 1, 16);
+  free.channels.pop_back();
+  free.values.pop_back();
+  EXPECT_THAT(refused({write("free.nc", {free}, {""})}, "force"), HasSubstr("no backlash"));
+  EXPECT_THAT(refused({path, path, path, path, path, path, path}, "time"), HasSubstr("7 are too"));
+  PlotRequest cut = request({path}, "time");
+  cut.at = {{"b", 1.0}};
+  EXPECT_THAT(refusal([&] { plot_files(cut); }), HasSubstr("--at"));
+  PlotRequest orders = request({path}, "time");
+  orders.orders = 3.0;
+  EXPECT_THAT(refusal([&] { plot_files(orders); }), HasSubstr("spectra"));
+  const std::string map = IoTest::write(gearsweep::testing::example_result());
+  EXPECT_THAT(refused({path, map}, "time"), HasSubstr("some of the files hold maps"));
+  EXPECT_THAT(refused({path, in_folder("none.nc")}, "time"), HasSubstr("none.nc"));
+  EXPECT_EQ(files(), 5U);
+}
+
+}  // namespace
+}  // namespace gearsweep
