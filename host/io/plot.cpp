@@ -11,6 +11,7 @@
 #include "io/output_file.hpp"
 #include "io/plot_sources.hpp"
 #include "io/plot_text.hpp"
+#include "io/result_file.hpp"
 #include "io/trace_file.hpp"
 #include "model/error.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "io/plot_scale.hpp"
 #include "io/plot_text.hpp"
