@@ -20,7 +20,7 @@ constexpr double kFar = 1e-1;
 constexpr std::size_t kMostSteps = 4;  // of Newton's method
 
 NewtonLimits limits_of(const Study& study) {
-  return {0.1 * study.selection.period_tolerance, kFar, study.integrate.fp64 ? 1e-10 : 1e-3};
+  return {study.selection.period_tolerance, kFar, study.integrate.fp64 ? 1e-10 : 1e-3};
 }
 
 // Calls work(i) for all i below `count`, on all cores.
@@ -57,7 +57,8 @@ OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<d
       engine_(engine),
       open_(tile.points.size()),
       states_(initial),
-      hopeless_(tile.points.size(), 0) {
+      hopeless_(tile.points.size(), 0),
+      next_try_(tile.points.size(), 0) {
   std::iota(open_.begin(), open_.end(), std::size_t{0});
 }
 
@@ -90,7 +91,7 @@ std::vector<OrbitSearch::Attempt> OrbitSearch::candidates(
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < open_.size(); ++i) {
     const std::uint32_t lengths = returns[i] & ~hopeless_[open_[i]];
-    if (lengths == 0) continue;
+    if (lengths == 0 || settled_ < next_try_[open_[i]]) continue;
     Attempt attempt;
     attempt.index = i;
     attempt.length = static_cast<std::uint32_t>(std::countr_zero(lengths)) + 1;
@@ -133,6 +134,8 @@ bool OrbitSearch::pursue(std::vector<Attempt> attempts, const RoundCallback& aft
     });
     for (Attempt& attempt : attempts) {
       const std::size_t position = open_[attempt.index];
+      // Until it is found; the longer it takes, the less it costs to wait.
+      next_try_[position] = settled_ + settled_ / 2;
       if (attempt.verdict == NewtonVerdict::unstable) {
         hopeless_[position] |= 1U << (attempt.length - 1);
       } else if (attempt.verdict == NewtonVerdict::found) {

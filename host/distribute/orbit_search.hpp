@@ -58,6 +58,7 @@ class OrbitSearch {
   std::vector<std::size_t> open_;
   std::vector<double> states_;
   std::vector<std::uint32_t> hopeless_;  // [point of the tile] bit n - 1: not this length again
+  std::vector<std::size_t> next_try_;    // [point of the tile] not before so many periods
   std::vector<FoundOrbit> found_;
   std::vector<std::size_t> diverged_;
 };

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kRoundSeconds = 0.3;  // short enough to cancel and for a display's watchdog
 
-// The number of periods of the next launch, from how long the last one took.
-std::size_t next_round(std::size_t last, double seconds) {
-  const double factor = std::clamp(kRoundSeconds / std::max(seconds, 1e-6), 0.1, 8.0);
-  return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(last) * factor));
-}
-
 }  // namespace
 
 SweepRound round_of(const Window& window, std::size_t items, std::size_t periods,
@@ -156,17 +150,22 @@ void Launcher::launch(cl::Kernel* kernel, std::size_t items) {
 }
 
 bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
-                          std::size_t periods, const RoundCallback& after_round, double cost) {
-  std::size_t length = fixed_round_ > 0 ? fixed_round_ : 4;
+                          std::size_t periods, const RoundCallback& after_round) {
+  constexpr double kFirstRound = 4.0;  // periods, while the device's speed is not known
   for (std::size_t done = 0; done < periods;) {
+    const double fitting = steps_per_second_ > 0.0
+                               ? kRoundSeconds * steps_per_second_ / inputs.steps_per_period
+                               : kFirstRound;
+    const std::size_t length =
+        fixed_round_ > 0 ? fixed_round_ : static_cast<std::size_t>(std::clamp(fitting, 1.0, 1e6));
     const std::size_t now = std::min(length, periods - done);
     kernel->setArg(0, round_of(window, inputs.slots.items(), now, done));
-    const auto start = std::chrono::steady_clock::now();
+    const double before = seconds_;
     launch(kernel, inputs.slots.items());
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    const double steps = inputs.steps_per_period * static_cast<double>(now);
+    steps_per_second_ = steps / std::max(seconds_ - before, 1e-6);
     done += now;
-    if (fixed_round_ == 0) length = next_round(now, took.count());
-    if (!after_round(cost * inputs.steps_per_period * static_cast<double>(now))) return false;
+    if (!after_round(steps)) return false;
   }
   return true;
 }

@@ -60,10 +60,9 @@ class Launcher {
 
   void launch(cl::Kernel* kernel, std::size_t items);
   double seconds() const { return seconds_; }  // of all launches so far
-  // Advances a tile by `periods`, round by round; false when the callback asked to stop. A period
-  // counts as `cost` of its steps.
+  // Advances a tile by `periods`, round by round; false when the callback asked to stop.
   bool run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
-                  std::size_t periods, const RoundCallback& after_round, double cost = 1.0);
+                  std::size_t periods, const RoundCallback& after_round);
 
  private:
   // The phase grids of the last tile that was whole: its parts find theirs here.
@@ -88,6 +87,7 @@ class Launcher {
   cl::CommandQueue queue_;
   GridBank bank_;
   double seconds_ = 0.0;
+  double steps_per_second_ = 0.0;  // of the last round; 0: not known yet
 };
 
 // A launch that advances by `periods`, of which `done` of the same kind lie behind it.

@@ -65,8 +65,12 @@ void draw_figures(Gallery* gallery) {
   gallery->add("fig7", {"fig7"}, "poincare,x1_rms,dmf_max",
                "Section, RMS and largest force over the half backlash");
   gallery->heading("Figure 8");
-  gallery->add("fig8", {"fig8-trace"}, "phase", "Phase portraits at four half backlashes");
-  gallery->add("fig8-late", {"fig8-late-trace"}, "phase", "The same after 1500 periods");
+  const std::vector<const char*> b = {"0.39", "0.70", "0.90", "1.20"};
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    gallery->add(fmt::format("fig8-{}", i + 1), {fmt::format("fig8-trace-{}", i + 1)}, "phase",
+                 fmt::format("Phase portrait at b = {}", b[i]));
+  }
+  gallery->add("fig8-late", {"fig8-late-trace-1"}, "phase", "At b = 0.39 after 1500 periods");
   gallery->heading("Figure 9");
   gallery->add("fig9", {"fig9"}, "poincare,x1_rms,dmf_max", "Constant backlash");
   gallery->add("fig9-dynamic", {"fig9-dynamic"}, "poincare,x1_rms,dmf_max", "Dynamic backlash");

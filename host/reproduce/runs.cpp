@@ -117,6 +117,11 @@ class Runs {
       labels.push_back(fmt::format("{}={}", axis.name, value));
     }
     write_traces(traces, labels, {axis.name}, whole, path_of(name + "-trace"), provenance());
+    // Also each alone: motions of different size do not share a phase portrait well.
+    for (std::size_t i = 0; i < traces.size(); ++i) {
+      write_traces({traces[i]}, {labels[i]}, {axis.name}, whole,
+                   path_of(fmt::format("{}-trace-{}", name, i + 1)), provenance());
+    }
     return traces;
   }
 

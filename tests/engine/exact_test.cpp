@@ -182,8 +182,9 @@ void expect_translation(const std::string& model, const std::string& omega, doub
           "name = 'omega'\nvalues = " +
           omega +
           "\n[initial]\npolicy = 'shifted'\n[integrate]\n"
-          "steps_per_period = 512\nsettle = 200\nrecord = 2\n[observe]\nquantities = ['x1_mean', "
-          "'x1_std', 'x2_rms', 'dmf_min', 'dmf_max', 'contact_drive', 'contact_back', "
+          "steps_per_period = 512\nsettle = 200\nrecord = 2\nstop = 'never'\n[observe]\n"
+          "quantities = ['x1_mean', 'x1_std', 'x2_rms', 'dmf_min', 'dmf_max', 'contact_drive', "
+          "'contact_back', "
           "'contact_class', 'poincare']\n" +
           kAllStates);
   const std::vector<double>& b = result.study.axes[0].values;
