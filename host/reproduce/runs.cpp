@@ -151,8 +151,9 @@ class Runs {
                     "[model]\npreset = \"{1}\"\nbacklash = \"{0}\"\n"
                     "[[axes]]\nname = \"omega\"\nfrom = 0.3\nto = 1.5\ncount = 121\n"
                     "[[axes]]\nname = \"b\"\nfrom = 0.3\nto = 1.3\ncount = 81\n"
-                    "[integrate]\nsettle = 600\nrecord = 100\nextend = 1\n"
-                    "[observe]\nquantities = [\"lyapunov_max\", \"period\", \"x1_rms\"]\n",
+                    "[integrate]\nsettle = 4000\nrecord = 100\nextend = 1\n"
+                    "[observe]\nperiod_tolerance = 1e-4\n"
+                    "quantities = [\"lyapunov_max\", \"period\", \"x1_rms\"]\n",
                     law, options_.preset),
         "omega-b");
   }
