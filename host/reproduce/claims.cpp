@@ -156,12 +156,18 @@ class Judge {
         by_count({halves <= 3.0, sixths > 3.0}));
   }
 
-  std::string describe_jump(const std::string& figure) const {
+  // The first jump of a figure; null when there is none.
+  const Measured::Jump* first_jump(const std::string& figure) const {
     const auto found = measured_.jumps.find(figure);
-    if (found == measured_.jumps.end()) return "no jump";
-    const Measured::Jump& jump = found->second;
+    return found == measured_.jumps.end() || found->second.empty() ? nullptr
+                                                                   : &found->second.front();
+  }
+
+  std::string describe_jump(const std::string& figure) const {
+    const Measured::Jump* jump = first_jump(figure);
+    if (jump == nullptr) return "no jump";
     return fmt::format("jump between b = {:.4f} and {:.4f}; {} attractors below, {} above",
-                       jump.below, jump.above, jump.count_below, jump.count_above);
+                       jump->below, jump->above, jump->count_below, jump->count_above);
   }
 
   void constant_backlash() {
@@ -180,19 +186,16 @@ class Judge {
                     rises ? ", rising" : ""),
         by_count({flat, rises}));
 
-    const auto jump = measured_.jumps.find("fig7");
-    const bool jumps =
-        jump != measured_.jumps.end() && jump->second.above >= 0.43 && jump->second.above <= 0.8;
+    const Measured::Jump* jump = first_jump("fig7");
+    const bool jumps = jump != nullptr && jump->above >= 0.43 && jump->above <= 0.8;
     add(7, "At a first value of b the motion jumps to another with a much larger force.",
         "the first b with a force above 0.6 lies in 0.43 .. 0.8", describe_jump("fig7"),
         jumps ? Verdict::holds : Verdict::does_not_hold);
-    const bool coexist = jump != measured_.jumps.end() && jump->second.count_below > 1 &&
-                         jump->second.count_above > 1;
     add(7, "The jump is a bifurcation (\"blue sky\").",
         "on one side of it an ensemble of 16 initial states reaches one attractor alone; with two "
         "or more on both sides the jump is a change of basin, and the claim does not hold",
         describe_jump("fig7"),
-        jump != measured_.jumps.end() && !coexist ? Verdict::holds : Verdict::does_not_hold);
+        jump != nullptr && !jump->is_change_of_basin() ? Verdict::holds : Verdict::does_not_hold);
 
     const Curve exponent(map("fig7"), "lyapunov_max");
     const double chaos =

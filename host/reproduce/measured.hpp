@@ -49,13 +49,14 @@ struct Measured {
   std::string preset;
   std::map<std::string, SweepResult> maps;           // by figure: "fig4"
   std::map<std::string, std::vector<Trace>> traces;  // of a figure's points, in their order
-  // At the first jump of figures 7 and 10 (half backlash just below and just above it): how many
-  // attractors an ensemble of initial states reaches. Empty where nothing jumps.
+  // Where the largest force of figures 7 and 10 passes 0.6 from one half backlash to the next, and
+  // how many attractors an ensemble of initial states reaches at both.
   struct Jump {
     double below = 0.0, above = 0.0;
     std::size_t count_below = 0, count_above = 0;
+    bool is_change_of_basin() const { return count_below > 1 && count_above > 1; }
   };
-  std::map<std::string, Jump> jumps;
+  std::map<std::string, std::vector<Jump>> jumps;  // by figure, ascending; empty: nothing jumps
   // Greatest relative change of the energy in three periods, undamped and unforced, in contact.
   double drift_consistent = 0.0, drift_printed = 0.0;
 };

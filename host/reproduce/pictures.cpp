@@ -86,6 +86,13 @@ void draw_beyond(const Measured& measured, Gallery* gallery) {
   gallery->heading("Beyond the paper");
   gallery->add("fig9-directions", {"fig9-forward", "fig9-backward"}, "x1_rms",
                "RMS of x1, each point from its neighbour's last state");
+  for (const auto& [figure, jumps] : measured.jumps) {
+    for (const std::string side : {"below", "above"}) {
+      gallery->add(
+          figure + "-basins-" + side, {figure + "-basins-" + side}, "attractor",
+          fmt::format("Basins just {} the first jump of figure {}", side, figure.substr(3)));
+    }
+  }
   write_difference(measured.maps.at("omega-b-constant"), measured.maps.at("omega-b-dynamic"),
                    gallery->path("omega-b-difference.nc"));
   for (const std::string law : {"constant", "dynamic"}) {

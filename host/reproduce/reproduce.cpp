@@ -62,20 +62,30 @@ std::string claims_table(const std::vector<Judgement>& judgements) {
   return text + "\n";
 }
 
+std::string jumps_table(const Measured& measured) {
+  if (measured.jumps.empty()) {
+    return "No jump: the largest meshing force stays below 0.6 over all of figures 7 and 10.\n\n";
+  }
+  std::string text =
+      "Where the largest meshing force passes 0.6 from one half backlash to the next, and how many "
+      "attractors 16 initial states around rest reach on both sides: with two or more on both, "
+      "both "
+      "motions exist on both sides, and the jump is a change of basin, not a bifurcation.\n\n"
+      "| figure | from b | to b | attractors at the one | at the other | |\n"
+      "| --- | --- | --- | --- | --- | --- |\n";
+  for (const auto& [figure, jumps] : measured.jumps) {
+    for (const Measured::Jump& jump : jumps) {
+      text += fmt::format("| {} | {:.4f} | {:.4f} | {} | {} | {} |\n", figure.substr(3), jump.below,
+                          jump.above, jump.count_below, jump.count_above,
+                          jump.is_change_of_basin() ? "change of basin" : "may be a bifurcation");
+    }
+  }
+  return text + "\n";
+}
+
 std::string beyond(const Measured& measured) {
   std::string text = "## Beyond the paper\n\n";
-  for (const auto& [figure, jump] : measured.jumps) {
-    text += fmt::format(
-        "- **{}, the jump between b = {:.4f} and {:.4f}**: 16 initial states around rest reach {} "
-        "attractors below and {} above. {}\n",
-        figure, jump.below, jump.above, jump.count_below, jump.count_above,
-        jump.count_below > 1 && jump.count_above > 1
-            ? "Both motions exist on both sides: the jump is a change of basin, not a bifurcation."
-            : "On one side there is only one: the jump may be a bifurcation.");
-  }
-  if (measured.jumps.empty()) {
-    text += "- No jump: the largest meshing force stays below 0.6 over all of figures 7 and 10.\n";
-  }
+  text += jumps_table(measured);
   const double hysteresis = differing(measured.maps.at("fig9-forward"),
                                       measured.maps.at("fig9-backward"), "x1_rms", 0.01);
   text += fmt::format(

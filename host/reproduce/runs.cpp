@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "distribute/trace_run.hpp"
 #include "io/result_file.hpp"
@@ -15,6 +16,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kLargeForce = 0.6;  // beyond it, figures 7 and 10 have jumped
+constexpr std::size_t kMostJumps = 12;
 
 constexpr std::size_t kWholeSixths = 96;  // periods, so that sixths of the mesh order are lines
 constexpr std::size_t kSamples = 256;     // per period, for spectra
@@ -39,8 +41,8 @@ class Runs {
     measured_.traces["fig8"] = trace("fig8", 100, 0);
     measured_.traces["fig8-late"] = trace("fig8-late", 100, 1500);
     measured_.traces["fig11"] = trace("fig11", 8, 0);
-    find_jump("fig7");
-    find_jump("fig10");
+    find_jumps("fig7");
+    find_jumps("fig10");
     for (const char* direction : {"forward", "backward"}) {
       const std::string name = fmt::format("fig9-{}", direction);
       measured_.maps.emplace(
@@ -125,24 +127,49 @@ class Runs {
     return traces;
   }
 
-  // How many attractors there are on both sides of the first value with a large force.
-  void find_jump(const std::string& figure) {
+  // How many attractors there are on both sides of each passage of the force through a large value
+  // (of the first kMostJumps), and the basins at the first of them.
+  void find_jumps(const std::string& figure) {
     const Curve force(measured_.maps.at(figure), "dmf_max");
-    for (std::size_t i = 1; i < force.size(); ++i) {
-      if (!(force[i] > kLargeForce)) continue;
-      Measured::Jump jump = {force.x(i - 1), force.x(i), 0, 0};
-      step(fmt::format("{}: attractors at b = {:.4f} and {:.4f}", figure, jump.below, jump.above));
-      Study study =
-          study_of(figure, {"initial.ensemble=16", "integrate.settle=4000", "integrate.record=200",
-                            "integrate.stop=orbit", "observe.quantities=[\"attractor_count\"]"});
-      study.axes.front().values = {jump.below, jump.above};
-      const SweepResult result = compute(study);
-      const Curve count(result, "attractor_count");
-      jump.count_below = static_cast<std::size_t>(count[0]);
-      jump.count_above = static_cast<std::size_t>(count[1]);
-      measured_.jumps.emplace(figure, jump);
-      return;
+    std::vector<Measured::Jump> jumps;
+    std::set<double> values;
+    for (std::size_t i = 1; i < force.size() && jumps.size() < kMostJumps; ++i) {
+      if ((force[i] > kLargeForce) == (force[i - 1] > kLargeForce)) continue;
+      jumps.push_back({force.x(i - 1), force.x(i), 0, 0});
+      values.insert({force.x(i - 1), force.x(i)});
     }
+    if (jumps.empty()) return;
+    step(fmt::format("{}: attractors at {} jumps", figure, jumps.size()));
+    Study study =
+        study_of(figure, {"initial.ensemble=16", "integrate.settle=4000", "integrate.record=200",
+                          "integrate.stop=orbit", "observe.quantities=[\"attractor_count\"]"});
+    study.axes.front().values.assign(values.begin(), values.end());
+    const SweepResult result = compute(study);
+    const Curve count(result, "attractor_count");
+    for (Measured::Jump& jump : jumps) {
+      jump.count_below = static_cast<std::size_t>(count[count.nearest(jump.below)]);
+      jump.count_above = static_cast<std::size_t>(count[count.nearest(jump.above)]);
+    }
+    sweep(figure + "-basins-below", basin_study(figure, jumps.front().below));
+    sweep(figure + "-basins-above", basin_study(figure, jumps.front().above));
+    measured_.jumps.emplace(figure, std::move(jumps));
+  }
+
+  // Which attractor each initial x1 and v1 leads to, the rest at zero.
+  Study basin_study(const std::string& figure, double b) const {
+    return read_study(
+        fmt::format("title = \"Basins at b = {:.4f}, {} backlash\"\n[model]\npreset = \"{}\"\n"
+                    "backlash = \"{}\"\n[parameters]\nomega = 0.5\nb = {}\n"
+                    "[[axes]]\nname = \"x1\"\nfrom = -2.0\nto = 2.5\ncount = 61\n"
+                    "[[axes]]\nname = \"v1\"\nfrom = -1.2\nto = 1.2\ncount = 41\n"
+                    "[initial]\npolicy = \"fixed\"\n[integrate]\nsettle = 2000\nrecord = 100\n"
+                    "[observe]\nperiod_tolerance = 1e-4\nquantities = [\"attractor\"]\n",
+                    b, law_of(figure), options_.preset, law_of(figure), b),
+        "basins");
+  }
+
+  static const char* law_of(const std::string& figure) {
+    return figure == "fig10" ? "dynamic" : "constant";
   }
 
   Study map_study(const std::string& law) const {

@@ -82,7 +82,7 @@ Measured as_the_paper_says() {
                                                        : b < 0.6 ? 1.0
                                                                  : 2.0; }},
                {"lyapunov_max", [](double b) { return b < 0.5 ? -0.01 : 0.05; }}});
-  measured.jumps["fig7"] = {0.4975, 0.5, 1, 1};
+  measured.jumps["fig7"] = {{0.4975, 0.5, 1, 1}};
   measured.traces["fig8"] = {made_trace(0.2, 0.4), made_trace(-1.0, 2.0), made_trace(-1.0, 2.0),
                              made_trace(-7.0, 7.0)};
   measured.traces["fig8-late"] = {made_trace(0.25, 0.35)};
@@ -123,7 +123,7 @@ TEST(Claims, AResonanceElsewhereHoldsInPart) {
 
 TEST(Claims, CoexistenceOnBothSidesIsNoBifurcation) {
   Measured measured = as_the_paper_says();
-  measured.jumps["fig7"] = {0.4975, 0.5, 2, 2};
+  measured.jumps["fig7"] = {{0.4975, 0.5, 2, 2}};
   EXPECT_EQ(verdict_on(measured, 7, 1), Verdict::holds);
   EXPECT_EQ(verdict_on(measured, 7, 2), Verdict::does_not_hold);
 }
