@@ -1,5 +1,6 @@
 #include "distribute/trace_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "distribute/history.hpp"
@@ -15,6 +16,7 @@ struct Start {
   std::vector<double> state;
   std::size_t settled = 0;  // periods behind it
   std::size_t settle = 0;   // periods from it to the record
+  std::size_t length = 0;   // of the periodic orbit that it is on; 0: none was found
 };
 
 // Where a chained point goes on from: the last state of the sweep up to its neighbour.
@@ -67,10 +69,21 @@ std::optional<Start> find_start(const Plan& plan, const Tile& tile,
     if (!search.advance(after_round)) return std::nullopt;
     if (search.found().empty()) continue;
     const FoundOrbit& orbit = search.found().front();
-    return Start{orbit.state, search.settled(), (settle - search.settled()) % orbit.length};
+    return Start{orbit.state, search.settled(), (settle - search.settled()) % orbit.length,
+                 orbit.length};
   }
   if (!search.diverged().empty()) return Start{};
   return Start{search.states(), search.settled(), settle - search.settled()};
+}
+
+// The map of a point that stopped on an orbit repeats its one turn, and so does its trace.
+void repeat_turn(std::size_t record, std::size_t turn, std::vector<double>* rows) {
+  const std::size_t of_period = rows->size() / turn;
+  rows->reserve(of_period * record);
+  for (std::size_t period = turn; period < record && of_period > 0; ++period) {
+    const std::size_t first = period % turn * of_period;
+    for (std::size_t i = 0; i < of_period; ++i) rows->push_back((*rows)[first + i]);
+  }
 }
 
 }  // namespace
@@ -90,9 +103,11 @@ std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_perio
   if (!start) return std::nullopt;
   std::optional<std::vector<double>> rows;
   if (!start->state.empty()) {
-    rows =
-        engine->rows(plan, point, start->state, start->settle, study.integrate.record, after_round);
+    const std::size_t record = study.integrate.record;
+    const std::size_t turn = start->length > 0 ? std::min(start->length, record) : record;
+    rows = engine->rows(plan, point, start->state, start->settle, turn, after_round);
     if (!rows) return std::nullopt;
+    repeat_turn(record, turn, &*rows);
   }
   if (!rows || rows->empty()) throw RunError("the point diverges before there is anything to see");
   Trace trace = trace_of(plan, point, *rows, samples_per_period);

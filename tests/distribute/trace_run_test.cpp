@@ -63,7 +63,7 @@ TEST(Trace, GivesTheMapsOfItsPoint) {
     const Trace trace = trace_of_study(toml);
     const std::vector<double>& x1 = channel(trace, "x1");
     const std::vector<double>& dmf = channel(trace, "dmf");
-    // Rounding of some 2,000 terms, and of the turns of an orbit that the map repeats.
+    // Rounding of some 2,000 terms.
     constexpr double kRounding = 1e-12;
     EXPECT_NEAR(time_average(trace, [&](std::size_t i) { return x1[i]; }),
                 map_of(map, "x1_mean")[0], kRounding);
@@ -87,11 +87,15 @@ TEST(Trace, GivesTheMapsOfItsPoint) {
   }
 }
 
-TEST(Trace, PassesThroughTheSamplesOfChaosBitForBit) {
-  const std::string toml = gear_point("0.55", "");
-  const SweepResult map = run(toml);
-  EXPECT_EQ(map.stopped, 0U);
-  EXPECT_EQ(section(trace_of_study(toml), "x1"), samples_of(map, 0, 0));
+// In chaos, and on an orbit whose map repeats one turn.
+TEST(Trace, PassesThroughTheSamplesBitForBit) {
+  for (const char* omega : {"0.55", "0.8"}) {
+    SCOPED_TRACE(omega);
+    const std::string toml = gear_point(omega, "");
+    const SweepResult map = run(toml);
+    EXPECT_EQ(map.stopped, std::string(omega) == "0.8" ? 1U : 0U);
+    EXPECT_EQ(section(trace_of_study(toml), "x1"), samples_of(map, 0, 0));
+  }
 }
 
 // The last point of a chain of three, as the whole map has it.
