@@ -54,6 +54,8 @@ typedef JOIN(MASK_NAME, LANES) mask;
 
 #else
 
+// There is one lane on the host.
+typedef bool mask;
 #define SHARED_FN [[maybe_unused]] static inline
 #define UNROLL
 #define TABLE const

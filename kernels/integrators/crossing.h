@@ -100,8 +100,9 @@ SHARED_FN void crossing_apply(const Crossings* crossings, const ModelContact* co
 SHARED_FN bool crossings_any(const ModelContact* contact) {
   const ModelContact* a = &contact[0];
   const ModelContact* b = &contact[RK4_EVALUATIONS - 1];
-  return !all_lanes(((a->backlash < a->deflection) == (b->backlash < b->deflection)) &
-                    ((a->deflection < -a->backlash) == (b->deflection < -b->backlash)));
+  const mask drive = (a->backlash < a->deflection) == (b->backlash < b->deflection);
+  const mask back = (a->deflection < -a->backlash) == (b->deflection < -b->backlash);
+  return !all_lanes(drive & back);
 }
 
 // Corrects the end x of a step from what its evaluations saw, and keeps what rk4_tangent_step needs
