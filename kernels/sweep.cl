@@ -7,6 +7,7 @@
 //   PERIOD_TOLERANCE                of the study; undefined when no observer is an ORBIT
 //   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
 #include "items.h"
+
 __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                      __global real* state) {
   const uint items = round.items;

@@ -41,18 +41,6 @@ std::string command_line(const TraceArguments& arguments) {
   return line + fmt::format(" -o '{}'", arguments.output);
 }
 
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> parts = {""};
-  for (const char letter : text) {
-    if (letter == ',') {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  return parts;
-}
-
 // The nearest value of a swept axis; `value` must not lie beyond its ends.
 std::size_t nearest_value(const Axis& axis, double value) {
   if (value < axis.values.front() || value > axis.values.back()) {
@@ -152,7 +140,7 @@ int run(const TraceArguments& arguments) {
   std::vector<std::string> labels, placed_names;
   for (const std::string& point : points) {
     std::vector<Placed> place;
-    if (!point.empty()) place = read_place(*whole.model, split_at_commas(point));
+    if (!point.empty()) place = read_place(*whole.model, split(point, ','));
     snap(whole, is_map, &place);
     const Study study = point_study(whole, place);
     const std::optional<Trace> trace = run_trace(study, arguments.samples_per_period, options);

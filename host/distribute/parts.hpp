@@ -1,5 +1,5 @@
 // Some of a tile's points as a tile of their own, and their answers put back. Private to this
-// folder. Positions are places in the tile, ascending.
+// folder. Positions are places in the tile, those of one phase grid together.
 #pragma once
 
 #include <cstddef>

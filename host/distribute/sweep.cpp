@@ -5,20 +5,14 @@
 #include <chrono>
 
 #include "distribute/assembly.hpp"
+#include "distribute/make_engine.hpp"
 #include "distribute/pilot.hpp"
 #include "distribute/tile_run.hpp"
 #include "journal/journal.hpp"
 #include "model/version.hpp"
-#include "opencl/opencl_engine.hpp"
-#include "reference/reference_engine.hpp"
 
 namespace gearsweep {
 namespace {
-
-std::unique_ptr<Engine> make_engine(const Study& study, std::optional<std::size_t> device) {
-  if (study.integrate.engine == EngineKind::reference) return make_reference_engine();
-  return make_opencl_engine(study, device);
-}
 
 // What two runs must have in common for one to continue the other's journal.
 std::string fingerprint(const Study& study, const EngineInfo& engine, std::size_t tile_points) {

@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "distribute/history.hpp"
+#include "distribute/make_engine.hpp"
 #include "distribute/orbit_search.hpp"
 #include "model/error.hpp"
-#include "opencl/opencl_engine.hpp"
-#include "reference/reference_engine.hpp"
 
 namespace gearsweep {
 namespace {
@@ -90,9 +89,7 @@ void repeat_turn(std::size_t record, std::size_t turn, std::vector<double>* rows
 
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options) {
-  const bool is_reference = study.integrate.engine == EngineKind::reference;
-  const std::unique_ptr<Engine> engine =
-      is_reference ? make_reference_engine() : make_opencl_engine(study, options.device);
+  const std::unique_ptr<Engine> engine = make_engine(study, options.device);
   const Plan plan(study, study.points());
   const std::size_t point = followed_point(study);
   const Tile tile = {{point}, {0}, 0.0};

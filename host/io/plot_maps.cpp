@@ -11,6 +11,7 @@
 #include "io/plot_text.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
+#include "model/names.hpp"
 
 namespace gearsweep {
 namespace {

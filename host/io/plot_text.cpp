@@ -99,18 +99,6 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   return lines;
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts = {""};
-  for (const char letter : text) {
-    if (letter == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  return parts;
-}
-
 std::vector<std::string> first_distinct(const std::vector<std::vector<std::string>>& lists) {
   for (const std::vector<std::string>& names : lists) {
     if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) return names;

@@ -29,9 +29,6 @@ std::string label_of(const ResultAxis& axis);
 // The text in lines, broken at blanks, of at most `width` letters where that can be done.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
-// "a,b" as a and b; one empty string of an empty one.
-std::vector<std::string> split(const std::string& text, char separator);
-
 // The first list whose names differ from each other; where none has, the first, numbered.
 std::vector<std::string> first_distinct(const std::vector<std::vector<std::string>>& lists);
 

@@ -14,4 +14,7 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
 // The words of a list such as "consistent printed".
 std::vector<std::string> split_words(std::string_view words);
 
+// "a,b" as a and b; one empty string of an empty one.
+std::vector<std::string> split(std::string_view text, char separator);
+
 }  // namespace gearsweep

@@ -1,0 +1,13 @@
+#include "distribute/make_engine.hpp"
+
+#include "opencl/opencl_engine.hpp"
+#include "reference/reference_engine.hpp"
+
+namespace gearsweep {
+
+std::unique_ptr<Engine> make_engine(const Study& study, std::optional<std::size_t> device) {
+  if (study.integrate.engine == EngineKind::reference) return make_reference_engine();
+  return make_opencl_engine(study, device);
+}
+
+}  // namespace gearsweep
