@@ -58,7 +58,8 @@ OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<d
       open_(tile.points.size()),
       states_(initial),
       hopeless_(tile.points.size(), 0),
-      next_try_(tile.points.size(), 0) {
+      next_try_(tile.points.size(), 0),
+      is_found_(tile.points.size(), 0) {
   std::iota(open_.begin(), open_.end(), std::size_t{0});
 }
 
@@ -72,7 +73,6 @@ bool OrbitSearch::can_advance() const {
 }
 
 bool OrbitSearch::advance(const RoundCallback& after_round) {
-  found_.clear();
   const Tile part = part_of(plan_, tile_, open_, ORBIT_LONGEST);
   std::optional<Approach> approach =
       engine_->approach(plan_, part, states_, ORBIT_LONGEST, kNear, after_round);
@@ -84,7 +84,8 @@ bool OrbitSearch::advance(const RoundCallback& after_round) {
   return true;
 }
 
-// By phase grid and length, as a part's groups want them.
+// By length and phase grid, as a part's groups want them; the longest first, so that no core is
+// left with one in the end.
 std::vector<OrbitSearch::Attempt> OrbitSearch::candidates(
     const std::vector<std::uint32_t>& returns) const {
   const std::size_t states = plan_.study().model->states.size();
@@ -101,7 +102,7 @@ std::vector<OrbitSearch::Attempt> OrbitSearch::candidates(
     attempts.push_back(std::move(attempt));
   }
   const auto group = [&](const Attempt& attempt) {
-    return std::make_pair(grid_of(tile_, open_[attempt.index]), attempt.length);
+    return std::make_pair(-static_cast<int>(attempt.length), grid_of(tile_, open_[attempt.index]));
   };
   std::stable_sort(attempts.begin(), attempts.end(),
                    [&](const Attempt& a, const Attempt& b) { return group(a) < group(b); });
@@ -140,8 +141,9 @@ bool OrbitSearch::pursue(std::vector<Attempt> attempts, const RoundCallback& aft
         hopeless_[position] |= 1U << (attempt.length - 1);
       } else if (attempt.verdict == NewtonVerdict::found) {
         for (double& growth : attempt.newton.multipliers) growth /= attempt.length;
-        found_.push_back({position, attempt.length, std::move(attempt.newton.state),
+        found_.push_back({position, attempt.length, settled_, std::move(attempt.newton.state),
                           std::move(attempt.newton.multipliers)});
+        is_found_[position] = 1;
       }
     }
     std::erase_if(attempts, [](const Attempt& attempt) {
@@ -154,15 +156,9 @@ bool OrbitSearch::pursue(std::vector<Attempt> attempts, const RoundCallback& aft
 // Takes out of the open points what was found, and what has diverged.
 void OrbitSearch::close_points() {
   const std::size_t states = plan_.study().model->states.size();
-  std::sort(found_.begin(), found_.end(),
-            [](const FoundOrbit& a, const FoundOrbit& b) { return a.position < b.position; });
   std::size_t kept = 0;
-  auto next = found_.begin();
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    if (next != found_.end() && next->position == open_[i]) {
-      ++next;
-      continue;
-    }
+    if (is_found_[open_[i]] != 0) continue;
     if (std::isnan(states_[i * states])) {
       diverged_.push_back(open_[i]);
       continue;
@@ -174,8 +170,6 @@ void OrbitSearch::close_points() {
   }
   open_.resize(kept);
   states_.resize(kept * states);
-  std::stable_sort(found_.begin(), found_.end(),
-                   [](const FoundOrbit& a, const FoundOrbit& b) { return a.length < b.length; });
 }
 
 }  // namespace gearsweep

@@ -17,9 +17,10 @@
 namespace gearsweep {
 
 struct FoundOrbit {
-  std::size_t position = 0;     // of the point in the tile
-  std::uint32_t length = 0;     // periods of the forcing that it takes to come back
-  std::vector<double> state;    // at the end of the periods settled so far
+  std::size_t position = 0;  // of the point in the tile
+  std::uint32_t length = 0;  // periods of the forcing that it takes to come back
+  std::size_t settled = 0;   // periods behind the state
+  std::vector<double> state;
   std::vector<double> growths;  // log |multiplier| per forcing period, largest first
 };
 
@@ -37,7 +38,7 @@ class OrbitSearch {
   bool advance(const RoundCallback& after_round);
 
   std::size_t settled() const { return settled_; }  // periods so far
-  // Those that the last advance() took out of the open points, by length and position.
+  // Those that were taken out of the open points so far, as they were found.
   const std::vector<FoundOrbit>& found() const { return found_; }
   // Positions of those that have diverged since the search began; they are no longer open.
   const std::vector<std::size_t>& diverged() const { return diverged_; }
@@ -59,6 +60,7 @@ class OrbitSearch {
   std::vector<double> states_;
   std::vector<std::uint32_t> hopeless_;  // [point of the tile] bit n - 1: not this length again
   std::vector<std::size_t> next_try_;    // [point of the tile] not before so many periods
+  std::vector<std::uint8_t> is_found_;   // [point of the tile]
   std::vector<FoundOrbit> found_;
   std::vector<std::size_t> diverged_;
 };

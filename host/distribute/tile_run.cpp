@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "distribute/extension.hpp"
 #include "distribute/orbit_search.hpp"
@@ -10,6 +11,11 @@
 
 namespace gearsweep {
 namespace {
+
+bool observes(const Selection& selection, const std::string& name) {
+  return std::any_of(selection.observers.begin(), selection.observers.end(),
+                     [&](const Observer& observer) { return observer.observable->name == name; });
+}
 
 class TileRun {
  public:
@@ -20,6 +26,7 @@ class TileRun {
         engine_(engine),
         callbacks_(callbacks),
         windows_(windows_of(study_)),
+        tells_settling_(observes(study_.selection, "settled")),
         result_(empty_result(study_, tile.points.size())) {}
 
   std::optional<TileResult> run(const std::vector<double>& initial) {
@@ -35,9 +42,11 @@ class TileRun {
   bool search_for_orbits(const std::vector<double>& initial) {
     OrbitSearch search(plan_, tile_, initial, engine_->orbits());
     while (search.can_advance()) {
+      const std::size_t before = search.found().size();
       if (!search.advance(callbacks_.after_round)) return false;
-      if (!record_orbits(search.found(), search.settled())) return false;
+      count_as_saved(search, before);
     }
+    if (!record_orbits(search.found())) return false;
     for (const std::size_t position : search.diverged()) {
       result_.status[position] = STATUS_diverged;
       blank_point(position, &result_);
@@ -48,22 +57,46 @@ class TileRun {
     return true;
   }
 
-  // The orbits stand by length.
-  bool record_orbits(const std::vector<FoundOrbit>& orbits, std::size_t settled) {
+  // What the orbits found from number `first` on were planned to take still.
+  void count_as_saved(const OrbitSearch& search, std::size_t first) {
+    const Window& whole = windows_.front();
+    const auto periods = static_cast<double>(whole.settle - search.settled() + whole.record);
+    double steps = 0.0;
+    for (std::size_t i = first; i < search.found().size(); ++i) {
+      steps += static_cast<double>(plan_.steps_of(tile_.points[search.found()[i].position]));
+    }
+    callbacks_.on_work(-steps * periods);
+  }
+
+  // Those together that need the same launches, however early each was found.
+  bool record_orbits(std::vector<FoundOrbit> orbits) {
+    const auto launches = [&](const FoundOrbit& orbit) {
+      return std::make_tuple(orbit.length, lead_of(orbit), tells_settling_ ? orbit.settled : 0);
+    };
+    std::sort(orbits.begin(), orbits.end(), [&](const FoundOrbit& a, const FoundOrbit& b) {
+      return std::tuple_cat(launches(a), std::tie(a.position)) <
+             std::tuple_cat(launches(b), std::tie(b.position));
+    });
     for (auto first = orbits.begin(); first != orbits.end();) {
       const auto last = std::find_if(first, orbits.end(), [&](const FoundOrbit& orbit) {
-        return orbit.length != first->length;
+        return launches(orbit) != launches(*first);
       });
-      if (!record_orbits({first, last}, first->length, settled)) return false;
+      if (!record_alike({first, last})) return false;
       first = last;
     }
     return true;
   }
 
-  // Observers of states and signals see one turn, those of tangents and orbits its repetition. The
-  // turn begins at that of its sections at which a run to the end would begin to record.
-  bool record_orbits(const std::vector<FoundOrbit>& orbits, std::size_t length,
-                     std::size_t settled) {
+  // Periods from an orbit's state to that of its sections at which a run to the end would begin to
+  // record.
+  std::size_t lead_of(const FoundOrbit& orbit) const {
+    return (windows_.front().settle - orbit.settled) % orbit.length;
+  }
+
+  // Observers of states and signals see one turn, those of tangents and orbits its repetition.
+  bool record_alike(const std::vector<FoundOrbit>& orbits) {
+    const std::size_t length = orbits.front().length;
+    const std::size_t settled = orbits.front().settled;
     std::vector<std::size_t> positions;
     std::vector<double> states, growths;
     const std::size_t tangents = study_.selection.tangent_count();
@@ -75,10 +108,9 @@ class TileRun {
     }
     const Window& whole = windows_.front();
     const std::size_t samples = whole.samples > 0 ? length : 0;
-    const Window turn = {settled, (whole.settle - settled) % length, length, samples, true};
+    const Window turn = {settled, lead_of(orbits.front()), length, samples, true};
     const Tile part = part_of(plan_, tile_, positions, turn.settle + 2 * length);
-    const Tile saved = part_of(plan_, tile_, positions, whole.settle - settled + whole.record);
-    callbacks_.on_work(part.work - saved.work);
+    callbacks_.on_work(part.work);
     std::optional<TileResult> once =
         engine_->compute(plan_, part, states, turn, callbacks_.after_round);
     if (!once) return false;
@@ -136,6 +168,7 @@ class TileRun {
   Engine* engine_;
   const TileCallbacks& callbacks_;
   const std::vector<Window> windows_;
+  const bool tells_settling_;  // an observer says after how many periods a point has settled
   TileResult result_;
   std::vector<std::size_t> open_;  // positions
   std::vector<double> states_;     // [open point][state]

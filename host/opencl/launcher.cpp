@@ -138,9 +138,10 @@ cl_uint Launcher::set_inputs(cl::Kernel* kernel, const TileInputs& inputs) {
 }
 
 void Launcher::launch(cl::Kernel* kernel, std::size_t items) {
-  // On a CPU, few items spread over all cores rather than fill the work-groups of one. No other
-  // sizes between: a driver may compile a kernel anew for each.
-  const bool are_few = info_.is_cpu && items < info_.compute_units * local_size_;
+  // On a CPU, few items spread evenly over all cores rather than fill work-groups. No other sizes
+  // between: a driver may compile a kernel anew for each.
+  constexpr std::size_t kGroupsPerCore = 8;
+  const bool are_few = info_.is_cpu && items < kGroupsPerCore * info_.compute_units * local_size_;
   const std::size_t local = are_few ? 1 : local_size_;
   const std::size_t global = (items + local - 1) / local * local;
   const auto start = std::chrono::steady_clock::now();
