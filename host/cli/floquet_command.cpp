@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/device_option.hpp"
 #include "cli/floquet_report.hpp"
 #include "cli/place.hpp"
 #include "cli/study_source.hpp"
@@ -23,7 +24,8 @@ constexpr std::size_t kLeastSteps = 2048;  // per period, unless --steps says ot
 struct FloquetArguments {
   std::string study, along;
   std::vector<std::string> at, overrides;
-  std::optional<std::size_t> device, period, steps;
+  std::string device;
+  std::optional<std::size_t> period, steps;
   bool as_json = false;
 };
 
@@ -71,9 +73,9 @@ Study point_study(const Study& whole, const FloquetArguments& arguments,
 }
 
 // Where the engine's trajectory is after the study's settling periods.
-Eigen::VectorXd end_state(const Study& study, std::optional<std::size_t> device) {
+Eigen::VectorXd end_state(const Study& study, const std::string& device) {
   SweepOptions options;
-  options.device = device;
+  options.devices = chosen_devices(device);
   const std::optional<SweepResult> result = run_sweep(study, options);
   const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(
       result->samples.data(), static_cast<Eigen::Index>(result->samples.size()));
@@ -151,7 +153,7 @@ void add_floquet_command(CLI::App* app) {
                                "is more)",
                                kLeastSteps))
       ->check(CLI::Range(16, 65536));
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'");
+  add_device_option(command, &arguments->device, false);
   command
       ->add_option("--set", arguments->overrides,
                    "Override a key of the study, PATH=VALUE; may be given several times")

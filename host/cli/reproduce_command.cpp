@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/device_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
 #include "reproduce/reproduce.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 struct ReproduceArguments {
   std::string preset = "paper", folder;
-  std::optional<std::size_t> device;
+  std::string device;
   bool quiet = false;
 };
 
@@ -25,7 +26,7 @@ int run(const ReproduceArguments& arguments) {
   ReproduceOptions options;
   options.preset = arguments.preset;
   options.folder = arguments.folder;
-  options.device = arguments.device;
+  options.devices = chosen_devices(arguments.device);
   options.stop = &signals.interrupted();
   if (!arguments.quiet) {
     options.on_step = [&](const std::string& what) {
@@ -56,8 +57,7 @@ void add_reproduce_command(CLI::App* app, int* status) {
       ->add_option("-o,--output", arguments->folder,
                    "The folder for report.md, pictures and results")
       ->required();
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
-      ->check(CLI::NonNegativeNumber);
+  add_device_option(command, &arguments->device, true);
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->footer(
       "Examples:\n"

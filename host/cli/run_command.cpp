@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/device_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
 #include "cli/study_source.hpp"
@@ -17,16 +18,19 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
 
 struct RunArguments {
   std::string study, output, plot, quantity;
-  std::optional<std::size_t> device;
+  std::string devices;
   std::optional<std::size_t> lanes;
   std::vector<std::string> overrides;
   bool restart = false;
+  bool strict_device = false;
+  bool keep_journal = false;
   bool quiet = false;
   bool as_json = false;
 };
@@ -34,7 +38,7 @@ struct RunArguments {
 // The command as it would be typed again.
 std::string command_line(const RunArguments& arguments, const std::string& output) {
   std::string line = fmt::format("gearsweep run '{}' -o '{}'", arguments.study, output);
-  if (arguments.device) line += fmt::format(" --device {}", *arguments.device);
+  if (!arguments.devices.empty()) line += fmt::format(" --device {}", arguments.devices);
   for (const std::string& assignment : arguments.overrides) {
     line += fmt::format(" --set '{}'", assignment);
   }
@@ -77,10 +81,28 @@ void discard_journal(const std::string& journal) {
   for (const char* suffix : {"-journal", ""}) std::filesystem::remove(journal + suffix);
 }
 
-void warn_of_diverged(const SweepResult& result) {
-  bool any_ok = false;
-  for (const std::uint8_t status : result.status) any_ok = any_ok || status == 0;
-  if (!any_ok) fmt::print(stderr, "gearsweep: warning: every point diverged; the maps are empty\n");
+// Whether there is anything in the maps; says so when not.
+bool any_point_is_ok(const SweepResult& result) {
+  const bool any = std::any_of(result.status.begin(), result.status.end(),
+                               [](std::uint8_t status) { return status == STATUS_ok; });
+  if (!any) fmt::print(stderr, "gearsweep: every point failed; the maps are empty\n");
+  return any;
+}
+
+SweepOptions sweep_options(const RunArguments& arguments, const std::string& output) {
+  SweepOptions options;
+  options.devices = chosen_devices(arguments.devices);
+  options.journal_path = output + ".journal";
+  options.strict_device = arguments.strict_device;
+  options.keep_journal = arguments.keep_journal;
+  options.notes = {{"command", command_line(arguments, output)}};
+  options.on_trouble = [](const std::string& what) {
+    fmt::print(stderr, "\ngearsweep: warning: {}\n", what);
+  };
+  options.deliver = [=](const SweepResult& result) {
+    write_result(result, output, {command_line(arguments, output), version(), source_hash()});
+  };
+  return options;
 }
 
 int run(const RunArguments& given) {
@@ -90,42 +112,41 @@ int run(const RunArguments& given) {
   }
   const Study study = load_study(arguments.study, arguments.overrides);
   const std::string output = output_path(arguments);
-  const std::string journal = output + ".journal";
   ensure_writable(output);
   if (!arguments.quantity.empty()) check_quantity(study, arguments.quantity);
   if (!arguments.plot.empty()) ensure_plottable(arguments.plot);
-  if (arguments.restart) discard_journal(journal);
+  SweepOptions options = sweep_options(arguments, output);
+  if (arguments.restart) discard_journal(options.journal_path);
 
   const SignalWatch signals;
   ProgressBar bar;
-  double kept = 0.0;
-  SweepOptions options;
-  options.device = arguments.device;
-  options.journal_path = journal;
+  SweepProgress last;
   options.stop = &signals.interrupted();
   options.on_progress = [&](const SweepProgress& progress) {
-    kept = progress.share_kept;
+    last = progress;
     if (!arguments.quiet) bar.show(progress);
-  };
-  options.deliver = [&](const SweepResult& result) {
-    write_result(result, output, {command_line(arguments, output), version(), source_hash()});
   };
   const std::optional<SweepResult> result = run_sweep(study, options);
   bar.close();
   if (!result) {
-    if (kept == 0.0) {
+    if (last.share_kept == 0.0) {
       fmt::print(stderr, "gearsweep: interrupted before anything was finished\n");
     } else {
       fmt::print(stderr,
                  "gearsweep: interrupted; {:.0f} % are finished and kept in {}: the same "
                  "command continues from there\n",
-                 100.0 * kept, journal);
+                 100.0 * last.share_kept, options.journal_path);
     }
     return kInterrupted;
   }
-  warn_of_diverged(*result);
   if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
-  if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(*result, output));
+  if (!arguments.quiet) {
+    if (last.points_resumed > 0) {
+      fmt::print(stderr, "{:.0f} % were taken from the journal of an interrupted run\n",
+                 100.0 * last.share_resumed);
+    }
+    fmt::print(stderr, "{}", describe_run(*result, output));
+  }
   if (!arguments.plot.empty()) {
     PlotRequest request;
     request.paths = {output};
@@ -134,7 +155,7 @@ int run(const RunArguments& given) {
     plot_files(request);
     if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.plot);
   }
-  return kDone;
+  return any_point_is_ok(*result) ? kDone : kFailed;
 }
 
 }  // namespace
@@ -158,8 +179,7 @@ void add_run_command(CLI::App* app, int* status) {
           "The quantity to draw (default: on one axis the samples, if there are any, else the "
           "study's first)")
       ->needs(plot);
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
-      ->check(CLI::NonNegativeNumber);
+  add_device_option(command, &arguments->devices, true);
   command->add_option("--lanes", arguments->lanes,
                       "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)");
   command
@@ -168,6 +188,10 @@ void add_run_command(CLI::App* app, int* status) {
       ->allow_extra_args(false);
   command->add_flag("--restart", arguments->restart,
                     "Start afresh: discard what an interrupted run left in OUT.nc.journal");
+  command->add_flag("--strict-device", arguments->strict_device,
+                    "Continue an interrupted run only on the same devices and drivers");
+  command->add_flag("--keep-journal", arguments->keep_journal,
+                    "Keep OUT.nc.journal when the result is written");
   command->add_flag("--quiet", arguments->quiet, "No progress and no summary");
   command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
   command->footer(
@@ -175,9 +199,12 @@ void add_run_command(CLI::App* app, int* status) {
       "  gearsweep run coarse-map -o map.nc --plot map.png\n"
       "  gearsweep run mine.toml --set parameters.mu=0 --set axes.omega.count=100\n"
       "  gearsweep run mine.toml --set model.backlash=dynamic --set integrate.record=20\n"
-      "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n\n"
+      "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n"
+      "  gearsweep run mine.toml --device all       on every device of the machine\n\n"
       "An interrupted run (Ctrl-C, SIGTERM, kill -9, power cut) keeps what is finished in\n"
-      "OUT.nc.journal; the same command continues from there.");
+      "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
+      "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"
+      "and NaN; the exit status is 1 only when all points do.");
   command->callback([arguments, status] { *status = run(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/device_option.hpp"
 #include "cli/place.hpp"
 #include "cli/signal_watch.hpp"
 #include "cli/study_source.hpp"
@@ -24,7 +25,8 @@ struct TraceArguments {
   std::string study, output;
   std::vector<std::string> at;  // one point each: "omega=0.7,b=1"
   std::vector<std::string> overrides;
-  std::optional<std::size_t> device, settle, record;
+  std::string device;
+  std::optional<std::size_t> settle, record;
   std::size_t samples_per_period = 0;
   bool quiet = false;
 };
@@ -132,7 +134,7 @@ int run(const TraceArguments& arguments) {
   ensure_trace_ending(arguments.output);
   const SignalWatch signals;
   SweepOptions options;
-  options.device = arguments.device;
+  options.devices = chosen_devices(arguments.device);
   options.stop = &signals.interrupted();
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
@@ -197,8 +199,7 @@ void add_trace_command(CLI::App* app, int* status) {
                    "Evenly spaced moments per forcing period, interpolated (default: both ends of "
                    "every integration step)")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
-      ->check(CLI::NonNegativeNumber);
+  add_device_option(command, &arguments->device, false);
   command
       ->add_option("--set", arguments->overrides,
                    "Override a key of the study, PATH=VALUE; may be given several times")

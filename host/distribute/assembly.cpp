@@ -43,10 +43,11 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
   const std::size_t count = tile.points.size();
   const std::size_t series = result.samples.size() / count;
   const std::size_t states = result.final_states.size() / count;
-  result_.steps += result.effort[0];
-  result_.seconds += result.effort[1];
-  result_.kernel_seconds += result.effort[3];
-  result_.stopped += static_cast<std::size_t>(result.effort[2]);
+  devices_.insert(result.device);
+  result_.steps += result.effort[kSteps];
+  result_.seconds += result.effort[kSeconds];
+  result_.kernel_seconds += result.effort[kKernelSeconds];
+  result_.stopped += static_cast<std::size_t>(result.effort[kStopped]);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t point = tile.points[i];
     if (!specimens_.empty()) add_specimen(point, result, i);
@@ -128,6 +129,7 @@ void Assembly::survey() {
 
 SweepResult Assembly::take() {
   if (!specimens_.empty()) survey();
+  result_.engine.device = fmt::format("{}", fmt::join(devices_, "; "));
   return std::move(result_);
 }
 

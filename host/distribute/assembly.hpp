@@ -1,6 +1,9 @@
 // Puts the answers of tiles together to the maps of a sweep. Private to this folder.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "distribute/attractors.hpp"
 #include "engine/engine.hpp"
 
@@ -16,6 +19,7 @@ class Assembly {
   // diverged starts from its own initial state.
   std::vector<double> initial_states(const Plan& plan, const Tile& tile) const;
 
+  // The maps, with the devices that computed them.
   SweepResult take();
 
  private:
@@ -24,7 +28,8 @@ class Assembly {
 
   SweepResult result_;
   std::vector<double> final_states_;  // [point][state]
-  std::vector<Specimen> specimens_;   // [trajectory]; empty unless the study has a survey
+  std::set<std::string> devices_;
+  std::vector<Specimen> specimens_;  // [trajectory]; empty unless the study has a survey
 };
 
 }  // namespace gearsweep

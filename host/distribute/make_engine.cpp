@@ -5,9 +5,9 @@
 
 namespace gearsweep {
 
-std::unique_ptr<Engine> make_engine(const Study& study, std::optional<std::size_t> device) {
+std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice) {
   if (study.integrate.engine == EngineKind::reference) return make_reference_engine();
-  return make_opencl_engine(study, device);
+  return make_opencl_engine(study, choice);
 }
 
 }  // namespace gearsweep

@@ -106,7 +106,7 @@ double quantile(std::vector<double> values, double share) {
 std::optional<SweepResult> run_with_step(Study pilot, double step, const SweepOptions& options) {
   pilot.integrate.max_step = step;
   SweepOptions own;
-  own.device = options.device;
+  own.devices = options.devices;
   own.stop = options.stop;
   return run_sweep(pilot, own);
 }

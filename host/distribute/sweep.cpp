@@ -2,160 +2,235 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
+#include <deque>
+#include <set>
 
 #include "distribute/assembly.hpp"
+#include "distribute/local_crew.hpp"
 #include "distribute/make_engine.hpp"
 #include "distribute/pilot.hpp"
-#include "distribute/tile_run.hpp"
+#include "distribute/progress.hpp"
 #include "journal/journal.hpp"
+#include "model/error.hpp"
 #include "model/version.hpp"
 
 namespace gearsweep {
 namespace {
 
+using Engines = std::vector<std::unique_ptr<Engine>>;
+
+// Those of the chosen devices that can be had.
+Engines make_engines(const Study& study, const SweepOptions& options) {
+  std::vector<std::optional<DeviceChoice>> choices(options.devices.begin(), options.devices.end());
+  if (choices.empty() || study.integrate.engine == EngineKind::reference) choices = {std::nullopt};
+  Engines engines;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const bool is_last_hope = engines.empty() && i + 1 == choices.size();
+    try {
+      engines.push_back(make_engine(study, choices[i]));
+    } catch (const std::runtime_error& error) {
+      if (is_last_hope) throw;
+      if (options.on_trouble) options.on_trouble(error.what());
+    }
+  }
+  return engines;
+}
+
+// What the engines say of themselves, each thing once.
+EngineInfo describe(const Engines& engines) {
+  const auto joined = [&](std::string EngineInfo::*member) {
+    std::set<std::string> distinct;
+    for (const std::unique_ptr<Engine>& engine : engines) distinct.insert(engine->info().*member);
+    return fmt::format("{}", fmt::join(distinct, "; "));
+  };
+  return {joined(&EngineInfo::device), joined(&EngineInfo::driver), joined(&EngineInfo::macros)};
+}
+
 // What two runs must have in common for one to continue the other's journal.
-std::string fingerprint(const Study& study, const EngineInfo& engine, std::size_t tile_points) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\ntile {}\nstep {}", study.toml, source_hash(),
-                     engine.device, engine.driver, engine.macros, tile_points,
-                     study.integrate.max_step);
+Identity identity_of(const Study& study, const EngineInfo& engine, bool strict_device) {
+  Identity identity = {{"study", study.toml},
+                       {"kernels and formulas", source_hash()},
+                       {"step", fmt::format("{}", study.integrate.max_step)}};
+  if (strict_device) {
+    identity.emplace_back("device", engine.device);
+    identity.emplace_back("driver", engine.driver);
+    identity.emplace_back("build options", engine.macros);
+  }
+  return identity;
 }
 
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
-// starve the engine.
-std::size_t tile_size(const Study& study, const Engine& engine) {
+// starve an engine; what suits all of them.
+std::size_t tile_size(const Study& study, const Engines& engines) {
   constexpr std::size_t kTiles = 32;
   if (study.integrate.tile > 0) return study.integrate.tile;
-  return std::clamp(study.trajectories() / kTiles, engine.least_tile(), engine.preferred_tile());
+  std::size_t least = 1;
+  std::size_t most = study.trajectories();
+  for (const std::unique_ptr<Engine>& engine : engines) {
+    least = std::max(least, engine->least_tile());
+    most = std::min(most, engine->preferred_tile());
+  }
+  return std::clamp(study.trajectories() / (kTiles * engines.size()), std::min(least, most), most);
 }
 
-// Counts what is done and tells the caller.
-class Progress {
+// Computes every tile that the journal does not have.
+class TileLoop {
  public:
-  Progress(const Plan& plan, const SweepOptions& options)
-      : total_(plan.total_work()), options_(options), start_(std::chrono::steady_clock::now()) {
-    progress_.points = plan.study().trajectories();
-  }
+  TileLoop(const Plan& plan, const SweepOptions& options, Crew* crew, Journal* journal,
+           Assembly* assembly)
+      : plan_(plan),
+        options_(options),
+        tiles_(tiles_of(plan)),
+        crew_(crew),
+        journal_(journal),
+        assembly_(assembly),
+        progress_(plan, options) {}
 
-  void begin_tile(const Tile& tile) {
-    planned_ = expected_ = tile.work;
-    partial_ = 0.0;
-  }
-
-  // The running tile turns out to take so many steps more than were planned.
-  void add_work(double steps) { expected_ += steps; }
-
-  // false when the sweep is to stop. `steps` of the running tile are done.
-  bool round(double steps) {
-    partial_ += steps;
-    tell();
-    return options_.stop == nullptr || !*options_.stop;
-  }
-
-  void tile_done(const Tile& tile, bool resumed) {
-    done_ += tile.work;
-    planned_ = 0.0;
-    progress_.points_done += tile.points.size();
-    progress_.share_kept = done_ / total_;
-    if (resumed) {
-      progress_.points_resumed += tile.points.size();
-      progress_.share_resumed += tile.work / total_;
+  // False when stopped.
+  bool run() {
+    std::size_t first = 0;
+    for (const Stage& stage : plan_.stages()) {
+      take_from_journal(first, stage.tiles.size());
+      while (!waiting_.empty() || running_ > 0) {
+        stop_if_asked();
+        start_tiles();
+        if (running_ == 0) break;
+        if (std::optional<CrewReport> report = crew_->wait(std::chrono::milliseconds(100))) {
+          handle(std::move(*report));
+        }
+      }
+      if (is_stopping_) return false;
+      if (!waiting_.empty()) std::rethrow_exception(failure_);
+      first += stage.tiles.size();
     }
-    tell();
-  }
-
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return true;
   }
 
  private:
-  void tell() {
-    // A phase grid may hold a few steps more than the plan counted.
-    const double of_tile = planned_ > 0.0 ? std::min(1.0, partial_ / expected_) : 0.0;
-    const double share = total_ > 0.0 ? (done_ + of_tile * planned_) / total_ : 1.0;
-    progress_.share = std::max(progress_.share, share);
-    progress_.seconds = seconds();
-    if (options_.on_progress) options_.on_progress(progress_);
-  }
-
-  double total_, done_ = 0.0;
-  double planned_ = 0.0, expected_ = 0.0, partial_ = 0.0;  // steps of the running tile
-  SweepProgress progress_;
-  const SweepOptions& options_;
-  std::chrono::steady_clock::time_point start_;
-};
-
-// A tile's result with what it took; nothing when stopped.
-std::optional<TileResult> compute_tile(const Plan& plan, const Tile& tile,
-                                       const std::vector<double>& initial, Engine* engine,
-                                       Progress* progress) {
-  progress->begin_tile(tile);
-  double steps = 0.0;
-  const double start = progress->seconds();
-  const double in_kernels = engine->kernel_seconds();
-  TileCallbacks callbacks;
-  callbacks.after_round = [&](double round_steps) {
-    steps += round_steps;
-    return progress->round(round_steps);
-  };
-  callbacks.on_work = [&](double more) { progress->add_work(more); };
-  std::optional<TileResult> result = run_tile(plan, tile, initial, engine, callbacks);
-  if (!result) return std::nullopt;
-  result->effort[0] = steps;
-  result->effort[1] = progress->seconds() - start;
-  result->effort[3] = engine->kernel_seconds() - in_kernels;
-  // Only neighbours in a chain ask for them again.
-  if (!plan.study().is_chained()) result->final_states.clear();
-  return result;
-}
-
-// Computes every tile that the journal does not have; false when stopped.
-bool compute_tiles(const Plan& plan, const SweepOptions& options, Engine* engine, Journal* journal,
-                   Progress* progress, Assembly* assembly) {
-  std::size_t number = 0;
-  for (const Stage& stage : plan.stages()) {
-    for (const Tile& tile : stage.tiles) {
-      if (options.stop != nullptr && *options.stop) return false;
+  void take_from_journal(std::size_t first, std::size_t count) {
+    for (std::size_t number = first; number < first + count; ++number) {
       std::optional<TileResult> result;
-      if (journal != nullptr) result = journal->find(number);
-      const bool resumed = result.has_value();
-      if (!resumed) {
-        result = compute_tile(plan, tile, assembly->initial_states(plan, tile), engine, progress);
-        if (!result) return false;
-        if (journal != nullptr) journal->store(number, *result);
+      if (journal_ != nullptr) result = journal_->find(number);
+      if (result) {
+        add(number, *result, true);
+      } else {
+        waiting_.push_back(number);
       }
-      assembly->add(tile, *result);
-      progress->tile_done(tile, resumed);
-      ++number;
     }
   }
-  return true;
-}
+
+  void stop_if_asked() {
+    if (is_stopping_ || options_.stop == nullptr || !*options_.stop) return;
+    is_stopping_ = true;
+    crew_->stop();
+    waiting_.clear();
+  }
+
+  void start_tiles() {
+    while (!waiting_.empty() && crew_->idle() > 0) {
+      const std::size_t number = waiting_.front();
+      waiting_.pop_front();
+      progress_.begin_tile(number, *tiles_[number]);
+      std::vector<double> initial;
+      if (plan_.study().is_chained()) initial = assembly_->initial_states(plan_, *tiles_[number]);
+      crew_->start(number, std::move(initial));
+      ++running_;
+    }
+  }
+
+  void handle(CrewReport report) {
+    switch (report.kind) {
+      case CrewReport::Kind::progress:
+        progress_.add_steps(report.tile, report.steps);
+        return;
+      case CrewReport::Kind::more_work:
+        progress_.add_work(report.tile, report.steps);
+        return;
+      case CrewReport::Kind::finished:
+        --running_;
+        // While one thing at a time is computed, it takes all of the time.
+        for (const std::size_t spent : {kSeconds, kKernelSeconds}) {
+          report.result.effort[spent] /=
+              static_cast<double>(std::max<std::size_t>(1, crew_->size()));
+        }
+        // Nobody need wait for the disk.
+        if (!is_stopping_) start_tiles();
+        if (journal_ != nullptr) journal_->store(report.tile, report.result);
+        add(report.tile, report.result, false);
+        return;
+      case CrewReport::Kind::stopped:
+        --running_;
+        progress_.drop_tile(report.tile);
+        return;
+      case CrewReport::Kind::lost:
+        --running_;
+        hand_back(report);
+        return;
+    }
+  }
+
+  void hand_back(const CrewReport& report) {
+    progress_.drop_tile(report.tile);
+    failure_ = report.failure;
+    if (!is_stopping_) waiting_.push_front(report.tile);
+    if (crew_->size() == 0 || !options_.on_trouble) return;
+    try {
+      std::rethrow_exception(report.failure);
+    } catch (const std::exception& error) {
+      options_.on_trouble(fmt::format("{}\nthe others take over what it had", error.what()));
+    }
+  }
+
+  void add(std::size_t number, const TileResult& result, bool resumed) {
+    assembly_->add(*tiles_[number], result);
+    progress_.tile_done(number, *tiles_[number], resumed);
+  }
+
+  const Plan& plan_;
+  const SweepOptions& options_;
+  const std::vector<const Tile*> tiles_;
+  Crew* crew_;
+  Journal* journal_;
+  Assembly* assembly_;
+  Progress progress_;
+  std::deque<std::size_t> waiting_;
+  std::size_t running_ = 0;
+  bool is_stopping_ = false;
+  std::exception_ptr failure_;  // of the member that was lost last
+};
 
 // The sweep, once its steps are known.
 std::optional<SweepResult> run_with_steps(const Study& study,
                                           const std::optional<PilotFindings>& pilot,
                                           const SweepOptions& options) {
-  const std::unique_ptr<Engine> engine = make_engine(study, options.device);
-  const std::size_t tile_points = tile_size(study, *engine);
-  const Plan plan(study, tile_points);
+  Engines engines = make_engines(study, options);
+  const EngineInfo info = describe(engines);
+  const std::size_t tile_points = tile_size(study, engines);
+  std::optional<Plan> plan(std::in_place, study, tile_points);  // refuses what cannot be planned
   std::optional<Journal> journal;
   if (!options.journal_path.empty()) {
-    journal.emplace(options.journal_path, fingerprint(study, engine->info(), tile_points));
+    journal.emplace(options.journal_path, identity_of(study, info, options.strict_device));
+    journal->keep("points", std::to_string(study.trajectories()));
+    for (const auto& [name, value] : options.notes) journal->keep(name, value);
+    // A run that goes on keeps the cut, whatever devices it has now.
+    const std::size_t kept =
+        std::stoul(journal->keep("points of a tile", std::to_string(tile_points)));
+    if (kept != tile_points) plan.emplace(study, kept);
   }
-
-  Progress progress(plan, options);
   Assembly assembly(study);
-  if (!compute_tiles(plan, options, engine.get(), journal ? &*journal : nullptr, &progress,
-                     &assembly)) {
+  LocalCrew crew(*plan, std::move(engines));
+  TileLoop loop(*plan, options, &crew, journal ? &*journal : nullptr, &assembly);
+  if (!loop.run()) {
     if (journal && journal->finished_tiles() == 0) journal->remove();
     return std::nullopt;
   }
   SweepResult result = assembly.take();
-  result.engine = engine->info();
+  result.engine.driver = info.driver;
+  result.engine.macros = info.macros;
   result.pilot = pilot;
   if (options.deliver) options.deliver(result);
-  if (journal) journal->remove();
+  if (journal && !options.keep_journal) journal->remove();
   return result;
 }
 

@@ -3,10 +3,13 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/result.hpp"
+#include "opencl/device.hpp"
 
 namespace gearsweep {
 
@@ -20,17 +23,25 @@ struct SweepProgress {
 };
 
 struct SweepOptions {
-  std::optional<std::size_t> device;  // of list_devices(); nothing: the default one
+  std::vector<DeviceChoice> devices;  // that share the tiles; empty: the default one
   // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
   // same sweep that is already there is continued.
   std::string journal_path;
+  // The journal of a run on other devices, or with another driver, is refused, too.
+  bool strict_device = false;
+  bool keep_journal = false;  // beside the result
+  // What the journal keeps beside it, for whoever asks for its status: names and values.
+  std::map<std::string, std::string> notes;
   std::function<void(const SweepProgress&)> on_progress;
+  // Told of a device that has failed while others go on.
+  std::function<void(const std::string&)> on_trouble;
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
   // Puts the finished maps in a safe place; the journal is removed once it returns.
   std::function<void(const SweepResult&)> deliver;
 };
 
-// Nothing when `stop` was set. Throws InputError (bad study or device) or RunError.
+// Nothing when `stop` was set. Throws InputError (bad study or device), or RunError when a file
+// cannot be written or the last device has failed.
 std::optional<SweepResult> run_sweep(const Study& study, const SweepOptions& options);
 
 }  // namespace gearsweep

@@ -32,7 +32,8 @@ class TileRun {
   std::optional<TileResult> run(const std::vector<double>& initial) {
     const bool finished = search_for_orbits(initial) && record_the_rest() && extend();
     if (!finished) return std::nullopt;
-    result_.effort = {0.0, 0.0, static_cast<double>(stopped_), 0.0};
+    result_.effort.assign(kEfforts, 0.0);
+    result_.effort[kStopped] = static_cast<double>(stopped_);
     return std::move(result_);
   }
 

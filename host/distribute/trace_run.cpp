@@ -89,7 +89,8 @@ void repeat_turn(std::size_t record, std::size_t turn, std::vector<double>* rows
 
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options) {
-  const std::unique_ptr<Engine> engine = make_engine(study, options.device);
+  const std::unique_ptr<Engine> engine = make_engine(
+      study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()));
   const Plan plan(study, study.points());
   const std::size_t point = followed_point(study);
   const Tile tile = {{point}, {0}, 0.0};

@@ -19,8 +19,8 @@ namespace gearsweep {
 // the values from either side; otherwise so many evenly spaced ones in each period from phase 0 on,
 // by cubic Hermite interpolation between the steps.
 //
-// Of `options`, device and stop are used; nothing when stopped. Throws InputError, and RunError
-// when the point diverges.
+// Of `options`, the first device and stop are used; nothing when stopped. Throws InputError, and
+// RunError when the point diverges.
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options);
 

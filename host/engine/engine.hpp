@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/orbit_engine.hpp"
@@ -12,15 +13,17 @@
 
 namespace gearsweep {
 
+// What a tile took; the seconds are those that a sweep spends on it while others run beside it.
+enum Effort : std::size_t { kSteps, kSeconds, kStopped, kKernelSeconds, kEfforts };
+
 // The answers for the points of a tile, in the tile's order.
 struct TileResult {
   std::vector<std::uint8_t> status;  // [point]
   std::vector<double> outputs;       // [output of the selection][point]
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
-  // Integration steps, seconds, points stopped early, of the seconds those in kernels; the driver
-  // measures it.
-  std::vector<double> effort;
+  std::vector<double> effort;        // [Effort]; the driver measures it
+  std::string device;                // that computed it; the driver knows
 };
 
 // Takes the values of a point that did not end ok.

@@ -12,6 +12,9 @@ Database::Database(const std::string& path) : path_(path) {
   const int code = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
   handle_.reset(opened);
   if (code != SQLITE_OK) fail(code);
+  // Another process reads it for a moment, if at all.
+  constexpr int kPatience = 30'000;  // ms
+  sqlite3_busy_timeout(opened, kPatience);
 }
 
 void Database::execute(const std::string& sql) {
@@ -22,12 +25,6 @@ void Database::execute(const std::string& sql) {
 void Database::fail(int code) const {
   const int kind = code & 0xff;
   if (kind == SQLITE_NOTADB || kind == SQLITE_CORRUPT) refuse(sqlite3_errmsg(handle()));
-  if (kind == SQLITE_BUSY) {
-    throw InputError(fmt::format(
-        "'{}' is in use by another run that writes the same output; wait until it ends or choose "
-        "another output",
-        path_));
-  }
   throw RunError(fmt::format("cannot read or write the journal '{}': {} (SQLite error {})", path_,
                              handle() == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(handle()),
                              code));
@@ -51,6 +48,11 @@ Statement::Statement(const Database& database, const std::string& sql) : databas
 
 Statement& Statement::bind(int parameter, std::int64_t value) {
   check(sqlite3_bind_int64(handle_.get(), parameter, value));
+  return *this;
+}
+
+Statement& Statement::bind_real(int parameter, double value) {
+  check(sqlite3_bind_double(handle_.get(), parameter, value));
   return *this;
 }
 
@@ -81,6 +83,8 @@ void Statement::run() {
 std::int64_t Statement::integer(int column) const {
   return sqlite3_column_int64(handle_.get(), column);
 }
+
+double Statement::real(int column) const { return sqlite3_column_double(handle_.get(), column); }
 
 std::string Statement::text(int column) const {
   const std::span<const std::byte> data = bytes(column);

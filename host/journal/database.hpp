@@ -12,8 +12,8 @@
 
 namespace gearsweep {
 
-// Every error is told by what can be done about it: InputError when the file is held by another run
-// or is not a journal (or a damaged one), RunError for all else.
+// Every error is told by what can be done about it: InputError when the file is not a journal (or a
+// damaged one), RunError for all else.
 class Database {
  public:
   // Opens the file or creates an empty one.
@@ -42,6 +42,7 @@ class Statement {
   Statement(const Database& database, const std::string& sql);
 
   Statement& bind(int parameter, std::int64_t value);
+  Statement& bind_real(int parameter, double value);
   Statement& bind(int parameter, const std::string& text);
   // The bytes must live until the statement has run.
   Statement& bind(int parameter, std::span<const std::byte> bytes);
@@ -52,6 +53,7 @@ class Statement {
   void run();
 
   std::int64_t integer(int column) const;
+  double real(int column) const;
   std::string text(int column) const;
   // Valid until the next step.
   std::span<const std::byte> bytes(int column) const;

@@ -7,19 +7,21 @@
 #include <cstring>
 #include <filesystem>
 #include <span>
+#include <sstream>
 #include <system_error>
 #include <vector>
 
 #include "journal/database.hpp"
+#include "journal/file_lock.hpp"
 #include "model/checksum.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
 namespace {
 
-// "gsw2": marks a file as ours, in the place that SQLite keeps for that. A change of the tables
+// "gsw3": marks a file as ours, in the place that SQLite keeps for that. A change of the tables
 // below needs another mark.
-constexpr std::int64_t kApplicationId = 0x67737732;
+constexpr std::int64_t kApplicationId = 0x67737733;
 
 // A blob of SQLite holds at most 10^9 bytes; longer vectors become several pieces. A multiple of 8,
 // so that a piece ends between numbers.
@@ -44,6 +46,7 @@ std::int64_t checksum_of(std::size_t tile_number, const TileResult& result) {
     checksum.add(values.size());
     checksum.add(std::as_bytes(std::span(values)));
   });
+  checksum.add(std::as_bytes(std::span(result.device)));
   return static_cast<std::int64_t>(checksum.value());
 }
 
@@ -52,35 +55,69 @@ std::int64_t read_integer(const Database& database, const std::string& sql) {
   return query.step() ? query.integer(0) : 0;
 }
 
-void create_tables(Database& database, const std::string& fingerprint) {
+void create_tables(Database& database, const Identity& identity) {
   database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId));
   database.execute(
-      "CREATE TABLE sweep(fingerprint TEXT NOT NULL);"
+      "CREATE TABLE sweep(name TEXT PRIMARY KEY, value TEXT NOT NULL);"
       "CREATE TABLE tile(number INTEGER PRIMARY KEY, size_0 INTEGER NOT NULL, size_1 INTEGER NOT "
       "NULL, size_2 INTEGER NOT NULL, size_3 INTEGER NOT NULL, size_4 INTEGER NOT NULL, checksum "
-      "INTEGER NOT NULL);"
+      "INTEGER NOT NULL, seconds REAL NOT NULL, device TEXT NOT NULL);"
       "CREATE TABLE piece(tile INTEGER NOT NULL, part INTEGER NOT NULL, position INTEGER NOT NULL, "
       "data BLOB NOT NULL, PRIMARY KEY(tile, part, position));");
-  Statement(database, "INSERT INTO sweep VALUES(?)").bind(1, fingerprint).run();
+  Statement note(database, "INSERT INTO sweep VALUES(?, ?)");
+  for (const auto& [name, value] : identity) note.bind(1, name).bind(2, value).run();
 }
 
-void check_fingerprint(Database& database, const std::string& path,
-                       const std::string& fingerprint) {
+std::map<std::string, std::string> read_notes(const Database& database) {
+  std::map<std::string, std::string> notes;
+  Statement query(database, "SELECT name, value FROM sweep");
+  while (query.step()) notes[query.text(0)] = query.text(1);
+  return notes;
+}
+
+// The first line in which two texts differ.
+std::string describe_difference(const std::string& there, const std::string& here) {
+  std::istringstream a(there), b(here);
+  std::string line_there, line_here;
+  for (std::size_t number = 1;; ++number) {
+    const bool has_there = static_cast<bool>(std::getline(a, line_there));
+    const bool has_here = static_cast<bool>(std::getline(b, line_here));
+    if (!has_there) line_there = "nothing";
+    if (!has_here) line_here = "nothing";
+    if (line_there != line_here || !has_there || !has_here) {
+      const std::string place = number > 1 ? fmt::format(", line {}", number) : "";
+      return fmt::format("{}: '{}' there, '{}' now", place, line_there, line_here);
+    }
+  }
+}
+
+void check_identity(Database& database, const std::string& path, const Identity& identity) {
   if (read_integer(database, "PRAGMA application_id") != kApplicationId) {
     database.refuse("a database of another program or version");
   }
-  Statement query(database, "SELECT fingerprint FROM sweep");
-  if (!query.step()) database.refuse("it names no sweep");
-  if (query.text(0) == fingerprint) return;
+  const std::map<std::string, std::string> notes = read_notes(database);
+  if (notes.empty()) database.refuse("it names no sweep");
+  std::string differences;
+  for (const auto& [name, value] : identity) {
+    const auto there = notes.find(name);
+    if (there == notes.end()) {
+      differences += fmt::format("\n  {}: not told there", name);
+    } else if (there->second != value) {
+      differences += fmt::format("\n  {}{}", name, describe_difference(there->second, value));
+    }
+  }
+  if (differences.empty()) return;
   const std::int64_t tiles = read_integer(database, "SELECT count(*) FROM tile");
   if (tiles > 0) {
     throw InputError(fmt::format(
         "'{}' records {} finished tiles of another sweep; delete it (--restart does) or "
-        "choose another output",
-        path, tiles));
+        "choose another output; what differs:{}",
+        path, tiles, differences));
   }
   // Nothing would be lost: the journal is as good as new.
-  Statement(database, "UPDATE sweep SET fingerprint = ?").bind(1, fingerprint).run();
+  Statement(database, "DELETE FROM sweep").run();
+  Statement note(database, "INSERT INTO sweep VALUES(?, ?)");
+  for (const auto& [name, value] : identity) note.bind(1, name).bind(2, value).run();
 }
 
 // Deletes the journal and what SQLite keeps beside it; returns what went wrong, empty if nothing.
@@ -96,31 +133,40 @@ std::string delete_files(const std::string& path) {
 
 }  // namespace
 
-// Settings. locking_mode EXCLUSIVE keeps the lock of the first transaction until the file is
-// closed; the system drops it with the process. The rollback journal (SQLite's default) writes each
-// byte of an appended tile once, a write-ahead log would write it twice. Either keeps a commit
-// through kill -9, since the system has the bytes then; synchronous FULL brings them to the disk
-// before the commit returns, which a power cut needs.
-Journal::Journal(const std::string& path, const std::string& fingerprint)
-    : path_(path), database_(std::make_unique<Database>(path)) {
-  database_->execute("PRAGMA locking_mode = EXCLUSIVE");
-  database_->execute("PRAGMA synchronous = FULL");
-  Transaction transaction(*database_);
-  if (read_integer(*database_, "SELECT count(*) FROM sqlite_schema") > 0) {
-    check_fingerprint(*database_, path, fingerprint);
-    transaction.commit();
-    return;
-  }
+// The rollback journal (SQLite's default) writes each byte of an appended tile once, a write-ahead
+// log would write it twice and needs shared memory, which network file systems do not have. Either
+// keeps a commit through kill -9, since the system has the bytes then; synchronous FULL brings them
+// to the disk before the commit returns, which a power cut needs.
+Journal::Journal(const std::string& path, const Identity& identity)
+    : path_(path), lock_(std::make_unique<FileLock>(path)) {
   try {
-    create_tables(*database_, fingerprint);
+    database_ = std::make_unique<Database>(path);
+    database_->execute("PRAGMA synchronous = FULL");
+    Transaction transaction(*database_);
+    if (read_integer(*database_, "SELECT count(*) FROM sqlite_schema") > 0) {
+      check_identity(*database_, path, identity);
+    } else {
+      create_tables(*database_, identity);
+    }
     transaction.commit();
   } catch (...) {
-    delete_files(path);
+    if (lock_->has_created()) delete_files(path);
     throw;
   }
 }
 
 Journal::~Journal() = default;
+
+std::string Journal::keep(const std::string& name, const std::string& value) {
+  const std::lock_guard lock(mutex_);
+  Statement(*database_, "INSERT OR IGNORE INTO sweep VALUES(?, ?)")
+      .bind(1, name)
+      .bind(2, value)
+      .run();
+  Statement query(*database_, "SELECT value FROM sweep WHERE name = ?");
+  query.bind(1, name);
+  return query.step() ? query.text(0) : value;
+}
 
 std::size_t Journal::finished_tiles() const {
   const std::lock_guard lock(mutex_);
@@ -132,11 +178,12 @@ std::optional<TileResult> Journal::find(std::size_t tile_number) const {
   const auto number = static_cast<std::int64_t>(tile_number);
   Statement row(
       *database_,
-      "SELECT size_0, size_1, size_2, size_3, size_4, checksum FROM tile WHERE number = ?");
+      "SELECT size_0, size_1, size_2, size_3, size_4, checksum, device FROM tile WHERE number = ?");
   row.bind(1, number);
   if (!row.step()) return std::nullopt;
 
   TileResult result;
+  result.device = row.text(kParts + 1);
   visit_parts(result, [&](int part, auto& values) {
     Statement pieces(*database_,
                      "SELECT data FROM piece WHERE tile = ? AND part = ? ORDER BY position");
@@ -163,9 +210,11 @@ void Journal::store(std::size_t tile_number, const TileResult& result) {
   const auto number = static_cast<std::int64_t>(tile_number);
   Transaction transaction(*database_);
   Statement(*database_, "DELETE FROM piece WHERE tile = ?").bind(1, number).run();
-  Statement row(*database_, "INSERT OR REPLACE INTO tile VALUES(?, ?, ?, ?, ?, ?, ?)");
+  Statement row(*database_, "INSERT OR REPLACE INTO tile VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement piece(*database_, "INSERT INTO piece VALUES(?, ?, ?, ?)");
   row.bind(1, number).bind(kParts + 2, checksum_of(tile_number, result));
+  row.bind_real(kParts + 3, result.effort.size() > kSeconds ? result.effort[kSeconds] : 0.0);
+  row.bind(kParts + 4, result.device);
   visit_parts(result, [&](int part, const auto& values) {
     row.bind(part + 2, static_cast<std::int64_t>(values.size()));
     const std::span<const std::byte> bytes = std::as_bytes(std::span(values));
@@ -184,7 +233,31 @@ void Journal::remove() {
   // Deleted while the lock is held, so that another run cannot take the file up in between.
   const std::string failure = delete_files(path_);
   database_.reset();
+  lock_.reset();
   if (!failure.empty()) throw RunError(failure);
+}
+
+JournalStatus Journal::status(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw InputError(fmt::format("'{}': there is no such journal", path));
+  }
+  JournalStatus status;
+  status.is_held = FileLock::is_held(path);
+  const Database database(path);
+  if (read_integer(database, "PRAGMA application_id") != kApplicationId) {
+    database.refuse("a database of another program or version");
+  }
+  status.notes = read_notes(database);
+  Statement sums(database, "SELECT count(*), sum(size_0), sum(seconds) FROM tile");
+  if (sums.step()) {
+    status.tiles = static_cast<std::size_t>(sums.integer(0));
+    status.points = static_cast<std::size_t>(sums.integer(1));
+    status.seconds = sums.real(2);
+  }
+  Statement devices(database, "SELECT DISTINCT device FROM tile ORDER BY device");
+  while (devices.step()) status.devices.push_back(devices.text(0));
+  return status;
 }
 
 }  // namespace gearsweep

@@ -3,29 +3,48 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/engine.hpp"
 
 namespace gearsweep {
 
 class Database;
+class FileLock;
+
+// What decides the numbers of a sweep: names and values (the study's text, a version).
+using Identity = std::vector<std::pair<std::string, std::string>>;
+
+// What a journal says of its run.
+struct JournalStatus {
+  bool is_held = false;                      // by a run that goes on
+  std::size_t tiles = 0;                     // finished
+  std::size_t points = 0;                    // in them; each trajectory of an ensemble counts
+  double seconds = 0.0;                      // that they took
+  std::vector<std::string> devices;          // that computed them
+  std::map<std::string, std::string> notes;  // the identity and what keep() was given
+};
 
 // May be used by several threads. Beside what is said below, its functions throw InputError when
 // the file turns out to be damaged (the message says to delete it) and RunError when it cannot be
 // read or written.
 class Journal {
  public:
-  // Opens the journal at `path`, or creates it, for the sweep with this fingerprint, and holds it
+  // Opens the journal at `path`, or creates it, for the sweep with this identity, and holds it
   // until it is destroyed or its process ends in whatever way. Throws InputError when the file
-  // records another sweep, is no journal, or is held by another run. When it throws, it leaves no
-  // file that was not there before.
-  Journal(const std::string& path, const std::string& fingerprint);
+  // records another sweep (the message tells what differs), is no journal, or is held by another
+  // run. When it throws, it leaves no file that was not there before.
+  Journal(const std::string& path, const Identity& identity);
   ~Journal();
 
+  // What the journal keeps under this name: `value` when it had nothing there.
+  std::string keep(const std::string& name, const std::string& value);
   std::size_t finished_tiles() const;
   // The stored result of a finished tile, every bit as it was stored; nothing for other tiles.
   std::optional<TileResult> find(std::size_t tile_number) const;
@@ -35,9 +54,13 @@ class Journal {
   // Closes and deletes the journal, once the result file is in place. Nothing may be called after.
   void remove();
 
+  // Of the journal at `path`, whether a run holds it or not. Throws InputError when there is none.
+  static JournalStatus status(const std::string& path);
+
  private:
   mutable std::mutex mutex_;
   std::string path_;
+  std::unique_ptr<FileLock> lock_;  // let go of last
   std::unique_ptr<Database> database_;
 };
 

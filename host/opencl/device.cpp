@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 
 #include "model/error.hpp"
 #include "opencl/cl.hpp"
@@ -33,6 +35,20 @@ DeviceInfo describe(const cl::Device& device) {
     info.lanes_fp32 = lanes(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
   }
   return info;
+}
+
+// A whole number at the beginning of `text`, which is shortened by it.
+std::size_t take_number(std::string_view* text, const std::string& whole) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
+  if (error != std::errc()) {
+    throw InputError(
+        fmt::format("--device {}: expected numbers of 'gearsweep devices' such as 0 or 0,1, '0/2' "
+                    "for the halves of device 0, or 'all'",
+                    whole));
+  }
+  text->remove_prefix(static_cast<std::size_t>(end - text->data()));
+  return number;
 }
 
 }  // namespace
@@ -107,6 +123,40 @@ std::vector<DeviceInfo> list_devices() {
   } catch (const cl::Error& error) {
     throw RunError(describe_error("asking for the OpenCL devices", error));
   }
+}
+
+std::vector<DeviceChoice> parse_devices(const std::string& text,
+                                        const std::vector<DeviceInfo>& devices) {
+  default_device(devices);  // throws when there is none
+  std::vector<DeviceChoice> choices;
+  if (text == "all") {
+    for (std::size_t i = 0; i < devices.size(); ++i) choices.push_back({i});
+    return choices;
+  }
+  std::string_view rest = text;
+  do {
+    if (!choices.empty()) rest.remove_prefix(1);
+    const std::size_t number = take_number(&rest, text);
+    std::size_t parts = 1;
+    if (rest.starts_with('/')) {
+      rest.remove_prefix(1);
+      parts = take_number(&rest, text);
+    }
+    if (number >= devices.size()) {
+      throw InputError(fmt::format(
+          "--device {}: there is no device {}; 'gearsweep devices' lists {} (numbered from 0)",
+          text, number, devices.size()));
+    }
+    if (parts == 0 || parts > devices[number].compute_units) {
+      throw InputError(
+          fmt::format("--device {}: device {} has {} compute units, so it can be cut "
+                      "into 1 to {} parts",
+                      text, number, devices[number].compute_units, devices[number].compute_units));
+    }
+    for (std::size_t part = 0; part < parts; ++part) choices.push_back({number, part, parts});
+  } while (rest.starts_with(','));
+  if (!rest.empty()) take_number(&rest, text);
+  return choices;
 }
 
 std::size_t default_device(const std::vector<DeviceInfo>& devices) {

@@ -15,6 +15,12 @@ struct DeviceInfo {
   std::size_t lanes_fp64 = 1, lanes_fp32 = 1;  // points per work-item that suit the device
 };
 
+// A device of list_devices(), or an equal part of its compute units.
+struct DeviceChoice {
+  std::size_t number = 0;
+  std::size_t part = 0, parts = 1;
+};
+
 // All devices of all platforms, CPUs and GPUs; the order gives their numbers. Empty when there is
 // none. Throws RunError when OpenCL itself fails.
 std::vector<DeviceInfo> list_devices();
@@ -23,5 +29,10 @@ std::vector<DeviceInfo> list_devices();
 // whether or not a GPU is there; without a CPU driver the first device. Throws InputError when
 // there is none.
 std::size_t default_device(const std::vector<DeviceInfo>& devices);
+
+// "all", or a list of numbers of `devices` such as "0,2"; "0/4" stands for all four quarters of
+// device 0. A device that stands there twice computes two tiles at a time. Throws InputError.
+std::vector<DeviceChoice> parse_devices(const std::string& text,
+                                        const std::vector<DeviceInfo>& devices);
 
 }  // namespace gearsweep

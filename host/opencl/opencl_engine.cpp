@@ -195,28 +195,42 @@ class OpenClEngine final : public Engine {
   std::size_t series_bytes_per_point_ = 0;
 };
 
+// The chosen device or part of one, and what is said of it.
+cl::Device pick_device(const DeviceChoice& choice, DeviceInfo* info) {
+  cl::Device whole = find_devices().at(choice.number);
+  if (choice.parts == 1) return whole;
+  info->compute_units /= static_cast<unsigned>(choice.parts);
+  const cl_device_partition_property units[] = {
+      CL_DEVICE_PARTITION_EQUALLY, static_cast<cl_device_partition_property>(info->compute_units),
+      0};
+  std::vector<cl::Device> parts;
+  whole.createSubDevices(units, &parts);
+  return parts.at(choice.part);
+}
+
 }  // namespace
 
-std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<std::size_t> device) {
-  const std::vector<DeviceInfo> infos = list_devices();
-  const std::size_t number = device.value_or(infos.empty() ? 0 : default_device(infos));
-  if (infos.empty()) default_device(infos);
-  if (number >= infos.size()) {
+std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice) {
+  std::vector<DeviceInfo> infos = list_devices();
+  if (!choice) choice = DeviceChoice{default_device(infos)};
+  if (choice->number >= infos.size()) {
     throw InputError(
         fmt::format("there is no device {}; 'gearsweep devices' lists {} (numbered "
                     "from 0)",
-                    number, infos.size()));
+                    choice->number, infos.size()));
   }
-  if (study.integrate.fp64 && !infos[number].fp64) {
+  DeviceInfo& info = infos[choice->number];
+  if (study.integrate.fp64 && !info.fp64) {
     throw InputError(
         fmt::format("device {} '{}' has no fp64; use integrate.precision = \"fp32\" "
                     "or another device",
-                    number, infos[number].name));
+                    choice->number, info.name));
   }
   try {
-    return std::make_unique<OpenClEngine>(study, find_devices()[number], infos[number]);
+    const cl::Device device = pick_device(*choice, &info);
+    return std::make_unique<OpenClEngine>(study, device, info);
   } catch (const cl::Error& error) {
-    throw RunError(describe_error(fmt::format("preparing device '{}'", infos[number].name), error));
+    throw RunError(describe_error(fmt::format("preparing device '{}'", info.name), error));
   }
 }
 

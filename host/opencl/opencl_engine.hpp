@@ -5,11 +5,12 @@
 #include <optional>
 
 #include "engine/engine.hpp"
+#include "opencl/device.hpp"
 
 namespace gearsweep {
 
-// `device` is a number of list_devices(); nothing means default_device(). Throws InputError for an
-// unknown device or one that lacks fp64 when the study asks for it, RunError when the build fails.
-std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<std::size_t> device);
+// Without a choice, default_device(). Throws InputError for an unknown device or one that lacks
+// fp64 when the study asks for it, RunError when the build fails or the device cannot be cut.
+std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice);
 
 }  // namespace gearsweep

@@ -115,6 +115,14 @@ std::string flatten_once(const std::string& name, const std::map<std::string, st
   return out.str();
 }
 
+std::string build_log(const cl::Program& program, const cl::Device& device) {
+  try {
+    return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
+  } catch (const cl::Error&) {
+    return "(the driver gives no log)";
+  }
+}
+
 }  // namespace
 
 std::string selection_header(const Study& study) {
@@ -156,7 +164,7 @@ cl::Program build_program(const cl::Context& context, const cl::Device& device,
   } catch (const cl::Error& error) {
     throw RunError(fmt::format("cannot build the kernels for '{}' ({})\noptions: {}\n{}",
                                device.getInfo<CL_DEVICE_NAME>(), describe_code(error.err()),
-                               options, program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
+                               options, build_log(program, device)));
   }
   return program;
 }

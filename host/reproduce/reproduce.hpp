@@ -3,15 +3,17 @@
 
 #include <atomic>
 #include <functional>
-#include <optional>
 #include <string>
+#include <vector>
+
+#include "opencl/device.hpp"
 
 namespace gearsweep {
 
 struct ReproduceOptions {
-  std::string preset;  // "paper" or "consistent"
-  std::string folder;  // made when it is not there
-  std::optional<std::size_t> device;
+  std::string preset;                               // "paper" or "consistent"
+  std::string folder;                               // made when it is not there
+  std::vector<DeviceChoice> devices;                // empty: the default one
   std::function<void(const std::string&)> on_step;  // what is being done now
   const std::atomic<bool>* stop = nullptr;
 };

@@ -72,7 +72,7 @@ class Runs {
 
   SweepOptions sweep_options() const {
     SweepOptions options;
-    options.device = options_.device;
+    options.devices = options_.devices;
     options.stop = options_.stop;
     return options;
   }

@@ -32,6 +32,9 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
+const Identity kSweepA = {{"study", "[model]\nname = \"gear5\"\n"}, {"source", "1"}};
+const Identity kSweepB = {{"study", "[model]\nname = \"duffing\"\n"}, {"source", "1"}};
+
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
@@ -40,7 +43,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 bool same_bits(const TileResult& a, const TileResult& b) {
   return a.status == b.status && same_bits(a.outputs, b.outputs) &&
          same_bits(a.samples, b.samples) && same_bits(a.final_states, b.final_states) &&
-         same_bits(a.effort, b.effort);
+         same_bits(a.effort, b.effort) && a.device == b.device;
 }
 
 // Numbers of any size and sign, drawn from the tile's number.
@@ -55,6 +58,7 @@ TileResult example_tile(std::size_t number, std::size_t points = 100) {
     for (int j = 0; j < 20; ++j) tile.samples.push_back(normal(random));
   }
   tile.effort = {normal(random), normal(random)};
+  tile.device = "device " + std::to_string(number % 2);
   return tile;
 }
 
@@ -71,9 +75,9 @@ class JournalTest : public testing::Test {
   }
   ~JournalTest() override { fs::remove_all(folder_); }
 
-  std::string refusal(const std::string& fingerprint = "sweep A") const {
+  std::string refusal(const Identity& identity = kSweepA) const {
     try {
-      const Journal journal(path_, fingerprint);
+      const Journal journal(path_, identity);
       for (std::size_t i = 0; i < journal.finished_tiles(); ++i) journal.find(i);
     } catch (const InputError& error) {
       return error.what();
@@ -98,7 +102,7 @@ class JournalTest : public testing::Test {
 };
 
 TEST_F(JournalTest, ANewJournalIsEmpty) {
-  const Journal journal(path_, "sweep A");
+  const Journal journal(path_, kSweepA);
   EXPECT_EQ(journal.finished_tiles(), 0U);
   EXPECT_FALSE(journal.find(0).has_value());
 }
@@ -114,7 +118,7 @@ TEST_F(JournalTest, ATileComesBackToTheBit) {
   tile.outputs[3] = std::numeric_limits<double>::denorm_min();
   tile.outputs[4] = -std::numeric_limits<double>::infinity();
 
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   journal.store(7, tile);
   EXPECT_EQ(journal.finished_tiles(), 1U);
   ASSERT_TRUE(journal.find(7).has_value());
@@ -123,14 +127,14 @@ TEST_F(JournalTest, ATileComesBackToTheBit) {
 }
 
 TEST_F(JournalTest, EmptyVectorsAreKept) {
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   journal.store(0, TileResult{});
   ASSERT_TRUE(journal.find(0).has_value());
   EXPECT_TRUE(same_bits(*journal.find(0), TileResult{}));
 }
 
 TEST_F(JournalTest, TheLastResultOfATileStands) {
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   journal.store(3, example_tile(1, 200));
   journal.store(3, example_tile(2, 50));
   EXPECT_EQ(journal.finished_tiles(), 1U);
@@ -142,34 +146,36 @@ TEST_F(JournalTest, AVectorLongerThanOnePieceComesBack) {
   // 80 MiB: more than the 64 MiB of one piece.
   tile.samples.resize(std::size_t{10} << 20);
   for (std::size_t i = 0; i < tile.samples.size(); ++i) tile.samples[i] = static_cast<double>(i);
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   journal.store(0, tile);
   EXPECT_TRUE(same_bits(*journal.find(0), tile));
 }
 
 TEST_F(JournalTest, ReopeningGoesOn) {
   {
-    Journal journal(path_, "sweep A");
+    Journal journal(path_, kSweepA);
     journal.store(0, example_tile(0));
     journal.store(2, example_tile(2));
   }
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   EXPECT_EQ(journal.finished_tiles(), 2U);
   journal.store(1, example_tile(1));
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(same_bits(*journal.find(i), example_tile(i)));
 }
 
 TEST_F(JournalTest, AnotherSweepIsRefusedAndItsJournalKept) {
-  { Journal(path_, "sweep B").store(0, example_tile(0)); }
-  EXPECT_THAT(refusal("sweep A"), AllOf(HasSubstr(path_), HasSubstr("another sweep"),
-                                        HasSubstr("delete it"), HasSubstr("another output")));
-  EXPECT_TRUE(same_bits(*Journal(path_, "sweep B").find(0), example_tile(0)));
+  { Journal(path_, kSweepB).store(0, example_tile(0)); }
+  EXPECT_THAT(refusal(kSweepA), AllOf(HasSubstr(path_), HasSubstr("another sweep"),
+                                      HasSubstr("delete it"), HasSubstr("another output")));
+  EXPECT_THAT(refusal(kSweepA), HasSubstr("study, line 2: 'name = \"duffing\"' there, 'name = "
+                                          "\"gear5\"' now"));
+  EXPECT_TRUE(same_bits(*Journal(path_, kSweepB).find(0), example_tile(0)));
 }
 
 TEST_F(JournalTest, AnotherSweepTakesOverAJournalWithoutTiles) {
-  { const Journal empty(path_, "sweep B"); }
-  { Journal(path_, "sweep A").store(0, example_tile(0)); }
-  EXPECT_EQ(Journal(path_, "sweep A").finished_tiles(), 1U);
+  { const Journal empty(path_, kSweepB); }
+  { Journal(path_, kSweepA).store(0, example_tile(0)); }
+  EXPECT_EQ(Journal(path_, kSweepA).finished_tiles(), 1U);
 }
 
 TEST_F(JournalTest, AFileOfAnotherKindIsRefusedAndKept) {
@@ -194,13 +200,13 @@ TEST_F(JournalTest, AnEmptyFileIsANewJournal) {
 }
 
 TEST_F(JournalTest, AFolderThatIsMissingIsARunError) {
-  EXPECT_THROW(Journal((folder_ / "none" / "map.journal").string(), "sweep A"), RunError);
+  EXPECT_THROW(Journal((folder_ / "none" / "map.journal").string(), kSweepA), RunError);
   EXPECT_TRUE(folder_is_empty());
 }
 
 TEST_F(JournalTest, ATruncatedJournalIsRefused) {
   {
-    Journal journal(path_, "sweep A");
+    Journal journal(path_, kSweepA);
     for (std::size_t i = 0; i < 4; ++i) journal.store(i, example_tile(i));
   }
   const std::string whole = read_file();
@@ -213,7 +219,7 @@ TEST_F(JournalTest, ATruncatedJournalIsRefused) {
 
 TEST_F(JournalTest, AChangedResultIsRefused) {
   const TileResult tile = example_tile(0);
-  { Journal(path_, "sweep A").store(0, tile); }
+  { Journal(path_, kSweepA).store(0, tile); }
   std::string file = read_file();
   std::string number(sizeof(double), '\0');
   std::memcpy(number.data(), &tile.outputs[0], sizeof(double));
@@ -228,7 +234,7 @@ TEST_F(JournalTest, AChangedResultIsRefused) {
 // then computed again, or is refused. What comes back is never wrong.
 TEST_F(JournalTest, AChangedByteNeverGivesAWrongResult) {
   {
-    Journal journal(path_, "sweep A");
+    Journal journal(path_, kSweepA);
     for (std::size_t i = 0; i < 3; ++i) journal.store(i, example_tile(i, 20));
   }
   const std::string whole = read_file();
@@ -239,7 +245,7 @@ TEST_F(JournalTest, AChangedByteNeverGivesAWrongResult) {
     byte = static_cast<char>(byte ^ static_cast<char>(1 + random() % 255));
     write_file(changed);
     try {
-      const Journal journal(path_, "sweep A");
+      const Journal journal(path_, kSweepA);
       for (std::size_t i = 0; i < 3; ++i) {
         const std::optional<TileResult> found = journal.find(i);
         EXPECT_TRUE(!found || same_bits(*found, example_tile(i, 20))) << "trial " << trial;
@@ -273,13 +279,13 @@ class FullDisk {
 TEST_F(JournalTest, AJournalThatCannotBeCreatedLeavesNoFile) {
   {
     const FullDisk disk(1000);
-    EXPECT_THROW(Journal(path_, "sweep A"), RunError);
+    EXPECT_THROW(Journal(path_, kSweepA), RunError);
   }
   EXPECT_TRUE(folder_is_empty());
 }
 
 TEST_F(JournalTest, ATileThatDoesNotFitOnTheDiskLeavesTheOthers) {
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   journal.store(0, example_tile(0));
   {
     const FullDisk disk(fs::file_size(path_) + 10000);
@@ -292,32 +298,63 @@ TEST_F(JournalTest, ATileThatDoesNotFitOnTheDiskLeavesTheOthers) {
 }
 
 TEST_F(JournalTest, ASecondRunOnTheSameOutputIsRefused) {
-  Journal first(path_, "sweep A");
+  Journal first(path_, kSweepA);
   EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("in use by another run")));
   first.store(0, example_tile(0));
   EXPECT_TRUE(same_bits(*first.find(0), example_tile(0)));
 }
 
 TEST_F(JournalTest, TheLockEndsWithTheJournal) {
-  { const Journal first(path_, "sweep A"); }
+  { const Journal first(path_, kSweepA); }
   EXPECT_EQ(refusal(), "accepted");
 }
 
 TEST_F(JournalTest, RemoveLeavesNothing) {
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   journal.store(0, example_tile(0));
   journal.remove();
   EXPECT_TRUE(folder_is_empty());
-  EXPECT_EQ(Journal(path_, "sweep B").finished_tiles(), 0U);
+  EXPECT_EQ(Journal(path_, kSweepB).finished_tiles(), 0U);
 }
 
 TEST_F(JournalTest, AnInterruptedRunLeavesOneFile) {
-  { Journal(path_, "sweep A").store(0, example_tile(0)); }
+  { Journal(path_, kSweepA).store(0, example_tile(0)); }
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(JournalTest, WhatIsKeptFirstStands) {
+  { EXPECT_EQ(Journal(path_, kSweepA).keep("tile", "100"), "100"); }
+  EXPECT_EQ(Journal(path_, kSweepA).keep("tile", "200"), "100");
+}
+
+TEST_F(JournalTest, ItsStatusCanBeReadWhileARunHoldsIt) {
+  Journal journal(path_, kSweepA);
+  journal.keep("points", "1000");
+  journal.store(4, example_tile(4, 30));
+  journal.store(7, example_tile(7, 20));
+  const JournalStatus status = Journal::status(path_);
+  EXPECT_TRUE(status.is_held);
+  EXPECT_EQ(status.tiles, 2U);
+  EXPECT_EQ(status.points, 50U);
+  EXPECT_DOUBLE_EQ(status.seconds, example_tile(4, 30).effort[1] + example_tile(7, 20).effort[1]);
+  EXPECT_THAT(status.devices, testing::ElementsAre("device 0", "device 1"));
+  EXPECT_EQ(status.notes.at("points"), "1000");
+  // Reading it has not let go of the run's lock.
+  EXPECT_THAT(refusal(), HasSubstr("in use by another run"));
+}
+
+TEST_F(JournalTest, ItsStatusSaysThatNoRunHoldsIt) {
+  { Journal(path_, kSweepA).store(0, example_tile(0)); }
+  EXPECT_FALSE(Journal::status(path_).is_held);
+}
+
+TEST_F(JournalTest, AskingForTheStatusOfNoJournalLeavesNone) {
+  EXPECT_THROW(Journal::status(path_), InputError);
+  EXPECT_TRUE(folder_is_empty());
+}
+
 TEST_F(JournalTest, ThreadsMayStoreAtTheSameTime) {
-  Journal journal(path_, "sweep A");
+  Journal journal(path_, kSweepA);
   std::vector<std::thread> threads;
   for (std::size_t t = 0; t < 4; ++t) {
     threads.emplace_back([&journal, t] {
@@ -341,7 +378,7 @@ Writer start_writer(const std::string& path, std::size_t points) {
   const pid_t process = fork();
   if (process == 0) {
     try {
-      Journal journal(path, "sweep A");
+      Journal journal(path, kSweepA);
       for (std::size_t i = 0;; ++i) {
         journal.store(i, example_tile(i, points));
         if (write(ends[1], "+", 1) != 1) _exit(1);
@@ -372,7 +409,7 @@ TEST_F(JournalTest, WhatWasStoredSurvivesKillNine) {
     const Writer writer = start_writer(path_, points);
     const std::size_t stored = kill_after(writer, 3 + 2 * trial);
     ASSERT_GE(stored, 3 + 2 * trial);
-    Journal journal(path_, "sweep A");
+    Journal journal(path_, kSweepA);
     // The kill may fall between the commit of one more tile and its acknowledgement.
     EXPECT_GE(journal.finished_tiles(), stored);
     EXPECT_LE(journal.finished_tiles(), stored + 1);

@@ -111,7 +111,7 @@ TEST(BuildProgram, NamesFileAndLineOfAnError) {
 
 TEST(Devices, AnUnknownNumberIsTheUsersError) {
   try {
-    make_opencl_engine(some_study(), 999);
+    make_opencl_engine(some_study(), DeviceChoice{999});
     FAIL() << "device 999 was found";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("no device 999"));

@@ -1,0 +1,84 @@
+// gearsweep status: how far a running or interrupted study is.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/progress_bar.hpp"
+#include "journal/journal.hpp"
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+std::string note(const JournalStatus& status, const std::string& name) {
+  const auto found = status.notes.find(name);
+  return found == status.notes.end() ? "" : found->second;
+}
+
+// 0 to 1; 0 when nothing is planned yet.
+double share_of(const JournalStatus& status) {
+  const std::string points = note(status, "points");
+  return points.empty() ? 0.0 : static_cast<double>(status.points) / std::stod(points);
+}
+
+std::string describe(const std::string& output, const JournalStatus& status) {
+  const double share = share_of(status);
+  std::string text = fmt::format("{}: {}, {:.1f} % done: {} of {} points in {} tiles", output,
+                                 status.is_held ? "running" : "interrupted", 100.0 * share,
+                                 status.points, note(status, "points"), status.tiles);
+  if (share > 0.0) {
+    text += fmt::format("; computed for {}, about {} left", format_duration(status.seconds),
+                        format_duration(status.seconds / share * (1.0 - share)));
+  }
+  text += '\n';
+  if (status.tiles > 0) text += fmt::format("on {}\n", fmt::join(status.devices, "; "));
+  if (!status.is_held) text += fmt::format("to continue: {}\n", note(status, "command"));
+  return text;
+}
+
+nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
+  const double share = share_of(status);
+  return {{"output", output},
+          {"state", status.is_held ? "running" : "interrupted"},
+          {"share", share},
+          {"points_done", status.points},
+          {"points", std::stoull("0" + note(status, "points"))},
+          {"tiles_done", status.tiles},
+          {"seconds", status.seconds},
+          {"devices", status.devices},
+          {"command", note(status, "command")}};
+}
+
+void show(const std::string& output, bool with_json) {
+  const std::string journal = output + ".journal";
+  if (std::filesystem::exists(journal)) {
+    const JournalStatus status = Journal::status(journal);
+    fmt::print("{}", with_json ? as_json(output, status).dump(2) + "\n" : describe(output, status));
+  } else if (std::filesystem::exists(output)) {
+    fmt::print("{}", with_json
+                         ? nlohmann::json{{"output", output}, {"state", "finished"}}.dump(2) + "\n"
+                         : fmt::format("{}: finished\n", output));
+  } else {
+    throw InputError(fmt::format(
+        "{0}: there is neither this result nor {0}.journal of a run that is to write it", output));
+  }
+}
+
+}  // namespace
+
+void add_status_command(CLI::App* app) {
+  CLI::App* command = app->add_subcommand("status", "How far a running or interrupted study is");
+  const auto output = std::make_shared<std::string>();
+  const auto with_json = std::make_shared<bool>(false);
+  command->add_option("output", *output, "The result file that the run is to write, OUT.nc")
+      ->required();
+  command->add_flag("--json", *with_json, "For scripts");
+  command->footer("Example: gearsweep status map.nc");
+  command->callback([output, with_json] { show(*output, *with_json); });
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,132 @@
+// Several devices share a study: the same maps as from one, also when one of them fails.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// 16 tiles; exponents and early stopping, so that all kernels are at work.
+const char* const kStudy = R"([model]
+preset = "coarse"
+[[axes]]
+name = "omega"
+from = 0.5
+to = 1.5
+count = 16
+[[axes]]
+name = "e0"
+from = 0.1
+to = 0.7
+count = 16
+[integrate]
+settle = 150
+record = 20
+tile = 16
+[observe]
+quantities = ["x1_rms", "dmf_max", "period", "lyapunov_max"]
+)";
+
+class DevicesTest : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.write("study.toml", kStudy); }
+
+  Outcome run(const std::string& output, const std::string& options,
+              const std::string& environment = "") {
+    return run_in(folder_, environment + " " + std::string(GEARSWEEP_BINARY) +
+                               " run study.toml -o " + output + " " + options);
+  }
+
+  Outcome run_with_failure(const std::string& call, int after, const std::string& device) {
+    return run("out.nc", "--device " + device,
+               std::string("LD_PRELOAD=") + FAILING_OPENCL + " FAILING_CALL=" + call +
+                   " FAILING_AFTER=" + std::to_string(after));
+  }
+
+  std::string maps(const std::string& result) {
+    std::string all;
+    for (const char* quantity : {"status", "x1_rms", "dmf_max", "period", "lyapunov_max"}) {
+      gearsweep(folder_, "export " + result + " -q " + quantity + " -o map.csv");
+      all += read_all(folder_ / "map.csv");
+    }
+    return all;
+  }
+
+  Folder folder_;
+};
+
+TEST_F(DevicesTest, PartsOfADeviceGiveTheMapsOfTheWhole) {
+  ASSERT_EQ(run("whole.nc", "--quiet").status, 0);
+  for (const char* devices : {"0/2", "0,0", "0,0/2"}) {
+    ASSERT_EQ(run("out.nc", std::string("--quiet --device ") + devices).status, 0) << devices;
+    EXPECT_EQ(maps("out.nc"), maps("whole.nc")) << devices;
+  }
+}
+
+TEST_F(DevicesTest, ADeviceThatFailsHandsItsTileBackAndTheOthersGoOn) {
+  ASSERT_EQ(run("whole.nc", "--quiet").status, 0);
+  struct Failure {
+    const char* call;
+    int after;
+    const char* words;
+  };
+  for (const Failure& failure : {Failure{"launch", 30, "CL_OUT_OF_RESOURCES"},
+                                 Failure{"allocate", 50, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
+                                 Failure{"build", 0, "cannot build the kernels"}}) {
+    const Outcome outcome = run_with_failure(failure.call, failure.after, "0/2");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("warning"));
+    EXPECT_THAT(outcome.err, HasSubstr(failure.words));
+    EXPECT_EQ(maps("out.nc"), maps("whole.nc")) << failure.call;
+  }
+}
+
+TEST_F(DevicesTest, WhenTheLastDeviceFailsWhatIsFinishedIsKept) {
+  ASSERT_EQ(run("whole.nc", "--quiet").status, 0);
+  const Outcome outcome = run_with_failure("launch", 150, "0");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("CL_OUT_OF_RESOURCES"));
+  EXPECT_EQ(folder_.files().count("out.nc.journal"), 1U);
+  const Outcome again = run("out.nc", "");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_THAT(again.err, HasSubstr("journal"));
+  EXPECT_EQ(maps("out.nc"), maps("whole.nc"));
+}
+
+TEST_F(DevicesTest, AnotherDeviceContinuesUnlessItIsForbidden) {
+  // Parts have the name of the whole; a device of another name is not at hand on every machine.
+  ASSERT_EQ(run("whole.nc", "--quiet --keep-journal").status, 0);
+  EXPECT_EQ(folder_.files().count("whole.nc.journal"), 1U);
+  EXPECT_EQ(run("whole.nc", "--quiet --keep-journal --device 0/2").status, 0);
+  const Outcome strict = run("whole.nc", "--strict-device");
+  EXPECT_EQ(strict.status, 2);
+  EXPECT_THAT(strict.err, HasSubstr("device: not told there"));
+}
+
+TEST_F(DevicesTest, StatusTellsHowFarARunIs) {
+  EXPECT_EQ(gearsweep(folder_, "status out.nc").status, 2);
+  ASSERT_EQ(run_with_failure("launch", 150, "0").status, 1);
+  const Outcome interrupted = gearsweep(folder_, "status out.nc");
+  EXPECT_EQ(interrupted.status, 0);
+  EXPECT_THAT(interrupted.out, HasSubstr("out.nc: interrupted"));
+  EXPECT_THAT(interrupted.out, HasSubstr("of 256 points"));
+  EXPECT_THAT(interrupted.out, HasSubstr("to continue: gearsweep run 'study.toml' -o 'out.nc'"));
+  ASSERT_EQ(run("out.nc", "--quiet").status, 0);
+  EXPECT_THAT(gearsweep(folder_, "status out.nc").out, HasSubstr("out.nc: finished"));
+}
+
+TEST_F(DevicesTest, AListThatCannotBeReadIsRefused) {
+  for (const auto& [list, words] :
+       {std::pair{"99", "there is no device 99"}, std::pair{"0/0", "can be cut into 1 to"},
+        std::pair{"0,,1", "expected numbers"}, std::pair{"every", "expected numbers"}}) {
+    const Outcome outcome = run("out.nc", std::string("--device ") + list);
+    EXPECT_EQ(outcome.status, 2) << list;
+    EXPECT_THAT(outcome.err, HasSubstr(words)) << list;
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
