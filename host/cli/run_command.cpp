@@ -13,6 +13,7 @@
 #include "cli/signal_watch.hpp"
 #include "cli/study_source.hpp"
 #include "cli/summary.hpp"
+#include "distribute/cluster_worker.hpp"
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
@@ -89,23 +90,44 @@ bool any_point_is_ok(const SweepResult& result) {
   return any;
 }
 
+void warn(const std::string& what) { fmt::print(stderr, "\ngearsweep: warning: {}\n", what); }
+
 SweepOptions sweep_options(const RunArguments& arguments, const std::string& output) {
   SweepOptions options;
-  options.devices = chosen_devices(arguments.devices);
   options.journal_path = output + ".journal";
   options.strict_device = arguments.strict_device;
   options.keep_journal = arguments.keep_journal;
   options.notes = {{"command", command_line(arguments, output)}};
-  options.on_trouble = [](const std::string& what) {
-    fmt::print(stderr, "\ngearsweep: warning: {}\n", what);
-  };
+  options.on_trouble = warn;
   options.deliver = [=](const SweepResult& result) {
     write_result(result, output, {command_line(arguments, output), version(), source_hash()});
   };
   return options;
 }
 
-int run(const RunArguments& given) {
+// Rank 0 of a cluster tells the others when it is done, however it ends.
+class Dismissal {
+ public:
+  explicit Dismissal(Cluster* cluster) : cluster_(cluster) {}
+  ~Dismissal() {
+    if (cluster_ != nullptr) dismiss_cluster(cluster_);
+  }
+  Dismissal(const Dismissal&) = delete;
+  Dismissal& operator=(const Dismissal&) = delete;
+
+ private:
+  Cluster* cluster_;
+};
+
+// A launcher passes signals on to all ranks; rank 0 decides what becomes of the run.
+int serve(Cluster* cluster, const std::vector<DeviceChoice>& devices) {
+  ignore_signals();
+  serve_cluster(cluster, devices, warn);
+  return kDone;
+}
+
+int run_as_rank_0(const RunArguments& given, const std::vector<DeviceChoice>& devices,
+                  Cluster* cluster) {
   RunArguments arguments = given;
   if (arguments.lanes) {
     arguments.overrides.push_back(fmt::format("integrate.lanes={}", *arguments.lanes));
@@ -116,6 +138,8 @@ int run(const RunArguments& given) {
   if (!arguments.quantity.empty()) check_quantity(study, arguments.quantity);
   if (!arguments.plot.empty()) ensure_plottable(arguments.plot);
   SweepOptions options = sweep_options(arguments, output);
+  options.devices = devices;
+  options.cluster = cluster;
   if (arguments.restart) discard_journal(options.journal_path);
 
   const SignalWatch signals;
@@ -155,7 +179,21 @@ int run(const RunArguments& given) {
     plot_files(request);
     if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.plot);
   }
+  if (cluster != nullptr && !arguments.quiet) {
+    fmt::print(stderr, "{} processes; {} bytes for each point came from the others\n",
+               cluster->size(), cluster->bytes_received() / result->study.trajectories());
+  }
   return any_point_is_ok(*result) ? kDone : kFailed;
+}
+
+int run(const RunArguments& arguments) {
+  const std::vector<DeviceChoice> devices = chosen_devices(arguments.devices);
+  const std::unique_ptr<Cluster> cluster = Cluster::join();
+  if (!cluster) return run_as_rank_0(arguments, devices, nullptr);
+  const std::vector<DeviceChoice> own = share_of_devices(devices, *cluster);
+  if (cluster->rank() > 0) return serve(cluster.get(), own);
+  const Dismissal dismissal(cluster.get());
+  return run_as_rank_0(arguments, own, cluster.get());
 }
 
 }  // namespace

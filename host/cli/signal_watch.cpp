@@ -49,4 +49,8 @@ SignalWatch::SignalWatch() {
   });
 }
 
+void ignore_signals() {
+  for (const int signal_number : {SIGINT, SIGTERM}) ::signal(signal_number, SIG_IGN);
+}
+
 }  // namespace gearsweep

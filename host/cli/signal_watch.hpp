@@ -19,4 +19,7 @@ class SignalWatch {
   std::jthread watcher_;
 };
 
+// From now on neither signal does anything to this process.
+void ignore_signals();
+
 }  // namespace gearsweep

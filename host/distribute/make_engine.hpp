@@ -1,9 +1,11 @@
-// The engine that a study asks for. Private to this folder.
+// The engines that a study asks for. Private to this folder.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "distribute/sweep.hpp"
 #include "engine/engine.hpp"
 #include "opencl/device.hpp"
 
@@ -11,5 +13,11 @@ namespace gearsweep {
 
 // Without a choice, the default device. Throws InputError or RunError.
 std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice);
+
+// One for each of these devices (none: the default one) that can be had; the others are told of.
+// Throws InputError or RunError when there is none at all.
+std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
+                                                  const std::vector<DeviceChoice>& devices,
+                                                  const Trouble& on_trouble);
 
 }  // namespace gearsweep

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "distribute/assembly.hpp"
+#include "distribute/cluster_crew.hpp"
 #include "distribute/local_crew.hpp"
 #include "distribute/make_engine.hpp"
 #include "distribute/pilot.hpp"
@@ -20,23 +21,6 @@ namespace {
 
 using Engines = std::vector<std::unique_ptr<Engine>>;
 
-// Those of the chosen devices that can be had.
-Engines make_engines(const Study& study, const SweepOptions& options) {
-  std::vector<std::optional<DeviceChoice>> choices(options.devices.begin(), options.devices.end());
-  if (choices.empty() || study.integrate.engine == EngineKind::reference) choices = {std::nullopt};
-  Engines engines;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    const bool is_last_hope = engines.empty() && i + 1 == choices.size();
-    try {
-      engines.push_back(make_engine(study, choices[i]));
-    } catch (const std::runtime_error& error) {
-      if (is_last_hope) throw;
-      if (options.on_trouble) options.on_trouble(error.what());
-    }
-  }
-  return engines;
-}
-
 // What the engines say of themselves, each thing once.
 EngineInfo describe(const Engines& engines) {
   const auto joined = [&](std::string EngineInfo::*member) {
@@ -45,6 +29,11 @@ EngineInfo describe(const Engines& engines) {
     return fmt::format("{}", fmt::join(distinct, "; "));
   };
   return {joined(&EngineInfo::device), joined(&EngineInfo::driver), joined(&EngineInfo::macros)};
+}
+
+std::unique_ptr<Crew> make_crew(const Plan& plan, Engines engines, Cluster* cluster) {
+  if (cluster == nullptr) return std::make_unique<LocalCrew>(plan, std::move(engines));
+  return std::make_unique<ClusterCrew>(plan, std::move(engines), cluster);
 }
 
 // What two runs must have in common for one to continue the other's journal.
@@ -62,7 +51,7 @@ Identity identity_of(const Study& study, const EngineInfo& engine, bool strict_d
 
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
 // starve an engine; what suits all of them.
-std::size_t tile_size(const Study& study, const Engines& engines) {
+std::size_t tile_size(const Study& study, const Engines& engines, const SweepOptions& options) {
   constexpr std::size_t kTiles = 32;
   if (study.integrate.tile > 0) return study.integrate.tile;
   std::size_t least = 1;
@@ -71,7 +60,10 @@ std::size_t tile_size(const Study& study, const Engines& engines) {
     least = std::max(least, engine->least_tile());
     most = std::min(most, engine->preferred_tile());
   }
-  return std::clamp(study.trajectories() / (kTiles * engines.size()), std::min(least, most), most);
+  const auto processes =
+      static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
+  return std::clamp(study.trajectories() / (kTiles * engines.size() * processes),
+                    std::min(least, most), most);
 }
 
 // Computes every tile that the journal does not have.
@@ -204,9 +196,9 @@ class TileLoop {
 std::optional<SweepResult> run_with_steps(const Study& study,
                                           const std::optional<PilotFindings>& pilot,
                                           const SweepOptions& options) {
-  Engines engines = make_engines(study, options);
+  Engines engines = make_engines(study, options.devices, options.on_trouble);
   const EngineInfo info = describe(engines);
-  const std::size_t tile_points = tile_size(study, engines);
+  const std::size_t tile_points = tile_size(study, engines, options);
   std::optional<Plan> plan(std::in_place, study, tile_points);  // refuses what cannot be planned
   std::optional<Journal> journal;
   if (!options.journal_path.empty()) {
@@ -219,8 +211,8 @@ std::optional<SweepResult> run_with_steps(const Study& study,
     if (kept != tile_points) plan.emplace(study, kept);
   }
   Assembly assembly(study);
-  LocalCrew crew(*plan, std::move(engines));
-  TileLoop loop(*plan, options, &crew, journal ? &*journal : nullptr, &assembly);
+  const std::unique_ptr<Crew> crew = make_crew(*plan, std::move(engines), options.cluster);
+  TileLoop loop(*plan, options, crew.get(), journal ? &*journal : nullptr, &assembly);
   if (!loop.run()) {
     if (journal && journal->finished_tiles() == 0) journal->remove();
     return std::nullopt;

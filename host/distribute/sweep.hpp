@@ -13,6 +13,11 @@
 
 namespace gearsweep {
 
+class Cluster;
+
+// Told, in words for the user, of what has failed while the rest goes on.
+using Trouble = std::function<void(const std::string&)>;
+
 struct SweepProgress {
   double share = 0.0;          // of the work, 0 to 1
   double share_kept = 0.0;     // of the work, in finished tiles: what an interruption keeps
@@ -27,14 +32,15 @@ struct SweepOptions {
   // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
   // same sweep that is already there is continued.
   std::string journal_path;
+  // Of which this process is rank 0, and whose other processes share the tiles, too; null: none.
+  Cluster* cluster = nullptr;
   // The journal of a run on other devices, or with another driver, is refused, too.
   bool strict_device = false;
   bool keep_journal = false;  // beside the result
   // What the journal keeps beside it, for whoever asks for its status: names and values.
   std::map<std::string, std::string> notes;
   std::function<void(const SweepProgress&)> on_progress;
-  // Told of a device that has failed while others go on.
-  std::function<void(const std::string&)> on_trouble;
+  Trouble on_trouble;
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
   // Puts the finished maps in a safe place; the journal is removed once it returns.
   std::function<void(const SweepResult&)> deliver;

@@ -36,7 +36,7 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
 
 }  // namespace
 
-Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
+Plan::Plan(const Study& study, std::size_t tile_points) : study_(study), tile_points_(tile_points) {
   for (const std::size_t point : all_points(study_.points())) {
     const std::string wrong = study_.model->check(setting_of(point));
     if (!wrong.empty()) throw InputError(wrong);
@@ -44,7 +44,7 @@ Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
   }
   offsets_ = ensemble_offsets(study_.initial, study_.model->states.size());
   if (!study_.is_chained()) {
-    add_stage(all_points(study_.trajectories()), tile_points);
+    add_stage(all_points(study_.trajectories()));
     return;
   }
   const std::size_t length = study_.axes[study_.initial.along].values.size();
@@ -55,7 +55,7 @@ Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
     for (std::size_t& point : points) {
       point = study_.initial.along == 0 ? point * nx + index : index * nx + point;
     }
-    add_stage(points, tile_points);
+    add_stage(points);
   }
 }
 
@@ -138,7 +138,7 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
   return state;
 }
 
-void Plan::add_stage(const std::vector<std::size_t>& points, std::size_t tile_points) {
+void Plan::add_stage(const std::vector<std::size_t>& points) {
   std::map<std::vector<double>, std::vector<std::size_t>> by_grid;
   for (const std::size_t point : points) by_grid[grid_key(point)].push_back(point);
 
@@ -153,7 +153,7 @@ void Plan::add_stage(const std::vector<std::size_t>& points, std::size_t tile_po
   for (const auto& [key, members] : by_grid) {
     const double steps = key.front() * periods;
     for (std::size_t i = 0; i < members.size(); ++i) {
-      if (tile.points.size() == tile_points) close_tile();
+      if (tile.points.size() == tile_points_) close_tile();
       if (i == 0 || tile.points.empty()) tile.grid_starts.push_back(tile.points.size());
       tile.points.push_back(members[i]);
       tile.work += steps;

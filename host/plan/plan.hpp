@@ -30,6 +30,7 @@ class Plan {
   Plan(const Study& study, std::size_t tile_points);
 
   const Study& study() const { return study_; }
+  std::size_t tile_points() const { return tile_points_; }  // at most, of each tile
   const std::vector<Stage>& stages() const { return stages_; }
   double total_work() const;
 
@@ -47,9 +48,10 @@ class Plan {
 
  private:
   std::size_t axis_index(std::size_t axis, std::size_t point) const;
-  void add_stage(const std::vector<std::size_t>& points, std::size_t tile_points);
+  void add_stage(const std::vector<std::size_t>& points);
 
   const Study study_;
+  const std::size_t tile_points_;
   std::vector<std::vector<double>> offsets_;  // [trajectory of a point][state]
   std::vector<Stage> stages_;
 };

@@ -1,0 +1,104 @@
+// The processes of an MPI launcher share a study: the same maps as from one, also after a rank was
+// killed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// 32 tiles; each point starts from its neighbour's end when `policy` says so.
+const char* const kStudy = R"([model]
+preset = "coarse"
+[[axes]]
+name = "omega"
+from = 0.5
+to = 1.5
+count = 16
+[[axes]]
+name = "e0"
+from = 0.1
+to = 0.7
+count = 32
+[integrate]
+settle = 100
+record = 20
+tile = 16
+[observe]
+quantities = ["x1_rms", "period"]
+)";
+
+class ClusterTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::string(GEARSWEEP_HAS_MPI).starts_with("1")) GTEST_SKIP() << "built without MPI";
+    if (run_in(folder_, "sh -c 'command -v mpirun'").status != 0) GTEST_SKIP() << "no mpirun";
+    folder_.write("study.toml", kStudy);
+  }
+
+  // The words of a shell.
+  static std::string launch(int ranks, const std::string& arguments) {
+    return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe "
+           "-n " +
+           std::to_string(ranks) + " " + GEARSWEEP_BINARY + " run study.toml " + arguments;
+  }
+
+  std::string maps(const std::string& result) {
+    std::string all;
+    for (const char* quantity : {"status", "x1_rms", "period"}) {
+      gearsweep(folder_, "export " + result + " -q " + quantity + " -o map.csv");
+      all += read_all(folder_ / "map.csv");
+    }
+    return all;
+  }
+
+  Folder folder_;
+};
+
+TEST_F(ClusterTest, AnyNumberOfRanksGivesTheMapsOfOneProcess) {
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet").status, 0);
+  for (const int ranks : {1, 2, 4}) {
+    const Outcome outcome = run_in(folder_, launch(ranks, "-o out.nc"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(std::to_string(ranks) + " processes"));
+    EXPECT_EQ(maps("out.nc"), maps("whole.nc")) << ranks << " ranks";
+  }
+}
+
+TEST_F(ClusterTest, AChainPassesItsStatesOn) {
+  const std::string chained = " --set initial.policy=forward --set initial.along=omega --quiet";
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc" + chained).status, 0);
+  EXPECT_EQ(run_in(folder_, launch(3, "-o out.nc" + chained)).status, 0);
+  EXPECT_EQ(maps("out.nc"), maps("whole.nc"));
+}
+
+TEST_F(ClusterTest, ARankThatIsKilledEndsTheRunAndTheSameCommandContinues) {
+  const std::string longer = " --set integrate.settle=6000 --set integrate.stop=never --quiet";
+  // The youngest of the processes is not rank 0, which is started first.
+  const Outcome killed =
+      run_in(folder_, "sh -c '" + launch(2, "-o out.nc" + longer) +
+                          " & pid=$!; size() { stat -c %s out.nc.journal 2>/dev/null || echo 0; }; "
+                          "while kill -0 $pid && [ $(size) -lt 30000 ]; do sleep 0.02; done; "
+                          "kill -KILL $(pgrep -P $pid gearsweep | tail -n 1); wait $pid'");
+  EXPECT_NE(killed.status, 0);
+  EXPECT_EQ(folder_.files().count("out.nc.journal"), 1U) << killed.err;
+  EXPECT_EQ(folder_.files().count("out.nc"), 0U);
+  ASSERT_EQ(run_in(folder_, launch(2, "-o out.nc" + longer)).status, 0);
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc" + longer).status, 0);
+  EXPECT_EQ(maps("out.nc"), maps("whole.nc"));
+}
+
+TEST_F(ClusterTest, AWrongStudyIsRefusedOnceAndNobodyHangs) {
+  folder_.write("study.toml", "[model]\nname = \"gear6\"\n");
+  const Outcome outcome = run_in(folder_, launch(3, "-o out.nc"));
+  EXPECT_EQ(outcome.status, 2);
+  const std::size_t first = outcome.err.find("gear6");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(outcome.err.find("gear6", first + 1), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
