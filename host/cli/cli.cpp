@@ -25,6 +25,7 @@ void add_commands(CLI::App* app, int* status) {
       "'gearsweep COMMAND --help' shows each command with examples.\n"
       "Exit status: 0 done, 1 failed while running, 2 the input was wrong, 130 interrupted.");
   add_run_command(app, status);
+  add_merge_command(app);
   add_status_command(app);
   add_trace_command(app, status);
   add_plot_command(app);

@@ -9,6 +9,7 @@ namespace gearsweep {
 enum ExitStatus { kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130 };
 
 void add_run_command(CLI::App* app, int* status);
+void add_merge_command(CLI::App* app);
 void add_status_command(CLI::App* app);
 void add_trace_command(CLI::App* app, int* status);
 void add_reproduce_command(CLI::App* app, int* status);

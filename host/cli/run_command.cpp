@@ -14,6 +14,7 @@
 #include "cli/study_source.hpp"
 #include "cli/summary.hpp"
 #include "distribute/cluster_worker.hpp"
+#include "distribute/shards.hpp"
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
@@ -25,7 +26,7 @@ namespace gearsweep {
 namespace {
 
 struct RunArguments {
-  std::string study, output, plot, quantity;
+  std::string study, output, plot, quantity, shard;
   std::string devices;
   std::optional<std::size_t> lanes;
   std::vector<std::string> overrides;
@@ -40,6 +41,7 @@ struct RunArguments {
 std::string command_line(const RunArguments& arguments, const std::string& output) {
   std::string line = fmt::format("gearsweep run '{}' -o '{}'", arguments.study, output);
   if (!arguments.devices.empty()) line += fmt::format(" --device {}", arguments.devices);
+  if (!arguments.shard.empty()) line += fmt::format(" --shard {}", arguments.shard);
   for (const std::string& assignment : arguments.overrides) {
     line += fmt::format(" --set '{}'", assignment);
   }
@@ -92,9 +94,29 @@ bool any_point_is_ok(const SweepResult& result) {
 
 void warn(const std::string& what) { fmt::print(stderr, "\ngearsweep: warning: {}\n", what); }
 
+// A shard's journal is its result.
+std::string journal_path(const RunArguments& arguments, const std::string& output) {
+  if (arguments.shard.empty()) return output + ".journal";
+  const Shard shard = parse_shard(arguments.shard);
+  return fmt::format("{}.shard-{}-of-{}.journal", output, shard.number, shard.count);
+}
+
+// The exit status of an interrupted run.
+int tell_interrupted(const SweepProgress& last, const std::string& journal) {
+  if (last.share_kept == 0.0) {
+    fmt::print(stderr, "gearsweep: interrupted before anything was finished\n");
+  } else {
+    fmt::print(stderr,
+               "gearsweep: interrupted; {:.0f} % are finished and kept in {}: the same command "
+               "continues from there\n",
+               100.0 * last.share_kept, journal);
+  }
+  return kInterrupted;
+}
+
 SweepOptions sweep_options(const RunArguments& arguments, const std::string& output) {
   SweepOptions options;
-  options.journal_path = output + ".journal";
+  options.journal_path = journal_path(arguments, output);
   options.strict_device = arguments.strict_device;
   options.keep_journal = arguments.keep_journal;
   options.notes = {{"command", command_line(arguments, output)}};
@@ -150,19 +172,20 @@ int run_as_rank_0(const RunArguments& given, const std::vector<DeviceChoice>& de
     last = progress;
     if (!arguments.quiet) bar.show(progress);
   };
+  if (!arguments.shard.empty()) {
+    const bool is_done = run_shard(study, parse_shard(arguments.shard), options);
+    bar.close();
+    if (!is_done) return tell_interrupted(last, options.journal_path);
+    if (!arguments.quiet) {
+      fmt::print(stderr,
+                 "shard {} is done: {}; when all are: gearsweep merge {}.shard-*.journal -o {}\n",
+                 arguments.shard, options.journal_path, output, output);
+    }
+    return kDone;
+  }
   const std::optional<SweepResult> result = run_sweep(study, options);
   bar.close();
-  if (!result) {
-    if (last.share_kept == 0.0) {
-      fmt::print(stderr, "gearsweep: interrupted before anything was finished\n");
-    } else {
-      fmt::print(stderr,
-                 "gearsweep: interrupted; {:.0f} % are finished and kept in {}: the same "
-                 "command continues from there\n",
-                 100.0 * last.share_kept, options.journal_path);
-    }
-    return kInterrupted;
-  }
+  if (!result) return tell_interrupted(last, options.journal_path);
   if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
   if (!arguments.quiet) {
     if (last.points_resumed > 0) {
@@ -218,6 +241,10 @@ void add_run_command(CLI::App* app, int* status) {
           "study's first)")
       ->needs(plot);
   add_device_option(command, &arguments->devices, true);
+  command
+      ->add_option("--shard", arguments->shard,
+                   "K/N: compute only the K-th of N parts, for 'gearsweep merge' to put together")
+      ->excludes(plot);
   command->add_option("--lanes", arguments->lanes,
                       "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)");
   command

@@ -25,25 +25,32 @@ double share_of(const JournalStatus& status) {
   return points.empty() ? 0.0 : static_cast<double>(status.points) / std::stod(points);
 }
 
+// A shard that is done has nothing but its journal, as does a result that was not written.
+std::string state_of(const JournalStatus& status) {
+  if (status.is_held) return "running";
+  return share_of(status) == 1.0 ? "computed" : "interrupted";
+}
+
 std::string describe(const std::string& output, const JournalStatus& status) {
   const double share = share_of(status);
-  std::string text = fmt::format("{}: {}, {:.1f} % done: {} of {} points in {} tiles", output,
-                                 status.is_held ? "running" : "interrupted", 100.0 * share,
-                                 status.points, note(status, "points"), status.tiles);
-  if (share > 0.0) {
+  std::string text =
+      fmt::format("{}: {}, {:.1f} % done: {} of {} points in {} tiles", output, state_of(status),
+                  100.0 * share, status.points, note(status, "points"), status.tiles);
+  if (share > 0.0 && share < 1.0) {
     text += fmt::format("; computed for {}, about {} left", format_duration(status.seconds),
                         format_duration(status.seconds / share * (1.0 - share)));
   }
   text += '\n';
   if (status.tiles > 0) text += fmt::format("on {}\n", fmt::join(status.devices, "; "));
-  if (!status.is_held) text += fmt::format("to continue: {}\n", note(status, "command"));
+  if (!status.is_held && share < 1.0)
+    text += fmt::format("to continue: {}\n", note(status, "command"));
   return text;
 }
 
 nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
   const double share = share_of(status);
   return {{"output", output},
-          {"state", status.is_held ? "running" : "interrupted"},
+          {"state", state_of(status)},
           {"share", share},
           {"points_done", status.points},
           {"points", std::stoull("0" + note(status, "points"))},
@@ -54,7 +61,7 @@ nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
 }
 
 void show(const std::string& output, bool with_json) {
-  const std::string journal = output + ".journal";
+  const std::string journal = output.ends_with(".journal") ? output : output + ".journal";
   if (std::filesystem::exists(journal)) {
     const JournalStatus status = Journal::status(journal);
     fmt::print("{}", with_json ? as_json(output, status).dump(2) + "\n" : describe(output, status));
@@ -74,7 +81,9 @@ void add_status_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("status", "How far a running or interrupted study is");
   const auto output = std::make_shared<std::string>();
   const auto with_json = std::make_shared<bool>(false);
-  command->add_option("output", *output, "The result file that the run is to write, OUT.nc")
+  command
+      ->add_option("output", *output,
+                   "The result file that the run is to write, OUT.nc, or a journal")
       ->required();
   command->add_flag("--json", *with_json, "For scripts");
   command->footer("Example: gearsweep status map.nc");

@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include "distribute/crew.hpp"
+
 namespace gearsweep {
 
-Progress::Progress(const Plan& plan, const SweepOptions& options)
-    : options_(options), total_(plan.total_work()), start_(std::chrono::steady_clock::now()) {
-  progress_.points = plan.study().trajectories();
+Progress::Progress(const Plan& plan, const Shard& shard, const SweepOptions& options)
+    : options_(options), start_(std::chrono::steady_clock::now()) {
+  const std::vector<const Tile*> tiles = tiles_of(plan);
+  for (std::size_t number = 0; number < tiles.size(); ++number) {
+    if (!shard.has(number)) continue;
+    total_ += tiles[number]->work;
+    progress_.points += tiles[number]->points.size();
+  }
 }
 
 void Progress::begin_tile(std::size_t number, const Tile& tile) {

@@ -4,14 +4,14 @@
 #include <chrono>
 #include <map>
 
-#include "distribute/sweep.hpp"
+#include "distribute/shards.hpp"
 #include "plan/plan.hpp"
 
 namespace gearsweep {
 
 class Progress {
  public:
-  Progress(const Plan& plan, const SweepOptions& options);
+  Progress(const Plan& plan, const Shard& shard, const SweepOptions& options);
 
   void begin_tile(std::size_t number, const Tile& tile);
   void add_steps(std::size_t number, double steps);
@@ -28,7 +28,7 @@ class Progress {
   void tell();
 
   const SweepOptions& options_;
-  const double total_;
+  double total_ = 0.0;
   double done_ = 0.0;  // of the total, in finished tiles
   std::map<std::size_t, Running> running_;
   SweepProgress progress_;

@@ -1,0 +1,59 @@
+// gearsweep merge: the result of a study that ran in shards.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/summary.hpp"
+#include "distribute/shards.hpp"
+#include "io/result_file.hpp"
+#include "model/error.hpp"
+#include "model/version.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct MergeArguments {
+  std::vector<std::string> journals;
+  std::string output;
+  bool quiet = false;
+};
+
+void merge(const MergeArguments& arguments) {
+  std::error_code error;
+  if (std::filesystem::exists(arguments.output, error) && !is_netcdf(arguments.output)) {
+    throw InputError(fmt::format(
+        "{}: exists and is no result file; it would be lost: give another output, -o OUT.nc",
+        arguments.output));
+  }
+  ensure_writable(arguments.output);
+  const SweepResult result = merge_shards(arguments.journals);
+  const std::string command = fmt::format("gearsweep merge -o '{}' ({} shards)", arguments.output,
+                                          arguments.journals.size());
+  write_result(result, arguments.output, {command, version(), source_hash()});
+  if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(result, arguments.output));
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App* app) {
+  CLI::App* command = app->add_subcommand("merge", "Put the shards of a study together");
+  const auto arguments = std::make_shared<MergeArguments>();
+  command
+      ->add_option("journals", arguments->journals,
+                   "What 'gearsweep run --shard' left of each shard, in any order")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "The result file")->required();
+  command->add_flag("--quiet", arguments->quiet, "No summary");
+  command->footer(
+      "Example, a job array of four (each job on its own, in any order):\n"
+      "  gearsweep run mine.toml -o map.nc --shard 1/4      .. 4/4\n"
+      "  gearsweep merge map.nc.shard-*.journal -o map.nc\n\n"
+      "The result is that of one run, to the bit. The journals stay; delete them when you have\n"
+      "the result.");
+  command->callback([arguments] { merge(*arguments); });
+}
+
+}  // namespace gearsweep

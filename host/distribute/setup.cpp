@@ -1,0 +1,96 @@
+#include "distribute/setup.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "distribute/cluster_crew.hpp"
+#include "distribute/make_engine.hpp"
+#include "model/version.hpp"
+
+namespace gearsweep {
+namespace {
+
+using Engines = std::vector<std::unique_ptr<Engine>>;
+
+// What the engines say of themselves, each thing once.
+EngineInfo describe(const Engines& engines) {
+  const auto joined = [&](std::string EngineInfo::*member) {
+    std::set<std::string> distinct;
+    for (const std::unique_ptr<Engine>& engine : engines) distinct.insert(engine->info().*member);
+    return fmt::format("{}", fmt::join(distinct, "; "));
+  };
+  return {joined(&EngineInfo::device), joined(&EngineInfo::driver), joined(&EngineInfo::macros)};
+}
+
+std::unique_ptr<Crew> make_crew(const Plan& plan, Engines engines, Cluster* cluster) {
+  if (cluster == nullptr) return std::make_unique<LocalCrew>(plan, std::move(engines));
+  return std::make_unique<ClusterCrew>(plan, std::move(engines), cluster);
+}
+
+// Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
+// starve an engine; what suits all of them. Each of the parts of a sweep has so many engines.
+std::size_t tile_size(const Study& study, const Engines& engines, std::size_t parts) {
+  constexpr std::size_t kTiles = 32;
+  if (study.integrate.tile > 0) return study.integrate.tile;
+  std::size_t least = 1;
+  std::size_t most = study.trajectories();
+  for (const std::unique_ptr<Engine>& engine : engines) {
+    least = std::max(least, engine->least_tile());
+    most = std::min(most, engine->preferred_tile());
+  }
+  return std::clamp(study.trajectories() / (kTiles * engines.size() * parts), std::min(least, most),
+                    most);
+}
+
+std::size_t points_of(const Plan& plan, const Shard& shard) {
+  const std::vector<const Tile*> tiles = tiles_of(plan);
+  std::size_t points = 0;
+  for (std::size_t number = 0; number < tiles.size(); ++number) {
+    if (shard.has(number)) points += tiles[number]->points.size();
+  }
+  return points;
+}
+
+}  // namespace
+
+Identity identity_of(const Study& study, const Shard& shard) {
+  Identity identity = {{notes::kStudy, study.toml},
+                       {"kernels and formulas", source_hash()},
+                       {notes::kStep, fmt::format("{}", study.integrate.max_step)}};
+  if (shard.count > 1) {
+    identity.emplace_back(notes::kShard, fmt::format("{}/{}", shard.number, shard.count));
+  }
+  return identity;
+}
+
+Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options) {
+  Engines engines = make_engines(study, options.devices, options.on_trouble);
+  info = describe(engines);
+  const auto processes =
+      static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
+  const std::size_t tile_points = tile_size(study, engines, processes * shard.count);
+  plan.emplace(study, tile_points);  // refuses what cannot be planned
+  if (!options.journal_path.empty()) {
+    Identity identity = identity_of(study, shard);
+    if (options.strict_device) {
+      identity.emplace_back("device", info.device);
+      identity.emplace_back("driver", info.driver);
+      identity.emplace_back("build options", info.macros);
+    }
+    journal.emplace(options.journal_path, identity);
+    // A run that goes on keeps the cut, whatever devices it has now.
+    const std::size_t kept =
+        std::stoul(journal->keep(notes::kTilePoints, std::to_string(tile_points)));
+    if (kept != tile_points) plan.emplace(study, kept);
+    journal->keep(notes::kPoints, std::to_string(points_of(*plan, shard)));
+    journal->keep(notes::kDriver, info.driver);
+    journal->keep(notes::kBuildOptions, info.macros);
+    for (const auto& [name, value] : options.notes) journal->keep(name, value);
+  }
+  crew = make_crew(*plan, std::move(engines), options.cluster);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,40 @@
+// What a sweep needs before its first tile: engines, plan, journal, crew. Private to this folder.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "distribute/crew.hpp"
+#include "distribute/shards.hpp"
+#include "journal/journal.hpp"
+
+namespace gearsweep {
+
+// What the parts of a sweep must have in common for one to continue another's journal, and for
+// shards to be merged.
+Identity identity_of(const Study& study, const Shard& shard);
+
+struct Setup {
+  EngineInfo info;  // of this process's engines
+  std::optional<Plan> plan;
+  std::optional<Journal> journal;
+  std::unique_ptr<Crew> crew;
+
+  // study: its steps are known (no tolerance, or the pilot has run). Throws as run_sweep() does.
+  Setup(const Study& study, const Shard& shard, const SweepOptions& options);
+  Journal* journal_or_null() { return journal ? &*journal : nullptr; }
+};
+
+// Names of what a journal keeps beside the identity.
+namespace notes {
+inline constexpr const char* kPoints = "points";
+inline constexpr const char* kTilePoints = "points of a tile";
+inline constexpr const char* kShard = "shard";
+inline constexpr const char* kStudy = "study";
+inline constexpr const char* kStep = "step";
+inline constexpr const char* kDriver = "last driver";
+inline constexpr const char* kBuildOptions = "last build options";
+inline constexpr const char* kPilot = "pilot";
+}  // namespace notes
+
+}  // namespace gearsweep

@@ -1,0 +1,99 @@
+// Shards that know nothing of each other give, merged, the maps of one run.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// 10 tiles of each point's own and of an ensemble's trajectories.
+const char* const kStudy = R"([model]
+preset = "coarse"
+[[axes]]
+name = "omega"
+from = 0.5
+to = 1.5
+count = 10
+[[axes]]
+name = "e0"
+from = 0.1
+to = 0.7
+count = 16
+[initial]
+ensemble = 2
+[integrate]
+settle = 60
+record = 16
+tile = 32
+[observe]
+quantities = ["x1_rms", "period", "attractor_count"]
+poincare = ["x1"]
+)";
+
+class ShardTest : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.write("study.toml", kStudy); }
+
+  Outcome run(const std::string& options) {
+    return gearsweep(folder_, "run study.toml -o map.nc --quiet " + options);
+  }
+  Outcome merge(const std::string& journals) {
+    return gearsweep(folder_, "merge " + journals + " -o merged.nc --quiet");
+  }
+  std::string maps(const std::string& result) {
+    std::string all;
+    for (const char* quantity : {"status", "x1_rms", "period", "attractor_count", "poincare"}) {
+      gearsweep(folder_, "export " + result + " -q " + quantity + " -o map.csv");
+      all += read_all(folder_ / "map.csv");
+    }
+    return all;
+  }
+
+  Folder folder_;
+};
+
+TEST_F(ShardTest, MergedTheyAreTheMapsOfOneRun) {
+  ASSERT_EQ(run("").status, 0);
+  for (const char* shard : {"2/3", "3/3", "1/3"}) {
+    ASSERT_EQ(run(std::string("--shard ") + shard).status, 0) << shard;
+  }
+  const Outcome merged = merge("map.nc.shard-*.journal");
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(maps("merged.nc"), maps("map.nc"));
+}
+
+TEST_F(ShardTest, AMissingOrForeignShardIsNamed) {
+  ASSERT_EQ(run("--shard 1/3").status, 0);
+  ASSERT_EQ(run("--shard 2/3").status, 0);
+  EXPECT_THAT(merge("map.nc.shard-*.journal").err, HasSubstr("no journal of number 3"));
+  ASSERT_EQ(run("--shard 3/3 --set integrate.settle=70").status, 0);
+  const Outcome foreign = merge("map.nc.shard-*.journal");
+  EXPECT_EQ(foreign.status, 2);
+  EXPECT_THAT(foreign.err, HasSubstr("shard-3-of-3"));
+  EXPECT_THAT(foreign.err, HasSubstr("settle = 70"));
+  EXPECT_THAT(merge("map.nc.shard-1* map.nc.shard-1*").err, HasSubstr("both shard 1 of 3"));
+  EXPECT_EQ(folder_.files().count("merged.nc"), 0U);
+}
+
+TEST_F(ShardTest, AChainIsRefused) {
+  const Outcome outcome =
+      run("--shard 1/2 --set initial.policy=forward --set initial.along=omega "
+          "--set initial.ensemble=1 --set 'observe.quantities=[\"x1_rms\"]'");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--shard"));
+  EXPECT_THAT(outcome.err, HasSubstr("mpirun"));
+}
+
+TEST_F(ShardTest, WhatIsNoShardIsRefused) {
+  for (const char* text : {"3/2", "0/2", "1", "1/2/3", "a/b", "-1/2"}) {
+    const Outcome outcome = run(std::string("--shard=") + text);
+    EXPECT_EQ(outcome.status, 2) << text;
+    EXPECT_THAT(outcome.err, HasSubstr("K/N")) << text;
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
