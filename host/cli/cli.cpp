@@ -33,6 +33,7 @@ void add_commands(CLI::App* app, int* status) {
   add_studies_command(app);
   add_model_command(app);
   add_devices_command(app);
+  add_verify_command(app, status);
 }
 
 // The parser would only say that a command is missing.

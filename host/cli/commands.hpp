@@ -17,5 +17,6 @@ void add_floquet_command(CLI::App* app);
 void add_devices_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
 void add_model_command(CLI::App* app);
+void add_verify_command(CLI::App* app, int* status);
 
 }  // namespace gearsweep

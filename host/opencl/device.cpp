@@ -121,4 +121,13 @@ std::size_t default_device(const std::vector<DeviceInfo>& devices) {
   return 0;
 }
 
+std::size_t chosen_device(const std::vector<DeviceInfo>& devices,
+                          std::optional<std::size_t> number) {
+  const std::size_t of_none = default_device(devices);
+  if (number.value_or(of_none) < devices.size()) return number.value_or(of_none);
+  throw InputError(
+      fmt::format("there is no device {}; 'gearsweep devices' lists {} (numbered from 0)", *number,
+                  devices.size()));
+}
+
 }  // namespace gearsweep

@@ -24,4 +24,9 @@ std::vector<DeviceInfo> list_devices();
 // there is none.
 std::size_t default_device(const std::vector<DeviceInfo>& devices);
 
+// The number that a user gave, or else default_device(). Throws InputError when there is none of
+// that number.
+std::size_t chosen_device(const std::vector<DeviceInfo>& devices,
+                          std::optional<std::size_t> number);
+
 }  // namespace gearsweep

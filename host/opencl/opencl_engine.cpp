@@ -199,14 +199,7 @@ class OpenClEngine final : public Engine {
 
 std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<std::size_t> device) {
   const std::vector<DeviceInfo> infos = list_devices();
-  const std::size_t number = device.value_or(infos.empty() ? 0 : default_device(infos));
-  if (infos.empty()) default_device(infos);
-  if (number >= infos.size()) {
-    throw InputError(
-        fmt::format("there is no device {}; 'gearsweep devices' lists {} (numbered "
-                    "from 0)",
-                    number, infos.size()));
-  }
+  const std::size_t number = chosen_device(infos, device);
   if (study.integrate.fp64 && !infos[number].fp64) {
     throw InputError(
         fmt::format("device {} '{}' has no fp64; use integrate.precision = \"fp32\" "
