@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
@@ -47,17 +48,15 @@ void add_reproduce_command(CLI::App* app, int* status) {
   CLI::App* command = app->add_subcommand(
       "reproduce", "The figures of Chen et al. 2011, and a report on what the paper says of them");
   const auto arguments = std::make_shared<ReproduceArguments>();
-  command
-      ->add_option("--preset", arguments->preset,
-                   "paper: the printed equations, fitted to the figures (default); consistent: the "
-                   "same questions to the consistent equations")
-      ->check(CLI::IsMember({"paper", "consistent"}));
+  add_choice(command, "--preset", &arguments->preset, {"paper", "consistent"},
+             "paper: the printed equations, fitted to the figures (default); consistent: the "
+             "same questions to the consistent equations");
   command
       ->add_option("-o,--output", arguments->folder,
                    "The folder for report.md, pictures and results")
+      ->type_name(kFolderValue)
       ->required();
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
-      ->check(CLI::NonNegativeNumber);
+  add_device_option(command, &arguments->device);
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->footer(
       "Examples:\n"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/signal_watch.hpp"
 #include "distribute/sweep.hpp"
@@ -147,8 +148,7 @@ void add_verify_command(CLI::App* app, int* status) {
   CLI::App* command = app->add_subcommand(
       "verify", "Check that this machine and its OpenCL driver give right numbers");
   const auto arguments = std::make_shared<VerifyArguments>();
-  command->add_option("--device", arguments->device, "A number of 'gearsweep devices'")
-      ->check(CLI::NonNegativeNumber);
+  add_device_option(command, &arguments->device);
   command->add_flag("--json", arguments->as_json, "For scripts");
   command->footer(
       "Checks, of which each line shows the number that comes nearest its limit:\n" +
