@@ -8,9 +8,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <ostream>
 
 #include "distribute/sweep.hpp"
 #include "model/error.hpp"
+
+namespace gearsweep {
+
+void PrintTo(const Check& check, std::ostream* out) { *out << check.name; }
+
+}  // namespace gearsweep
 
 namespace gearsweep::testing {
 namespace {
