@@ -1,5 +1,29 @@
-# `cmake --install`: the tool, and the library with its public headers and a find_package config.
+# `cmake --install`: the tool with what belongs to it (component `tool`), and the library with its
+# public headers and a find_package config (component `library`).
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
+
+# Manual and completion come from the tool's own options, by the tool itself.
+set(pages ${CMAKE_CURRENT_BINARY_DIR}/pages)
+file(MAKE_DIRECTORY ${pages})
+add_custom_command(OUTPUT ${pages}/gearsweep.1 ${pages}/gearsweep.bash ${pages}/gearsweep.fish
+  COMMAND gearsweep manual > ${pages}/gearsweep.1
+  COMMAND gearsweep completion bash > ${pages}/gearsweep.bash
+  COMMAND gearsweep completion fish > ${pages}/gearsweep.fish
+  DEPENDS gearsweep VERBATIM)
+add_custom_target(gearsweep_pages ALL DEPENDS ${pages}/gearsweep.1 ${pages}/gearsweep.bash
+                  ${pages}/gearsweep.fish)
+install(TARGETS gearsweep COMPONENT tool)
+install(FILES ${pages}/gearsweep.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+install(FILES ${pages}/gearsweep.bash RENAME gearsweep
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tool)
+install(FILES ${pages}/gearsweep.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tool)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+# The name that Debian gives it.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT tool)
+install(DIRECTORY studies DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 
 # What a program that uses the library links: everything but the command line.
 add_library(gearsweep_library INTERFACE)
@@ -23,7 +47,6 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/kernels/sweep_types.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearsweep)
 
-install(TARGETS gearsweep)
 install(TARGETS gearsweep_library ${library_targets} EXPORT gearsweep)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/gearsweep)
 install(EXPORT gearsweep NAMESPACE gearsweep:: FILE gearsweep-targets.cmake DESTINATION ${package})

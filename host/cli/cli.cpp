@@ -1,11 +1,13 @@
 #include "cli/cli.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -14,16 +16,24 @@
 namespace gearsweep {
 namespace {
 
+// "0 done", ...
+std::vector<std::string> exit_statuses() {
+  std::vector<std::string> texts;
+  for (const auto& [status, meaning] : exit_meanings()) {
+    texts.push_back(fmt::format("{} {}", status, meaning));
+  }
+  return texts;
+}
+
 void add_commands(CLI::App* app, int* status) {
   app->set_version_flag("--version", "gearsweep " + version());
   app->require_subcommand(1);
-  app->footer(
-      "A first map:\n"
-      "  gearsweep studies                          what is built in\n"
-      "  gearsweep run coarse-map -o map.nc --plot map.png\n"
-      "  gearsweep plot map.nc -q dmf_max -o dmf.png\n\n"
-      "'gearsweep COMMAND --help' shows each command with examples.\n"
-      "Exit status: 0 done, 1 failed while running, 2 the input was wrong, 130 interrupted.");
+  app->footer(std::string("A first map:\n"
+                          "  gearsweep studies                          what is built in\n"
+                          "  gearsweep run coarse-map -o map.nc --plot map.png\n"
+                          "  gearsweep plot map.nc -q dmf_max -o dmf.png\n\n"
+                          "'gearsweep COMMAND --help' shows each command with examples.\n") +
+              fmt::format("Exit status: {}.", fmt::join(exit_statuses(), ", ")));
   add_run_command(app, status);
   add_merge_command(app);
   add_status_command(app);
@@ -35,6 +45,9 @@ void add_commands(CLI::App* app, int* status) {
   add_studies_command(app);
   add_model_command(app);
   add_devices_command(app);
+  add_verify_command(app, status);
+  add_completion_command(app);
+  add_manual_command(app);
 }
 
 // The parser would only say that a command is missing.
@@ -60,7 +73,8 @@ int dispatch(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // The parser's own codes tell help (0) from errors, which are all wrong input to us.
-    return app.exit(error) == 0 ? kDone : kWrongInput;
+    if (error.get_exit_code() != 0) throw InputError(describe_parse_error(app, error));
+    return app.exit(error);
   }
   return status;
 }

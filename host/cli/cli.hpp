@@ -3,7 +3,7 @@
 
 namespace gearsweep {
 
-// Exit status: 0 done, 1 failed while running, 2 the input was wrong, 130 interrupted.
+// The exit status, one of exit_meanings() (commands.hpp).
 int run_cli(int argc, char** argv);
 
 }  // namespace gearsweep

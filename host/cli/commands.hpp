@@ -3,10 +3,21 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace gearsweep {
 
 enum ExitStatus { kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130 };
+
+// Each exit status and what it means, for help and manual.
+inline std::vector<std::pair<int, std::string>> exit_meanings() {
+  return {{kDone, "done"},
+          {kFailed, "failed while running, or a check of verify fails"},
+          {kWrongInput, "the input was wrong"},
+          {kInterrupted, "interrupted"}};
+}
 
 void add_run_command(CLI::App* app, int* status);
 void add_merge_command(CLI::App* app);
@@ -19,5 +30,8 @@ void add_floquet_command(CLI::App* app);
 void add_devices_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
 void add_model_command(CLI::App* app);
+void add_verify_command(CLI::App* app, int* status);
+void add_completion_command(CLI::App* app);
+void add_manual_command(CLI::App* app);
 
 }  // namespace gearsweep

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_option.hpp"
 #include "cli/floquet_report.hpp"
 #include "cli/place.hpp"
 #include "cli/study_source.hpp"
@@ -131,33 +131,35 @@ void add_floquet_command(CLI::App* app) {
       "floquet", "The periodic orbit at a point, its multipliers, and its bifurcations");
   const auto arguments = std::make_shared<FloquetArguments>();
   command->add_option("study", arguments->study, "A study file, a built-in study or a result file")
+      ->type_name(kStudyValue)
       ->required();
   command
       ->add_option("--at", arguments->at,
-                   "Where to look, NAME=VALUE,...: a value for each axis of the study, and for "
+                   "Where to look: a value for each axis of the study, and for "
                    "other parameters")
+      ->type_name(kPointValue)
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option(
-      "--along", arguments->along,
-      "Follow the orbit, NAME=FROM:TO, and locate its bifurcations; starts where --at says, "
-      "or else at FROM");
+  command
+      ->add_option("--along", arguments->along,
+                   "Follow the orbit and locate its bifurcations; starts where --at says, or else "
+                   "at FROM")
+      ->type_name("NAME=FROM:TO");
   command
       ->add_option("--period", arguments->period,
                    "The orbit's length in forcing periods (default: the least after which the "
                    "motion repeats, 64 at most)")
-      ->check(CLI::Range(1, 4096));
+      ->type_name(kNumberValue)
+      ->check(whole_number(1, 4096));
   command
       ->add_option("--steps", arguments->steps,
                    fmt::format("Integration steps per period (default: {} or the study's, if that "
                                "is more)",
                                kLeastSteps))
-      ->check(CLI::Range(16, 65536));
+      ->type_name(kNumberValue)
+      ->check(whole_number(16, 65536));
   add_device_option(command, &arguments->device, false);
-  command
-      ->add_option("--set", arguments->overrides,
-                   "Override a key of the study, PATH=VALUE; may be given several times")
-      ->allow_extra_args(false);
+  add_set_option(command, &arguments->overrides);
   command->add_flag("--json", arguments->as_json, "For scripts, with every orbit on the way");
   command->footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/study_source.hpp"
 #include "opencl/device.hpp"
@@ -76,7 +77,7 @@ void add_studies_command(CLI::App* app) {
       app->add_subcommand("studies", "List the built-in studies, or print one as TOML");
   const auto name = std::make_shared<std::string>();
   const auto as_json = std::make_shared<bool>(false);
-  command->add_option("name", *name, "The study to print");
+  command->add_option("name", *name, "The study to print")->type_name(kBuiltinValue);
   command->add_flag("--json", *as_json, "The list for scripts");
   command->footer(
       "To start a study of your own:\n"

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/summary.hpp"
 #include "distribute/shards.hpp"
@@ -44,8 +45,11 @@ void add_merge_command(CLI::App* app) {
   command
       ->add_option("journals", arguments->journals,
                    "What 'gearsweep run --shard' left of each shard, in any order")
+      ->type_name(kFileValue)
       ->required();
-  command->add_option("-o,--output", arguments->output, "The result file")->required();
+  command->add_option("-o,--output", arguments->output, "The result file")
+      ->type_name(kFileValue)
+      ->required();
   command->add_flag("--quiet", arguments->quiet, "No summary");
   command->footer(
       "Example, a job array of four (each job on its own, in any order):\n"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/study_source.hpp"
 #include "model/error.hpp"
@@ -153,12 +154,14 @@ void add_model_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
       "model", "List the models, or show one: parameters, states, quantities, presets");
   const auto arguments = std::make_shared<ModelArguments>();
-  command->add_option("name", arguments->name, "The model to show");
+  command->add_option("name", arguments->name, "The model to show")->type_name(kModelValue);
   CLI::Option* preset =
-      command->add_option("--preset", arguments->preset, "Show the values of this preset");
+      command->add_option("--preset", arguments->preset, "Show the values of this preset")
+          ->type_name("PRESET");
   command
       ->add_option("--study", arguments->study,
                    "Show the values that this study gives, [gear] table included")
+      ->type_name(kStudyValue)
       ->excludes(preset);
   command->add_flag("--json", arguments->as_json, "For scripts");
   command->footer(

@@ -1,6 +1,7 @@
 // gearsweep plot, gearsweep export: maps and traces as pictures, maps as tables.
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "io/export.hpp"
 #include "io/plot.hpp"
@@ -37,29 +38,37 @@ void add_plot_command(CLI::App* app) {
       ->add_option("file", request->paths,
                    "A result file or a file of traces; several are laid over one another (result "
                    "files over one axis)")
+      ->type_name(kResultValue)
       ->required();
-  command->add_option(
-      "-q,--quantity", request->quantity,
-      "What to draw. Of maps (default: the file's first): poincare:v1 picks a sampled state; over "
-      "one axis several, NAME,NAME, stand above one another. Of traces: time (the default), phase, "
-      "section, spectrum or force; time:v3, phase:x3, phase:x1:x3, spectrum:dmf pick channels "
-      "(default: the first state; force: dmf)");
+  command
+      ->add_option(
+          "-q,--quantity", request->quantity,
+          "What to draw. Of maps (default: the file's first): poincare:v1 picks a sampled state; "
+          "over one axis several, NAME,NAME, stand above one another. Of traces: time (the "
+          "default), phase, section, spectrum or force; time:v3, phase:x3, phase:x1:x3, "
+          "spectrum:dmf pick channels (default: the first state; force: dmf)")
+      ->type_name(kQuantityValue);
   command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")
+      ->type_name(kFileValue)
       ->required();
-  command->add_option(
-      "--script", request->script_path,
-      "Keep the gnuplot script (FILE.gp) and its data (FILE.dat, replaced if there)");
-  command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis, AXIS=VALUE");
+  command
+      ->add_option("--script", request->script_path,
+                   "Keep the gnuplot script (FILE.gp) and its data (FILE.dat, replaced if there)")
+      ->type_name(kFileValue);
+  command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis")
+      ->type_name("AXIS=VALUE");
   command
       ->add_option("--periods", request->periods,
                    "Of traces, at most so many last periods (default: 10 in time and force, else "
                    "all; a spectrum separates subharmonics best over a multiple of their period)")
-      ->check(CLI::PositiveNumber);
+      ->type_name(kNumberValue)
+      ->check(whole_number(1));
   command
       ->add_option("--orders", request->orders,
                    "The highest order of a spectrum (default: 10). It is of whole periods with "
                    "Hann's window, without the mean, and shows the amplitudes of sines")
-      ->check(CLI::PositiveNumber);
+      ->type_name(kNumberValue)
+      ->check(positive_number());
   command->footer(
       "Examples:\n"
       "  gearsweep plot map.nc -q contact_class -o class.png\n"
@@ -77,9 +86,15 @@ void add_plot_command(CLI::App* app) {
 void add_export_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("export", "Write a map of a result file as CSV or NPY");
   const auto arguments = std::make_shared<ExportArguments>();
-  command->add_option("result", arguments->result, "A result file, OUT.nc")->required();
-  command->add_option("-q,--quantity", arguments->quantity, "What to write")->required();
-  command->add_option("-o,--output", arguments->output, "The table: .csv or .npy")->required();
+  command->add_option("result", arguments->result, "A result file")
+      ->type_name(kResultValue)
+      ->required();
+  command->add_option("-q,--quantity", arguments->quantity, "What to write")
+      ->type_name(kQuantityValue)
+      ->required();
+  command->add_option("-o,--output", arguments->output, "The table: .csv or .npy")
+      ->type_name(kFileValue)
+      ->required();
   command->footer(
       "Examples:\n"
       "  gearsweep export map.nc -q x1_rms -o rms.csv\n"

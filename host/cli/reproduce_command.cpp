@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
 #include "reproduce/reproduce.hpp"
@@ -48,14 +48,13 @@ void add_reproduce_command(CLI::App* app, int* status) {
   CLI::App* command = app->add_subcommand(
       "reproduce", "The figures of Chen et al. 2011, and a report on what the paper says of them");
   const auto arguments = std::make_shared<ReproduceArguments>();
-  command
-      ->add_option("--preset", arguments->preset,
-                   "paper: the printed equations, fitted to the figures (default); consistent: the "
-                   "same questions to the consistent equations")
-      ->check(CLI::IsMember({"paper", "consistent"}));
+  add_choice(command, "--preset", &arguments->preset, {"paper", "consistent"},
+             "paper: the printed equations, fitted to the figures (default); consistent: the "
+             "same questions to the consistent equations");
   command
       ->add_option("-o,--output", arguments->folder,
                    "The folder for report.md, pictures and results")
+      ->type_name(kFolderValue)
       ->required();
   add_device_option(command, &arguments->device, true);
   command->add_flag("--quiet", arguments->quiet, "No progress");

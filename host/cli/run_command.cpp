@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
 #include "cli/study_source.hpp"
@@ -227,30 +227,35 @@ void add_run_command(CLI::App* app, int* status) {
   command
       ->add_option("study", arguments->study,
                    "A study file, a built-in study, or a result file to compute again")
+      ->type_name(kStudyValue)
       ->required();
   command
       ->add_option("-o,--output", arguments->output,
                    "The result file (default: the study's name with .nc)")
+      ->type_name(kFileValue)
       ->check([](const std::string& path) { return path.empty() ? "must not be empty" : ""; });
   CLI::Option* plot =
-      command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf");
+      command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf")
+          ->type_name(kFileValue);
   command
       ->add_option(
           "-q,--quantity", arguments->quantity,
           "The quantity to draw (default: on one axis the samples, if there are any, else the "
           "study's first)")
+      ->type_name(kQuantityValue)
       ->needs(plot);
   add_device_option(command, &arguments->devices, true);
   command
       ->add_option("--shard", arguments->shard,
                    "K/N: compute only the K-th of N parts, for 'gearsweep merge' to put together")
+      ->type_name(kShardValue)
       ->excludes(plot);
-  command->add_option("--lanes", arguments->lanes,
-                      "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)");
   command
-      ->add_option("--set", arguments->overrides,
-                   "Override a key of the study, PATH=VALUE; may be given several times")
-      ->allow_extra_args(false);
+      ->add_option("--lanes", arguments->lanes,
+                   "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)")
+      ->type_name(kNumberValue)
+      ->check(whole_number(1, 16));
+  add_set_option(command, &arguments->overrides);
   command->add_flag("--restart", arguments->restart,
                     "Start afresh: discard what an interrupted run left in OUT.nc.journal");
   command->add_flag("--strict-device", arguments->strict_device,

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "journal/journal.hpp"
@@ -84,6 +85,7 @@ void add_status_command(CLI::App* app) {
   command
       ->add_option("output", *output,
                    "The result file that the run is to write, OUT.nc, or a journal")
+      ->type_name(kResultValue)
       ->required();
   command->add_flag("--json", *with_json, "For scripts");
   command->footer("Example: gearsweep status map.nc");

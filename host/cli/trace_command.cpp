@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_option.hpp"
 #include "cli/place.hpp"
 #include "cli/signal_watch.hpp"
 #include "cli/study_source.hpp"
@@ -181,29 +181,36 @@ void add_trace_command(CLI::App* app, int* status) {
       ->add_option("study", arguments->study,
                    "A study file, a built-in study, or a result file: then --at means the nearest "
                    "point of the map")
+      ->type_name(kStudyValue)
       ->required();
   command
-      ->add_option("--at", arguments->at,
-                   "A point, NAME=VALUE,...: a value for each axis, and for other parameters and "
-                   "initial states; may be given several times")
+      ->add_option(
+          "--at", arguments->at,
+          "A point: a value for each axis, and for other parameters and initial states; may "
+          "be given several times")
+      ->type_name(kPointValue)
       ->allow_extra_args(false);
-  command->add_option("-o,--output", arguments->output, "The traces: .nc or .csv")->required();
-  command->add_option("--settle", arguments->settle,
-                      "Forcing periods before the trace (default: the study's; 0 shows the start)");
+  command->add_option("-o,--output", arguments->output, "The traces: .nc or .csv")
+      ->type_name(kFileValue)
+      ->required();
+  command
+      ->add_option("--settle", arguments->settle,
+                   "Forcing periods before the trace (default: the study's; 0 shows the start)")
+      ->type_name(kNumberValue)
+      ->check(whole_number(0));
   command
       ->add_option("--record", arguments->record,
                    "Forcing periods of the trace (default: the study's)")
-      ->check(CLI::PositiveNumber);
+      ->type_name(kNumberValue)
+      ->check(whole_number(1));
   command
       ->add_option("--samples-per-period", arguments->samples_per_period,
                    "Evenly spaced moments per forcing period, interpolated (default: both ends of "
                    "every integration step)")
-      ->check(CLI::Range(1, 1 << 20));
+      ->type_name(kNumberValue)
+      ->check(whole_number(1, std::size_t{1} << 20U));
   add_device_option(command, &arguments->device, false);
-  command
-      ->add_option("--set", arguments->overrides,
-                   "Override a key of the study, PATH=VALUE; may be given several times")
-      ->allow_extra_args(false);
+  add_set_option(command, &arguments->overrides);
   command->add_flag("--quiet", arguments->quiet, "No summary");
   command->footer(
       "Examples:\n"

@@ -51,4 +51,11 @@ struct SweepResult {
   std::size_t stopped = 0;      // trajectories that settled on a periodic orbit and stopped there
 };
 
+// The map of a quantity that the study asks for, as SweepResult::values holds it. Throws
+// std::logic_error when it does not ask for it.
+const std::vector<double>& map_of(const SweepResult& result, const std::string& quantity);
+
+// Poincare samples of one point: the `chosen`-th sampled state, one number per recorded period.
+std::vector<double> samples_of(const SweepResult& result, std::size_t point, std::size_t chosen);
+
 }  // namespace gearsweep

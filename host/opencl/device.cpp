@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <string_view>
 
 #include "model/error.hpp"
+#include "model/names.hpp"
 #include "opencl/cl.hpp"
 
 namespace gearsweep {
@@ -37,18 +36,29 @@ DeviceInfo describe(const cl::Device& device) {
   return info;
 }
 
-// A whole number at the beginning of `text`, which is shortened by it.
-std::size_t take_number(std::string_view* text, const std::string& whole) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
-  if (error != std::errc()) {
-    throw InputError(
-        fmt::format("--device {}: expected numbers of 'gearsweep devices' such as 0 or 0,1, '0/2' "
-                    "for the halves of device 0, or 'all'",
-                    whole));
+[[noreturn]] void refuse_list(const std::string& text) {
+  throw InputError(
+      fmt::format("--device: '{}' is no list of numbers of 'gearsweep devices', such as 0 or 0,1, "
+                  "nor '0/2' for the halves of device 0, nor 'all'",
+                  text));
+}
+
+// A number of at most six digits.
+std::size_t number_of(const std::string& digits, const std::string& list) {
+  if (digits.empty() || digits.size() > 6 ||
+      digits.find_first_not_of("0123456789") != std::string::npos) {
+    refuse_list(list);
   }
-  text->remove_prefix(static_cast<std::size_t>(end - text->data()));
-  return number;
+  return std::stoul(digits);
+}
+
+// "2" or "0/4".
+DeviceChoice parse_choice(const std::string& item, const std::string& list) {
+  const std::size_t slash = item.find('/');
+  DeviceChoice choice;
+  choice.number = number_of(item.substr(0, slash), list);
+  if (slash != std::string::npos) choice.parts = number_of(item.substr(slash + 1), list);
+  return choice;
 }
 
 }  // namespace
@@ -133,30 +143,26 @@ std::vector<DeviceChoice> parse_devices(const std::string& text,
     for (std::size_t i = 0; i < devices.size(); ++i) choices.push_back({i});
     return choices;
   }
-  std::string_view rest = text;
-  do {
-    if (!choices.empty()) rest.remove_prefix(1);
-    const std::size_t number = take_number(&rest, text);
-    std::size_t parts = 1;
-    if (rest.starts_with('/')) {
-      rest.remove_prefix(1);
-      parts = take_number(&rest, text);
-    }
-    if (number >= devices.size()) {
+  for (const std::string& item : split(text, ',')) choices.push_back(parse_choice(item, text));
+  if (choices.empty()) refuse_list(text);
+  std::vector<DeviceChoice> parts;
+  for (const DeviceChoice& choice : choices) {
+    if (choice.number >= devices.size()) {
       throw InputError(fmt::format(
           "--device {}: there is no device {}; 'gearsweep devices' lists {} (numbered from 0)",
-          text, number, devices.size()));
+          text, choice.number, devices.size()));
     }
-    if (parts == 0 || parts > devices[number].compute_units) {
-      throw InputError(
-          fmt::format("--device {}: device {} has {} compute units, so it can be cut "
-                      "into 1 to {} parts",
-                      text, number, devices[number].compute_units, devices[number].compute_units));
+    const unsigned units = devices[choice.number].compute_units;
+    if (choice.parts == 0 || choice.parts > units) {
+      throw InputError(fmt::format(
+          "--device {}: device {} has {} compute units, so it can be cut into 1 to {} parts", text,
+          choice.number, units, units));
     }
-    for (std::size_t part = 0; part < parts; ++part) choices.push_back({number, part, parts});
-  } while (rest.starts_with(','));
-  if (!rest.empty()) take_number(&rest, text);
-  return choices;
+    for (std::size_t part = 0; part < choice.parts; ++part) {
+      parts.push_back({choice.number, part, choice.parts});
+    }
+  }
+  return parts;
 }
 
 std::size_t default_device(const std::vector<DeviceInfo>& devices) {

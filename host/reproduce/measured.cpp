@@ -18,13 +18,7 @@ const std::vector<double>& channel_of(const Trace& trace, const std::string& nam
 }  // namespace
 
 Curve::Curve(const SweepResult& result, const std::string& quantity)
-    : x_(result.study.axes[0].values) {
-  const std::vector<Quantity>& quantities = result.study.selection.quantities;
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const Quantity& q) { return q.name == quantity; });
-  if (found == quantities.end()) throw std::logic_error("a study has no quantity " + quantity);
-  values_ = result.values[static_cast<std::size_t>(found - quantities.begin())];
-}
+    : x_(result.study.axes[0].values), values_(map_of(result, quantity)) {}
 
 std::vector<std::size_t> Curve::within(double from, double to) const {
   std::vector<std::size_t> points;

@@ -226,12 +226,33 @@ TEST_F(BadCommandTest, SettingsThatContradictEachOtherAreRefused) {
 }
 
 TEST_F(BadCommandTest, WrongArgumentsAreRefused) {
-  expect_refused("", {"subcommand"});
-  expect_refused("rum coarse-map", {"rum"});
-  expect_refused("run", {"study"});
-  expect_refused("run coarse-map --device first", {"device"});
+  expect_refused("", {"no command is given", "run, merge", "gearsweep --help"});
+  expect_refused("rum coarse-map", {"unknown command 'rum'", "did you mean 'run'?"});
+  expect_refused("--bogus", {"has no option '--bogus'", "known: --help"});
+  expect_refused("run", {"'gearsweep run' needs study", "a built-in study"});
+  expect_refused("plot map.nc", {"'gearsweep plot' needs --output", ".png"});
+  expect_refused("run coarse-map more", {"does not know what to do with 'more'"});
+  expect_refused("run coarse-map --devcie 1", {"'--devcie'", "did you mean '--device'?"});
+  expect_refused("run coarse-map --restart=maybe", {"--restart takes no value"});
+  expect_refused("run coarse-map --set", {"--set takes one value, PATH=VALUE"});
+  expect_refused("reproduce -o paper --preset papr", {"did you mean 'paper'?"});
   expect_refused("model gear6", {"unknown model 'gear6'"});
   expect_refused("studies nothing", {"no built-in study"});
+}
+
+// No huge range, no -1 that becomes 18446744073709551615.
+TEST_F(BadCommandTest, NumbersMustBeNumbersInRange) {
+  const std::string no_device = "is no list of numbers";
+  for (const char* device : {"first", "-1", "1.5", "1e0", "''", "99999999999999999999"}) {
+    expect_refused(std::string("run coarse-map --device ") + device, {"--device: '", no_device});
+  }
+  expect_refused("run coarse-map --lanes -1", {"--lanes: '-1' is not a whole number from 1 to 16"});
+  expect_refused("trace coarse-map -o t.nc --settle -3", {"--settle: '-3' is not"});
+  expect_refused("floquet coarse-map --period 4097", {"from 1 to 4096"});
+  for (const char* order : {"0", "-2", "nan", "inf", "many", "1x"}) {
+    expect_refused(std::string("plot map.nc -o map.png --orders ") + order,
+                   {"--orders: '", "is not a number greater than 0"});
+  }
 }
 
 TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {

@@ -118,8 +118,8 @@ TEST(Commands, EveryBuiltInStudyPrintsAsTomlThatReads) {
 TEST(Commands, EveryCommandHasHelpWithExamples) {
   const Folder folder;
   EXPECT_THAT(gearsweep(folder, "--version").out, StartsWith("gearsweep "));
-  for (const char* command :
-       {"", "run", "plot", "export", "floquet", "studies", "model", "devices"}) {
+  for (const char* command : {"", "run", "trace", "plot", "export", "floquet", "reproduce",
+                              "studies", "model", "devices", "verify", "completion", "manual"}) {
     const Outcome help = gearsweep(folder, std::string(command) + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("gearsweep ")) << command;

@@ -121,7 +121,7 @@ TEST_F(DevicesTest, StatusTellsHowFarARunIs) {
 TEST_F(DevicesTest, AListThatCannotBeReadIsRefused) {
   for (const auto& [list, words] :
        {std::pair{"99", "there is no device 99"}, std::pair{"0/0", "can be cut into 1 to"},
-        std::pair{"0,,1", "expected numbers"}, std::pair{"every", "expected numbers"}}) {
+        std::pair{"0,,1", "is no list of numbers"}, std::pair{"every", "is no list of numbers"}}) {
     const Outcome outcome = run("out.nc", std::string("--device ") + list);
     EXPECT_EQ(outcome.status, 2) << list;
     EXPECT_THAT(outcome.err, HasSubstr(words)) << list;

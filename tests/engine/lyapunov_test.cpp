@@ -8,7 +8,6 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <numbers>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "support/text.hpp"
+#include "verify/exact_answers.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -46,21 +46,6 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// The mean trace of gear5's Jacobian: the exact sum of all exponents, for equal gears.
-double exact_sum(const ModelSetting& setting) {
-  const auto p = [&](const char* name) { return parameter_of(setting, name); };
-  const bool printed = option_of(setting, "formulation") == "printed";
-  // The arms of the friction in the torsional equation: with `consistent` approach and recess
-  // cancel, with `printed` they change along the path of contact.
-  double mean_g = 2.0;
-  if (printed) {
-    mean_g -= p("mu") * 2.0 * std::numbers::pi / p("zp") * p("eps") * p("eps") / 4.0;
-  }
-  const double bearings = p("m1") * (p("c1") + p("c2")) + p("m2") * (p("c3") + p("c4"));
-  const double shafts = (printed ? -1.0 : 1.0) * 2.0 * (p("m1") + p("m2"));
-  return -2.0 * p("zeta") * (mean_g + bearings + shafts);
-}
-
 // Chaos and impacts with any friction and contact ratio.
 void expect_exact_sums(const std::string& model, const std::string& parameters) {
   const SweepResult result = run(
@@ -72,7 +57,7 @@ void expect_exact_sums(const std::string& model, const std::string& parameters) 
   EXPECT_THAT(map_of(result, "contact_class"), Contains(Ge(1.0)));
   const Plan plan(result.study, 256);
   for (std::size_t point = 0; point < result.status.size(); ++point) {
-    const double exact = exact_sum(plan.setting_of(point));
+    const double exact = gear5_exponent_sum(plan.setting_of(point));
     // What the Runge-Kutta method leaves of the trace falls with the fourth power of the step: 1e-9
     // was seen. Corrected steps in which contact is lost or met leave as much again and more: 7e-9.
     EXPECT_NEAR(sum(spectrum_of(result, point)), exact, 2e-8) << "point " << point;

@@ -9,7 +9,7 @@
 
 #include "engine/outside_gear5.hpp"
 #include "plan/plan.hpp"
-#include "support/reference_rows.hpp"
+#include "support/print_rows.hpp"
 #include "support/run.hpp"
 
 namespace gearsweep::testing {

@@ -2,31 +2,14 @@
 // same bits: whatever is wrong with a number, it is not the device's compiler.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
-#include "dialect.h"
 #include "opencl/opencl_engine.hpp"
 #include "plan/plan.hpp"
 #include "study/study.hpp"
 #include "support/bits.hpp"
-
-namespace gearsweep::fp64 {
-using std::sqrt;
-using real = double;
-using scalar = double;
-#include "opencl/host_stepper.h"
-}  // namespace gearsweep::fp64
-
-namespace gearsweep::fp32 {
-using std::sqrt;  // the one for float too
-using real = float;
-using scalar = float;
-#include "opencl/host_stepper.h"
-}  // namespace gearsweep::fp32
+#include "verify/host_stepper.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -72,12 +55,8 @@ TEST_P(BitForBit, KernelAndHost) {
   std::size_t impacts = 0;
   for (std::size_t i = 0; i < tile.points.size(); ++i) {
     const std::size_t point = tile.points[i];
-    const PhaseGrid grid = plan.phase_grid_of(point);
-    ASSERT_GE(grid.steps * periods, 1000U);
-    const auto step = study.integrate.fp64 ? fp64::step_periods : fp32::step_periods;
-    const std::vector<double> state =
-        step(plan.setting_of(point), grid, plan.own_initial_state(point), periods,
-             study.integrate.events);
+    ASSERT_GE(plan.phase_grid_of(point).steps * periods, 1000U);
+    const std::vector<double> state = step_on_host(plan, point, periods);
     host.insert(host.end(), state.begin(), state.end());
     EXPECT_EQ(kernel->status[i], 0) << "point " << point;
     if (kernel->outputs[4 * tile.points.size() + i] > 0.0) ++impacts;  // contact_class

@@ -1,39 +1,54 @@
-// Steady motions of gear5 that two or more independent programs agree on (steps converged), from
-// the model's description, section "Reference numbers". Section = state at psi = 0 after `settle`
-// periods; the other figures are over the `record` periods that follow.
-//
-// That table's least, greatest, mean and rms of x1 are averages and extremes of samples, off by up
-// to 3.1e-5 and 5.2e-6. The ones here are from an outside integration (Boost.odeint's
-// Dormand-Prince at 1e-12, the integrals of x1 and x1^2 as two more states, extremes between the
-// steps too), which outside_opinion_test.cpp repeats.
-#pragma once
+#include "verify/reference_rows.hpp"
 
-#include <cstddef>
-#include <ostream>
-#include <string>
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
-#include "study/study.hpp"
+namespace gearsweep {
+namespace {
 
-namespace gearsweep::testing {
+// The recorded section that is nearest to the stated one, which for a motion of period 3 is one of
+// three.
+std::size_t nearest_section(const ReferenceRow& row, const std::vector<double>& x1,
+                            const std::vector<double>& v1) {
+  const auto distance = [&](std::size_t i) {
+    return std::max(std::abs(x1[i] - row.x1), std::abs(v1[i] - row.v1));
+  };
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < x1.size(); ++i) {
+    if (distance(i) < distance(nearest)) nearest = i;
+  }
+  return nearest;
+}
 
-struct ReferenceRow {
-  std::string name, preset;
-  std::string model;  // what [model] says beside the preset
-  double omega;
-  std::string parameters;  // what [parameters] says
-  std::size_t settle, record;
-  double x1, v1;
-  double least, greatest;  // of x1
-  double mean, rms;        // of x1
-  double dmf_least, dmf_greatest;
+// By how much the figures may differ.
+struct Tolerances {
+  double section, least, greatest, mean, rms, force;
 };
 
-inline void PrintTo(const ReferenceRow& row, std::ostream* out) { *out << row.name; }
+Tolerances tolerances_of(const ReferenceRow& row, bool fp64) {
+  // fp32 has a unit roundoff of 6e-8, and the damping forgets the rounding of all but some 1e4
+  // steps: even if it all added up, that would be 6e-4 of a state of size 1. `paper` forgets too
+  // little.
+  if (!fp64) return {1e-3, 1e-3, 1e-3 * row.greatest, 1e-3 * row.mean, 1e-3 * row.rms, 1e-3};
+  Tolerances tolerances{};
+  // Half of the seventh decimal that is stated, and 5e-9 for the steps and what is left of the
+  // start.
+  tolerances.section = 5e-8 + 5e-9;
+  // Half of the fifth decimal; sampling adds (h/2)^2/2 |x1''|, which is less than 2e-6.
+  tolerances.least = tolerances.greatest = 5e-6;
+  // Half of the sixth decimal; the trapezoidal rule adds 1e-8.
+  tolerances.mean = tolerances.rms = 5e-7;
+  // The table's own tolerance: the force jumps at break phases.
+  tolerances.force = 3e-4;
+  return tolerances;
+}
+
+}  // namespace
 
 // The damping of `consistent` and `coarse` makes 200 periods steady to 1e-9 and better; `paper` has
 // a sixteenth of it and needs thousands.
-inline const std::vector<ReferenceRow>& reference_rows() {
+const std::vector<ReferenceRow>& reference_rows() {
   const std::string dynamic = "backlash = 'dynamic'";
   const std::string rectangular = "stiffness = 'rectangular'";
   // The motion at omega 1.2 has period 3: its averages are over 21 periods here, over 20 in the
@@ -79,8 +94,15 @@ inline const std::vector<ReferenceRow>& reference_rows() {
   return rows;
 }
 
-// The row as a study of one point; `integrate` is put into [integrate].
-inline std::string study_of(const ReferenceRow& row, const std::string& integrate) {
+const ReferenceRow& reference_row(const std::string& name) {
+  const std::vector<ReferenceRow>& rows = reference_rows();
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const ReferenceRow& row) { return row.name == name; });
+  if (found == rows.end()) throw std::logic_error("there is no reference row " + name);
+  return *found;
+}
+
+std::string study_of(const ReferenceRow& row, const std::string& integrate) {
   return "[model]\npreset = '" + row.preset + "'\n" + row.model + "\n[parameters]\n" +
          row.parameters + "\n[[axes]]\nname = 'omega'\nvalues = [" + std::to_string(row.omega) +
          "]\n[integrate]\nsettle = " + std::to_string(row.settle) +
@@ -89,4 +111,29 @@ inline std::string study_of(const ReferenceRow& row, const std::string& integrat
          "'dmf_max', 'poincare']\npoincare = ['x1', 'v1']\n";
 }
 
-}  // namespace gearsweep::testing
+// The `paper` rows move slowly, hence fewer steps.
+std::string converged_steps(const ReferenceRow& row) {
+  if (row.preset != "paper") return "steps_per_period = 4096\n";
+  return row.omega < 0.2 ? "steps_per_period = 1024\n" : "steps_per_period = 512\n";
+}
+
+std::vector<Compared> compare_row(const ReferenceRow& row, const SweepResult& result) {
+  const Tolerances tolerances = tolerances_of(row, result.study.integrate.fp64);
+  const std::vector<double> x1 = samples_of(result, 0, 0);
+  const std::vector<double> v1 = samples_of(result, 0, 1);
+  const std::size_t section = nearest_section(row, x1, v1);
+  const auto value = [&](const char* quantity) { return map_of(result, quantity)[0]; };
+  const auto name = [&](const std::string& figure) { return figure + " of " + row.name; };
+  return {
+      {name("x1 at phase 0"), row.x1, x1[section], tolerances.section},
+      {name("v1 at phase 0"), row.v1, v1[section], tolerances.section},
+      {name("x1_min"), row.least, value("x1_min"), tolerances.least},
+      {name("x1_max"), row.greatest, value("x1_max"), tolerances.greatest},
+      {name("x1_mean"), row.mean, value("x1_mean"), tolerances.mean},
+      {name("x1_rms"), row.rms, value("x1_rms"), tolerances.rms},
+      {name("dmf_min"), row.dmf_least, value("dmf_min"), tolerances.force},
+      {name("dmf_max"), row.dmf_greatest, value("dmf_max"), tolerances.force},
+  };
+}
+
+}  // namespace gearsweep

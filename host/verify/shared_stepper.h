@@ -1,5 +1,5 @@
 // The settle kernel's arithmetic on the host. Included into a namespace that has `real` and
-// `scalar`; so no include guard and no includes of the standard library.
+// `scalar`; so no include guard and no includes of the standard library. Private to this folder.
 #include "models/gear5.h"
 // The integrator needs the model.
 #include "integrators/rk4.h"

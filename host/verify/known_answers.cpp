@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "plan/plan.hpp"
+#include "verify/check_list.hpp"
+#include "verify/exact_answers.hpp"
+#include "verify/published_exponents.hpp"
+#include "verify/reference_rows.hpp"
+
+namespace gearsweep {
+namespace {
+
+SweepResult compute(const Subject& subject, const std::string& toml) {
+  return subject.compute(read_study(toml, "verify"));
+}
+
+// Eleven stiffnesses from below to above the square of the forcing's frequency.
+std::vector<Compared> compare_oscillator(const Subject& subject, const std::string& integrate,
+                                         double tolerance) {
+  const LinearOscillator start = {0.1, 1.0, 0.3, 0.8, 1.0, -0.2};
+  const SweepResult result = compute(
+      subject,
+      fmt::format("[model]\nname = 'duffing'\n[parameters]\ncubic = 0.0\ndamping = {}\namplitude = "
+                  "{}\nomega = {}\n[[axes]]\nname = 'linear'\nfrom = 0.4\nto = 1.4\ncount = 11\n"
+                  "[initial]\npolicy = 'fixed'\nstate = {{x = {}, v = {}}}\n[integrate]\n"
+                  "settle = 0\nrecord = 10\nstop = 'never'\n{}[observe]\n"
+                  "quantities = ['poincare']\npoincare = ['x', 'v']\n",
+                  start.damping, start.amplitude, start.omega, start.x, start.v, integrate));
+  std::vector<Compared> compared;
+  const std::vector<double>& stiffness = result.study.axes[0].values;
+  for (std::size_t point = 0; point < stiffness.size(); ++point) {
+    LinearOscillator exact = start;
+    exact.stiffness = stiffness[point];
+    const std::vector<double> x = samples_of(result, point, 0), v = samples_of(result, point, 1);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const std::size_t period = i + 1;
+      const auto at = exact.at(2.0 * std::numbers::pi / exact.omega * static_cast<double>(period));
+      const auto name = [&](const char* state) {
+        return fmt::format("{} after {} periods, stiffness {:.3g}", state, period,
+                           stiffness[point]);
+      };
+      compared.push_back({name("x"), at.x, x[i], tolerance});
+      compared.push_back({name("v"), at.v, v[i], tolerance});
+    }
+  }
+  return compared;
+}
+
+// No impact; impacts with dynamic backlash; a larger transmission error.
+std::vector<const ReferenceRow*> chosen_rows() {
+  return {&reference_row("consistent_07"), &reference_row("consistent_05_dynamic"),
+          &reference_row("coarse_065")};
+}
+
+void append(const std::vector<Compared>& more, std::vector<Compared>* compared) {
+  compared->insert(compared->end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+// A step h has a phase error of (w h)^5/120: with 2048 to a period, 1e-12 per unit of time at the
+// highest frequency, 2e-10 after ten periods.
+std::vector<Compared> compare_oscillator_fp64(const Subject& subject) {
+  return compare_oscillator(subject, "steps_per_period = 2048\n", 1e-9);
+}
+
+// With 256 steps to a period that error is 7e-7; 2560 roundings of 6e-8, if they all added up,
+// would be 5e-4 of a state of size 3.
+std::vector<Compared> compare_oscillator_fp32(const Subject& subject) {
+  return compare_oscillator(subject, "precision = 'fp32'\nsteps_per_period = 256\n", 5e-4);
+}
+
+std::vector<Compared> compare_orbits_fp64(const Subject& subject) {
+  std::vector<Compared> compared;
+  for (const ReferenceRow* row : chosen_rows()) {
+    append(compare_row(*row, compute(subject, study_of(*row, converged_steps(*row)))), &compared);
+  }
+  return compared;
+}
+
+std::vector<Compared> compare_orbits_fp32(const Subject& subject) {
+  const std::string integrate = "precision = 'fp32'\nsteps_per_period = 512\n";
+  std::vector<Compared> compared;
+  for (const ReferenceRow* row : chosen_rows()) {
+    append(compare_row(*row, compute(subject, study_of(*row, integrate))), &compared);
+  }
+  return compared;
+}
+
+// Chaos and impacts. The Runge-Kutta method and corrected steps leave up to 7e-9 of the trace.
+std::vector<Compared> compare_exponent_sum(const Subject& subject) {
+  const SweepResult result = compute(
+      subject,
+      "[model]\npreset = 'coarse'\n[parameters]\nomega = 1.35\n[[axes]]\nname = 'mu'\nvalues = "
+      "[0.0, 0.05, 0.2]\n[[axes]]\nname = 'eps'\nvalues = [1.2, 1.5, 1.718, 1.95]\n[integrate]\n"
+      "max_step = 0.02\nsettle = 20\nrecord = 40\n[observe]\nquantities = "
+      "['lyapunov_spectrum']\n");
+  const Plan plan(result.study, result.study.points());
+  const std::vector<double>& spectrum = map_of(result, "lyapunov_spectrum");
+  const std::size_t width = spectrum.size() / result.status.size();
+  std::vector<Compared> compared;
+  for (std::size_t point = 0; point < result.status.size(); ++point) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < width; ++i) sum += spectrum[point * width + i];
+    compared.push_back({fmt::format("sum at mu = {:g}, eps = {:g}", plan.axis_value(0, point),
+                                    plan.axis_value(1, point)),
+                        gear5_exponent_sum(plan.setting_of(point)), sum, 2e-8});
+  }
+  return compared;
+}
+
+std::vector<Compared> compare_published_exponents(const Subject& subject) {
+  const PublishedExponents& row = published_exponents_of("ueda");
+  return compare_exponents(row, compute(subject, study_of(row, row.steps_per_period, row.record)));
+}
+
+}  // namespace gearsweep

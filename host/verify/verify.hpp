@@ -1,0 +1,48 @@
+// The self-test of a machine, an OpenCL driver or a build: a handful of strong checks that take
+// less than a minute. The answers come from elsewhere: closed forms, published numbers, outside
+// integrations, the host's own arithmetic, the reference engine.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/result.hpp"
+#include "verify/compared.hpp"
+
+namespace gearsweep {
+
+// What is under test.
+struct Subject {
+  std::function<SweepResult(const Study&)> compute;  // with the engine that the study names
+  bool fp64 = true;                                  // it can compute in fp64
+  bool is_cpu = true;
+};
+
+// `compare` throws what the sweep throws.
+struct Check {
+  std::string name, what;
+  bool needs_fp64 = true;
+  std::vector<Compared> (*compare)(const Subject& subject);
+};
+
+// In the order in which a fault is best understood: simple things first.
+const std::vector<Check>& checks();
+
+enum class Verdict { pass, fail, skipped };
+
+struct Outcome {
+  Verdict verdict = Verdict::skipped;
+  std::size_t numbers = 0, failed = 0;  // compared, and those of them that do not hold
+  std::optional<Compared> worst;        // the first of those that strain their tolerance most
+  std::string reason;                   // why it was skipped, or could not be carried out
+};
+
+Outcome judge(const std::vector<Compared>& compared);
+
+// A check that throws RunError has failed; other errors pass through.
+Outcome carry_out(const Check& check, const Subject& subject);
+
+}  // namespace gearsweep

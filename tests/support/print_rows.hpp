@@ -1,0 +1,14 @@
+// How tests print the rows of known answers.
+#pragma once
+
+#include <ostream>
+
+#include "verify/published_exponents.hpp"
+#include "verify/reference_rows.hpp"
+
+namespace gearsweep {
+
+inline void PrintTo(const ReferenceRow& row, std::ostream* out) { *out << row.name; }
+inline void PrintTo(const PublishedExponents& row, std::ostream* out) { *out << row.name; }
+
+}  // namespace gearsweep
