@@ -16,6 +16,7 @@
 namespace gearsweep {
 namespace {
 
+constexpr std::size_t kMostParts = 1000;  // beside each other; a model has far fewer states
 // Marks of the classic formats and of HDF5.
 constexpr std::string_view kClassicMark = "CDF";
 constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
@@ -74,9 +75,8 @@ bool is_map(const NetcdfFile& file, int variable, const std::vector<int>& axes) 
   const std::vector<int> own = file.dimensions_of(variable);
   if (own.size() < axes.size() || !std::equal(axes.begin(), axes.end(), own.begin())) return false;
   if (own.size() == axes.size()) return true;
-  const bool is_empty = std::any_of(
-      own.begin(), own.end(), [&](int dimension) { return file.dimension_size(dimension) == 0; });
-  if (is_empty) return false;
+  const std::size_t parts = file.dimension_size(own[axes.size()]);
+  if (parts == 0 || parts > kMostParts || file.dimension_size(own.back()) == 0) return false;
   const bool is_poincare = file.dimension_name(own[axes.size()]) == "state";
   return own.size() - axes.size() == (is_poincare ? 2 : 1);
 }
