@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <numeric>
@@ -38,7 +40,11 @@ NetcdfFile NetcdfFile::open(const std::string& path) {
                     "be cut short",
                     path, nc_strerror(code)));
   }
-  return {id, path};
+  NetcdfFile file(id, path);
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (!error) file.bytes_ = static_cast<double>(bytes);
+  return file;
 }
 
 NetcdfFile::~NetcdfFile() {
@@ -46,7 +52,9 @@ NetcdfFile::~NetcdfFile() {
 }
 
 NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept
-    : id_(std::exchange(other.id_, -1)), shown_name_(std::move(other.shown_name_)) {}
+    : id_(std::exchange(other.id_, -1)),
+      shown_name_(std::move(other.shown_name_)),
+      bytes_(other.bytes_) {}
 
 void NetcdfFile::check(int code, std::string_view doing) const {
   if (code == NC_NOERR) return;
@@ -196,8 +204,32 @@ std::vector<double> NetcdfFile::number_attribute(int variable, const std::string
   return numbers;
 }
 
+// A few bytes can claim any size for what was never written; what was written cannot have been
+// deflated further than this.
+void NetcdfFile::refuse_too_large(int variable) const {
+  constexpr double kMostDeflation = 1100.0;
+  nc_type type = NC_NAT;
+  std::size_t width = 0;
+  check(nc_inq_vartype(id_, variable, &type), "read the type of a variable");
+  check(nc_inq_type(id_, type, nullptr, &width), "read the size of a type");
+  auto bytes = static_cast<double>(width);
+  for (const int dimension : dimensions_of(variable)) {
+    bytes *= static_cast<double>(dimension_size(dimension));
+  }
+  if (bytes > kMostDeflation * bytes_) {
+    throw InputError(
+        fmt::format("'{}' says that '{}' holds {:.3g} bytes, more than a file of {} bytes can",
+                    shown_name_, variable_name(variable), bytes, bytes_));
+  }
+}
+
 std::vector<double> NetcdfFile::read(int variable, const std::vector<std::size_t>& start,
                                      const std::vector<std::size_t>& count) const {
+  if (dimensions_of(variable).size() != count.size()) {
+    throw InputError(fmt::format("'{}' of '{}' has not the {} dimensions that it should have",
+                                 variable_name(variable), shown_name_, count.size()));
+  }
+  refuse_too_large(variable);
   std::vector<double> values(
       std::accumulate(count.begin(), count.end(), std::size_t{1}, std::multiplies<>()));
   check(nc_get_vara_double(id_, variable, start.data(), count.data(), values.data()),
@@ -210,6 +242,7 @@ std::vector<std::string> NetcdfFile::read_texts(int variable) const {
   if (dimensions.size() != 2) check(NC_EDIMSIZE, "read a list of texts");
   const std::size_t count = dimension_size(dimensions[0]);
   const std::size_t width = dimension_size(dimensions[1]);
+  refuse_too_large(variable);
   std::string all(count * width, '\0');
   check(nc_get_var_text(id_, variable, all.data()), "read a list of texts");
   std::vector<std::string> texts;

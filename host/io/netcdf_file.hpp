@@ -60,17 +60,22 @@ class NetcdfFile {
   std::optional<std::string> text_attribute(int variable, const std::string& attribute) const;
   // Empty when there is none.
   std::vector<double> number_attribute(int variable, const std::string& attribute) const;
-  // A block of a variable of any numeric type.
+  // A block of a variable of any numeric type; start and count have one entry per dimension. Throws
+  // InputError when they do not, or when a file of this size cannot hold so much.
   std::vector<double> read(int variable, const std::vector<std::size_t>& start,
                            const std::vector<std::size_t>& count) const;
-  // A character array [entry][width]; trailing zeros and blanks are not part of an entry.
+  // A character array [entry][width]; trailing zeros and blanks are not part of an entry. Throws
+  // InputError as read does.
   std::vector<std::string> read_texts(int variable) const;
 
  private:
   NetcdfFile(int id, std::string shown_name) : id_(id), shown_name_(std::move(shown_name)) {}
 
+  void refuse_too_large(int variable) const;
+
   int id_ = -1;
   std::string shown_name_;
+  double bytes_ = 0.0;  // of the file, when it was opened for reading
 };
 
 }  // namespace gearsweep

@@ -18,7 +18,9 @@ std::vector<double> histogram(const ResultMap& map, const ValueRange& range, std
   for (std::size_t i = 0; i < map.values.size(); ++i) {
     if (!std::isfinite(map.values[i])) continue;
     const double part = (map.values[i] - range.least) / (range.greatest - range.least);
-    const auto bin = std::min(static_cast<std::size_t>(part * static_cast<double>(bins)), bins - 1);
+    // Also where the range is beyond all numbers, and the part of it none.
+    const double place = std::max(0.0, part * static_cast<double>(bins));
+    const std::size_t bin = std::min(static_cast<std::size_t>(place), bins - 1);
     counts[bin * points + i / map.samples] += 1.0;
   }
   return counts;

@@ -22,7 +22,7 @@ std::vector<Band> bands_of(const Trace& trace) {
   const std::vector<double>& contact = values_of(trace, "contact");
   std::vector<Band> bands;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    const int flank = static_cast<int>(contact[i]);
+    const int flank = (contact[i] > 0.5 ? 1 : 0) - (contact[i] < -0.5 ? 1 : 0);
     if (bands.empty() || bands.back().flank != flank) {
       const double from = bands.empty() ? time[i] : 0.5 * (time[i - 1] + time[i]);
       if (!bands.empty()) bands.back().to = from;

@@ -52,8 +52,9 @@ MissingPoints find_missing(const ResultMap& map, const ResultMap& status) {
     const auto first = map.values.begin() + static_cast<std::ptrdiff_t>(point * width);
     missing.mask.push_back(std::none_of(first, first + static_cast<std::ptrdiff_t>(width),
                                         [](double value) { return std::isfinite(value); }));
-    const auto reason = static_cast<std::size_t>(status.values[point]);
-    if (missing.mask.back() && reason < reasons.size()) ++reasons[reason];
+    const double reason = status.values[point];
+    if (!missing.mask.back() || !(reason >= 0.0)) continue;
+    if (reason < static_cast<double>(reasons.size())) ++reasons[static_cast<std::size_t>(reason)];
   }
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < reasons.size(); ++i) {

@@ -80,7 +80,9 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
   if (!is_chosen) names.push_back(trace.channels.front().name);
   if (kind.channels == 1 || names.size() == 2) return names;
   std::string velocity = velocity_of(trace, names.front());
-  if (velocity.empty() && !is_chosen) velocity = trace.channels.at(1).name;
+  if (velocity.empty() && !is_chosen && trace.channels.size() > 1) {
+    velocity = trace.channels[1].name;
+  }
   if (velocity.empty()) {
     find_in({"", "", trace}, names.front());
     throw InputError(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -15,6 +16,7 @@
 namespace gearsweep {
 namespace {
 
+constexpr std::size_t kMostParts = 1000;  // beside each other; a model has far fewer states
 // Marks of the classic formats and of HDF5.
 constexpr std::string_view kClassicMark = "CDF";
 constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
@@ -34,27 +36,49 @@ ResultAxis read_axis(const NetcdfFile& file, int dimension) {
   ResultAxis axis;
   axis.name = file.dimension_name(dimension);
   const int variable = file.find_variable(axis.name);
-  if (variable < 0) refuse_foreign(file.name(), fmt::format("values of the axis '{}'", axis.name));
+  if (variable < 0 || file.dimensions_of(variable) != std::vector<int>{dimension}) {
+    refuse_foreign(file.name(), fmt::format("values of the axis '{}'", axis.name));
+  }
   axis.unit = text_or_empty(file, variable, "units");
   axis.meaning = text_or_empty(file, variable, "long_name");
   axis.logarithmic = text_or_empty(file, variable, "scale") == "log";
   axis.values = file.read(variable, {0}, {file.dimension_size(dimension)});
+  const bool is_finite = std::all_of(axis.values.begin(), axis.values.end(),
+                                     [](double value) { return std::isfinite(value); });
+  const auto falling =
+      std::adjacent_find(axis.values.begin(), axis.values.end(), std::greater_equal<>());
+  if (axis.values.empty() || !is_finite || falling != axis.values.end()) {
+    refuse_foreign(file.name(), fmt::format("increasing values of the axis '{}'", axis.name));
+  }
   return axis;
 }
 
 // Class names by value; empty when the variable is not a class.
 std::vector<std::string> read_flags(const NetcdfFile& file, int variable) {
+  constexpr double kMostClass = std::numeric_limits<signed char>::max();
   const std::vector<double> values = file.number_attribute(variable, "flag_values");
   const std::vector<std::string> names =
       split_words(text_or_empty(file, variable, "flag_meanings"));
   std::vector<std::string> flags;
   for (std::size_t i = 0; i < std::min(values.size(), names.size()); ++i) {
-    if (values[i] < 0.0) continue;
+    if (!(values[i] >= 0.0 && values[i] <= kMostClass)) continue;
     const auto value = static_cast<std::size_t>(values[i]);
     if (value >= flags.size()) flags.resize(value + 1);
     flags[value] = names[i];
   }
   return flags;
+}
+
+// Whether a variable is a map: over the axes, and beyond them over nothing, over states and their
+// samples, or over parts.
+bool is_map(const NetcdfFile& file, int variable, const std::vector<int>& axes) {
+  const std::vector<int> own = file.dimensions_of(variable);
+  if (own.size() < axes.size() || !std::equal(axes.begin(), axes.end(), own.begin())) return false;
+  if (own.size() == axes.size()) return true;
+  const std::size_t parts = file.dimension_size(own[axes.size()]);
+  if (parts == 0 || parts > kMostParts || file.dimension_size(own.back()) == 0) return false;
+  const bool is_poincare = file.dimension_name(own[axes.size()]) == "state";
+  return own.size() - axes.size() == (is_poincare ? 2 : 1);
 }
 
 void mark_missing(const NetcdfFile& file, int variable, std::vector<double>* values) {
@@ -109,16 +133,17 @@ ResultFile::ResultFile(const std::string& path)
   const int status = file_->find_variable("status");
   if (status < 0) refuse_foreign(path, "variable 'status'");
   const std::vector<int> dimensions = file_->dimensions_of(status);
-  if (dimensions.empty() || dimensions.size() > 2) refuse_foreign(path, "map with 1 or 2 axes");
+  if (dimensions.empty() || dimensions.size() > 2 ||
+      (dimensions.size() == 2 && dimensions[0] == dimensions[1])) {
+    refuse_foreign(path, "map with 1 or 2 axes");
+  }
   for (auto dimension = dimensions.rbegin(); dimension != dimensions.rend(); ++dimension) {
     axes_.push_back(read_axis(*file_, *dimension));
   }
   for (const std::string& name : file_->variables()) {
-    const std::vector<int> own = file_->dimensions_of(file_->find_variable(name));
     const bool is_axis = std::any_of(axes_.begin(), axes_.end(),
                                      [&](const auto& axis) { return axis.name == name; });
-    if (!is_axis && own.size() >= dimensions.size() &&
-        std::equal(dimensions.begin(), dimensions.end(), own.begin())) {
+    if (!is_axis && is_map(*file_, file_->find_variable(name), dimensions)) {
       quantities_.push_back(name);
     }
   }
@@ -151,6 +176,9 @@ std::vector<ChannelInfo> ResultFile::read_states() const {
   const std::vector<std::string> names = texts("state");
   const std::vector<std::string> units = texts("state_units");
   const std::vector<std::string> meanings = texts("state_long_name");
+  if (names.empty() || units.size() != names.size() || meanings.size() != names.size()) {
+    refuse_foreign(path_, "unit and meaning for each state");
+  }
   for (std::size_t i = 0; i < names.size(); ++i) {
     states.push_back({names[i], units[i], meanings[i]});
   }
@@ -163,8 +191,14 @@ std::vector<ChannelInfo> ResultFile::read_parts(int variable) const {
   if (dimensions.size() == axes_.size()) return {};
   const int dimension = dimensions[axes_.size()];
   const std::string along = file_->dimension_name(dimension);
-  if (along == "state") return read_states();
   std::vector<ChannelInfo> parts;
+  if (along == "state") {
+    parts = read_states();
+    if (parts.size() != file_->dimension_size(dimension)) {
+      refuse_foreign(path_, "name for each state");
+    }
+    return parts;
+  }
   const std::string unit = text_or_empty(*file_, variable, "units");
   const std::string meaning = text_or_empty(*file_, variable, "long_name");
   for (std::size_t i = 1; i <= file_->dimension_size(dimension); ++i) {

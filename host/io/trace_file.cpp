@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "io/csv_text.hpp"
@@ -17,6 +18,7 @@ namespace gearsweep {
 namespace {
 
 constexpr const char* kContent = "traces of gearsweep";
+constexpr std::size_t kMostTraces = 10'000;  // of a file; a picture takes far fewer
 
 double parameter_of(const Study& study, const Trace& trace, const std::string& name) {
   return trace.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
@@ -173,6 +175,42 @@ bool is_trace_file(const std::string& path) {
   return NetcdfFile::open(path).text_attribute(NC_GLOBAL, "content") == kContent;
 }
 
+namespace {
+
+[[noreturn]] void refuse_foreign(const std::string& path) {
+  throw InputError(
+      fmt::format("'{}' holds no traces; give a file that 'gearsweep trace' wrote", path));
+}
+
+// Time begins somewhere and goes on; a trace ends where it is missing.
+bool is_time(const std::vector<double>& tau) {
+  return !tau.empty() &&
+         std::adjacent_find(tau.begin(), tau.end(), std::greater<>()) == tau.end() &&
+         std::isfinite(tau.front()) && std::isfinite(tau.back());
+}
+
+// Trace i: its time, and the channels that stand over the same dimensions as `tau`.
+Trace read_trace(const NetcdfFile& file, int tau, std::size_t i) {
+  const std::vector<int> dimensions = file.dimensions_of(tau);
+  const std::size_t moments = file.dimension_size(dimensions[1]);
+  Trace trace;
+  trace.tau = file.read(tau, {i, 0}, {1, moments});
+  const auto end = std::find_if(trace.tau.begin(), trace.tau.end(),
+                                [](double time) { return std::isnan(time); });
+  trace.tau.erase(end, trace.tau.end());
+  for (const std::string& name : file.variables()) {
+    const int variable = file.find_variable(name);
+    if (name == "tau" || file.dimensions_of(variable) != dimensions) continue;
+    trace.channels.push_back({name, file.text_attribute(variable, "units").value_or(""),
+                              file.text_attribute(variable, "long_name").value_or("")});
+    trace.values.push_back(file.read(variable, {i, 0}, {1, moments}));
+    trace.values.back().resize(trace.tau.size());
+  }
+  return trace;
+}
+
+}  // namespace
+
 std::vector<StoredTrace> read_traces(const std::string& path) {
   const NetcdfFile file = NetcdfFile::open(path);
   const int tau = file.find_variable("tau");
@@ -180,32 +218,22 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   const int period = file.find_variable("period");
   if (file.text_attribute(NC_GLOBAL, "content") != kContent || tau < 0 || label < 0 || period < 0 ||
       file.dimensions_of(tau).size() != 2) {
-    throw InputError(
-        fmt::format("'{}' holds no traces; give a file that 'gearsweep trace' wrote", path));
+    refuse_foreign(path);
   }
-  const std::vector<int> dimensions = file.dimensions_of(tau);
-  const std::size_t count = file.dimension_size(dimensions[0]);
-  const std::size_t moments = file.dimension_size(dimensions[1]);
+  const std::size_t count = file.dimension_size(file.dimensions_of(tau).front());
   const std::vector<std::string> labels = file.read_texts(label);
   const std::vector<double> periods = file.read(period, {0}, {count});
+  if (count == 0 || count > kMostTraces || labels.size() != count) refuse_foreign(path);
   std::vector<StoredTrace> out;
   for (std::size_t i = 0; i < count; ++i) {
     StoredTrace stored;
     stored.title = file.text_attribute(NC_GLOBAL, "title").value_or("");
     stored.label = labels[i];
+    stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
-    stored.trace.tau = file.read(tau, {i, 0}, {1, moments});
-    const auto end = std::find_if(stored.trace.tau.begin(), stored.trace.tau.end(),
-                                  [](double time) { return std::isnan(time); });
-    const auto length = static_cast<std::size_t>(end - stored.trace.tau.begin());
-    stored.trace.tau.resize(length);
-    for (const std::string& name : file.variables()) {
-      const int variable = file.find_variable(name);
-      if (name == "tau" || file.dimensions_of(variable) != dimensions) continue;
-      stored.trace.channels.push_back({name, file.text_attribute(variable, "units").value_or(""),
-                                       file.text_attribute(variable, "long_name").value_or("")});
-      stored.trace.values.push_back(file.read(variable, {i, 0}, {1, moments}));
-      stored.trace.values.back().resize(length);
+    if (!is_time(stored.trace.tau) || stored.trace.channels.empty() ||
+        !(std::isfinite(periods[i]) && periods[i] > 0.0)) {
+      refuse_foreign(path);
     }
     out.push_back(std::move(stored));
   }

@@ -36,12 +36,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known) {
   if (known.empty()) return "";
+  // The distance takes time and memory by the product of the lengths, and names are shorter.
+  constexpr std::size_t kLongest = 100;
+  const auto distance = [&](std::string_view candidate) {
+    return edit_distance(name.substr(0, kLongest), candidate.substr(0, kLongest));
+  };
   const auto nearest =
-      std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-      });
-  const std::size_t tolerated = std::max<std::size_t>(1, name.size() / 3);
-  if (edit_distance(name, *nearest) <= tolerated && nearest->size() > 1) {
+      std::min_element(known.begin(), known.end(),
+                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  const std::size_t tolerated = std::max<std::size_t>(1, std::min(kLongest, name.size()) / 3);
+  if (distance(*nearest) <= tolerated && nearest->size() > 1) {
     return fmt::format("; did you mean '{}'?", *nearest);
   }
   constexpr std::size_t kListed = 12;

@@ -88,8 +88,9 @@ void draw_beyond(const Measured& measured, Gallery* gallery) {
                "RMS of x1, each point from its neighbour's last state");
   for (const auto& [figure, jumps] : measured.jumps) {
     for (const std::string side : {"below", "above"}) {
+      const std::string map = fmt::format("{}-basins-{}", figure, side);
       gallery->add(
-          figure + "-basins-" + side, {figure + "-basins-" + side}, "attractor",
+          map, {map}, "attractor",
           fmt::format("Basins just {} the first jump of figure {}", side, figure.substr(3)));
     }
   }

@@ -8,6 +8,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/nesting.hpp"
 
 namespace gearsweep {
 namespace {
@@ -21,6 +22,7 @@ std::vector<std::string> split_path(const std::string& path) {
 
 // The value as TOML; a word that is no TOML value is taken as a string.
 toml::table parse_value(const std::string& value, const std::string& source) {
+  refuse_deep_keys(value, source);
   try {
     return toml::parse("value = " + value, source);
   } catch (const toml::parse_error&) {
@@ -76,6 +78,9 @@ void apply_override(const std::string& assignment, toml::table* study) {
     throw InputError(fmt::format("{}: expected PATH=VALUE, as in integrate.record=20", source));
   }
   const std::vector<std::string> parts = split_path(assignment.substr(0, equals));
+  if (parts.size() > kMostParts) {
+    throw InputError(fmt::format("{}: a key of more than {} parts", source, kMostParts));
+  }
   toml::table parsed = parse_value(assignment.substr(equals + 1), source);
   toml::node* node = study;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = descend(node, parts[i], source);

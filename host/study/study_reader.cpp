@@ -10,6 +10,7 @@
 #include "study/axis_reader.hpp"
 #include "study/gear_table.hpp"
 #include "study/initial_reader.hpp"
+#include "study/nesting.hpp"
 #include "study/overrides.hpp"
 #include "study/study.hpp"
 #include "study/toml_access.hpp"
@@ -31,6 +32,7 @@ toml::table parse(const std::string& text, const std::string& source) {
   if (text.find('\0') != std::string::npos) {
     throw InputError(fmt::format("{}: not a text file; a study is TOML text", source));
   }
+  refuse_deep_keys(text, source);
   try {
     return toml::parse(text, source);
   } catch (const toml::parse_error& error) {

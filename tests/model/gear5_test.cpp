@@ -174,8 +174,8 @@ TEST(Gear5, DynamicBacklashIsThatOfTheGeometry) {
     const double x[10] = {0.2, 0.3 * size, -0.5 * size, size, 0.7 * size, 0, 0, 0, 0, 0};
     const double S = std::sqrt(std::pow(A * std::cos(alpha) + x[3] - x[1], 2) +
                                std::pow(x[4] - A * std::sin(alpha) - x[2], 2));
-    double signals[3];
-    point->signals(coefs.data(), x, signals);
+    std::vector<double> signals(gear5().signals.size());
+    point->signals(coefs.data(), x, signals.data());
     EXPECT_NEAR(signals[signal_index(gear5(), "backlash")], 1.0 + (S - A) * std::tan(alpha), 1e-12);
     EXPECT_EQ(signals[signal_index(gear5(), "deflection")], x[0] - x[2] + x[4]);
   }

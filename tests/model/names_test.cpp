@@ -35,6 +35,14 @@ TEST(SuggestName, ShortensLongLists) {
   EXPECT_EQ(suggest_name("x", {}), "");
 }
 
+// By the whole length this would take terabytes of memory.
+TEST(SuggestName, TakesNamesOfAnyLength) {
+  const std::string enormous(10'000'000, 'o');
+  EXPECT_EQ(suggest_name(enormous, {"b", "mu"}), "; known: b, mu");
+  EXPECT_EQ(suggest_name("omgea", {enormous + enormous, "omega"}), "; did you mean 'omega'?");
+  EXPECT_EQ(suggest_name(enormous, {enormous + "a"}), "; did you mean '" + enormous + "a'?");
+}
+
 TEST(SplitWords, SplitsAtBlanks) {
   EXPECT_THAT(split_words("consistent  printed "), ElementsAre("consistent", "printed"));
   EXPECT_THAT(split_words(""), IsEmpty());

@@ -175,5 +175,25 @@ TEST(Study, AStudyNeedsOneOrTwoAxes) {
               HasSubstr("one or two"));
 }
 
+// Taking down tables that deep would overflow the stack.
+TEST(Study, KeysOfTooManyPartsAreRefusedWithTheirLine) {
+  std::string deep = "a";
+  for (int part = 0; part < 1'000'000; ++part) deep += ".a";
+  const auto too_deep = HasSubstr("a key of more than 64 parts");
+  EXPECT_THAT(refusal("title = 'x'\n" + deep + " = 1\n"), HasSubstr("s.toml:2: a key of more"));
+  EXPECT_THAT(refusal("[" + deep + "]\n"), too_deep);
+  EXPECT_THAT(refusal("x = {\"]\"." + deep + " = 1}\n"), too_deep);
+  EXPECT_THAT(refusal(kAxis, {deep + "=1"}), too_deep);
+  EXPECT_THAT(refusal(kAxis, {"title={" + deep + "=1}"}), too_deep);
+}
+
+TEST(Study, DotsThatAreInNoKeyAreAllowed) {
+  const std::string dots(200, '.');
+  EXPECT_EQ(read_study("title = \"\\\"" + dots + "\" # " + dots + "\n" + kAxis, "s.toml").title,
+            '"' + dots);
+  EXPECT_EQ(read_study("title = '''\n'" + dots + "''" + dots + "'''\n" + kAxis, "s.toml").title,
+            "'" + dots + "''" + dots);
+}
+
 }  // namespace
 }  // namespace gearsweep
