@@ -131,7 +131,7 @@ void add_device_option(CLI::App* command, std::string* text, bool several) {
   command
       ->add_option("--device", *text,
                    several ? "Numbers of 'gearsweep devices' that share the work: 0,1 or all "
-                             "('0/2': the halves of device 0; '0,0': two tiles at a time)"
+                             "('0/2': the halves of device 0)"
                            : "A number of 'gearsweep devices'")
       ->type_name(several ? kDevicesValue : kNumberValue)
       ->check([](const std::string& given) {

@@ -13,15 +13,24 @@ std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoi
 std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
                                                   const std::vector<DeviceChoice>& devices,
                                                   const Trouble& on_trouble) {
-  std::vector<std::optional<DeviceChoice>> choices(devices.begin(), devices.end());
-  if (choices.empty() || study.integrate.engine == EngineKind::reference) choices = {std::nullopt};
   std::vector<std::unique_ptr<Engine>> engines;
+  std::vector<std::optional<DeviceChoice>> choices(devices.begin(), devices.end());
+  if (study.integrate.engine == EngineKind::reference) {
+    engines.push_back(make_engine(study, std::nullopt));
+    return engines;
+  }
+  if (choices.empty()) choices = {std::nullopt};
+  constexpr std::size_t kManyTiles = 8;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    const bool is_last_hope = engines.empty() && i + 1 == choices.size();
     try {
       engines.push_back(make_engine(study, choices[i]));
+      // While one tile's launches end raggedly, or the host looks at their results, those of
+      // another fill the device. Not worth a second start where there are few tiles.
+      const bool has_many_tiles =
+          study.trajectories() >= kManyTiles * choices.size() * engines.back()->least_tile();
+      if (has_many_tiles) engines.push_back(make_engine(study, choices[i]));
     } catch (const std::runtime_error& error) {
-      if (is_last_hope) throw;
+      if (engines.empty() && i + 1 == choices.size()) throw;
       if (on_trouble) on_trouble(error.what());
     }
   }

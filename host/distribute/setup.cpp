@@ -33,7 +33,7 @@ std::unique_ptr<Crew> make_crew(const Plan& plan, Engines engines, Cluster* clus
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
 // starve an engine; what suits all of them. Each of the parts of a sweep has so many engines.
 std::size_t tile_size(const Study& study, const Engines& engines, std::size_t parts) {
-  constexpr std::size_t kTiles = 32;
+  constexpr std::size_t kTiles = 16;  // for each engine
   if (study.integrate.tile > 0) return study.integrate.tile;
   std::size_t least = 1;
   std::size_t most = study.trajectories();

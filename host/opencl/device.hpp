@@ -31,7 +31,7 @@ std::vector<DeviceInfo> list_devices();
 std::size_t default_device(const std::vector<DeviceInfo>& devices);
 
 // "all", or a list of numbers of `devices` such as "0,2"; "0/4" stands for all four quarters of
-// device 0. A device that stands there twice computes two tiles at a time. Throws InputError.
+// device 0. Throws InputError.
 std::vector<DeviceChoice> parse_devices(const std::string& text,
                                         const std::vector<DeviceInfo>& devices);
 
