@@ -60,7 +60,7 @@ Identity identity_of(const Study& study, const Shard& shard) {
   Identity identity = {{notes::kStudy, study.toml},
                        {"kernels and formulas", source_hash()},
                        {notes::kStep, fmt::format("{}", study.integrate.max_step)}};
-  if (shard.count > 1) {
+  if (shard.count > 0) {
     identity.emplace_back(notes::kShard, fmt::format("{}/{}", shard.number, shard.count));
   }
   return identity;
@@ -71,7 +71,8 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
   info = describe(engines);
   const auto processes =
       static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
-  const std::size_t tile_points = tile_size(study, engines, processes * shard.count);
+  const std::size_t tile_points =
+      tile_size(study, engines, processes * std::max<std::size_t>(1, shard.count));
   plan.emplace(study, tile_points);  // refuses what cannot be planned
   if (!options.journal_path.empty()) {
     Identity identity = identity_of(study, shard);

@@ -12,9 +12,9 @@ namespace gearsweep {
 // One of `count` parts of a sweep: every count-th tile.
 struct Shard {
   std::size_t number = 1;  // 1 to count
-  std::size_t count = 1;
+  std::size_t count = 0;   // 0: no parts, the whole sweep
 
-  bool has(std::size_t tile) const { return tile % count == number - 1; }
+  bool has(std::size_t tile) const { return count == 0 || tile % count == number - 1; }
 };
 
 // "2/8". Throws InputError.
