@@ -44,11 +44,8 @@ std::optional<CrewReport> ClusterCrew::wait(std::chrono::milliseconds patience) 
   constexpr std::chrono::milliseconds kNap(1);
   const auto end = std::chrono::steady_clock::now() + patience;
   do {
-    while (const std::optional<ClusterMessage> message = cluster_->receive()) {
-      if (std::optional<CrewReport> report = take(*message)) return report;
-      // New members wait for tiles.
-      return std::nullopt;
-    }
+    // A message that is no report has brought new members, who wait for tiles.
+    if (const std::optional<ClusterMessage> message = cluster_->receive()) return take(*message);
     if (std::optional<CrewReport> report = own_.wait(kNap)) return report;
   } while (std::chrono::steady_clock::now() < end);
   return std::nullopt;

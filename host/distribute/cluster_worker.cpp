@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <thread>
 
 #include "distribute/cluster_messages.hpp"
 #include "distribute/local_crew.hpp"
 #include "distribute/make_engine.hpp"
+#include "model/error.hpp"
 
 namespace gearsweep {
 namespace {
@@ -42,6 +44,14 @@ std::unique_ptr<Job> begin_job(const ClusterJob& job, const std::vector<DeviceCh
     on_trouble(error.what());
     return nullptr;
   }
+}
+
+// MPI counts bytes by int.
+std::vector<std::byte> pack_to_fit(const CrewReport& report) {
+  std::vector<std::byte> bytes = pack(report);
+  if (bytes.size() <= std::numeric_limits<int>::max()) return bytes;
+  const RunError error("the answers of a tile take more than 2 GB; give a smaller integrate.tile");
+  return pack({CrewReport::Kind::lost, report.tile, 0.0, {}, std::make_exception_ptr(error)});
 }
 
 }  // namespace
@@ -81,7 +91,7 @@ void serve_cluster(Cluster* cluster, const std::vector<DeviceChoice>& devices,
     if (!job) {
       std::this_thread::sleep_for(kNap);
     } else if (const std::optional<CrewReport> report = job->crew().wait(kNap)) {
-      cluster->send(0, kReport, pack(*report));
+      cluster->send(0, kReport, pack_to_fit(*report));
     }
   }
 }

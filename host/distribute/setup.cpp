@@ -30,19 +30,38 @@ std::unique_ptr<Crew> make_crew(const Plan& plan, Engines engines, Cluster* clus
   return std::make_unique<ClusterCrew>(plan, std::move(engines), cluster);
 }
 
+// The least points that keep an engine busy, for all of them.
+std::size_t least_tile(const Engines& engines) {
+  std::size_t least = 1;
+  for (const std::unique_ptr<Engine>& engine : engines) {
+    least = std::max(least, engine->least_tile());
+  }
+  return least;
+}
+
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
 // starve an engine; what suits all of them. Each of the parts of a sweep has so many engines.
 std::size_t tile_size(const Study& study, const Engines& engines, std::size_t parts) {
   constexpr std::size_t kTiles = 16;  // for each engine
   if (study.integrate.tile > 0) return study.integrate.tile;
-  std::size_t least = 1;
   std::size_t most = study.trajectories();
   for (const std::unique_ptr<Engine>& engine : engines) {
-    least = std::max(least, engine->least_tile());
     most = std::min(most, engine->preferred_tile());
   }
-  return std::clamp(study.trajectories() / (kTiles * engines.size() * parts), std::min(least, most),
-                    most);
+  return std::clamp(study.trajectories() / (kTiles * engines.size() * parts),
+                    std::min(least_tile(engines), most), most);
+}
+
+// Smaller tiles where each would take so long that an interruption hurts (half a minute or so on a
+// few cores).
+std::size_t quick_tile_size(const Plan& plan, const Engines& engines) {
+  constexpr double kMostWork = 1e10;  // steps
+  const std::size_t size = plan.tile_points();
+  if (plan.study().integrate.tile > 0) return size;
+  const double work_of_point = plan.total_work() / static_cast<double>(plan.study().trajectories());
+  const double quick = kMostWork / work_of_point;
+  if (quick >= static_cast<double>(size)) return size;
+  return std::max(static_cast<std::size_t>(quick), std::min(size, least_tile(engines)));
 }
 
 std::size_t points_of(const Plan& plan, const Shard& shard) {
@@ -71,9 +90,9 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
   info = describe(engines);
   const auto processes =
       static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
-  const std::size_t tile_points =
-      tile_size(study, engines, processes * std::max<std::size_t>(1, shard.count));
-  plan.emplace(study, tile_points);  // refuses what cannot be planned
+  // Refuses what cannot be planned.
+  plan.emplace(study, tile_size(study, engines, processes * std::max<std::size_t>(1, shard.count)));
+  std::size_t tile_points = quick_tile_size(*plan, engines);
   if (!options.journal_path.empty()) {
     Identity identity = identity_of(study, shard);
     if (options.strict_device) {
@@ -83,9 +102,10 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
     }
     journal.emplace(options.journal_path, identity);
     // A run that goes on keeps the cut, whatever devices it has now.
-    const std::size_t kept =
-        std::stoul(journal->keep(notes::kTilePoints, std::to_string(tile_points)));
-    if (kept != tile_points) plan.emplace(study, kept);
+    tile_points = std::stoul(journal->keep(notes::kTilePoints, std::to_string(tile_points)));
+  }
+  if (plan->tile_points() != tile_points) plan.emplace(study, tile_points);
+  if (journal) {
     journal->keep(notes::kPoints, std::to_string(points_of(*plan, shard)));
     journal->keep(notes::kDriver, info.driver);
     journal->keep(notes::kBuildOptions, info.macros);
