@@ -17,6 +17,8 @@
 #include "distribute/shards.hpp"
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
+#include "journal/journal.hpp"
+#include "journal/notes.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
@@ -79,11 +81,6 @@ void check_quantity(const Study& study, const std::string& quantity) {
   }
 }
 
-// Deletes the journal of an interrupted run.
-void discard_journal(const std::string& journal) {
-  for (const char* suffix : {"-journal", ""}) std::filesystem::remove(journal + suffix);
-}
-
 // Whether there is anything in the maps; says so when not.
 bool any_point_is_ok(const SweepResult& result) {
   const bool any = std::any_of(result.status.begin(), result.status.end(),
@@ -119,7 +116,7 @@ SweepOptions sweep_options(const RunArguments& arguments, const std::string& out
   options.journal_path = journal_path(arguments, output);
   options.strict_device = arguments.strict_device;
   options.keep_journal = arguments.keep_journal;
-  options.notes = {{"command", command_line(arguments, output)}};
+  options.notes = {{notes::kCommand, command_line(arguments, output)}};
   options.on_trouble = warn;
   options.deliver = [=](const SweepResult& result) {
     write_result(result, output, {command_line(arguments, output), version(), source_hash()});
@@ -141,15 +138,29 @@ class Dismissal {
   Cluster* cluster_;
 };
 
-// A launcher passes signals on to all ranks; rank 0 decides what becomes of the run.
-int serve(Cluster* cluster, const std::vector<DeviceChoice>& devices) {
-  ignore_signals();
-  serve_cluster(cluster, devices, warn);
-  return kDone;
+// What must be the same for processes to work together.
+std::string agreement(const RunArguments& arguments) {
+  return fmt::format("{}\n{}\n{}\n{}", arguments.study, arguments.output,
+                     fmt::join(arguments.overrides, "\n"), source_hash());
 }
 
-int run_as_rank_0(const RunArguments& given, const std::vector<DeviceChoice>& devices,
-                  Cluster* cluster) {
+// What a rank does that is not 0. It leaves signals, which a launcher passes on to all, to rank 0.
+int serve(const RunArguments& arguments, Cluster* cluster) {
+  try {
+    serve_cluster(
+        cluster, [&] { return share_of_devices(chosen_devices(arguments.devices), *cluster); },
+        warn);
+    return kDone;
+  } catch (const std::exception& error) {
+    // Rank 0 may wait for its tiles.
+    warn(fmt::format("rank {}: {}", cluster->rank(), error.what()));
+    cluster->abort();
+  }
+  return kFailed;
+}
+
+int run_study(const RunArguments& given, const std::vector<DeviceChoice>& devices,
+              Cluster* cluster) {
   RunArguments arguments = given;
   if (arguments.lanes) {
     arguments.overrides.push_back(fmt::format("integrate.lanes={}", *arguments.lanes));
@@ -162,7 +173,7 @@ int run_as_rank_0(const RunArguments& given, const std::vector<DeviceChoice>& de
   SweepOptions options = sweep_options(arguments, output);
   options.devices = devices;
   options.cluster = cluster;
-  if (arguments.restart) discard_journal(options.journal_path);
+  if (arguments.restart) Journal::discard(options.journal_path);
 
   const SignalWatch signals;
   ProgressBar bar;
@@ -210,13 +221,21 @@ int run_as_rank_0(const RunArguments& given, const std::vector<DeviceChoice>& de
 }
 
 int run(const RunArguments& arguments) {
-  const std::vector<DeviceChoice> devices = chosen_devices(arguments.devices);
-  const std::unique_ptr<Cluster> cluster = Cluster::join();
-  if (!cluster) return run_as_rank_0(arguments, devices, nullptr);
-  const std::vector<DeviceChoice> own = share_of_devices(devices, *cluster);
-  if (cluster->rank() > 0) return serve(cluster.get(), own);
+  block_signals();
+  // Shards know nothing of each other, whatever has started them.
+  const std::unique_ptr<Cluster> cluster =
+      arguments.shard.empty() ? Cluster::join() : std::unique_ptr<Cluster>();
+  if (!cluster) return run_study(arguments, chosen_devices(arguments.devices), nullptr);
+  const bool all_agree = cluster->all_say(agreement(arguments));
+  if (cluster->rank() > 0) return all_agree ? serve(arguments, cluster.get()) : kWrongInput;
+  if (!all_agree) {
+    throw InputError(
+        "the processes were started with different arguments or are of different versions; give "
+        "all the same, or --shard K/N for processes that do not work together");
+  }
   const Dismissal dismissal(cluster.get());
-  return run_as_rank_0(arguments, own, cluster.get());
+  return run_study(arguments, share_of_devices(chosen_devices(arguments.devices), *cluster),
+                   cluster.get());
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ void die_by(int signal_number) {
 }  // namespace
 
 SignalWatch::SignalWatch() {
+  block_signals();
   const sigset_t signals = watched_signals();
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   watcher_ = std::jthread([this, signals](const std::stop_token& stop) {
     const timespec pause = {0, 50'000'000};
     auto first = std::chrono::steady_clock::now();
@@ -49,8 +49,9 @@ SignalWatch::SignalWatch() {
   });
 }
 
-void ignore_signals() {
-  for (const int signal_number : {SIGINT, SIGTERM}) ::signal(signal_number, SIG_IGN);
+void block_signals() {
+  const sigset_t signals = watched_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
 }  // namespace gearsweep

@@ -7,8 +7,8 @@
 namespace gearsweep {
 
 // While it lives, the first SIGINT or SIGTERM sets the flag and the second ends the process. Make
-// it before other threads start: they inherit the signal mask that lets only the watch see the
-// signals.
+// it before other threads start, or call block_signals() then: they inherit the signal mask that
+// lets only the watch see the signals.
 class SignalWatch {
  public:
   SignalWatch();
@@ -19,7 +19,8 @@ class SignalWatch {
   std::jthread watcher_;
 };
 
-// From now on neither signal does anything to this process.
-void ignore_signals();
+// Keeps both signals from this thread and those that it starts: before anything starts threads,
+// drivers and MPI included.
+void block_signals();
 
 }  // namespace gearsweep

@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "journal/journal.hpp"
+#include "journal/notes.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -20,10 +21,16 @@ std::string note(const JournalStatus& status, const std::string& name) {
   return found == status.notes.end() ? "" : found->second;
 }
 
+std::size_t planned_points(const JournalStatus& status) {
+  const std::string text = note(status, notes::kPoints);
+  return text.empty() ? 0 : read_count(text);
+}
+
 // 0 to 1; 0 when nothing is planned yet.
 double share_of(const JournalStatus& status) {
-  const std::string points = note(status, "points");
-  return points.empty() ? 0.0 : static_cast<double>(status.points) / std::stod(points);
+  const std::size_t planned = planned_points(status);
+  if (planned == 0) return note(status, notes::kPoints).empty() ? 0.0 : 1.0;
+  return static_cast<double>(status.points) / static_cast<double>(planned);
 }
 
 // A shard that is done has nothing but its journal, as does a result that was not written.
@@ -36,7 +43,7 @@ std::string describe(const std::string& output, const JournalStatus& status) {
   const double share = share_of(status);
   std::string text =
       fmt::format("{}: {}, {:.1f} % done: {} of {} points in {} tiles", output, state_of(status),
-                  100.0 * share, status.points, note(status, "points"), status.tiles);
+                  100.0 * share, status.points, planned_points(status), status.tiles);
   if (share > 0.0 && share < 1.0) {
     text += fmt::format("; computed for {}, about {} left", format_duration(status.seconds),
                         format_duration(status.seconds / share * (1.0 - share)));
@@ -44,7 +51,7 @@ std::string describe(const std::string& output, const JournalStatus& status) {
   text += '\n';
   if (status.tiles > 0) text += fmt::format("on {}\n", fmt::join(status.devices, "; "));
   if (!status.is_held && share < 1.0)
-    text += fmt::format("to continue: {}\n", note(status, "command"));
+    text += fmt::format("to continue: {}\n", note(status, notes::kCommand));
   return text;
 }
 
@@ -54,11 +61,11 @@ nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
           {"state", state_of(status)},
           {"share", share},
           {"points_done", status.points},
-          {"points", std::stoull("0" + note(status, "points"))},
+          {"points", planned_points(status)},
           {"tiles_done", status.tiles},
           {"seconds", status.seconds},
           {"devices", status.devices},
-          {"command", note(status, "command")}};
+          {"command", note(status, notes::kCommand)}};
 }
 
 void show(const std::string& output, bool with_json) {

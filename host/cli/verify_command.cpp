@@ -109,6 +109,7 @@ std::string verdict_of(const std::vector<Timed>& all) {
 }
 
 int run(const VerifyArguments& arguments) {
+  block_signals();
   const std::vector<DeviceInfo> devices = list_devices();
   const std::vector<DeviceChoice> chosen = chosen_devices(arguments.device);
   const DeviceInfo& device =

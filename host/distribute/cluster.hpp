@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace gearsweep {
@@ -19,7 +20,7 @@ class Cluster {
  public:
   // Nothing when this process was started on its own, or the program was built without MPI.
   static std::unique_ptr<Cluster> join();
-  // Waits until all have left.
+  // Waits until all have left; what has not been received is lost.
   virtual ~Cluster() = default;
 
   virtual int rank() const = 0;  // 0: the one that plans and writes
@@ -27,6 +28,10 @@ class Cluster {
   // This process among those of its machine.
   virtual int local_rank() const = 0;
   virtual int local_size() const = 0;
+  // Whether all processes call it with the same text.
+  virtual bool all_say(const std::string& text) = 0;
+  // Ends all processes at once, with exit status 1.
+  [[noreturn]] virtual void abort() = 0;
   // Does not wait for the receiver.
   virtual void send(int to, int kind, std::vector<std::byte> bytes) = 0;
   // A message that has arrived, if any.

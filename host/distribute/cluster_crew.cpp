@@ -44,6 +44,7 @@ std::optional<CrewReport> ClusterCrew::wait(std::chrono::milliseconds patience) 
   constexpr std::chrono::milliseconds kNap(1);
   const auto end = std::chrono::steady_clock::now() + patience;
   do {
+    if (std::optional<CrewReport> report = own_.wait(std::chrono::milliseconds(0))) return report;
     // A message that is no report has brought new members, who wait for tiles.
     if (const std::optional<ClusterMessage> message = cluster_->receive()) return take(*message);
     if (std::optional<CrewReport> report = own_.wait(kNap)) return report;
@@ -59,6 +60,7 @@ void ClusterCrew::stop() {
 std::optional<CrewReport> ClusterCrew::take(const ClusterMessage& message) {
   Others& others = others_.at(static_cast<std::size_t>(message.from));
   if (message.kind == kMembers) {
+    ++answers_;
     others.members = Unpacker(message.bytes).integer();
     return std::nullopt;
   }

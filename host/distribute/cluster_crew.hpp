@@ -15,6 +15,7 @@ class ClusterCrew final : public Crew {
   // own: the engines of this process. The cluster and the plan outlive the crew.
   ClusterCrew(const Plan& plan, std::vector<std::unique_ptr<Engine>> own, Cluster* cluster);
 
+  bool may_grow() const override { return answers_ + 1 < others_.size(); }
   std::size_t size() const override;
   std::size_t idle() const override;
   void start(std::size_t tile, std::vector<double> initial) override;
@@ -29,6 +30,7 @@ class ClusterCrew final : public Crew {
 
   Cluster* cluster_;
   LocalCrew own_;
+  std::size_t answers_ = 0;     // ranks that have told how many members they have
   std::vector<Others> others_;  // [rank], that of rank 0 stays empty
 };
 

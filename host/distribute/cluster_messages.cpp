@@ -10,7 +10,7 @@ std::string message_of(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const std::exception& error) {
-    return error.what();
+    return *error.what() == '\0' ? "unknown failure" : error.what();
   }
 }
 

@@ -36,10 +36,11 @@ class Job {
 };
 
 // Nothing when this process has no device that works.
-std::unique_ptr<Job> begin_job(const ClusterJob& job, const std::vector<DeviceChoice>& devices,
+std::unique_ptr<Job> begin_job(const ClusterJob& job,
+                               const std::function<std::vector<DeviceChoice>()>& devices,
                                const Trouble& on_trouble) {
   try {
-    return std::make_unique<Job>(job, devices, on_trouble);
+    return std::make_unique<Job>(job, devices(), on_trouble);
   } catch (const std::runtime_error& error) {
     on_trouble(error.what());
     return nullptr;
@@ -66,7 +67,7 @@ std::vector<DeviceChoice> share_of_devices(const std::vector<DeviceChoice>& devi
   return share;
 }
 
-void serve_cluster(Cluster* cluster, const std::vector<DeviceChoice>& devices,
+void serve_cluster(Cluster* cluster, const std::function<std::vector<DeviceChoice>()>& devices,
                    const Trouble& on_trouble) {
   constexpr std::chrono::milliseconds kNap(1);
   const Trouble tell = [&](const std::string& what) {

@@ -1,6 +1,7 @@
 // What a process of a cluster does that does not plan and write.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "distribute/cluster.hpp"
@@ -14,7 +15,9 @@ std::vector<DeviceChoice> share_of_devices(const std::vector<DeviceChoice>& devi
                                            const Cluster& cluster);
 
 // Computes what rank 0 asks for (SweepOptions::cluster of its run_sweep()) until it is dismissed.
-void serve_cluster(Cluster* cluster, const std::vector<DeviceChoice>& devices,
+// Without any device that works it only tells so: neither `devices` nor what it gives need be
+// right.
+void serve_cluster(Cluster* cluster, const std::function<std::vector<DeviceChoice>()>& devices,
                    const Trouble& on_trouble);
 
 // Rank 0 tells all others that nothing more will come.

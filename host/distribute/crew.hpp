@@ -32,8 +32,9 @@ class Crew {
  public:
   virtual ~Crew() = default;
 
-  virtual std::size_t size() const = 0;  // members, those that are lost left out
-  virtual std::size_t idle() const = 0;  // those of them that have no tile
+  virtual std::size_t size() const = 0;            // members, those that are lost left out
+  virtual bool may_grow() const { return false; }  // others are still to come
+  virtual std::size_t idle() const = 0;            // those of them that have no tile
   // Gives a tile to an idle member. initial: [point of the tile][state]; empty: each point's own.
   virtual void start(std::size_t tile, std::vector<double> initial) = 0;
   // The next report; nothing when there was none for so long.

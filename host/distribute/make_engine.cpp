@@ -21,13 +21,17 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
   }
   if (choices.empty()) choices = {std::nullopt};
   constexpr std::size_t kManyTiles = 8;
+  // Of a chained study, each point along it waits for the one before.
+  const std::size_t at_once =
+      study.trajectories() /
+      (study.is_chained() ? study.axes[study.initial.along].values.size() : 1);
   for (std::size_t i = 0; i < choices.size(); ++i) {
     try {
       engines.push_back(make_engine(study, choices[i]));
       // While one tile's launches end raggedly, or the host looks at their results, those of
       // another fill the device. Not worth a second start where there are few tiles.
       const bool has_many_tiles =
-          study.trajectories() >= kManyTiles * choices.size() * engines.back()->least_tile();
+          at_once >= kManyTiles * choices.size() * engines.back()->least_tile();
       if (has_many_tiles) engines.push_back(make_engine(study, choices[i]));
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/error.hpp"
+
 namespace gearsweep {
 
 std::size_t grid_of(const Tile& tile, std::size_t position) {
@@ -44,6 +46,21 @@ TileResult empty_result(const Study& study, std::size_t points) {
   result.samples.resize(points * selection.poincare.size() * study.integrate.record);
   result.final_states.resize(points * study.model->states.size());
   return result;
+}
+
+void require_fit(const Study& study, const Tile& tile, const TileResult& result) {
+  const TileResult right = empty_result(study, tile.points.size());
+  const bool has_states = study.is_chained();  // only neighbours in a chain ask for them again
+  if (result.status.size() == right.status.size() &&
+      result.outputs.size() == right.outputs.size() &&
+      result.samples.size() == right.samples.size() &&
+      result.final_states.size() == (has_states ? right.final_states.size() : 0) &&
+      result.effort.size() == kEfforts) {
+    return;
+  }
+  throw InputError(
+      "the journal is damaged: a tile in it is not of the size that the study has; delete it "
+      "(--restart does)");
 }
 
 void put_part(const Study& study, const TileResult& part, const std::vector<std::size_t>& positions,

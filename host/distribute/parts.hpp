@@ -25,6 +25,9 @@ std::vector<double> end_states(const TileResult& result, const std::vector<std::
 // A tile's result without any answers yet.
 TileResult empty_result(const Study& study, std::size_t points);
 
+// Throws InputError when what a journal has of this tile is not of its size.
+void require_fit(const Study& study, const Tile& tile, const TileResult& result);
+
 // Puts the answers of a part into those of its tile. A part that has fewer samples than the tile is
 // a periodic orbit's record, and is repeated.
 void put_part(const Study& study, const TileResult& part, const std::vector<std::size_t>& positions,

@@ -40,28 +40,36 @@ std::size_t least_tile(const Engines& engines) {
 }
 
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
-// starve an engine; what suits all of them. Each of the parts of a sweep has so many engines.
-std::size_t tile_size(const Study& study, const Engines& engines, std::size_t parts) {
+// starve an engine; what suits all of them. Each of the processes of a sweep has so many engines.
+// Shards are cut by the study alone: each may run on a machine of its own kind.
+std::size_t tile_size(const Study& study, const Engines& engines, const Shard& shard,
+                      std::size_t processes) {
   constexpr std::size_t kTiles = 16;  // for each engine
+  constexpr std::size_t kMostOfShard = 16384, kLeastOfShard = 256;
   if (study.integrate.tile > 0) return study.integrate.tile;
   std::size_t most = study.trajectories();
   for (const std::unique_ptr<Engine>& engine : engines) {
     most = std::min(most, engine->preferred_tile());
   }
-  return std::clamp(study.trajectories() / (kTiles * engines.size() * parts),
+  if (shard.count > 0) {
+    most = std::min(most, kMostOfShard);
+    return std::clamp(study.trajectories() / (kTiles * shard.count), std::min(kLeastOfShard, most),
+                      most);
+  }
+  return std::clamp(study.trajectories() / (kTiles * engines.size() * processes),
                     std::min(least_tile(engines), most), most);
 }
 
 // Smaller tiles where each would take so long that an interruption hurts (half a minute or so on a
 // few cores).
-std::size_t quick_tile_size(const Plan& plan, const Engines& engines) {
+std::size_t quick_tile_size(const Plan& plan, std::size_t least) {
   constexpr double kMostWork = 1e10;  // steps
   const std::size_t size = plan.tile_points();
   if (plan.study().integrate.tile > 0) return size;
   const double work_of_point = plan.total_work() / static_cast<double>(plan.study().trajectories());
   const double quick = kMostWork / work_of_point;
   if (quick >= static_cast<double>(size)) return size;
-  return std::max(static_cast<std::size_t>(quick), std::min(size, least_tile(engines)));
+  return std::max(static_cast<std::size_t>(quick), std::min(size, least));
 }
 
 std::size_t points_of(const Plan& plan, const Shard& shard) {
@@ -91,8 +99,8 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
   const auto processes =
       static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
   // Refuses what cannot be planned.
-  plan.emplace(study, tile_size(study, engines, processes * std::max<std::size_t>(1, shard.count)));
-  std::size_t tile_points = quick_tile_size(*plan, engines);
+  plan.emplace(study, tile_size(study, engines, shard, processes));
+  std::size_t tile_points = quick_tile_size(*plan, shard.count > 0 ? 1 : least_tile(engines));
   if (!options.journal_path.empty()) {
     Identity identity = identity_of(study, shard);
     if (options.strict_device) {
@@ -102,7 +110,7 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
     }
     journal.emplace(options.journal_path, identity);
     // A run that goes on keeps the cut, whatever devices it has now.
-    tile_points = std::stoul(journal->keep(notes::kTilePoints, std::to_string(tile_points)));
+    tile_points = read_count(journal->keep(notes::kTilePoints, std::to_string(tile_points)), 1);
   }
   if (plan->tile_points() != tile_points) plan.emplace(study, tile_points);
   if (journal) {

@@ -7,6 +7,7 @@
 #include "distribute/crew.hpp"
 #include "distribute/shards.hpp"
 #include "journal/journal.hpp"
+#include "journal/notes.hpp"
 
 namespace gearsweep {
 
@@ -24,17 +25,5 @@ struct Setup {
   Setup(const Study& study, const Shard& shard, const SweepOptions& options);
   Journal* journal_or_null() { return journal ? &*journal : nullptr; }
 };
-
-// Names of what a journal keeps beside the identity.
-namespace notes {
-inline constexpr const char* kPoints = "points";
-inline constexpr const char* kTilePoints = "points of a tile";
-inline constexpr const char* kShard = "shard";
-inline constexpr const char* kStudy = "study";
-inline constexpr const char* kStep = "step";
-inline constexpr const char* kDriver = "last driver";
-inline constexpr const char* kBuildOptions = "last build options";
-inline constexpr const char* kPilot = "pilot";
-}  // namespace notes
 
 }  // namespace gearsweep

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "distribute/assembly.hpp"
+#include "distribute/parts.hpp"
 #include "distribute/pilot.hpp"
 #include "distribute/setup.hpp"
 #include "distribute/tile_loop.hpp"
@@ -55,12 +56,8 @@ class ShardJournals {
   }
 
   const Study& study() const { return study_; }
-  const Plan plan() const { return {study_, std::stoul(first_.notes.at(notes::kTilePoints))}; }
-  const std::string& note(const std::string& name) const {
-    static const std::string nothing;
-    const auto found = first_.notes.find(name);
-    return found == first_.notes.end() ? nothing : found->second;
-  }
+  Plan plan() const { return {study_, read_count(note(first_, notes::kTilePoints), 1)}; }
+  std::string note(const std::string& name) const { return note(first_, name); }
 
   TileResult tile(std::size_t number) const {
     const std::size_t shard = number % journals_.size() + 1;
@@ -81,25 +78,29 @@ class ShardJournals {
     std::unique_ptr<Journal> journal;
   };
 
+  static std::string note(const JournalStatus& status, const std::string& name) {
+    const auto found = status.notes.find(name);
+    return found == status.notes.end() ? "" : found->second;
+  }
+
   Study study_of(const std::string& path) const {
-    const auto text = first_.notes.find(notes::kStudy);
-    if (text == first_.notes.end() || first_.notes.count(notes::kTilePoints) == 0) {
-      throw InputError(fmt::format("'{}': it names no study", path));
+    if (note(first_, notes::kTilePoints).empty()) {
+      throw InputError(fmt::format("'{}': nothing of this shard is finished", path));
     }
-    Study study = read_study(text->second, path, {});
-    study.integrate.max_step = std::stod(first_.notes.at(notes::kStep));
+    Study study = read_study(note(first_, notes::kStudy), path, {});
+    study.integrate.max_step = read_step(note(first_, notes::kStep));
     return study;
   }
 
   static Shard shard_of(const std::string& path, const JournalStatus& status) {
-    const auto text = status.notes.find(notes::kShard);
-    if (text == status.notes.end()) {
+    const std::string text = note(status, notes::kShard);
+    if (text.empty()) {
       throw InputError(
           fmt::format("'{}' is the journal of a whole run, not of a shard; 'gearsweep run' "
                       "continues it",
                       path));
     }
-    return parse_shard(text->second);
+    return parse_shard(text);
   }
 
   void add(const std::string& path, std::size_t count) {
@@ -109,19 +110,27 @@ class ShardJournals {
       throw InputError(fmt::format("'{}' is one of {} shards, the first journal one of {}", path,
                                    shard.count, count));
     }
-    if (status.notes.at(notes::kTilePoints) != first_.notes.at(notes::kTilePoints)) {
+    const Identity identity = identity_of(study_, shard);
+    const std::string differences = describe_differences(status.notes, identity);
+    if (!differences.empty()) {
+      throw InputError(
+          fmt::format("'{}' is a shard of another sweep than the first journal; what "
+                      "differs:{}",
+                      path, differences));
+    }
+    const std::string cut = note(status, notes::kTilePoints);
+    if (cut != note(first_, notes::kTilePoints)) {
       throw InputError(fmt::format(
           "'{}' was cut into tiles of {} points, the first journal into tiles of {}; give "
           "integrate.tile in the study when shards run on machines of different kinds",
-          path, status.notes.at(notes::kTilePoints), first_.notes.at(notes::kTilePoints)));
+          path, cut, note(first_, notes::kTilePoints)));
     }
     if (journals_.count(shard.number) > 0) {
       throw InputError(fmt::format("'{}' and '{}' are both shard {} of {}",
                                    journals_.at(shard.number).path, path, shard.number, count));
     }
-    const auto command = status.notes.find("command");
-    journals_[shard.number] = {path, command == status.notes.end() ? "" : command->second,
-                               std::make_unique<Journal>(path, identity_of(study_, shard))};
+    journals_[shard.number] = {path, note(status, notes::kCommand),
+                               std::make_unique<Journal>(path, identity)};
   }
 
   const JournalStatus first_;
@@ -132,13 +141,18 @@ class ShardJournals {
 }  // namespace
 
 Shard parse_shard(const std::string& text) {
+  constexpr std::size_t kMostShards = 1'000'000;
+  const std::size_t slash = text.find('/');
+  const bool has_digits_only =
+      slash != std::string::npos && text.size() < 20 &&
+      (text.substr(0, slash) + text.substr(slash + 1)).find_first_not_of("0123456789") ==
+          std::string::npos &&
+      slash > 0 && slash + 1 < text.size();
   Shard shard;
-  char slash = 0;
-  std::istringstream in(text);
-  if (!(in >> shard.number >> slash >> shard.count) || slash != '/' || !in.eof() ||
-      shard.number < 1 || shard.number > shard.count) {
+  if (has_digits_only) shard = {std::stoul(text), std::stoul(text.substr(slash + 1))};
+  if (shard.number < 1 || shard.number > shard.count || shard.count > kMostShards) {
     throw InputError(
-        fmt::format("--shard {}: expected K/N, the K-th of N shards, such as 1/8 .. 8/8", text));
+        fmt::format("shard '{}': expected K/N, the K-th of N shards, such as 1/8 .. 8/8", text));
   }
   return shard;
 }
@@ -164,7 +178,9 @@ SweepResult merge_shards(const std::vector<std::string>& journals) {
   Assembly assembly(shards.study());
   const std::vector<const Tile*> tiles = tiles_of(plan);
   for (std::size_t number = 0; number < tiles.size(); ++number) {
-    assembly.add(*tiles[number], shards.tile(number));
+    const TileResult result = shards.tile(number);
+    require_fit(plan.study(), *tiles[number], result);
+    assembly.add(*tiles[number], result);
   }
   SweepResult result = assembly.take();
   result.engine.driver = shards.note(notes::kDriver);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "distribute/parts.hpp"
 
 namespace gearsweep {
 
@@ -21,11 +21,12 @@ bool TileLoop::run() {
   std::size_t first = 0;
   for (const Stage& stage : plan_.stages()) {
     take_from_journal(first, stage.tiles.size());
-    while (!waiting_.empty() || running_ > 0) {
+    while (!waiting_.empty() || !running_.empty()) {
       stop_if_asked();
       start_tiles();
-      if (running_ == 0) break;
+      if (running_.empty() && crew_->size() == 0 && !crew_->may_grow()) break;
       if (std::optional<CrewReport> report = crew_->wait(std::chrono::milliseconds(100))) {
+        share_time();
         handle(std::move(*report));
       }
     }
@@ -42,6 +43,7 @@ void TileLoop::take_from_journal(std::size_t first, std::size_t count) {
     std::optional<TileResult> result;
     if (journal_ != nullptr) result = journal_->find(number);
     if (result) {
+      require_fit(plan_.study(), *tiles_[number], *result);
       add(number, *result, true);
     } else {
       waiting_.push_back(number);
@@ -63,8 +65,9 @@ void TileLoop::start_tiles() {
     progress_.begin_tile(number, *tiles_[number]);
     std::vector<double> initial;
     if (plan_.study().is_chained()) initial = assembly_->initial_states(plan_, *tiles_[number]);
+    share_time();
+    running_[number] = 0.0;
     crew_->start(number, std::move(initial));
-    ++running_;
   }
 }
 
@@ -77,32 +80,46 @@ void TileLoop::handle(CrewReport report) {
       progress_.add_work(report.tile, report.steps);
       return;
     case CrewReport::Kind::finished:
-      --running_;
-      // While one thing at a time is computed, it takes all of the time.
-      for (const std::size_t spent : {kSeconds, kKernelSeconds}) {
-        report.result.effort[spent] /= static_cast<double>(std::max<std::size_t>(1, crew_->size()));
-      }
+      set_time(&report);
       // Nobody need wait for the disk.
       if (!is_stopping_) start_tiles();
       if (journal_ != nullptr) journal_->store(report.tile, report.result);
       add(report.tile, report.result, false);
       return;
     case CrewReport::Kind::stopped:
-      --running_;
+      running_.erase(report.tile);
       progress_.drop_tile(report.tile);
       return;
     case CrewReport::Kind::lost:
-      --running_;
+      running_.erase(report.tile);
       hand_back(report);
       return;
   }
+}
+
+// Tiles that run side by side share the time, so that those of all tiles add up to that of the
+// sweep.
+void TileLoop::share_time() {
+  const auto now = std::chrono::steady_clock::now();
+  const double passed = std::chrono::duration<double>(now - shared_).count();
+  shared_ = now;
+  for (auto& [number, seconds] : running_) seconds += passed / static_cast<double>(running_.size());
+}
+
+// In kernels for the same part of the tile's time as its member says.
+void TileLoop::set_time(CrewReport* report) {
+  std::vector<double>& effort = report->result.effort;
+  const double seconds = running_.at(report->tile);
+  running_.erase(report->tile);
+  if (effort[kSeconds] > 0.0) effort[kKernelSeconds] *= seconds / effort[kSeconds];
+  effort[kSeconds] = seconds;
 }
 
 void TileLoop::hand_back(const CrewReport& report) {
   progress_.drop_tile(report.tile);
   failure_ = report.failure;
   if (!is_stopping_) waiting_.push_front(report.tile);
-  if (crew_->size() == 0 || !options_.on_trouble) return;
+  if (is_stopping_ || crew_->size() == 0 || !options_.on_trouble) return;
   try {
     std::rethrow_exception(report.failure);
   } catch (const std::exception& error) {

@@ -1,8 +1,10 @@
 // Computes every tile of a sweep that its journal does not have. Private to this folder.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <exception>
+#include <map>
 #include <vector>
 
 #include "distribute/assembly.hpp"
@@ -29,6 +31,8 @@ class TileLoop {
   void start_tiles();
   void handle(CrewReport report);
   void hand_back(const CrewReport& report);
+  void share_time();
+  void set_time(CrewReport* report);
   void add(std::size_t number, const TileResult& result, bool resumed);
 
   const Plan& plan_;
@@ -40,7 +44,8 @@ class TileLoop {
   Assembly* assembly_;
   Progress progress_;
   std::deque<std::size_t> waiting_;
-  std::size_t running_ = 0;
+  std::map<std::size_t, double> running_;  // [tile] seconds of the sweep, shared between those
+  std::chrono::steady_clock::time_point shared_ = std::chrono::steady_clock::now();
   bool is_stopping_ = false;
   std::exception_ptr failure_;  // of the member that was lost last
 };

@@ -16,8 +16,9 @@ namespace gearsweep {
 // damaged one), RunError for all else.
 class Database {
  public:
-  // Opens the file or creates an empty one.
-  explicit Database(const std::string& path);
+  enum class Opening { create, existing };
+  // Opens the file, or creates an empty one where it may.
+  explicit Database(const std::string& path, Opening opening = Opening::create);
 
   // Runs statements that give no rows.
   void execute(const std::string& sql);

@@ -20,9 +20,10 @@ class FileLock {
   // Whether a process holds the file; false when there is none.
   static bool is_held(const std::string& path);
 
- private:
+  // Whether the file is still the one at the path.
   bool is_of(const std::string& path) const;
 
+ private:
   int file_ = -1;
   bool has_created_ = false;
 };

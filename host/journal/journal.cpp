@@ -97,15 +97,7 @@ void check_identity(Database& database, const std::string& path, const Identity&
   }
   const std::map<std::string, std::string> notes = read_notes(database);
   if (notes.empty()) database.refuse("it names no sweep");
-  std::string differences;
-  for (const auto& [name, value] : identity) {
-    const auto there = notes.find(name);
-    if (there == notes.end()) {
-      differences += fmt::format("\n  {}: not told there", name);
-    } else if (there->second != value) {
-      differences += fmt::format("\n  {}{}", name, describe_difference(there->second, value));
-    }
-  }
+  const std::string differences = describe_differences(notes, identity);
   if (differences.empty()) return;
   const std::int64_t tiles = read_integer(database, "SELECT count(*) FROM tile");
   if (tiles > 0) {
@@ -132,6 +124,20 @@ std::string delete_files(const std::string& path) {
 }
 
 }  // namespace
+
+std::string describe_differences(const std::map<std::string, std::string>& notes,
+                                 const Identity& identity) {
+  std::string differences;
+  for (const auto& [name, value] : identity) {
+    const auto there = notes.find(name);
+    if (there == notes.end()) {
+      differences += fmt::format("\n  {}: not told there", name);
+    } else if (there->second != value) {
+      differences += fmt::format("\n  {}{}", name, describe_difference(there->second, value));
+    }
+  }
+  return differences;
+}
 
 // The rollback journal (SQLite's default) writes each byte of an appended tile once, a write-ahead
 // log would write it twice and needs shared memory, which network file systems do not have. Either
@@ -231,9 +237,17 @@ void Journal::store(std::size_t tile_number, const TileResult& result) {
 void Journal::remove() {
   const std::lock_guard lock(mutex_);
   // Deleted while the lock is held, so that another run cannot take the file up in between.
-  const std::string failure = delete_files(path_);
+  const std::string failure = lock_->is_of(path_) ? delete_files(path_) : "";
   database_.reset();
   lock_.reset();
+  if (!failure.empty()) throw RunError(failure);
+}
+
+void Journal::discard(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;
+  const FileLock lock(path);
+  const std::string failure = delete_files(path);
   if (!failure.empty()) throw RunError(failure);
 }
 
@@ -244,7 +258,9 @@ JournalStatus Journal::status(const std::string& path) {
   }
   JournalStatus status;
   status.is_held = FileLock::is_held(path);
-  const Database database(path);
+  const Database database(path, Database::Opening::existing);
+  // A run has just begun, or was killed as it did.
+  if (read_integer(database, "SELECT count(*) FROM sqlite_schema") == 0) return status;
   if (read_integer(database, "PRAGMA application_id") != kApplicationId) {
     database.refuse("a database of another program or version");
   }

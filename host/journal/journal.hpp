@@ -31,6 +31,11 @@ struct JournalStatus {
   std::map<std::string, std::string> notes;  // the identity and what keep() was given
 };
 
+// What of an identity differs from that of a journal, a line for each thing; empty when nothing
+// does.
+std::string describe_differences(const std::map<std::string, std::string>& notes,
+                                 const Identity& identity);
+
 // May be used by several threads. Beside what is said below, its functions throw InputError when
 // the file turns out to be damaged (the message says to delete it) and RunError when it cannot be
 // read or written.
@@ -54,6 +59,8 @@ class Journal {
   // Closes and deletes the journal, once the result file is in place. Nothing may be called after.
   void remove();
 
+  // Deletes the journal at `path`, if there is one. Throws InputError when a run holds it.
+  static void discard(const std::string& path);
   // Of the journal at `path`, whether a run holds it or not. Throws InputError when there is none.
   static JournalStatus status(const std::string& path);
 

@@ -118,6 +118,36 @@ TEST_F(DevicesTest, StatusTellsHowFarARunIs) {
   EXPECT_THAT(gearsweep(folder_, "status out.nc").out, HasSubstr("out.nc: finished"));
 }
 
+TEST_F(DevicesTest, RestartDoesNotTakeTheJournalOfARunningStudy) {
+  const Outcome second =
+      run_in(folder_,
+             std::string("sh -c '") + GEARSWEEP_BINARY +
+                 " run study.toml -o out.nc --quiet --set integrate.settle=20000 --set "
+                 "integrate.stop=never & pid=$!; while ! [ -s out.nc.journal ]; do sleep 0.02; "
+                 "done; " +
+                 GEARSWEEP_BINARY +
+                 " run study.toml -o out.nc --restart; status=$?; kill -KILL $pid; exit $status'");
+  EXPECT_EQ(second.status, 2);
+  EXPECT_THAT(second.err, HasSubstr("in use by another run"));
+}
+
+TEST_F(DevicesTest, ADamagedJournalIsRefused) {
+  for (const char* value : {"abc", "8", "0"}) {
+    ASSERT_EQ(run_with_failure("launch", 150, "0").status, 1);
+    ASSERT_EQ(run_in(folder_, std::string("python3 -c 'import sqlite3; d = sqlite3.connect(\"") +
+                                  "out.nc.journal\"); d.execute(\"UPDATE sweep SET value=? WHERE "
+                                  "name=?\", (\"" +
+                                  value + "\", \"points of a tile\")); d.commit()'")
+                  .status,
+              0);
+    const Outcome outcome = run("out.nc", "");
+    EXPECT_EQ(outcome.status, 2) << value;
+    EXPECT_THAT(outcome.err, HasSubstr("the journal is damaged")) << value;
+    ASSERT_EQ(run("out.nc", "--quiet --restart").status, 0);
+    folder_.remove("out.nc");
+  }
+}
+
 TEST_F(DevicesTest, AListThatCannotBeReadIsRefused) {
   for (const auto& [list, words] :
        {std::pair{"99", "there is no device 99"}, std::pair{"0/0", "can be cut into 1 to"},

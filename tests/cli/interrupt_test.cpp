@@ -36,12 +36,12 @@ class InterruptTest : public ::testing::Test {
 
   // Starts the run, waits until its journal holds some more of the 64 tiles (each about 10 kB), and
   // sends it a signal.
-  Outcome interrupt(const std::string& signal) {
+  Outcome interrupt(const std::string& signal, const std::string& options = "") {
     return run_in(folder_,
                   "sh -c 'size() { stat -c %s out.nc.journal 2>/dev/null || echo 0; }; "
                   "enough=$(($(size) + 100000)); " +
-                      std::string(GEARSWEEP_BINARY) +
-                      " run study.toml -o out.nc & pid=$!; "
+                      std::string(GEARSWEEP_BINARY) + " run study.toml -o out.nc" + options +
+                      " & pid=$!; "
                       "while kill -0 $pid && [ $(size) -lt $enough ]; do sleep 0.02; "
                       "done; kill -" +
                       signal + " $pid; wait $pid'");
@@ -64,6 +64,11 @@ TEST_F(InterruptTest, ASignalEndsTheRunWith130AndTheSameCommandContinues) {
   }
   EXPECT_EQ(gearsweep(folder_, "run study.toml -o out.nc --quiet").status, 0);
   EXPECT_EQ(folder_.files(), (std::set<std::string>{"out.nc", "study.toml"}));
+}
+
+TEST_F(InterruptTest, ASignalIsHeardWhateverThreadsADriverHasStarted) {
+  const Outcome outcome = interrupt("TERM", " --device 0");
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
 }
 
 TEST_F(InterruptTest, AKilledRunContinuesToTheSameMaps) {

@@ -78,6 +78,19 @@ TEST_F(ShardTest, AMissingOrForeignShardIsNamed) {
   EXPECT_EQ(folder_.files().count("merged.nc"), 0U);
 }
 
+TEST_F(ShardTest, TheCutDoesNotDependOnTheDevice) {
+  const std::string uncut = " --set integrate.tile=0";
+  ASSERT_EQ(run("--shard 1/2 --device 0" + uncut).status, 0);
+  ASSERT_EQ(run("--shard 2/2 --device 0/2" + uncut).status, 0);
+  EXPECT_EQ(merge("map.nc.shard-*.journal").status, 0);
+}
+
+TEST_F(ShardTest, AShardWithoutTilesIsDone) {
+  ASSERT_EQ(run("--shard 20/20").status, 0);
+  EXPECT_THAT(gearsweep(folder_, "status map.nc.shard-20-of-20.journal").out,
+              HasSubstr("computed, 100.0 % done: 0 of 0 points"));
+}
+
 TEST_F(ShardTest, AChainIsRefused) {
   const Outcome outcome =
       run("--shard 1/2 --set initial.policy=forward --set initial.along=omega "
@@ -88,7 +101,8 @@ TEST_F(ShardTest, AChainIsRefused) {
 }
 
 TEST_F(ShardTest, WhatIsNoShardIsRefused) {
-  for (const char* text : {"3/2", "0/2", "1", "1/2/3", "a/b", "-1/2"}) {
+  for (const char* text :
+       {"3/2", "0/2", "1", "1/2/3", "a/b", "-1/2", "1/-1", "1/1152921504606846976"}) {
     const Outcome outcome = run(std::string("--shard=") + text);
     EXPECT_EQ(outcome.status, 2) << text;
     EXPECT_THAT(outcome.err, HasSubstr("K/N")) << text;

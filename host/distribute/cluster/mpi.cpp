@@ -28,7 +28,13 @@ class MpiCluster final : public Cluster {
   }
 
   ~MpiCluster() override {
-    for (Sent& sent : sent_) MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
+    // A message that nobody receives would keep its sender here.
+    while (!sent_.empty()) receive();
+    MPI_Request all_have_sent = MPI_REQUEST_NULL;
+    MPI_Ibarrier(MPI_COMM_WORLD, &all_have_sent);
+    for (int is_done = 0; is_done == 0; MPI_Test(&all_have_sent, &is_done, MPI_STATUS_IGNORE)) {
+      receive();
+    }
     MPI_Finalize();
   }
   MpiCluster(const MpiCluster&) = delete;
@@ -38,6 +44,23 @@ class MpiCluster final : public Cluster {
   int size() const override { return size_; }
   int local_rank() const override { return local_rank_; }
   int local_size() const override { return local_size_; }
+
+  bool all_say(const std::string& text) override {
+    auto length = static_cast<int>(text.size());
+    MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    std::string of_rank_0 = text;
+    of_rank_0.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(of_rank_0.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
+    const int is_same = of_rank_0 == text ? 1 : 0;
+    int all_are = 0;
+    MPI_Allreduce(&is_same, &all_are, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    return all_are != 0;
+  }
+
+  [[noreturn]] void abort() override {
+    MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+    std::abort();
+  }
 
   void send(int to, int kind, std::vector<std::byte> bytes) override {
     forget_what_has_left();

@@ -1,0 +1,25 @@
+// Names of what a journal keeps beside a sweep's finished tiles.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace gearsweep {
+
+namespace notes {
+inline constexpr const char* kCommand = "command";  // that continues it
+inline constexpr const char* kPoints = "points";
+inline constexpr const char* kTilePoints = "points of a tile";
+inline constexpr const char* kShard = "shard";
+inline constexpr const char* kStudy = "study";
+inline constexpr const char* kStep = "step";
+inline constexpr const char* kDriver = "first driver";
+inline constexpr const char* kBuildOptions = "first build options";
+inline constexpr const char* kPilot = "pilot";
+}  // namespace notes
+
+// Throw InputError, for a damaged journal, when the note is no number that can be.
+std::size_t read_count(const std::string& note, std::size_t least = 0);
+double read_step(const std::string& note);
+
+}  // namespace gearsweep
