@@ -9,8 +9,8 @@
 #include "distribute/assembly.hpp"
 #include "distribute/cluster_crew.hpp"
 #include "distribute/local_crew.hpp"
-#include "distribute/make_engine.hpp"
 #include "distribute/pilot.hpp"
+#include "distribute/preparation.hpp"
 #include "distribute/progress.hpp"
 #include "journal/journal.hpp"
 #include "model/error.hpp"
@@ -18,8 +18,6 @@
 
 namespace gearsweep {
 namespace {
-
-using Engines = std::vector<std::unique_ptr<Engine>>;
 
 // What the engines say of themselves, each thing once.
 EngineInfo describe(const Engines& engines) {
@@ -47,23 +45,6 @@ Identity identity_of(const Study& study, const EngineInfo& engine, bool strict_d
     identity.emplace_back("build options", engine.macros);
   }
   return identity;
-}
-
-// Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
-// starve an engine; what suits all of them.
-std::size_t tile_size(const Study& study, const Engines& engines, const SweepOptions& options) {
-  constexpr std::size_t kTiles = 32;
-  if (study.integrate.tile > 0) return study.integrate.tile;
-  std::size_t least = 1;
-  std::size_t most = study.trajectories();
-  for (const std::unique_ptr<Engine>& engine : engines) {
-    least = std::max(least, engine->least_tile());
-    most = std::min(most, engine->preferred_tile());
-  }
-  const auto processes =
-      static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
-  return std::clamp(study.trajectories() / (kTiles * engines.size() * processes),
-                    std::min(least, most), most);
 }
 
 // Computes every tile that the journal does not have.
@@ -196,10 +177,8 @@ class TileLoop {
 std::optional<SweepResult> run_with_steps(const Study& study,
                                           const std::optional<PilotFindings>& pilot,
                                           const SweepOptions& options) {
-  Engines engines = make_engines(study, options.devices, options.on_trouble);
+  auto [engines, plan, needs] = prepare_sweep(study, options);
   const EngineInfo info = describe(engines);
-  const std::size_t tile_points = tile_size(study, engines, options);
-  std::optional<Plan> plan(std::in_place, study, tile_points);  // refuses what cannot be planned
   std::optional<Journal> journal;
   if (!options.journal_path.empty()) {
     journal.emplace(options.journal_path, identity_of(study, info, options.strict_device));
@@ -207,8 +186,8 @@ std::optional<SweepResult> run_with_steps(const Study& study,
     for (const auto& [name, value] : options.notes) journal->keep(name, value);
     // A run that goes on keeps the cut, whatever devices it has now.
     const std::size_t kept =
-        std::stoul(journal->keep("points of a tile", std::to_string(tile_points)));
-    if (kept != tile_points) plan.emplace(study, kept);
+        std::stoul(journal->keep("points of a tile", std::to_string(plan->tile_points())));
+    if (kept != plan->tile_points()) plan.emplace(plan_as_kept(study, kept, engines, options));
   }
   Assembly assembly(study);
   const std::unique_ptr<Crew> crew = make_crew(*plan, std::move(engines), options.cluster);
