@@ -190,10 +190,11 @@ class OpenClEngine final : public Engine {
         result.samples.push_back(series[(i % samples * sampled + i / samples) * slot_count + slot]);
       }
     }
-    for (std::size_t point = 0; point < slots.slot_of.size(); ++point) {
-      const bool diverged = std::isnan(result.final_states[point * states]);
-      result.status.push_back(diverged ? STATUS_diverged : STATUS_ok);
-      if (diverged) blank_point(point, &result);
+    result.status.assign(slots.slot_of.size(), STATUS_ok);
+    for (std::size_t point = 0; point < result.status.size(); ++point) {
+      if (!std::isnan(result.final_states[point * states])) continue;
+      result.status[point] = STATUS_diverged;
+      blank_point(point, &result);
     }
     return result;
   }
