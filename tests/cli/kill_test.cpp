@@ -18,19 +18,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-// A second or two in 25 tiles of every kind of launch, then a result of 10 MB before compression.
+// A second or two in 16 tiles of every kind of launch, then a result of 6.5 MB before compression.
 const char* const kStudy = R"([model]
 preset = "coarse"
 [[axes]]
 name = "omega"
 from = 0.5
 to = 1.5
-count = 40
+count = 32
 [[axes]]
 name = "e0"
 from = 0.1
 to = 0.7
-count = 40
+count = 32
 [integrate]
 settle = 80
 record = 200
