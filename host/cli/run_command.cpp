@@ -9,6 +9,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/forecast_report.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
 #include "cli/study_source.hpp"
@@ -17,6 +18,7 @@
 #include "distribute/shards.hpp"
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
+#include "io/result_size.hpp"
 #include "journal/journal.hpp"
 #include "journal/notes.hpp"
 #include "model/error.hpp"
@@ -37,6 +39,7 @@ struct RunArguments {
   bool keep_journal = false;
   bool quiet = false;
   bool as_json = false;
+  bool dry_run = false;
 };
 
 // The command as it would be typed again.
@@ -111,17 +114,30 @@ int tell_interrupted(const SweepProgress& last, const std::string& journal) {
   return kInterrupted;
 }
 
-SweepOptions sweep_options(const RunArguments& arguments, const std::string& output) {
+SweepOptions sweep_options(const RunArguments& arguments, const Study& study,
+                           const std::string& output) {
   SweepOptions options;
   options.journal_path = journal_path(arguments, output);
   options.strict_device = arguments.strict_device;
   options.keep_journal = arguments.keep_journal;
   options.notes = {{notes::kCommand, command_line(arguments, output)}};
   options.on_trouble = warn;
+  const ResultSize size = size_of_result(study);
+  options.delivery = {size.file, size.memory};
   options.deliver = [=](const SweepResult& result) {
+    discard_abandoned(output);  // the journal's lock keeps other runs away
     write_result(result, output, {command_line(arguments, output), version(), source_hash()});
   };
   return options;
+}
+
+// What `run --dry-run` does.
+int tell_forecast(const Study& study, const SweepOptions& options, const std::string& output,
+                  bool with_json) {
+  const std::optional<Forecast> forecast = forecast_sweep(study, options);
+  if (!forecast) return kInterrupted;
+  fmt::print("{}", with_json ? forecast_as_json(*forecast) : describe_forecast(*forecast, output));
+  return kDone;
 }
 
 // Rank 0 of a cluster tells the others when it is done, however it ends.
@@ -170,15 +186,16 @@ int run_study(const RunArguments& given, const std::vector<DeviceChoice>& device
   ensure_writable(output);
   if (!arguments.quantity.empty()) check_quantity(study, arguments.quantity);
   if (!arguments.plot.empty()) ensure_plottable(arguments.plot);
-  SweepOptions options = sweep_options(arguments, output);
+  SweepOptions options = sweep_options(arguments, study, output);
   options.devices = devices;
   options.cluster = cluster;
+  const SignalWatch signals;
+  options.stop = &signals.interrupted();
+  if (arguments.dry_run) return tell_forecast(study, options, output, arguments.as_json);
   if (arguments.restart) Journal::discard(options.journal_path);
 
-  const SignalWatch signals;
   ProgressBar bar;
   SweepProgress last;
-  options.stop = &signals.interrupted();
   options.on_progress = [&](const SweepProgress& progress) {
     last = progress;
     if (!arguments.quiet) bar.show(progress);
@@ -281,6 +298,8 @@ void add_run_command(CLI::App* app, int* status) {
                     "Continue an interrupted run only on the same devices and drivers");
   command->add_flag("--keep-journal", arguments->keep_journal,
                     "Keep OUT.nc.journal when the result is written");
+  command->add_flag("--dry-run", arguments->dry_run,
+                    "Only say what the run would take: time, memory, disk; writes nothing");
   command->add_flag("--quiet", arguments->quiet, "No progress and no summary");
   command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
   command->footer(
@@ -289,7 +308,9 @@ void add_run_command(CLI::App* app, int* status) {
       "  gearsweep run mine.toml --set parameters.mu=0 --set axes.omega.count=100\n"
       "  gearsweep run mine.toml --set model.backlash=dynamic --set integrate.record=20\n"
       "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n"
-      "  gearsweep run mine.toml --device all       on every device of the machine\n\n"
+      "  gearsweep run mine.toml --device all       on every device of the machine\n"
+      "  gearsweep run mine.toml --dry-run          what it would take; computes next to "
+      "nothing\n\n"
       "An interrupted run (Ctrl-C, SIGTERM, kill -9, power cut) keeps what is finished in\n"
       "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
       "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"

@@ -28,6 +28,8 @@ void die_by(int signal_number) {
 }  // namespace
 
 SignalWatch::SignalWatch() {
+  // A file beyond the limit of its size (ulimit -f) is an error to be told, like a full disk.
+  ::signal(SIGXFSZ, SIG_IGN);
   block_signals();
   const sigset_t signals = watched_signals();
   watcher_ = std::jthread([this, signals](const std::stop_token& stop) {

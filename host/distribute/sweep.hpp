@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "distribute/needs.hpp"
 #include "engine/result.hpp"
 #include "opencl/device.hpp"
 
@@ -44,6 +45,7 @@ struct SweepOptions {
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
   // Puts the finished maps in a safe place; the journal is removed once it returns.
   std::function<void(const SweepResult&)> deliver;
+  DeliveryNeeds delivery;  // what that will take; a study that does not fit is refused
 };
 
 // Nothing when `stop` was set. Throws InputError (bad study or device), or RunError when a file

@@ -13,4 +13,15 @@ void blank_point(std::size_t point, TileResult* result) {
   std::fill_n(result->samples.begin() + static_cast<std::ptrdiff_t>(point * samples), samples, nan);
 }
 
+double answer_bytes(const Study& study) {
+  const std::size_t numbers = study.selection.output_count() +
+                              study.selection.poincare.size() * study.integrate.record +
+                              study.model->states.size();
+  return static_cast<double>(1 + numbers * sizeof(double));
+}
+
+TileMemory Engine::tile_memory(const Plan& plan, const Tile& tile) const {
+  return {0.0, 0.0, 2.0 * static_cast<double>(tile.points.size()) * answer_bytes(plan.study())};
+}
+
 }  // namespace gearsweep

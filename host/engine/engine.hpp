@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,10 +30,29 @@ struct TileResult {
 // Takes the values of a point that did not end ok.
 void blank_point(std::size_t point, TileResult* result);
 
+// Memory that an engine's device has for buffers, in bytes.
+struct DeviceMemory {
+  double all = std::numeric_limits<double>::infinity();
+  double one_buffer = std::numeric_limits<double>::infinity();
+  bool is_host = true;  // the device's memory is that of this machine
+};
+
+// What a tile takes at most, in bytes.
+struct TileMemory {
+  double device = 0.0;  // in buffers at a time
+  double buffer = 0.0;  // in the largest of them
+  double host = 0.0;    // beside the buffers, its answers included
+};
+
+// A tile's answers on the host, in bytes, for each point.
+double answer_bytes(const Study& study);
+
 class Engine {
  public:
   virtual ~Engine() = default;
   virtual EngineInfo info() const = 0;
+  virtual DeviceMemory memory() const { return {}; }
+  virtual TileMemory tile_memory(const Plan& plan, const Tile& tile) const;
   // Seconds that kernels have run so far.
   virtual double kernel_seconds() const { return 0.0; }
   // Points per tile when the study does not say: what keeps the engine busy, and what suits it

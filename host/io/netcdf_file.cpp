@@ -3,17 +3,32 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 #include "io/result_file.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
+
+namespace {
+
+// "HDF error" alone does not say what to do: the system's reason, where it is one of the disk's.
+std::string reason_of_system(int code) {
+  const int reason = errno;
+  const bool is_of_disk =
+      reason == ENOSPC || reason == EDQUOT || reason == EFBIG || reason == EIO || reason == EROFS;
+  if (code != NC_EHDFERR || !is_of_disk) return "";
+  return ": " + std::generic_category().message(reason);
+}
+
+}  // namespace
 
 NetcdfFile NetcdfFile::create(const std::string& path, const std::string& shown_name) {
   int id = -1;
@@ -58,8 +73,8 @@ NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept
 
 void NetcdfFile::check(int code, std::string_view doing) const {
   if (code == NC_NOERR) return;
-  throw RunError(
-      fmt::format("cannot {} in '{}': {} ({})", doing, shown_name_, nc_strerror(code), code));
+  throw RunError(fmt::format("cannot {} in '{}': {} ({}){}", doing, shown_name_, nc_strerror(code),
+                             code, reason_of_system(code)));
 }
 
 void NetcdfFile::close() { check(nc_close(std::exchange(id_, -1)), "write the last data"); }

@@ -44,6 +44,22 @@ void refuse_bad_target(const std::string& path, const std::string& target) {
   if (access(target.c_str(), W_OK) != 0) refuse(std::strerror(errno));
 }
 
+// Where a symbolic link at `path` leads, or `path` itself.
+std::string target_of(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_symlink(path, ignored)) return path;
+  const std::string target = fs::weakly_canonical(path, ignored).string();
+  return target.empty() ? path : target;
+}
+
+constexpr const char* kEnding = ".part";
+
+// A name that nobody has taken yet, most likely.
+std::string name_in_the_making(const std::string& target) {
+  std::random_device random;
+  return fmt::format("{}.{:08x}{}", target, random(), kEnding);
+}
+
 // Flushes what was written under this name, a file or a folder, to the disk.
 bool flush_to_disk(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -57,15 +73,24 @@ bool flush_to_disk(const std::string& path) {
 
 void ensure_writable(const std::string& path) { const OutputFile probe(path); }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
+void discard_abandoned(const std::string& path) {
+  const std::string target = target_of(path);
+  const std::string begin = fs::path(target).filename().string() + ".";
+  const std::size_t length = fs::path(name_in_the_making(target)).filename().string().size();
   std::error_code ignored;
-  if (fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored).string();
-  if (target_.empty()) target_ = path;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(target), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() == length && name.starts_with(begin) && name.ends_with(kEnding)) {
+      fs::remove(entry.path(), ignored);
+    }
+  }
+}
+
+OutputFile::OutputFile(const std::string& path) : path_(path), target_(target_of(path)) {
   refuse_bad_target(path_, target_);
-  std::random_device random;
   int descriptor = -1;
   do {
-    temporary_ = fmt::format("{}.{:08x}.part", target_, random());
+    temporary_ = name_in_the_making(target_);
     descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor < 0 && errno == EEXIST);
   if (descriptor < 0) {

@@ -11,6 +11,10 @@ namespace gearsweep {
 // something that is not a plain file is in the way. Leaves nothing behind.
 void ensure_writable(const std::string& path);
 
+// Deletes what killed processes left of files in the making at `path`. Only for whoever knows that
+// nobody else writes there now.
+void discard_abandoned(const std::string& path);
+
 // The file at `path` in the making. Until commit(), all is written to temporary_path(), an empty
 // file in the same folder; without commit() that is removed and `path` stays as it was.
 class OutputFile {

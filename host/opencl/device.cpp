@@ -26,6 +26,9 @@ DeviceInfo describe(const cl::Device& device) {
   info.is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
   info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
   info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+  info.memory = static_cast<double>(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>());
+  info.largest_buffer = static_cast<double>(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>());
+  info.shares_host_memory = info.is_cpu || device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() != 0;
   if (info.is_cpu) {
     const auto lanes = [](cl_uint width) {
       return static_cast<std::size_t>(std::clamp<cl_uint>(width, 1, 16));

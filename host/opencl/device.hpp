@@ -13,6 +13,8 @@ struct DeviceInfo {
   bool fp64 = false;
   unsigned compute_units = 0;
   std::size_t lanes_fp64 = 1, lanes_fp32 = 1;  // points per work-item that suit the device
+  double memory = 0.0, largest_buffer = 0.0;   // bytes
+  bool shares_host_memory = false;             // its memory is that of the machine
 };
 
 // A device of list_devices(), or an equal part of its compute units.

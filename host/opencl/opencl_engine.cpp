@@ -11,6 +11,7 @@
 #include "opencl/launcher.hpp"
 #include "opencl/orbit_kernels.hpp"
 #include "opencl/tile_buffers.hpp"
+#include "opencl/tile_memory.hpp"
 
 namespace gearsweep {
 namespace {
@@ -36,6 +37,15 @@ class OpenClEngine final : public Engine {
     const DeviceInfo& device = launcher_.device();
     return {fmt::format("{} ({})", device.name, device.platform), device.driver,
             launcher_.build_options()};
+  }
+
+  DeviceMemory memory() const override {
+    const DeviceInfo& device = launcher_.device();
+    return {device.memory, device.largest_buffer, device.shares_host_memory};
+  }
+
+  TileMemory tile_memory(const Plan& plan, const Tile& tile) const override {
+    return most_of_tile(plan, tile, {launcher_.lanes(), launcher_.scalar_bytes()});
   }
 
   double kernel_seconds() const override { return launcher_.seconds(); }
@@ -180,10 +190,11 @@ class OpenClEngine final : public Engine {
         result.samples.push_back(series[(i % samples * sampled + i / samples) * slot_count + slot]);
       }
     }
-    for (std::size_t point = 0; point < slots.slot_of.size(); ++point) {
-      const bool diverged = std::isnan(result.final_states[point * states]);
-      result.status.push_back(diverged ? STATUS_diverged : STATUS_ok);
-      if (diverged) blank_point(point, &result);
+    result.status.assign(slots.slot_of.size(), STATUS_ok);
+    for (std::size_t point = 0; point < result.status.size(); ++point) {
+      if (!std::isnan(result.final_states[point * states])) continue;
+      result.status[point] = STATUS_diverged;
+      blank_point(point, &result);
     }
     return result;
   }
@@ -200,6 +211,7 @@ cl::Device pick_device(const DeviceChoice& choice, DeviceInfo* info) {
   cl::Device whole = find_devices().at(choice.number);
   if (choice.parts == 1) return whole;
   info->compute_units /= static_cast<unsigned>(choice.parts);
+  if (!info->shares_host_memory) info->memory /= static_cast<double>(choice.parts);
   const cl_device_partition_property units[] = {
       CL_DEVICE_PARTITION_EQUALLY, static_cast<cl_device_partition_property>(info->compute_units),
       0};

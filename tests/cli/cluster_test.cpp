@@ -98,19 +98,6 @@ TEST_F(ClusterTest, ProcessesWithDifferentArgumentsAreRefused) {
   EXPECT_THAT(outcome.err, HasSubstr("different arguments"));
 }
 
-// Answers beyond what MPI sends unasked, and a rank 0 that cannot store them.
-TEST_F(ClusterTest, AFullDiskOnRank0EndsAllProcesses) {
-  const Outcome outcome = run_in(
-      folder_,
-      "sh -c 'ulimit -f 400; timeout 60 " +
-          launch(2,
-                 "-o out.nc --quiet --set integrate.tile=64 --set integrate.record=500 "
-                 "--set integrate.stop=never --set \"observe.quantities=[\\\"poincare\\\"]\"") +
-          "'");
-  EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("out.nc"));
-}
-
 TEST_F(ClusterTest, AWrongStudyIsRefusedOnceAndNobodyHangs) {
   folder_.write("study.toml", "[model]\nname = \"gear6\"\n");
   const Outcome outcome = run_in(folder_, launch(3, "-o out.nc"));
