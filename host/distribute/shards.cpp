@@ -57,9 +57,9 @@ class ShardJournals {
   const Study& study() const { return study_; }
   const Plan plan() const { return {study_, std::stoul(first_.notes.at(notes::kTilePoints))}; }
   const std::string& note(const std::string& name) const {
-    static const std::string nothing;
+    static const std::string kNothing;
     const auto found = first_.notes.find(name);
-    return found == first_.notes.end() ? nothing : found->second;
+    return found == first_.notes.end() ? kNothing : found->second;
   }
 
   TileResult tile(std::size_t number) const {
