@@ -3,6 +3,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "io/damage.hpp"
 #include "io/export.hpp"
 #include "io/plot.hpp"
 #include "model/error.hpp"
@@ -79,6 +80,7 @@ void add_plot_command(CLI::App* app) {
       "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png");
   command->callback([request, cut] {
     if (!cut->empty()) request->at = parse_cut(*cut);
+    for (const std::string& path : request->paths) ensure_undamaged(path);
     plot_files(*request);
   });
 }
@@ -100,8 +102,10 @@ void add_export_command(CLI::App* app) {
       "  gearsweep export map.nc -q x1_rms -o rms.csv\n"
       "  gearsweep export map.nc -q x1_rms -o rms.npy\n"
       "    then in Python: m = numpy.load('rms.npy'); m['omega'], m['x1_rms']");
-  command->callback(
-      [arguments] { export_map(arguments->result, arguments->quantity, arguments->output); });
+  command->callback([arguments] {
+    ensure_undamaged(arguments->result);
+    export_map(arguments->result, arguments->quantity, arguments->output);
+  });
 }
 
 }  // namespace gearsweep

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "io/damage.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -53,6 +54,7 @@ const std::string& builtin_study_text(const std::string& name) {
 
 Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides) {
   if (std::filesystem::exists(name_or_path)) {
+    ensure_undamaged(name_or_path);
     const std::string text =
         is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);
     return read_study(text, name_or_path, overrides);

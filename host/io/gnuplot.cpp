@@ -1,57 +1,20 @@
 #include "io/gnuplot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 
+#include "io/pipe.hpp"
 #include "model/error.hpp"
 
 extern char** environ;
 
 namespace gearsweep {
 namespace {
-
-// Both ends of a pipe; what is open is closed in the end.
-class Pipe {
- public:
-  Pipe() {
-    if (pipe2(ends_.data(), O_CLOEXEC) != 0) {
-      throw RunError(fmt::format("cannot make a pipe to gnuplot: {}", std::strerror(errno)));
-    }
-  }
-  ~Pipe() {
-    close(ends_[0]);
-    close_writer();
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  int writer() const { return ends_[1]; }
-  void close_writer() {
-    if (ends_[1] >= 0) close(ends_[1]);
-    ends_[1] = -1;
-  }
-  // All until the other side closes.
-  std::string read_all() const {
-    std::string all;
-    std::array<char, 4096> buffer;
-    for (;;) {
-      const ssize_t count = read(ends_[0], buffer.data(), buffer.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return all;
-      all.append(buffer.data(), static_cast<std::size_t>(count));
-    }
-  }
-
- private:
-  std::array<int, 2> ends_{-1, -1};
-};
 
 // Starts gnuplot with its output and messages going to the pipe. Returns errno's kind of code.
 int spawn(const std::vector<std::string>& arguments, const Pipe& messages, pid_t* child) {
@@ -76,7 +39,7 @@ void run_gnuplot(const std::vector<std::string>& arguments) {
   constexpr int kNotFoundByShell = 127;
   const std::string not_found =
       "cannot draw: there is no gnuplot on the PATH; install it (Debian, Ubuntu: gnuplot-nox)";
-  Pipe messages;
+  Pipe messages("gnuplot");
   pid_t child = -1;
   const int code = spawn(arguments, messages, &child);
   if (code == ENOENT) throw RunError(not_found);

@@ -233,10 +233,10 @@ class Runs {
 }  // namespace
 
 const std::vector<std::string>& figure_names() {
-  static const std::vector<std::string> names = {"fig4",  "fig4-friction", "fig5", "fig6",
-                                                 "fig7",  "fig8",          "fig9", "fig9-dynamic",
-                                                 "fig10", "fig11"};
-  return names;
+  static const std::vector<std::string> kNames = {"fig4",  "fig4-friction", "fig5", "fig6",
+                                                  "fig7",  "fig8",          "fig9", "fig9-dynamic",
+                                                  "fig10", "fig11"};
+  return kNames;
 }
 
 std::optional<Measured> run_figures(const ReproduceOptions& options) {

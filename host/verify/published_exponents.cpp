@@ -14,7 +14,7 @@ constexpr std::size_t kStarts = 64;
 
 // With 64 starts, `record` makes the standard error of the mean a fifth of the tolerance or less.
 const std::vector<PublishedExponents>& published_exponents() {
-  static const std::vector<PublishedExponents> rows = {
+  static const std::vector<PublishedExponents> kRows = {
       {"lorenz",
        "lorenz",
        "classic",
@@ -41,7 +41,7 @@ const std::vector<PublishedExponents>& published_exponents() {
       {"vanderpol", "vanderpol", "sprott", -1.9, "", {0.1933}, 0.005, std::nullopt, 256, 1000},
       {"jerk", "jerk", "classic", 0.0, "v = -0.7", {0.0362, 0.0, -0.6362}, 0.003, -0.6, 20, 4000},
   };
-  return rows;
+  return kRows;
 }
 
 const PublishedExponents& published_exponents_of(const std::string& name) {

@@ -53,7 +53,7 @@ const std::vector<ReferenceRow>& reference_rows() {
   const std::string rectangular = "stiffness = 'rectangular'";
   // The motion at omega 1.2 has period 3: its averages are over 21 periods here, over 20 in the
   // table.
-  static const std::vector<ReferenceRow> rows = {
+  static const std::vector<ReferenceRow> kRows = {
       {"consistent_025", "consistent", "", 0.25, "", 200, 1, 1.4347167, 0.0115000, 1.0794531,
        1.4352721, 1.24779165, 1.25222250, 0.0342, 0.2181},
       {"consistent_05", "consistent", "", 0.5, "", 200, 1, 0.7177006, -0.2098154, 0.5560548,
@@ -91,7 +91,7 @@ const std::vector<ReferenceRow>& reference_rows() {
       {"paper_05_dynamic", "paper", dynamic, 0.5, "b = 0.39", 9000, 1, 0.3482548, 0.0298512,
        0.2971653, 0.4127611, 0.35658540, 0.35887730, 0.1269, 0.2175},
   };
-  return rows;
+  return kRows;
 }
 
 const ReferenceRow& reference_row(const std::string& name) {

@@ -6,7 +6,7 @@
 namespace gearsweep {
 
 const std::vector<Check>& checks() {
-  static const std::vector<Check> all = {
+  static const std::vector<Check> kAll = {
       {"linear oscillator", "fp64 against the closed form", true, compare_oscillator_fp64},
       {"same bits", "the kernel against the same formula on the host, gear5 with impacts", true,
        compare_bits},
@@ -24,7 +24,7 @@ const std::vector<Check>& checks() {
       {"file and back", "a map written, read and computed again from the file's own study", false,
        compare_file},
   };
-  return all;
+  return kAll;
 }
 
 Outcome judge(const std::vector<Compared>& compared) {

@@ -263,5 +263,14 @@ TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {
   expect_refused("export text.nc -q x1_rms -o map.csv", {"text.nc"});
 }
 
+TEST_F(BadCommandTest, ADamagedResultIsRefusedByAllThatReadIt) {
+  folder_.write("damaged.nc", "\x89HDF\r\n\x1a\n" + std::string(5000, 'x'));
+  const std::vector<std::string> messages = {"damaged.nc", "otherwise damaged"};
+  expect_refused("plot damaged.nc -o map.png", messages);
+  expect_refused("export damaged.nc -q x1_rms -o map.csv", messages);
+  expect_refused("run damaged.nc -o again.nc", messages);
+  expect_refused("trace damaged.nc -o trace.nc", messages);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

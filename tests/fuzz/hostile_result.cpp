@@ -173,7 +173,7 @@ void edit(Choices* choices, File* file) {
   constexpr std::array<nc_type, 8> kTypes = {NC_BYTE,  NC_CHAR,  NC_FLOAT,  NC_DOUBLE,
                                              NC_INT64, NC_UBYTE, NC_UINT64, NC_STRING};
   constexpr std::array<std::size_t, 8> kSizes = {
-      0, 1, 2, 3, 100, 100'000, 4'294'967'296, 1'000'000'000'000};
+      0, 1, 2, 3, 100, 20'000, 4'294'967'296, 1'000'000'000'000};
   Variable& variable = file->variables[choices->below(file->variables.size())];
   Dimension& dimension = file->dimensions[choices->below(file->dimensions.size())];
   const auto set_attribute = [&](Value value) {
