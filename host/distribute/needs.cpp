@@ -106,7 +106,16 @@ StudyNeeds needs_of_plan(const Plan& plan, const std::vector<std::unique_ptr<Eng
       }
     }
     needs.tiles += device.tile.host + (device.memory.is_host ? device.tile.device : 0.0);
-    needs.devices.push_back(std::move(device));
+    // Engines on one device, or on parts of it, share its memory.
+    const auto same =
+        std::find_if(needs.devices.begin(), needs.devices.end(),
+                     [&](const DeviceNeeds& other) { return other.name == device.name; });
+    if (same == needs.devices.end()) {
+      needs.devices.push_back(std::move(device));
+    } else {
+      same->tile.device += device.tile.device;
+      same->tile.buffer = std::max(same->tile.buffer, device.tile.buffer);
+    }
   }
   return needs;
 }

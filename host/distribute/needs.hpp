@@ -20,7 +20,7 @@ struct DeliveryNeeds {
 
 struct DeviceNeeds {
   std::string name;
-  TileMemory tile;      // the most that a tile takes
+  TileMemory tile;      // the most that the tiles take that it computes at a time
   DeviceMemory memory;  // that there is
 };
 

@@ -52,7 +52,7 @@ Identity identity_of(const Study& study, const Shard& shard) {
 Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options) {
   Preparation ready = prepare_sweep(study, options, shard);
   info = describe(ready.engines);
-  plan = std::move(ready.plan);
+  plan.emplace(*std::move(ready.plan));
   std::size_t tile_points = plan->tile_points();
   if (!options.journal_path.empty()) {
     Identity identity = identity_of(study, shard);
