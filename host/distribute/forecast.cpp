@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "distribute/cluster.hpp"
+#include "distribute/parts.hpp"
 #include "distribute/pilot.hpp"
 #include "distribute/preparation.hpp"
 #include "distribute/tile_run.hpp"
@@ -15,16 +16,6 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 constexpr Seconds kPatience(2.0);  // with one run of a sample
 constexpr Seconds kEnough(1.0);    // of repetitions
-
-// At most `count` of the values, spread evenly, both ends among them.
-std::vector<double> thin(const std::vector<double>& values, std::size_t count) {
-  if (values.size() <= count) return values;
-  std::vector<double> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    out.push_back(values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)]);
-  }
-  return out;
-}
 
 // About `points` points of the study, each on its own.
 Study sample_of(const Study& study, std::size_t points) {
@@ -54,11 +45,7 @@ struct Pace {
 
 Pace measure(const Plan& plan, Engine* engine, const std::atomic<bool>* stop) {
   const Tile& tile = plan.stages().front().tiles.front();
-  std::vector<double> initial;
-  for (const std::size_t point : tile.points) {
-    const std::vector<double> own = plan.own_initial_state(point);
-    initial.insert(initial.end(), own.begin(), own.end());
-  }
+  const std::vector<double> initial = own_initial_states(plan, tile);
   Pace pace;
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };

@@ -1,21 +1,9 @@
 #include "distribute/local_crew.hpp"
 
+#include "distribute/parts.hpp"
 #include "distribute/tile_run.hpp"
 
 namespace gearsweep {
-namespace {
-
-std::vector<double> own_initial_states(const Plan& plan, const Tile& tile) {
-  std::vector<double> initial;
-  initial.reserve(tile.points.size() * plan.study().model->states.size());
-  for (const std::size_t point : tile.points) {
-    const std::vector<double> own = plan.own_initial_state(point);
-    initial.insert(initial.end(), own.begin(), own.end());
-  }
-  return initial;
-}
-
-}  // namespace
 
 std::vector<const Tile*> tiles_of(const Plan& plan) {
   std::vector<const Tile*> tiles;

@@ -26,6 +26,16 @@ Tile part_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>&
   return part;
 }
 
+std::vector<double> own_initial_states(const Plan& plan, const Tile& tile) {
+  std::vector<double> initial;
+  initial.reserve(tile.points.size() * plan.study().model->states.size());
+  for (const std::size_t point : tile.points) {
+    const std::vector<double> own = plan.own_initial_state(point);
+    initial.insert(initial.end(), own.begin(), own.end());
+  }
+  return initial;
+}
+
 std::vector<double> end_states(const TileResult& result,
                                const std::vector<std::size_t>& positions) {
   const std::size_t states = result.final_states.size() / result.status.size();

@@ -19,6 +19,9 @@ std::size_t grid_of(const Tile& tile, std::size_t position);
 Tile part_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
              std::size_t periods, const std::vector<std::uint32_t>& labels = {});
 
+// [point of the tile][state]: where each starts when no predecessor says.
+std::vector<double> own_initial_states(const Plan& plan, const Tile& tile);
+
 // [position][state]: where these points ended.
 std::vector<double> end_states(const TileResult& result, const std::vector<std::size_t>& positions);
 

@@ -20,20 +20,10 @@ constexpr std::size_t kFewestPoints = 3;  // that a verdict can rest on
 // Enough for a period of ORBIT_LONGEST to be seen.
 constexpr std::size_t kRecord = 4 * ORBIT_LONGEST;
 
-// At most kMostValues of the values, spread evenly, both ends among them.
-std::vector<double> thin(const std::vector<double>& values) {
-  const std::size_t count = std::min(values.size(), kMostValues);
-  std::vector<double> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    out.push_back(values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)]);
-  }
-  return out;
-}
-
 // Each point of the sub-grid on its own, all states sampled.
 Study pilot_study(const Study& study) {
   Study pilot = study;
-  for (Axis& axis : pilot.axes) axis.values = thin(axis.values);
+  for (Axis& axis : pilot.axes) axis.values = thin(axis.values, kMostValues);
   if (pilot.is_chained()) pilot.initial.policy = InitialPolicy::shifted;
   pilot.initial.ensemble = 1;
   pilot.integrate.tolerance = 0.0;
@@ -112,6 +102,15 @@ std::optional<SweepResult> run_with_step(Study pilot, double step, const SweepOp
 }
 
 }  // namespace
+
+std::vector<double> thin(const std::vector<double>& values, std::size_t count) {
+  if (values.size() <= count) return values;
+  std::vector<double> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    out.push_back(values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)]);
+  }
+  return out;
+}
 
 std::optional<PilotRun> find_step(const Study& study, const SweepOptions& options) {
   const double tolerance = study.integrate.tolerance;

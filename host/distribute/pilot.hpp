@@ -22,4 +22,7 @@ struct PilotRun {
 };
 std::optional<PilotRun> find_step(const Study& study, const SweepOptions& options);
 
+// At most `count` of the values, spread evenly, both ends among them.
+std::vector<double> thin(const std::vector<double>& values, std::size_t count);
+
 }  // namespace gearsweep

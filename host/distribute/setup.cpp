@@ -63,16 +63,19 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
     }
     journal.emplace(options.journal_path, identity);
     // A run that goes on keeps the cut, whatever devices it has now.
-    tile_points = read_count(journal->keep(notes::kTilePoints, std::to_string(tile_points)), 1);
+    const std::string kept = journal->note(notes::kTilePoints);
+    if (!kept.empty()) tile_points = read_count(kept, 1);
   }
   if (plan->tile_points() != tile_points) {
     plan.emplace(plan_as_kept(study, tile_points, ready.engines, options));
   }
   if (journal) {
-    journal->keep(notes::kPoints, std::to_string(points_of(*plan, shard)));
-    journal->keep(notes::kDriver, info.driver);
-    journal->keep(notes::kBuildOptions, info.macros);
-    for (const auto& [name, value] : options.notes) journal->keep(name, value);
+    std::map<std::string, std::string> kept = options.notes;
+    kept[notes::kTilePoints] = std::to_string(tile_points);
+    kept[notes::kPoints] = std::to_string(points_of(*plan, shard));
+    kept[notes::kDriver] = info.driver;
+    kept[notes::kBuildOptions] = info.macros;
+    journal->keep(kept);
   }
   crew = make_crew(*plan, std::move(ready.engines), options.cluster);
 }

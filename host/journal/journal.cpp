@@ -163,15 +163,19 @@ Journal::Journal(const std::string& path, const Identity& identity)
 
 Journal::~Journal() = default;
 
-std::string Journal::keep(const std::string& name, const std::string& value) {
+void Journal::keep(const std::map<std::string, std::string>& notes) {
   const std::lock_guard lock(mutex_);
-  Statement(*database_, "INSERT OR IGNORE INTO sweep VALUES(?, ?)")
-      .bind(1, name)
-      .bind(2, value)
-      .run();
+  Transaction transaction(*database_);
+  Statement insert(*database_, "INSERT OR IGNORE INTO sweep VALUES(?, ?)");
+  for (const auto& [name, value] : notes) insert.bind(1, name).bind(2, value).run();
+  transaction.commit();
+}
+
+std::string Journal::note(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
   Statement query(*database_, "SELECT value FROM sweep WHERE name = ?");
   query.bind(1, name);
-  return query.step() ? query.text(0) : value;
+  return query.step() ? query.text(0) : "";
 }
 
 std::size_t Journal::finished_tiles() const {

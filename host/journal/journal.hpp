@@ -48,8 +48,10 @@ class Journal {
   Journal(const std::string& path, const Identity& identity);
   ~Journal();
 
-  // What the journal keeps under this name: `value` when it had nothing there.
-  std::string keep(const std::string& name, const std::string& value);
+  // Keeps these names and values, except where it has a value already.
+  void keep(const std::map<std::string, std::string>& notes);
+  // What it keeps under this name; empty: nothing.
+  std::string note(const std::string& name) const;
   std::size_t finished_tiles() const;
   // The stored result of a finished tile, every bit as it was stored; nothing for other tiles.
   std::optional<TileResult> find(std::size_t tile_number) const;

@@ -323,13 +323,17 @@ TEST_F(JournalTest, AnInterruptedRunLeavesOneFile) {
 }
 
 TEST_F(JournalTest, WhatIsKeptFirstStands) {
-  { EXPECT_EQ(Journal(path_, kSweepA).keep("tile", "100"), "100"); }
-  EXPECT_EQ(Journal(path_, kSweepA).keep("tile", "200"), "100");
+  { Journal(path_, kSweepA).keep({{"tile", "100"}}); }
+  Journal journal(path_, kSweepA);
+  journal.keep({{"tile", "200"}, {"points", "7"}});
+  EXPECT_EQ(journal.note("tile"), "100");
+  EXPECT_EQ(journal.note("points"), "7");
+  EXPECT_EQ(journal.note("nothing"), "");
 }
 
 TEST_F(JournalTest, ItsStatusCanBeReadWhileARunHoldsIt) {
   Journal journal(path_, kSweepA);
-  journal.keep("points", "1000");
+  journal.keep({{"points", "1000"}});
   journal.store(4, example_tile(4, 30));
   journal.store(7, example_tile(7, 20));
   const JournalStatus status = Journal::status(path_);
