@@ -223,8 +223,8 @@ SHARED_FN Gear5Mesh gear5_mesh(const ModelPoint* point, const PhaseCoefs* phase)
 // and what drives x1.
 SHARED_FN void gear5_motion(const ModelPoint* point, const Gear5Mesh* mesh, const real* x, real f,
                             real rate, real drive, real* dx) {
-  const real normal = mesh->normal_stiffness * f + point->normal_damping * rate;
-  const real sliding = mesh->slide_stiffness * f + mesh->slide_damping * rate;
+  const real normal = point->normal_damping * rate + mesh->normal_stiffness * f;
+  const real sliding = mesh->slide_damping * rate + mesh->slide_stiffness * f;
 
   dx[STATE_x1] = x[STATE_v1];
   dx[STATE_x2] = x[STATE_v2];
@@ -232,14 +232,14 @@ SHARED_FN void gear5_motion(const ModelPoint* point, const Gear5Mesh* mesh, cons
   dx[STATE_x4] = x[STATE_v4];
   dx[STATE_x5] = x[STATE_v5];
   dx[STATE_v1] = drive - mesh->stiffness * f - mesh->damping * rate;
-  dx[STATE_v2] = -(point->mass_p * sliding + point->bearing_damping[0] * x[STATE_v2] +
-                   point->bearing_stiffness[0] * x[STATE_x2]);
+  dx[STATE_v2] = -(point->mass_p * sliding + (point->bearing_damping[0] * x[STATE_v2] +
+                                              point->bearing_stiffness[0] * x[STATE_x2]));
   dx[STATE_v3] = point->mass_p * normal - (point->bearing_damping[1] * x[STATE_v3] +
                                            point->bearing_stiffness[1] * x[STATE_x3]);
   dx[STATE_v4] = point->mass_g * sliding - (point->bearing_damping[2] * x[STATE_v4] +
                                             point->bearing_stiffness[2] * x[STATE_x4]);
-  dx[STATE_v5] = -(point->mass_g * normal + point->bearing_damping[3] * x[STATE_v5] +
-                   point->bearing_stiffness[3] * x[STATE_x5]);
+  dx[STATE_v5] = -(point->mass_g * normal + (point->bearing_damping[3] * x[STATE_v5] +
+                                             point->bearing_stiffness[3] * x[STATE_x5]));
 }
 
 SHARED_FN void model_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
