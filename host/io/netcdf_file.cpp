@@ -253,10 +253,18 @@ std::vector<double> NetcdfFile::read(int variable, const std::vector<std::size_t
 }
 
 std::vector<std::string> NetcdfFile::read_texts(int variable) const {
+  // Names of states, labels of traces: far fewer, and each takes much more memory than in the file.
+  constexpr std::size_t kMostTexts = 10'000, kLongestText = 10'000;
   const std::vector<int> dimensions = dimensions_of(variable);
   if (dimensions.size() != 2) check(NC_EDIMSIZE, "read a list of texts");
   const std::size_t count = dimension_size(dimensions[0]);
   const std::size_t width = dimension_size(dimensions[1]);
+  if (count > kMostTexts || width > kLongestText) {
+    throw InputError(
+        fmt::format("'{}' says that '{}' holds {} texts of {} characters; no list is "
+                    "larger than {} of {}",
+                    shown_name_, variable_name(variable), count, width, kMostTexts, kLongestText));
+  }
   refuse_too_large(variable);
   std::string all(count * width, '\0');
   check(nc_get_var_text(id_, variable, all.data()), "read a list of texts");

@@ -65,7 +65,7 @@ class NetcdfFile {
   std::vector<double> read(int variable, const std::vector<std::size_t>& start,
                            const std::vector<std::size_t>& count) const;
   // A character array [entry][width]; trailing zeros and blanks are not part of an entry. Throws
-  // InputError as read does.
+  // InputError as read does, or when there are more or longer ones than anyone can read.
   std::vector<std::string> read_texts(int variable) const;
 
  private:
