@@ -27,12 +27,13 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
       (study.is_chained() ? study.axes[study.initial.along].values.size() : 1);
   for (std::size_t i = 0; i < choices.size(); ++i) {
     try {
-      engines.push_back(make_engine(study, choices[i]));
+      const auto clock = std::make_shared<BusyClock>();
+      engines.push_back(make_opencl_engine(study, choices[i], clock));
       // While one tile's launches end raggedly, or the host looks at their results, those of
       // another fill the device. Not worth a second start where there are few tiles.
       const bool has_many_tiles =
           at_once >= kManyTiles * choices.size() * engines.back()->least_tile();
-      if (has_many_tiles) engines.push_back(make_engine(study, choices[i]));
+      if (has_many_tiles) engines.push_back(make_opencl_engine(study, choices[i], clock));
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;
       if (on_trouble) on_trouble(error.what());

@@ -53,7 +53,7 @@ class Engine {
   virtual EngineInfo info() const = 0;
   virtual DeviceMemory memory() const { return {}; }
   virtual TileMemory tile_memory(const Plan& plan, const Tile& tile) const;
-  // Seconds that kernels have run so far.
+  // Seconds in which its device has run kernels so far, its own or those of another engine there.
   virtual double kernel_seconds() const { return 0.0; }
   // Points per tile when the study does not say: what keeps the engine busy, and what suits it
   // best.

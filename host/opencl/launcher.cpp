@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "opencl/program.hpp"
 #include "opencl/program_cache.hpp"
 
@@ -22,7 +20,8 @@ SweepRound round_of(const Window& window, std::size_t items, std::size_t periods
           window.is_last ? 1U : 0U};
 }
 
-Launcher::Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info)
+Launcher::Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info,
+                   std::shared_ptr<BusyClock> clock)
     : fp64_(study.integrate.fp64),
       info_(info),
       fixed_round_(study.integrate.round),
@@ -30,7 +29,8 @@ Launcher::Launcher(const Study& study, const cl::Device& device, const DeviceInf
       local_size_(study.integrate.local_size),
       device_(device),
       context_(device),
-      queue_(context_, device) {
+      queue_(context_, device),
+      clock_(std::move(clock)) {
   if (lanes_ == 0) lanes_ = fp64_ ? info.lanes_fp64 : info.lanes_fp32;
   if (local_size_ == 0) local_size_ = info.is_cpu ? 4 : 64;
   options_ = gearsweep::build_options(study, lanes_);
@@ -137,17 +137,17 @@ cl_uint Launcher::set_inputs(cl::Kernel* kernel, const TileInputs& inputs) {
   return argument;
 }
 
-void Launcher::launch(cl::Kernel* kernel, std::size_t items) {
+double Launcher::launch(cl::Kernel* kernel, std::size_t items) {
   // On a CPU, few items spread evenly over all cores rather than fill work-groups. No other sizes
   // between: a driver may compile a kernel anew for each.
   constexpr std::size_t kGroupsPerCore = 8;
   const bool are_few = info_.is_cpu && items < kGroupsPerCore * info_.compute_units * local_size_;
   const std::size_t local = are_few ? 1 : local_size_;
   const std::size_t global = (items + local - 1) / local * local;
-  const auto start = std::chrono::steady_clock::now();
-  queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
-  queue_.finish();
-  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return clock_->time([&] {
+    queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
+    queue_.finish();
+  });
 }
 
 bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
@@ -161,10 +161,9 @@ bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileIn
         fixed_round_ > 0 ? fixed_round_ : static_cast<std::size_t>(std::clamp(fitting, 1.0, 1e6));
     const std::size_t now = std::min(length, periods - done);
     kernel->setArg(0, round_of(window, inputs.slots.items(), now, done));
-    const double before = seconds_;
-    launch(kernel, inputs.slots.items());
+    const double seconds = launch(kernel, inputs.slots.items());
     const double steps = inputs.steps_per_period * static_cast<double>(now);
-    steps_per_second_ = steps / std::max(seconds_ - before, 1e-6);
+    steps_per_second_ = steps / std::max(seconds, 1e-6);
     done += now;
     if (!after_round(steps)) return false;
   }

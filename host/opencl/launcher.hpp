@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/engine.hpp"
 #include "model/error.hpp"
+#include "opencl/busy_clock.hpp"
 #include "opencl/cl.hpp"
 #include "opencl/device.hpp"
 #include "opencl/tile_buffers.hpp"
@@ -26,7 +28,8 @@ struct TileInputs {
 
 class Launcher {
  public:
-  Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info);
+  Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info,
+           std::shared_ptr<BusyClock> clock);
 
   const DeviceInfo& device() const { return info_; }
   std::size_t lanes() const { return lanes_; }
@@ -58,8 +61,9 @@ class Launcher {
   // Sets arguments 1 and on; the number of the next one.
   static cl_uint set_inputs(cl::Kernel* kernel, const TileInputs& inputs);
 
-  void launch(cl::Kernel* kernel, std::size_t items);
-  double seconds() const { return seconds_; }  // of all launches so far
+  // Returns when the kernel has ended: the seconds that it took.
+  double launch(cl::Kernel* kernel, std::size_t items);
+  const BusyClock& clock() const { return *clock_; }
   // Advances a tile by `periods`, round by round; false when the callback asked to stop.
   bool run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
                   std::size_t periods, const RoundCallback& after_round);
@@ -86,7 +90,7 @@ class Launcher {
   cl::Context context_;
   cl::CommandQueue queue_;
   GridBank bank_;
-  double seconds_ = 0.0;
+  const std::shared_ptr<BusyClock> clock_;
   double steps_per_second_ = 0.0;  // of the last round; 0: not known yet
 };
 

@@ -20,8 +20,10 @@ constexpr std::size_t kMostSeriesBytes = std::size_t{256} << 20U;  // of a tile'
 
 class OpenClEngine final : public Engine {
  public:
-  OpenClEngine(const Study& study, const cl::Device& device, const DeviceInfo& info)
-      : launcher_(study, device, info), program_(launcher_.program(study, "sweep.cl")) {
+  OpenClEngine(const Study& study, const cl::Device& device, const DeviceInfo& info,
+               std::shared_ptr<BusyClock> clock)
+      : launcher_(study, device, info, std::move(clock)),
+        program_(launcher_.program(study, "sweep.cl")) {
     settle_ = cl::Kernel(program_, "settle");
     record_ = cl::Kernel(program_, "record");
     if (study.selection.tangent_count() > 0) align_ = cl::Kernel(program_, "align");
@@ -48,7 +50,7 @@ class OpenClEngine final : public Engine {
     return most_of_tile(plan, tile, {launcher_.lanes(), launcher_.scalar_bytes()});
   }
 
-  double kernel_seconds() const override { return launcher_.seconds(); }
+  double kernel_seconds() const override { return launcher_.clock().seconds(); }
 
   std::size_t least_tile() const override {
     const DeviceInfo& device = launcher_.device();
@@ -222,7 +224,8 @@ cl::Device pick_device(const DeviceChoice& choice, DeviceInfo* info) {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice) {
+std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice,
+                                           std::shared_ptr<BusyClock> clock) {
   std::vector<DeviceInfo> infos = list_devices();
   if (!choice) choice = DeviceChoice{default_device(infos)};
   if (choice->number >= infos.size()) {
@@ -240,7 +243,7 @@ std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<Dev
   }
   try {
     const cl::Device device = pick_device(*choice, &info);
-    return std::make_unique<OpenClEngine>(study, device, info);
+    return std::make_unique<OpenClEngine>(study, device, info, std::move(clock));
   } catch (const cl::Error& error) {
     throw RunError(describe_error(fmt::format("preparing device '{}'", info.name), error));
   }

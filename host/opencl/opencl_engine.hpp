@@ -5,12 +5,16 @@
 #include <optional>
 
 #include "engine/engine.hpp"
+#include "opencl/busy_clock.hpp"
 #include "opencl/device.hpp"
 
 namespace gearsweep {
 
 // Without a choice, default_device(). Throws InputError for an unknown device or one that lacks
 // fp64 when the study asks for it, RunError when the build fails or the device cannot be cut.
-std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice);
+// Engines that share a device share its clock.
+std::unique_ptr<Engine> make_opencl_engine(
+    const Study& study, std::optional<DeviceChoice> choice,
+    std::shared_ptr<BusyClock> clock = std::make_shared<BusyClock>());
 
 }  // namespace gearsweep
