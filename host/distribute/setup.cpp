@@ -28,6 +28,21 @@ std::unique_ptr<Crew> make_crew(const Plan& plan, Engines engines, Cluster* clus
   return std::make_unique<ClusterCrew>(plan, std::move(engines), cluster);
 }
 
+Identity machine_of(const EngineInfo& info) {
+  return {{notes::kDevice, info.device},
+          {notes::kDriver, info.driver},
+          {notes::kBuildOptions, info.macros}};
+}
+
+// A note of several values with one more, unless it is there.
+std::string with_value(const std::string& note, const std::string& value) {
+  constexpr const char* kBetween = "; then ";
+  if (note.empty()) return value;
+  const bool is_there =
+      (kBetween + note + kBetween).find(kBetween + value + kBetween) != std::string::npos;
+  return is_there ? note : note + kBetween + value;
+}
+
 std::size_t points_of(const Plan& plan, const Shard& shard) {
   const std::vector<const Tile*> tiles = tiles_of(plan);
   std::size_t points = 0;
@@ -57,9 +72,8 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
   if (!options.journal_path.empty()) {
     Identity identity = identity_of(study, shard);
     if (options.strict_device) {
-      identity.emplace_back("device", info.device);
-      identity.emplace_back("driver", info.driver);
-      identity.emplace_back("build options", info.macros);
+      const Identity machine = machine_of(info);
+      identity.insert(identity.end(), machine.begin(), machine.end());
     }
     journal.emplace(options.journal_path, identity);
     // A run that goes on keeps the cut, whatever devices it has now.
@@ -73,8 +87,9 @@ Setup::Setup(const Study& study, const Shard& shard, const SweepOptions& options
     std::map<std::string, std::string> kept = options.notes;
     kept[notes::kTilePoints] = std::to_string(tile_points);
     kept[notes::kPoints] = std::to_string(points_of(*plan, shard));
-    kept[notes::kDriver] = info.driver;
-    kept[notes::kBuildOptions] = info.macros;
+    for (const auto& [name, value] : machine_of(info)) {
+      kept[name] = with_value(journal->note(name), value);
+    }
     journal->keep(kept);
   }
   crew = make_crew(*plan, std::move(ready.engines), options.cluster);

@@ -166,7 +166,7 @@ Journal::~Journal() = default;
 void Journal::keep(const std::map<std::string, std::string>& notes) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(*database_);
-  Statement insert(*database_, "INSERT OR IGNORE INTO sweep VALUES(?, ?)");
+  Statement insert(*database_, "INSERT OR REPLACE INTO sweep VALUES(?, ?)");
   for (const auto& [name, value] : notes) insert.bind(1, name).bind(2, value).run();
   transaction.commit();
 }

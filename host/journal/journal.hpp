@@ -48,7 +48,7 @@ class Journal {
   Journal(const std::string& path, const Identity& identity);
   ~Journal();
 
-  // Keeps these names and values, except where it has a value already.
+  // Keeps these names and values, in the place of those that it had.
   void keep(const std::map<std::string, std::string>& notes);
   // What it keeps under this name; empty: nothing.
   std::string note(const std::string& name) const;

@@ -13,8 +13,10 @@ inline constexpr const char* kTilePoints = "points of a tile";
 inline constexpr const char* kShard = "shard";
 inline constexpr const char* kStudy = "study";
 inline constexpr const char* kStep = "step";
-inline constexpr const char* kDriver = "first driver";
-inline constexpr const char* kBuildOptions = "first build options";
+// Of all that have computed for it.
+inline constexpr const char* kDevice = "device";
+inline constexpr const char* kDriver = "driver";
+inline constexpr const char* kBuildOptions = "build options";
 inline constexpr const char* kPilot = "pilot";
 }  // namespace notes
 

@@ -322,11 +322,11 @@ TEST_F(JournalTest, AnInterruptedRunLeavesOneFile) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
-TEST_F(JournalTest, WhatIsKeptFirstStands) {
+TEST_F(JournalTest, WhatIsKeptLastStands) {
   { Journal(path_, kSweepA).keep({{"tile", "100"}}); }
   Journal journal(path_, kSweepA);
   journal.keep({{"tile", "200"}, {"points", "7"}});
-  EXPECT_EQ(journal.note("tile"), "100");
+  EXPECT_EQ(journal.note("tile"), "200");
   EXPECT_EQ(journal.note("points"), "7");
   EXPECT_EQ(journal.note("nothing"), "");
 }
