@@ -35,7 +35,7 @@ void add_commands(CLI::App* app, int* status) {
                           "'gearsweep COMMAND --help' shows each command with examples.\n") +
               fmt::format("Exit status: {}.", fmt::join(exit_statuses(), ", ")));
   add_run_command(app, status);
-  add_merge_command(app);
+  add_merge_command(app, status);
   add_status_command(app);
   add_trace_command(app, status);
   add_plot_command(app);

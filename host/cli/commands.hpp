@@ -20,7 +20,7 @@ inline std::vector<std::pair<int, std::string>> exit_meanings() {
 }
 
 void add_run_command(CLI::App* app, int* status);
-void add_merge_command(CLI::App* app);
+void add_merge_command(CLI::App* app, int* status);
 void add_status_command(CLI::App* app);
 void add_trace_command(CLI::App* app, int* status);
 void add_reproduce_command(CLI::App* app, int* status);

@@ -22,7 +22,7 @@ struct MergeArguments {
   bool quiet = false;
 };
 
-void merge(const MergeArguments& arguments) {
+int merge(const MergeArguments& arguments) {
   std::error_code error;
   if (std::filesystem::exists(arguments.output, error) && !is_netcdf(arguments.output)) {
     throw InputError(fmt::format(
@@ -35,11 +35,12 @@ void merge(const MergeArguments& arguments) {
                                           arguments.journals.size());
   write_result(result, arguments.output, {command, version(), source_hash()});
   if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(result, arguments.output));
+  return status_of(result);
 }
 
 }  // namespace
 
-void add_merge_command(CLI::App* app) {
+void add_merge_command(CLI::App* app, int* status) {
   CLI::App* command = app->add_subcommand("merge", "Put the shards of a study together");
   const auto arguments = std::make_shared<MergeArguments>();
   command
@@ -57,7 +58,7 @@ void add_merge_command(CLI::App* app) {
       "  gearsweep merge map.nc.shard-*.journal -o map.nc\n\n"
       "The result is that of one run, to the bit. The journals stay; delete them when you have\n"
       "the result.");
-  command->callback([arguments] { merge(*arguments); });
+  command->callback([arguments, status] { *status = merge(*arguments); });
 }
 
 }  // namespace gearsweep

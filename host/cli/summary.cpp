@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "cli/attractor_report.hpp"
+#include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "sweep_types.h"
 
@@ -193,6 +195,20 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   }
   json["device"] = result.engine.device;
   return json.dump(2) + "\n";
+}
+
+std::string shard_as_json(const std::string& shard, const std::string& journal,
+                          std::size_t points) {
+  const nlohmann::json json = {{"shard", shard}, {"journal", journal}, {"points", points}};
+  return json.dump(2) + "\n";
+}
+
+int status_of(const SweepResult& result) {
+  const bool any_is_ok = std::any_of(result.status.begin(), result.status.end(),
+                                     [](std::uint8_t status) { return status == STATUS_ok; });
+  if (any_is_ok) return kDone;
+  fmt::print(stderr, "gearsweep: every point failed; the maps are empty\n");
+  return kFailed;
 }
 
 }  // namespace gearsweep

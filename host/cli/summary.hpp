@@ -1,6 +1,7 @@
 // What a run tells at its end. Private to this folder.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "engine/result.hpp"
@@ -12,5 +13,10 @@ std::string describe_run(const SweepResult& result, const std::string& path);
 
 // The same for scripts, as one JSON object.
 std::string run_as_json(const SweepResult& result, const std::string& path);
+
+std::string shard_as_json(const std::string& shard, const std::string& journal, std::size_t points);
+
+// The exit status that a result deserves: kFailed, and a word about it, when every point failed.
+int status_of(const SweepResult& result);
 
 }  // namespace gearsweep
