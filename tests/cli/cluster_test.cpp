@@ -11,6 +11,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
+constexpr int kTimedOut = 124;  // of timeout(1)
+
 // 32 tiles; each point starts from its neighbour's end when `policy` says so.
 const char* const kStudy = R"([model]
 preset = "coarse"
@@ -85,6 +87,50 @@ TEST_F(ClusterTest, ARankThatIsKilledEndsTheRunAndTheSameCommandContinues) {
   EXPECT_EQ(folder_.files().count("out.nc"), 0U);
   ASSERT_EQ(run_in(folder_, launch(2, "-o out.nc" + longer)).status, 0);
   ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc" + longer).status, 0);
+  EXPECT_EQ(difference("out.nc", "whole.nc"), "");
+}
+
+TEST_F(ClusterTest, ARankWhoseDeviceFailsHandsItsTilesBackAndTheOthersGoOn) {
+  // Long enough that every rank has its share.
+  const std::string longer = " --set integrate.settle=6000 --set integrate.stop=never";
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet" + longer).status, 0);
+  for (const char* const after : {"0", "2"}) {
+    const Outcome outcome = run_in(
+        folder_,
+        launch(1, "-o out.nc" + longer) +
+            " : -n 1 env LD_PRELOAD=" FAILING_OPENCL " FAILING_CALL=launch FAILING_AFTER=" + after +
+            " " GEARSWEEP_BINARY " run study.toml -o out.nc" + longer);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("CL_OUT_OF_RESOURCES"));
+    EXPECT_EQ(difference("out.nc", "whole.nc"), "") << after;
+  }
+}
+
+TEST_F(ClusterTest, ARankWithoutADeviceIsToldOfAndTheOthersGoOn) {
+  const Outcome outcome =
+      run_in(folder_, launch(1, "-o out.nc") + " : -n 1 env OCL_ICD_VENDORS=/nowhere " +
+                          GEARSWEEP_BINARY + " run study.toml -o out.nc");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("rank 1: no OpenCL device"));
+  EXPECT_EQ(folder_.files().count("out.nc"), 1U);
+}
+
+TEST_F(ClusterTest, WhenRank0CannotStoreATileTheRunEndsForAll) {
+  const std::string samples =
+      " --set 'observe.poincare=[\"x1\",\"x2\",\"x3\",\"x4\",\"x5\",\"v1\"]' --set "
+      "observe.quantities=['\"poincare\"'] --set integrate.record=400";
+  folder_.write("run.sh", std::string("ulimit -f 8000; exec ") + GEARSWEEP_BINARY +
+                              " run study.toml -o out.nc --quiet" + samples + "\n");
+  // Shared memory is files, too.
+  const Outcome full = run_in(folder_,
+                              "timeout 100 env OMPI_ALLOW_RUN_AS_ROOT=1 "
+                              "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe --mca btl "
+                              "self,tcp -n 3 sh run.sh");
+  EXPECT_EQ(full.status, 1) << full.err;
+  EXPECT_THAT(full.err, HasSubstr("'out.nc.journal'"));
+  EXPECT_EQ(folder_.files().count("out.nc.journal"), 1U);
+  ASSERT_EQ(run_in(folder_, launch(3, "-o out.nc --quiet" + samples)).status, 0);
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet" + samples).status, 0);
   EXPECT_EQ(difference("out.nc", "whole.nc"), "");
 }
 
