@@ -11,8 +11,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int kTimedOut = 124;  // of timeout(1)
-
 // 32 tiles; each point starts from its neighbour's end when `policy` says so.
 const char* const kStudy = R"([model]
 preset = "coarse"
