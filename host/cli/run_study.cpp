@@ -80,10 +80,11 @@ int tell_interrupted(const SweepProgress& last, const std::string& journal) {
   if (last.share_kept == 0.0) {
     fmt::print(stderr, "gearsweep: interrupted before anything was finished\n");
   } else {
-    fmt::print(stderr,
-               "gearsweep: interrupted; {:.0f} % are finished and kept in {}: the same command "
-               "continues from there\n",
-               100.0 * last.share_kept, journal);
+    fmt::print(
+        stderr,
+        "gearsweep: interrupted; {:.0f} % of the work is done and kept in {}: the same command "
+        "continues from there\n",
+        100.0 * last.share_kept, journal);
   }
   return kInterrupted;
 }
@@ -162,7 +163,7 @@ int run_whole(const RunArguments& arguments, const Study& study, const std::stri
   if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
   if (!arguments.quiet) {
     if (last.points_resumed > 0) {
-      fmt::print(stderr, "{:.0f} % were taken from the journal of an interrupted run\n",
+      fmt::print(stderr, "{:.0f} % of the work was in the journal of an interrupted run\n",
                  100.0 * last.share_resumed);
     }
     fmt::print(stderr, "{}", describe_run(*result, output));
