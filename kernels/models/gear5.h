@@ -220,7 +220,8 @@ SHARED_FN Gear5Mesh gear5_mesh(const ModelPoint* point, const PhaseCoefs* phase)
 }
 
 // The equations of motion, linear in all but f: dx from x, the penetration f, the deflection's rate
-// and what drives x1.
+// and what drives x1. Fused, a sum of two products works out the second one first, so what waits
+// longest for the velocities, the rate and the forces that it gives, is the first.
 SHARED_FN void gear5_motion(const ModelPoint* point, const Gear5Mesh* mesh, const real* x, real f,
                             real rate, real drive, real* dx) {
   const real normal = point->normal_damping * rate + mesh->normal_stiffness * f;

@@ -49,7 +49,7 @@ class ClusterTest : public ::testing::Test {
 
   // Empty when all that the two results hold is the same to the bit.
   std::string difference(const std::string& one, const std::string& other) {
-    return difference_of_results((folder_ / one).string(), (folder_ / other).string());
+    return difference_of_results(folder_ / one, folder_ / other);
   }
 
   Folder folder_;

@@ -59,7 +59,7 @@ class DiskTest : public ::testing::Test {
   }
 
   std::string difference() const {
-    return difference_of_results((folder_ / "out.nc").string(), (folder_ / "whole.nc").string());
+    return difference_of_results(folder_ / "out.nc", folder_ / "whole.nc");
   }
 
   Folder folder_;
@@ -115,8 +115,7 @@ TEST_F(DiskTest, AFileThatMayNotGrowIsAnErrorLikeAFullDisk) {
   EXPECT_THAT(journaling.err, HasSubstr("'new.nc.journal'"));
   for (const std::string output : {"out.nc", "new.nc"}) {
     ASSERT_EQ(gearsweep(folder_, "run study.toml --quiet -o " + output).status, 0);
-    EXPECT_EQ(difference_of_results((folder_ / output).string(), (folder_ / "whole.nc").string()),
-              "");
+    EXPECT_EQ(difference_of_results(folder_ / output, folder_ / "whole.nc"), "");
   }
   EXPECT_EQ(folder_.files(), (std::set<std::string>{"new.nc", "out.nc", "study.toml", "whole.nc"}));
 }

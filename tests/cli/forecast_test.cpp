@@ -186,8 +186,7 @@ TEST_F(ForecastTest, TilesAreCutToFitTheDevice) {
   EXPECT_LE(all, 0.75 * memory);
   EXPECT_LE(largest, 0.25 * memory);
   EXPECT_GE(std::max(all / 0.75, largest / 0.25), 0.25 * memory);
-  EXPECT_EQ(difference_of_results((folder_ / "out.nc").string(), (folder_ / "whole.nc").string()),
-            "");
+  EXPECT_EQ(difference_of_results(folder_ / "out.nc", folder_ / "whole.nc"), "");
 }
 
 TEST_F(ForecastTest, ADeviceWithoutRoomForAPointIsRefused) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstring>
+#include <filesystem>
 #include <string>
 
 #include "io/result_file.hpp"
@@ -13,8 +14,9 @@ inline bool have_same_bits(const std::vector<double>& a, const std::vector<doubl
 }
 
 // The first thing in which they differ; empty when there is none. Reads all of both files.
-inline std::string difference_of_results(const std::string& one, const std::string& other) {
-  const ResultFile a(one), b(other);
+inline std::string difference_of_results(const std::filesystem::path& one,
+                                         const std::filesystem::path& other) {
+  const ResultFile a(one.string()), b(other.string());
   if (a.quantities() != b.quantities()) return "the list of quantities";
   for (std::size_t i = 0; i < a.axes().size(); ++i) {
     if (!have_same_bits(a.axes()[i].values, b.axes().at(i).values)) return a.axes()[i].name;
