@@ -37,6 +37,7 @@ constexpr std::array kColumns = {
     Column{"computing_share", "in tiles", "{:.0f} %", 0.01},
     Column{"busy_share", "cores busy", "{:.0f} %", 0.01},
     Column{"vs_one_core", "x one core", "{:.2f}", 1.0},
+    Column{"vs_never", "to the end / seconds", "{:.2f}", 1.0},
     Column{"peak_bytes", "peak memory", "{:.0f} MB", 1e6},
     Column{"bytes/point", "bytes per point", "{:.0f}", 1.0},
 };

@@ -5,6 +5,7 @@
 //   points/N     how time and memory grow with the number of points
 //   cores/N      ... with the number of cores (PoCL), measured in turn with one core
 //   devices/N    ... each device, when there are several
+//   stopping/... a map of which most points are periodic, in turn with the same one to the end
 //   memory/...   bytes that a point more takes: in the map, or in a tile, where the device's
 //   buffers
 //                and their packing on the host are (of a device without memory of its own)
@@ -12,6 +13,7 @@
 //   wall_s           from start to end
 //   computing_share  of it, in tiles: launches, transfers, packing
 //   busy_share       of it, all cores of the machine
+//   vs_never         how many times as long the run to the end takes
 //   peak_bytes       greatest resident memory of the process
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -120,6 +122,22 @@ void add_devices(int turns) {
   }
 }
 
+void add_stopping(int turns, std::size_t count) {
+  Command stopping = {
+      .study = "coarse-backlash",
+      .overrides = {fmt::format("axes.omega.count={}", count),
+                    fmt::format("axes.b.count={}", count),
+                    R"(observe.quantities=["x1_rms", "dmf_rms", "period", "lyapunov_max"])"}};
+  Command whole = stopping;
+  whole.overrides.emplace_back("integrate.stop=never");
+  add(fmt::format("stopping/{0}x{0}", count), turns, stopping, [=](Figures* figures) {
+    const Outcome outcome = run(stopping);
+    add_figures(outcome, figures);
+    figures->add("vs_never", run(whole).wall_seconds / outcome.wall_seconds);
+    return outcome.wall_seconds;
+  });
+}
+
 // Bytes of peak memory for each of the `points` that `much` has more than `little`.
 void add_memory(const std::string& name, int turns, const Command& little, const Command& much,
                 double points) {
@@ -181,6 +199,8 @@ void add_benchmarks(bool all) {
   }
   add_cores(turns);
   add_devices(turns);
+  // A turn takes minutes.
+  add_stopping(1, all ? 512 : 16);
   add_memory(turns, all ? 512 : 128);
 }
 

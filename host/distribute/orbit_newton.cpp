@@ -26,6 +26,15 @@ std::vector<double> log_moduli(const Eigen::MatrixXd& derivative) {
   return logs;
 }
 
+// (I - derivative)^-1 (mapped - state): what Newton's method adds to the state.
+Eigen::VectorXd correction(const double* mapped, const double* derivative, const NewtonTry& one) {
+  const auto states = static_cast<Eigen::Index>(one.state.size());
+  const Eigen::Map<const Eigen::VectorXd> end(mapped, states);
+  const Eigen::Map<const Eigen::VectorXd> state(one.state.data(), states);
+  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, states, states);
+  return (Eigen::MatrixXd::Identity(states, states) - slope).partialPivLu().solve(end - state);
+}
+
 }  // namespace
 
 NewtonVerdict newton_step(const double* mapped, const double* derivative,
@@ -41,11 +50,11 @@ NewtonVerdict newton_step(const double* mapped, const double* derivative,
   const double distance = (end - state).lpNorm<Eigen::Infinity>();
   if (distance > kSlow * one->distance) return NewtonVerdict::failed;
   one->distance = distance;
-  const bool is_orbit = distance <= limits.same * scale;
-  state += (Eigen::MatrixXd::Identity(states, states) - slope).partialPivLu().solve(end - state);
+  const Eigen::VectorXd step = correction(mapped, derivative, *one);
+  state += step;
   if (!state.allFinite()) return NewtonVerdict::failed;
   if ((state - start).lpNorm<Eigen::Infinity>() > limits.far * scale) return NewtonVerdict::failed;
-  if (!is_orbit) return NewtonVerdict::going_on;
+  if (step.lpNorm<Eigen::Infinity>() > limits.close * scale) return NewtonVerdict::going_on;
 
   one->multipliers = log_moduli(slope);
   if (one->multipliers.empty()) return NewtonVerdict::failed;
@@ -54,7 +63,19 @@ NewtonVerdict newton_step(const double* mapped, const double* derivative,
       one->multipliers[tangents - 1] - one->multipliers.front() < std::log(limits.weakest)) {
     return NewtonVerdict::failed;
   }
-  return NewtonVerdict::found;
+  return NewtonVerdict::close;
+}
+
+NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
+                             const NewtonLimits& limits, NewtonTry* one) {
+  const auto states = static_cast<Eigen::Index>(one->state.size());
+  const Eigen::Map<const Eigen::VectorXd> end(mapped, states);
+  const Eigen::Map<const Eigen::VectorXd> start(one->start.data(), states);
+  Eigen::Map<Eigen::VectorXd> state(one->state.data(), states);
+  const bool comes_back =
+      (end - state).lpNorm<Eigen::Infinity>() <= limits.same * start.lpNorm<Eigen::Infinity>();
+  state += correction(mapped, derivative, *one);
+  return comes_back && state.allFinite() ? NewtonVerdict::found : NewtonVerdict::going_on;
 }
 
 }  // namespace gearsweep

@@ -11,13 +11,15 @@ namespace gearsweep {
 // Distances relative to the greatest component of the state.
 struct NewtonLimits {
   double same;     // a state that comes back to within this is the orbit's
+  double close;    // where a step is no longer than this, the derivative is that at the orbit
   double far;      // the orbit sought lies no farther from where the trajectory is
   double weakest;  // least multiplier, relative to the largest, that rounding leaves
 };
 
 enum class NewtonVerdict {
   going_on,  // the state is a better guess now
-  found,     // the state is that of a stable orbit, the multipliers are its own
+  close,     // the state is as good as that of a stable orbit, the multipliers are its own
+  found,     // close, and seen to come back
   unstable,  // the orbit is not stable
   failed,    // too far, too slow, or not told from rounding
 };
@@ -31,9 +33,14 @@ struct NewtonTry {
   std::vector<double> multipliers;
 };
 
-// One step, from the map of try.state and its derivative ([column][row]). `tangents`: of so many
-// multipliers the values are needed.
+// One step, from the map of one->state and its derivative ([column][row]). `tangents`: of so many
+// multipliers the values are needed. Never `found`.
 NewtonVerdict newton_step(const double* mapped, const double* derivative,
                           const NewtonLimits& limits, std::size_t tangents, NewtonTry* one);
+
+// What a `close` state turns out to be, from its map alone and the derivative of the step before
+// (with which the state takes one step more): found or going_on.
+NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
+                             const NewtonLimits& limits, NewtonTry* one);
 
 }  // namespace gearsweep

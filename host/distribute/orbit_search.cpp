@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <thread>
@@ -18,9 +17,12 @@ namespace {
 constexpr double kNear = 3e-2;
 constexpr double kFar = 1e-1;
 constexpr std::size_t kMostSteps = 4;  // of Newton's method
+// In `excluded` of an approach: no length at all.
+constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
 
 NewtonLimits limits_of(const Study& study) {
-  return {study.selection.period_tolerance, kFar, study.integrate.fp64 ? 1e-10 : 1e-3};
+  const bool fp64 = study.integrate.fp64;
+  return {study.selection.period_tolerance, fp64 ? 1e-4 : 1e-3, kFar, fp64 ? 1e-10 : 1e-3};
 }
 
 // Calls work(i) for all i below `count`, on all cores.
@@ -74,82 +76,114 @@ bool OrbitSearch::can_advance() const {
 
 bool OrbitSearch::advance(const RoundCallback& after_round) {
   const Tile part = part_of(plan_, tile_, open_, ORBIT_LONGEST);
-  std::optional<Approach> approach =
-      engine_->approach(plan_, part, states_, ORBIT_LONGEST, kNear, after_round);
-  if (!approach) return false;
   settled_ += ORBIT_LONGEST;
+  std::vector<std::uint32_t> excluded;
+  for (const std::size_t position : open_) {
+    excluded.push_back(settled_ < next_try_[position] ? kAnyLength : hopeless_[position]);
+  }
+  std::optional<Approach> approach =
+      engine_->approach(plan_, part, states_, excluded, kNear, after_round);
+  if (!approach) return false;
   states_ = std::move(approach->states);
-  if (!pursue(candidates(approach->returns), after_round)) return false;
+  if (!pursue(attempts_from(*approach), after_round)) return false;
   close_points();
   return true;
 }
 
-// By length and phase grid, as a part's groups want them; the longest first, so that no core is
-// left with one in the end.
-std::vector<OrbitSearch::Attempt> OrbitSearch::candidates(
-    const std::vector<std::uint32_t>& returns) const {
-  const std::size_t states = plan_.study().model->states.size();
+// By phase grid, as a part wants them; the longest first, so that those that share a work-item take
+// about as long.
+std::vector<OrbitSearch::Attempt> OrbitSearch::attempts_from(const Approach& approach) const {
+  const auto states = static_cast<std::ptrdiff_t>(plan_.study().model->states.size());
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    const std::uint32_t lengths = returns[i] & ~hopeless_[open_[i]];
-    if (lengths == 0 || settled_ < next_try_[open_[i]]) continue;
+    if (approach.lengths[i] == 0) continue;
     Attempt attempt;
     attempt.index = i;
-    attempt.length = static_cast<std::uint32_t>(std::countr_zero(lengths)) + 1;
-    const auto first = states_.begin() + static_cast<std::ptrdiff_t>(i * states);
-    attempt.newton.start.assign(first, first + static_cast<std::ptrdiff_t>(states));
-    attempt.newton.state = attempt.newton.start;
+    attempt.length = approach.lengths[i];
+    const auto first = static_cast<std::ptrdiff_t>(i) * states;
+    attempt.newton.start.assign(states_.begin() + first, states_.begin() + first + states);
+    attempt.newton.state.assign(approach.guesses.begin() + first,
+                                approach.guesses.begin() + first + states);
     attempts.push_back(std::move(attempt));
   }
   const auto group = [&](const Attempt& attempt) {
-    return std::make_pair(-static_cast<int>(attempt.length), grid_of(tile_, open_[attempt.index]));
+    return std::make_pair(grid_of(tile_, open_[attempt.index]), -static_cast<int>(attempt.length));
   };
   std::stable_sort(attempts.begin(), attempts.end(),
                    [&](const Attempt& a, const Attempt& b) { return group(a) < group(b); });
   return attempts;
 }
 
-bool OrbitSearch::pursue(std::vector<Attempt> attempts, const RoundCallback& after_round) {
-  const NewtonLimits limits = limits_of(plan_.study());
-  const std::size_t tangents = plan_.study().selection.tangent_count();
-  const std::size_t states = plan_.study().model->states.size();
+std::optional<ReturnMaps> OrbitSearch::maps_of(const std::vector<Attempt*>& attempts,
+                                               bool with_derivatives,
+                                               const RoundCallback& after_round) {
+  std::vector<std::size_t> positions;
+  std::vector<std::uint32_t> lengths;
+  std::vector<double> guesses;
+  for (const Attempt* attempt : attempts) {
+    positions.push_back(open_[attempt->index]);
+    lengths.push_back(attempt->length);
+    guesses.insert(guesses.end(), attempt->newton.state.begin(), attempt->newton.state.end());
+  }
+  const Tile part = part_of(plan_, tile_, positions, 1);
+  return engine_->return_maps(plan_, part, guesses, lengths, with_derivatives, after_round);
+}
+
+bool OrbitSearch::pursue(std::vector<Attempt> all, const RoundCallback& after_round) {
+  std::vector<Attempt*> attempts;
+  for (Attempt& attempt : all) attempts.push_back(&attempt);
   for (std::size_t step = 0; step < kMostSteps && !attempts.empty(); ++step) {
-    std::vector<std::size_t> positions;
-    std::vector<std::uint32_t> lengths;
-    std::vector<double> guesses;
-    for (const Attempt& attempt : attempts) {
-      positions.push_back(open_[attempt.index]);
-      lengths.push_back(attempt.length);
-      guesses.insert(guesses.end(), attempt.newton.state.begin(), attempt.newton.state.end());
-    }
-    const Tile part = part_of(plan_, tile_, positions, 1, lengths);
-    std::vector<std::uint32_t> group_lengths;
-    for (const std::size_t start : part.grid_starts) group_lengths.push_back(lengths[start]);
-    const std::optional<ReturnMaps> maps =
-        engine_->return_maps(plan_, part, guesses, group_lengths, after_round);
-    if (!maps) return false;
-    for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
-      attempts[i].verdict = newton_step(maps->states.data() + i * states,
-                                        maps->derivatives.data() + i * states * states, limits,
-                                        tangents, &attempts[i].newton);
-    });
-    for (Attempt& attempt : attempts) {
-      const std::size_t position = open_[attempt.index];
+    if (!newton(attempts, after_round)) return false;
+    for (Attempt* attempt : attempts) {
+      const std::size_t position = open_[attempt->index];
       // Until it is found; the longer it takes, the less it costs to wait.
       next_try_[position] = settled_ + settled_ / 2;
-      if (attempt.verdict == NewtonVerdict::unstable) {
-        hopeless_[position] |= 1U << (attempt.length - 1);
-      } else if (attempt.verdict == NewtonVerdict::found) {
-        for (double& growth : attempt.newton.multipliers) growth /= attempt.length;
-        found_.push_back({position, attempt.length, settled_, std::move(attempt.newton.state),
-                          std::move(attempt.newton.multipliers)});
+      if (attempt->verdict == NewtonVerdict::unstable) {
+        hopeless_[position] |= 1U << (attempt->length - 1);
+      } else if (attempt->verdict == NewtonVerdict::found) {
+        for (double& growth : attempt->newton.multipliers) growth /= attempt->length;
+        found_.push_back({position, attempt->length, settled_, std::move(attempt->newton.state),
+                          std::move(attempt->newton.multipliers)});
         is_found_[position] = 1;
       }
     }
-    std::erase_if(attempts, [](const Attempt& attempt) {
-      return attempt.verdict != NewtonVerdict::going_on;
+    std::erase_if(attempts, [](const Attempt* attempt) {
+      return attempt->verdict != NewtonVerdict::going_on;
     });
   }
+  return true;
+}
+
+// One step of each, and where it gets close, a look at whether it comes back. False when the
+// callback asked to stop.
+bool OrbitSearch::newton(const std::vector<Attempt*>& attempts, const RoundCallback& after_round) {
+  const NewtonLimits limits = limits_of(plan_.study());
+  const std::size_t tangents = plan_.study().selection.tangent_count();
+  const std::size_t states = plan_.study().model->states.size();
+  const std::optional<ReturnMaps> maps = maps_of(attempts, true, after_round);
+  if (!maps) return false;
+  const auto derivative = [&](std::size_t i) {
+    return maps->derivatives.data() + i * states * states;
+  };
+  for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
+    attempts[i]->verdict = newton_step(maps->states.data() + i * states, derivative(i), limits,
+                                       tangents, &attempts[i]->newton);
+  });
+
+  std::vector<Attempt*> close;
+  std::vector<const double*> slopes;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    if (attempts[i]->verdict != NewtonVerdict::close) continue;
+    close.push_back(attempts[i]);
+    slopes.push_back(derivative(i));
+  }
+  if (close.empty()) return true;
+  const std::optional<ReturnMaps> again = maps_of(close, false, after_round);
+  if (!again) return false;
+  for_each_on_all_cores(close.size(), [&](std::size_t i) {
+    close[i]->verdict =
+        newton_confirm(again->states.data() + i * states, slopes[i], limits, &close[i]->newton);
+  });
   return true;
 }
 

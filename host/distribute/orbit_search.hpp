@@ -1,10 +1,11 @@
 // Settles a tile and takes out the points that arrive on a periodic orbit.
 //
 // Every ORBIT_LONGEST periods each point's state is compared with where it was. Where it is nearly
-// back after some number of periods, Newton's method (shooting) looks for the periodic orbit close
-// by; when there is one and its multipliers say that it is stable, the point is on its way there
-// and need not be integrated any longer. The step's derivative gives all multipliers, and so all
-// Lyapunov exponents. Private to this folder.
+// back after some number of periods, its last returns are extrapolated to the periodic orbit that
+// they tend to, and Newton's method (shooting) goes on from there; when there is an orbit and its
+// multipliers say that it is stable, the point is on its way there and need not be integrated any
+// longer. The step's derivative gives all multipliers, and so all Lyapunov exponents. Private to
+// this folder.
 #pragma once
 
 #include <cstddef>
@@ -48,8 +49,11 @@ class OrbitSearch {
  private:
   struct Attempt;
 
-  std::vector<Attempt> candidates(const std::vector<std::uint32_t>& returns) const;
-  bool pursue(std::vector<Attempt> attempts, const RoundCallback& after_round);
+  std::vector<Attempt> attempts_from(const Approach& approach) const;
+  std::optional<ReturnMaps> maps_of(const std::vector<Attempt*>& attempts, bool with_derivatives,
+                                    const RoundCallback& after_round);
+  bool pursue(std::vector<Attempt> all, const RoundCallback& after_round);
+  bool newton(const std::vector<Attempt*>& attempts, const RoundCallback& after_round);
   void close_points();
 
   const Plan& plan_;

@@ -12,11 +12,10 @@ std::size_t grid_of(const Tile& tile, std::size_t position) {
 }
 
 Tile part_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
-             std::size_t periods, const std::vector<std::uint32_t>& labels) {
+             std::size_t periods) {
   Tile part;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (i == 0 || grid_of(tile, positions[i]) != grid_of(tile, positions[i - 1]) ||
-        (!labels.empty() && labels[i] != labels[i - 1])) {
+    if (i == 0 || grid_of(tile, positions[i]) != grid_of(tile, positions[i - 1])) {
       part.grid_starts.push_back(i);
     }
     part.points.push_back(tile.points[positions[i]]);

@@ -13,11 +13,9 @@ namespace gearsweep {
 // Which of the tile's phase grids the point at a position has.
 std::size_t grid_of(const Tile& tile, std::size_t position);
 
-// The points at these positions, with the work of so many periods. With labels (one per position),
-// points share a group only when they have the same one; equal labels must stand together within a
-// phase grid.
+// The points at these positions, with the work of so many periods.
 Tile part_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
-             std::size_t periods, const std::vector<std::uint32_t>& labels = {});
+             std::size_t periods);
 
 // [point of the tile][state]: where each starts when no predecessor says.
 std::vector<double> own_initial_states(const Plan& plan, const Tile& tile);

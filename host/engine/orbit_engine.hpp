@@ -21,30 +21,34 @@ using RoundCallback = std::function<bool(double steps)>;
 
 struct Approach {
   std::vector<double> states;  // at the end
-  // [point] bit n - 1: after n periods the state was near where it began.
-  std::vector<std::uint32_t> returns;
+  // [point]: the least number of periods before which the state was near where it is now; 0: none.
+  std::vector<std::uint32_t> lengths;
+  std::vector<double> guesses;  // [point][state]: where the orbit of that length is likely to be
 };
 
-// The map from a state to the one some periods later, and its derivative there.
+// The map from a state to the one some periods later.
 struct ReturnMaps {
   std::vector<double> states;       // [point][state]
-  std::vector<double> derivatives;  // [point][column][row]
+  std::vector<double> derivatives;  // [point][column][row], when asked for
 };
 
 class OrbitEngine {
  public:
   virtual ~OrbitEngine() = default;
 
-  // Settles by `periods` (at most ORBIT_LONGEST). After n of them the state is near where it began
-  // when it differs by no more than near / n^2 times the greatest component.
+  // Settles by ORBIT_LONGEST periods. The state is near where it was n periods before when it
+  // differs by no more than near / n^2 times the greatest component. excluded: [point] bit n - 1:
+  // not this n.
   virtual std::optional<Approach> approach(const Plan& plan, const Tile& tile,
-                                           const std::vector<double>& states, std::size_t periods,
-                                           double near, const RoundCallback& after_round) = 0;
+                                           const std::vector<double>& states,
+                                           const std::vector<std::uint32_t>& excluded, double near,
+                                           const RoundCallback& after_round) = 0;
 
-  // periods: [group of points, as the tile's grid_starts begin them].
+  // lengths: [point] periods of its map. Points of equal length are best neighbours.
   virtual std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
                                                 const std::vector<double>& states,
-                                                const std::vector<std::uint32_t>& periods,
+                                                const std::vector<std::uint32_t>& lengths,
+                                                bool with_derivatives,
                                                 const RoundCallback& after_round) = 0;
 
   // What the observers of kinds tangent and orbit say of the window's record of a periodic orbit,

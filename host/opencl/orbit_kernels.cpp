@@ -26,18 +26,19 @@ std::vector<double> identities(std::size_t states, std::size_t slot_count) {
   return out;
 }
 
-// Steps of the states alone; periods: [group].
+// Steps of the states alone.
 double steps_of_maps(const Plan& plan, const Tile& tile,
-                     const std::vector<std::uint32_t>& periods) {
+                     const std::vector<std::uint32_t>& lengths) {
   double steps = 0.0;
-  for (std::size_t group = 0; group < periods.size(); ++group) {
-    const std::size_t first = tile.grid_starts[group];
-    const bool is_last = group + 1 == periods.size();
-    const std::size_t end = is_last ? tile.points.size() : tile.grid_starts[group + 1];
-    steps +=
-        static_cast<double>((end - first) * periods[group] * plan.steps_of(tile.points[first]));
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    steps += static_cast<double>(lengths[i] * plan.steps_of(tile.points[i]));
   }
   return steps;
+}
+
+// One number for each point: [slot].
+std::vector<double> spread_numbers(const std::vector<std::uint32_t>& numbers, const Slots& slots) {
+  return spread_states({numbers.begin(), numbers.end()}, 1, slots);
 }
 
 Window window_of_rounds() { return {0, 0, 1, 0, false}; }
@@ -48,23 +49,27 @@ OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launche
     : launcher_(launcher),
       program_(orbit_program(study, launcher)),
       approach_(program_, "approach"),
+      extrapolate_(program_, "extrapolate"),
       return_map_(program_, "return_map"),
+      return_map_linearized_(program_, "return_map_linearized"),
       replay_(sweep, "replay"),
       finish_(sweep, "finish") {}
 
 std::optional<Approach> OrbitKernels::approach(const Plan& plan, const Tile& tile,
                                                const std::vector<double>& states,
-                                               std::size_t periods, double near,
-                                               const RoundCallback& after_round) {
+                                               const std::vector<std::uint32_t>& excluded,
+                                               double near, const RoundCallback& after_round) {
   return launcher_->guard(
-      tile, [&] { return approach_tile(plan, tile, states, periods, near, after_round); });
+      tile, [&] { return approach_tile(plan, tile, states, excluded, near, after_round); });
 }
 
 std::optional<ReturnMaps> OrbitKernels::return_maps(const Plan& plan, const Tile& tile,
                                                     const std::vector<double>& states,
-                                                    const std::vector<std::uint32_t>& periods,
+                                                    const std::vector<std::uint32_t>& lengths,
+                                                    bool with_derivatives,
                                                     const RoundCallback& after_round) {
-  return launcher_->guard(tile, [&] { return map_tile(plan, tile, states, periods, after_round); });
+  return launcher_->guard(
+      tile, [&] { return map_tile(plan, tile, states, lengths, with_derivatives, after_round); });
 }
 
 std::optional<TileResult> OrbitKernels::replay(
@@ -76,64 +81,78 @@ std::optional<TileResult> OrbitKernels::replay(
 
 std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile& tile,
                                                     const std::vector<double>& states,
-                                                    std::size_t periods, double near,
-                                                    const RoundCallback& after_round) {
+                                                    const std::vector<std::uint32_t>& excluded,
+                                                    double near, const RoundCallback& after_round) {
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const std::size_t slot_count = inputs.slots.position.size();
   const std::size_t state_count = plan.study().model->states.size();
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
-  const cl::Buffer start = launcher_->allocate(state_count * slot_count);
-  const cl::Buffer returns = launcher_->allocate(slot_count);
+  const cl::Buffer sections = launcher_->allocate((ORBIT_LONGEST + 1) * state_count * slot_count);
   cl_uint argument = Launcher::set_inputs(&approach_, inputs);
   approach_.setArg(argument++, state);
-  launcher_->set_number(&approach_, argument++, near);
-  approach_.setArg(argument++, start);
-  approach_.setArg(argument++, returns);
-  if (!launcher_->run_rounds(&approach_, window_of_rounds(), inputs, periods, after_round)) {
+  approach_.setArg(argument++, sections);
+  const Window rounds = window_of_rounds();
+  if (!launcher_->run_rounds(&approach_, rounds, inputs, ORBIT_LONGEST, after_round)) {
     return std::nullopt;
   }
+  const cl::Buffer lengths =
+      launcher_->upload(spread_numbers(excluded, inputs.slots), CL_MEM_READ_WRITE);
+  const cl::Buffer guesses = launcher_->allocate(state_count * slot_count);
+  extrapolate_.setArg(0, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
+  extrapolate_.setArg(1, state);
+  extrapolate_.setArg(2, sections);
+  launcher_->set_number(&extrapolate_, 3, near);
+  extrapolate_.setArg(4, lengths);
+  extrapolate_.setArg(5, guesses);
+  launcher_->launch(&extrapolate_, inputs.slots.items());
   Approach found;
   found.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
-  const std::vector<double> bits =
-      gather_points(launcher_->download(returns, slot_count), inputs.slots);
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    // An item whose points have all diverged leaves its buffer as it was.
-    const bool diverged = std::isnan(found.states[i * state_count]);
-    found.returns.push_back(diverged ? 0 : static_cast<std::uint32_t>(bits[i]));
+  found.guesses =
+      gather_points(launcher_->download(guesses, state_count * slot_count), inputs.slots);
+  for (const double length :
+       gather_points(launcher_->download(lengths, slot_count), inputs.slots)) {
+    found.lengths.push_back(static_cast<std::uint32_t>(length));
   }
   return found;
 }
 
 std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& tile,
                                                  const std::vector<double>& states,
-                                                 const std::vector<std::uint32_t>& periods,
+                                                 const std::vector<std::uint32_t>& lengths,
+                                                 bool with_derivatives,
                                                  const RoundCallback& after_round) {
+  cl::Kernel* kernel = with_derivatives ? &return_map_linearized_ : &return_map_;
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const std::size_t slot_count = inputs.slots.position.size();
   const std::size_t state_count = plan.study().model->states.size();
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
-  const cl::Buffer derivative =
-      launcher_->upload(identities(state_count, slot_count), CL_MEM_READ_WRITE);
-  std::vector<std::uint32_t> item_periods;
-  for (const std::uint32_t group : inputs.slots.item_group) item_periods.push_back(periods[group]);
-  const cl::Buffer lengths = launcher_->upload(item_periods);
-  cl_uint argument = Launcher::set_inputs(&return_map_, inputs);
-  return_map_.setArg(argument++, state);
-  return_map_.setArg(argument++, lengths);
-  return_map_.setArg(argument++, derivative);
-  const std::size_t longest = *std::max_element(periods.begin(), periods.end());
+  const cl::Buffer periods =
+      launcher_->upload(spread_numbers(lengths, inputs.slots), CL_MEM_READ_ONLY);
+  cl::Buffer derivative;
+  cl_uint argument = Launcher::set_inputs(kernel, inputs);
+  kernel->setArg(argument++, state);
+  kernel->setArg(argument++, periods);
+  if (with_derivatives) {
+    derivative = launcher_->upload(identities(state_count, slot_count), CL_MEM_READ_WRITE);
+    kernel->setArg(argument++, derivative);
+  }
+  const std::size_t longest = *std::max_element(lengths.begin(), lengths.end());
+  const double cost = with_derivatives ? kCostOfDerivative : 1.0;
   // Most points are done before the longest; what they all took is told in the end.
   const auto in_between = [&](double) { return after_round(0.0); };
-  if (!launcher_->run_rounds(&return_map_, window_of_rounds(), inputs, longest, in_between) ||
-      !after_round(kCostOfDerivative * steps_of_maps(plan, tile, periods))) {
+  if (!launcher_->run_rounds(kernel, window_of_rounds(), inputs, longest, in_between) ||
+      !after_round(cost * steps_of_maps(plan, tile, lengths))) {
     return std::nullopt;
   }
-  const std::size_t numbers = state_count * state_count * slot_count;
-  return ReturnMaps{
-      gather_points(launcher_->download(state, state_count * slot_count), inputs.slots),
-      gather_points(launcher_->download(derivative, numbers), inputs.slots)};
+  ReturnMaps maps;
+  maps.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  if (with_derivatives) {
+    const std::size_t numbers = state_count * state_count * slot_count;
+    maps.derivatives = gather_points(launcher_->download(derivative, numbers), inputs.slots);
+  }
+  return maps;
 }
 
 std::optional<TileResult> OrbitKernels::replay_tile(

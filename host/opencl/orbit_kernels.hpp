@@ -13,11 +13,13 @@ class OrbitKernels final : public OrbitEngine {
   OrbitKernels(const Study& study, const cl::Program& sweep, Launcher* launcher);
 
   std::optional<Approach> approach(const Plan& plan, const Tile& tile,
-                                   const std::vector<double>& states, std::size_t periods,
-                                   double near, const RoundCallback& after_round) override;
+                                   const std::vector<double>& states,
+                                   const std::vector<std::uint32_t>& excluded, double near,
+                                   const RoundCallback& after_round) override;
   std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states,
-                                        const std::vector<std::uint32_t>& periods,
+                                        const std::vector<std::uint32_t>& lengths,
+                                        bool with_derivatives,
                                         const RoundCallback& after_round) override;
   std::optional<TileResult> replay(const Plan& plan, const Tile& tile,
                                    const std::vector<double>& states, std::size_t length,
@@ -26,12 +28,13 @@ class OrbitKernels final : public OrbitEngine {
 
  private:
   std::optional<Approach> approach_tile(const Plan& plan, const Tile& tile,
-                                        const std::vector<double>& states, std::size_t periods,
-                                        double near, const RoundCallback& after_round);
+                                        const std::vector<double>& states,
+                                        const std::vector<std::uint32_t>& excluded, double near,
+                                        const RoundCallback& after_round);
   std::optional<ReturnMaps> map_tile(const Plan& plan, const Tile& tile,
                                      const std::vector<double>& states,
-                                     const std::vector<std::uint32_t>& periods,
-                                     const RoundCallback& after_round);
+                                     const std::vector<std::uint32_t>& lengths,
+                                     bool with_derivatives, const RoundCallback& after_round);
   std::optional<TileResult> replay_tile(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states, std::size_t length,
                                         const std::vector<double>& growths, const Window& window,
@@ -39,7 +42,7 @@ class OrbitKernels final : public OrbitEngine {
 
   Launcher* launcher_;
   cl::Program program_;
-  cl::Kernel approach_, return_map_, replay_, finish_;
+  cl::Kernel approach_, extrapolate_, return_map_, return_map_linearized_, replay_, finish_;
 };
 
 }  // namespace gearsweep

@@ -60,8 +60,6 @@ class Estimate {
     return points + std::min(points, groups) * (layout_.lanes - 1);
   }
   std::size_t whole_slots() const { return slots(tile_.grid_starts.size()); }
-  // Points that are pursued together stand in groups by the length of their orbits, too.
-  std::size_t pursued_slots() const { return slots(tile_.grid_starts.size() * ORBIT_LONGEST); }
 
   Buffers inputs(std::size_t slots) const {
     const auto swept = std::count_if(study_.axes.begin(), study_.axes.end(),
@@ -104,15 +102,16 @@ class Estimate {
 
   Buffers approach() const {
     Buffers buffers = inputs(whole_slots());
-    buffers.add(scalars(states_ * whole_slots()));
+    buffers.add(scalars((ORBIT_LONGEST + 1) * states_ * whole_slots()));
     buffers.add(scalars(whole_slots()));
+    buffers.add(scalars(states_ * whole_slots()));
     return buffers;
   }
 
   Buffers return_map() const {
-    Buffers buffers = inputs(pursued_slots());
-    buffers.add(scalars(states_ * states_ * pursued_slots()));
-    buffers.add(pursued_slots() / layout_.lanes * sizeof(sweep_uint));
+    Buffers buffers = inputs(whole_slots());
+    buffers.add(scalars(whole_slots()));
+    buffers.add(scalars(states_ * states_ * whole_slots()));
     return buffers;
   }
 
@@ -142,7 +141,7 @@ class Estimate {
     std::size_t kept = 4 * wide * states_;
     if (searches_) {
       kept += 2 * (64 + 2 * block);
-      const std::size_t maps = pursued_slots() * (both + wide) * states_ * states_;
+      const std::size_t maps = whole_slots() * (both + wide) * states_ * states_;
       stage = std::max(stage, maps + tile_.points.size() * (128 + 3 * block));
     }
     return static_cast<double>(stage) + static_cast<double>(tile_.points.size()) *

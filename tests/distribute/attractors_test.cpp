@@ -147,7 +147,7 @@ TEST(Attractors, NumbersDoNotDependOnHowTheWorkIsCut) {
 TEST(Section, IsTheBoxThatTheSamplesFillInBothEngines) {
   const std::string study =
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 1.2, 1.98]\n"
-      "[integrate]\nsettle = 20\nrecord = 30\n[observe]\npoincare = ['x2', 'v1']\n"
+      "[integrate]\nsettle = 20\nrecord = 30\nstop = 'never'\n[observe]\npoincare = ['x2', 'v1']\n"
       "quantities = ['section_min', 'section_max', 'poincare']\n";
   const SweepResult kernel = run(study);
   const SweepResult reference = run(study, {"integrate.engine=reference"});

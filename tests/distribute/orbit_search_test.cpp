@@ -17,7 +17,7 @@ namespace {
 using ::testing::Each;
 using ::testing::Lt;
 
-constexpr NewtonLimits kLimits = {1e-7, 0.5, 1e-10};
+constexpr NewtonLimits kLimits = {1e-7, 1e-4, 0.5, 1e-10};
 
 // The map x -> A x + b in two dimensions.
 struct AffineMap {
@@ -34,17 +34,36 @@ NewtonVerdict step(const AffineMap& map, NewtonTry* one, const NewtonLimits& lim
   return newton_step(mapped.data(), map.columns.data(), limits, 2, one);
 }
 
+NewtonVerdict confirm(const AffineMap& map, NewtonTry* one) {
+  const std::vector<double> mapped = map(one->state);
+  return newton_confirm(mapped.data(), map.columns.data(), kLimits, one);
+}
+
 // (I - A)^-1 b = (1, 2), so one step from anywhere is enough, and the next one sees it.
 TEST(NewtonStep, FindsTheFixedPointOfAnAffineMapAtOnce) {
   const AffineMap map = {{0.5, 0.0, 0.0, -0.25}, {0.5, 2.5}};
   NewtonTry one;
   one.start = one.state = {1.1, 2.2};
   EXPECT_EQ(step(map, &one), NewtonVerdict::going_on);
-  EXPECT_EQ(step(map, &one), NewtonVerdict::found);
+  EXPECT_EQ(step(map, &one), NewtonVerdict::close);
+  EXPECT_EQ(confirm(map, &one), NewtonVerdict::found);
   EXPECT_DOUBLE_EQ(one.state[0], 1.0);
   EXPECT_DOUBLE_EQ(one.state[1], 2.0);
   EXPECT_DOUBLE_EQ(one.multipliers[0], std::log(0.5));
   EXPECT_DOUBLE_EQ(one.multipliers[1], std::log(0.25));
+}
+
+// What looked like the orbit may lie beyond a kink, where the derivative is another.
+TEST(NewtonStep, DoesNotTakeForAnOrbitWhatDoesNotComeBack) {
+  const AffineMap map = {{0.5, 0.0, 0.0, -0.25}, {0.5, 2.5}};
+  const AffineMap beyond = {map.columns, {0.5, 2.5 + 1e-5}};
+  NewtonTry one;
+  one.start = one.state = {1.00001, 2.0};
+  EXPECT_EQ(step(map, &one), NewtonVerdict::close);
+  EXPECT_EQ(confirm(beyond, &one), NewtonVerdict::going_on);
+  // It has gone on to where that map would stay.
+  EXPECT_EQ(confirm(beyond, &one), NewtonVerdict::found);
+  EXPECT_NEAR(one.state[1], 2.0 + 0.8e-5, 1e-15);
 }
 
 TEST(NewtonStep, LeavesAnUnstableFixedPointAlone) {
@@ -90,6 +109,20 @@ TEST(OrbitSearch, KnowsTheOrbitOfALinearOscillator) {
   EXPECT_EQ(map_of(result, "period")[0], 1.0);
   EXPECT_EQ(map_of(result, "motion_class")[0], 1.0);
   EXPECT_LT(map_of(result, "settled")[0], 150.0);
+}
+
+// Its return map is affine: extrapolated, the last returns give the orbit itself, and one
+// derivative is enough, in one run of the map with it and one without. The orbit is then recorded
+// and repeated.
+TEST(OrbitSearch, TakesOneDerivativeWhereTheMapIsAffine) {
+  const SweepResult result =
+      run("[model]\nname = 'duffing'\n[parameters]\ndamping = 0.05\nlinear = 2.0\ncubic = 0.0\n"
+          "amplitude = 0.7\n[[axes]]\nname = 'omega'\nvalues = [1.3]\n"
+          "[integrate]\nsteps_per_period = 512\n[observe]\nquantities = ['settled']\n");
+  EXPECT_EQ(result.stopped, 1U);
+  const double settled = map_of(result, "settled")[0];
+  const double with_derivative = 8.0, without = 1.0, recorded = 1.0, repeated = 1.0;
+  EXPECT_EQ(result.steps, 512.0 * (settled + with_derivative + without + recorded + repeated));
 }
 
 const std::string kGear =
