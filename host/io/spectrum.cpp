@@ -38,8 +38,9 @@ std::vector<double> squared_transform(const std::vector<double>& samples) {
   return squares;
 }
 
-// How many moments a period has. Files hold tau to rounding, so this is far below any step.
-std::size_t samples_per_period(const Trace& trace) {
+// How many moments a period has, a whole number of any size. Files hold tau to rounding, so this is
+// far below any step.
+double samples_per_period(const Trace& trace) {
   constexpr double kTolerance = 1e-6;  // of a step
   const std::vector<double>& tau = trace.tau;
   const double step =
@@ -54,7 +55,7 @@ std::size_t samples_per_period(const Trace& trace) {
         "a spectrum takes evenly spaced moments, a whole number of them in each period, and this "
         "trace has those of the integration steps: trace the point with --samples-per-period 256");
   }
-  return static_cast<std::size_t>(count);
+  return count;
 }
 
 }  // namespace
@@ -90,13 +91,14 @@ Spectrum amplitude_spectrum(const std::vector<double>& samples, std::size_t peri
 }
 
 Spectrum amplitude_spectrum(const Trace& trace, std::size_t channel, std::size_t periods) {
-  const std::size_t per_period = samples_per_period(trace);
-  const std::size_t whole = trace.tau.size() / per_period;
-  if (whole == 0) {
+  const double samples = samples_per_period(trace);
+  if (samples > static_cast<double>(trace.tau.size())) {
     throw InputError(fmt::format(
-        "a spectrum takes a whole forcing period, and this trace has {} of its {} moments",
-        trace.tau.size(), per_period));
+        "a spectrum takes a whole forcing period, and this trace has {} of its {:g} moments",
+        trace.tau.size(), samples));
   }
+  const auto per_period = static_cast<std::size_t>(samples);
+  const std::size_t whole = trace.tau.size() / per_period;
   const std::size_t used = periods == 0 ? whole : std::min(periods, whole);
   const std::vector<double>& values = trace.values[channel];
   // Counted from the end of the last whole period, for the trace begins with a period.
