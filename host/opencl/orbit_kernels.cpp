@@ -1,7 +1,6 @@
 #include "opencl/orbit_kernels.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gearsweep {
 namespace {

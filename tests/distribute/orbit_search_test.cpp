@@ -87,14 +87,17 @@ TEST(NewtonStep, DoesNotReadMultipliersOutOfRounding) {
   EXPECT_EQ(step(map, &one), NewtonVerdict::failed);
 }
 
+const std::string kOscillator =
+    "[model]\nname = 'duffing'\n[parameters]\ndamping = 0.05\nlinear = 2.0\ncubic = 0.0\n"
+    "amplitude = 0.7\n[[axes]]\nname = 'omega'\nvalues = [1.3]\n"
+    "[integrate]\nsteps_per_period = 512\n";
+
 // A linear oscillator x'' + c x' + linear x = F cos(omega t) has one orbit, of known size, and both
 // exponents are -c/2 (it oscillates while it decays).
 TEST(OrbitSearch, KnowsTheOrbitOfALinearOscillator) {
   const double damping = 0.05, linear = 2.0, amplitude = 0.7, omega = 1.3;
   const SweepResult result =
-      run("[model]\nname = 'duffing'\n[parameters]\ndamping = 0.05\nlinear = 2.0\ncubic = 0.0\n"
-          "amplitude = 0.7\n[[axes]]\nname = 'omega'\nvalues = [1.3]\n"
-          "[integrate]\nsteps_per_period = 512\n"
+      run(kOscillator +
           "[observe]\nquantities = ['x_rms', 'period', 'settled', 'lyapunov_spectrum', "
           "'lyapunov_max_error', 'motion_class']\n");
   EXPECT_EQ(result.stopped, 1U);
@@ -111,14 +114,11 @@ TEST(OrbitSearch, KnowsTheOrbitOfALinearOscillator) {
   EXPECT_LT(map_of(result, "settled")[0], 150.0);
 }
 
-// Its return map is affine: extrapolated, the last returns give the orbit itself, and one
-// derivative is enough, in one run of the map with it and one without. The orbit is then recorded
-// and repeated.
+// The return map of a linear oscillator is affine: extrapolated, the last returns give the orbit
+// itself, and one derivative is enough, in one run of the map with it and one without. The orbit is
+// then recorded and repeated.
 TEST(OrbitSearch, TakesOneDerivativeWhereTheMapIsAffine) {
-  const SweepResult result =
-      run("[model]\nname = 'duffing'\n[parameters]\ndamping = 0.05\nlinear = 2.0\ncubic = 0.0\n"
-          "amplitude = 0.7\n[[axes]]\nname = 'omega'\nvalues = [1.3]\n"
-          "[integrate]\nsteps_per_period = 512\n[observe]\nquantities = ['settled']\n");
+  const SweepResult result = run(kOscillator + "[observe]\nquantities = ['settled']\n");
   EXPECT_EQ(result.stopped, 1U);
   const double settled = map_of(result, "settled")[0];
   const double with_derivative = 8.0, without = 1.0, recorded = 1.0, repeated = 1.0;
