@@ -47,6 +47,7 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #define TABLE __global const
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
+#define lane_rint(a) rint(a)
 #define lane_log(a) log(a)
 #define lane_sin(a) sin(a)
 #define lane_cos(a) cos(a)
@@ -65,6 +66,7 @@ typedef bool mask;
 #define all_lanes(m) (m)
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
+#define lane_rint(a) rint(a)
 #define lane_sin(a) sin(a)
 #define lane_cos(a) cos(a)
 #define LANE_FN         \

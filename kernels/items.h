@@ -6,6 +6,7 @@
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
 //   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
 //   TANGENTS                        tangent vectors that travel with a state
+//   STATE_UNITS                     of each state the number of its unit, as an initialiser
 //
 // Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
 // [component][item], each element a `real` of LANES neighbouring points.
@@ -51,12 +52,15 @@ SHARED_FN void store_many(__global real* buffer, uint items, uint item, uint fir
   for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
 }
 
-SHARED_FN void mark_diverged(real* x) {
+// What a period's end does to a state: marks it where it has diverged, takes full turns out of
+// angles.
+SHARED_FN void end_period(real* x) {
   const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
   mask inside = lane_abs(x[0]) < limit;
   UNROLL
   for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limit);
   x[0] = lane_select(inside, x[0], (real)(NAN));
+  model_take_turns(x);
 }
 
 // Loads an item's states and parameters; false when there is nothing to advance.
@@ -69,6 +73,76 @@ SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE rea
   return true;
 }
 
+// The box of a motion in the space of states.
+typedef struct {
+  real low[MODEL_STATE_COUNT], high[MODEL_STATE_COUNT];
+} Extent;
+
+// An extent is a yardstick: one step in so many does for it.
+#define EXTENT_EVERY 8
+
+SHARED_FN void extent_begin(const real* x, Extent* extent) {
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) extent->low[i] = extent->high[i] = x[i];
+}
+
+SHARED_FN void extent_widen(const real* x, Extent* extent) {
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    extent->low[i] = lane_min(extent->low[i], x[i]);
+    extent->high[i] = lane_max(extent->high[i], x[i]);
+  }
+}
+
+// The smallest difference between two states that is worth telling, in roundings of a state.
+#define ROUNDINGS_TOLD ((scalar)(REAL_BITS == 64 ? 64 * 2.220446e-16 : 64 * 1.1920929e-7))
+
+// What distances between states are relative to: for each state the range of the motion, whatever
+// the offset. A range must not be so small that `tolerance` times it drowns in rounding.
+SHARED_FN void extent_ranges(const Extent* extent, scalar tolerance, real* ranges) {
+  const scalar least = ROUNDINGS_TOLD / tolerance;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    const real greatest = lane_max(lane_abs(extent->low[i]), lane_abs(extent->high[i]));
+    ranges[i] = lane_max(extent->high[i] - extent->low[i], least * greatest);
+  }
+}
+
+// States of the same unit share the largest of their ranges: what is driven weakly, or not at all
+// any more, is not measured by itself.
+SHARED_FN void share_ranges(const real* ranges, real* shared) {
+  const int units[MODEL_STATE_COUNT] = STATE_UNITS;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    shared[i] = ranges[i];
+    UNROLL
+    for (int j = 0; j < MODEL_STATE_COUNT; ++j) {
+      if (units[j] == units[i]) shared[i] = lane_max(shared[i], ranges[j]);
+    }
+  }
+}
+
+// x - y, each component relative to its range; one without any range as it is.
+SHARED_FN void relative_difference(const real* x, const real* y, const real* ranges, real* apart) {
+  const real zero = 0;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) apart[i] = x[i] - y[i];
+  model_take_turns(apart);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    apart[i] = lane_select(zero < ranges[i], apart[i] / ranges[i], apart[i]);
+  }
+}
+
+SHARED_FN real greatest_size(const real* components) {
+  real greatest = 0;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    greatest = lane_max(greatest, lane_abs(components[i]));
+  }
+  return greatest;
+}
+
 #include "tangent.h"
 
 // Where the phase grids of a tile lie.
@@ -77,10 +151,12 @@ SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE rea
       TABLE scalar *segment_fractions, TABLE PhaseCoefs *stages
 
 // Advances a state by whole periods, and with it the tangent vectors, unless w is null. They are
-// kept orthonormal and their growth is summed, unless growth is null.
+// kept orthonormal and their growth is summed, unless growth is null. Widens the extent, unless it
+// is null.
 SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid grid,
                                TABLE uint* segment_steps, TABLE scalar* segment_fractions,
-                               TABLE PhaseCoefs* stages, real* x, real* w, real* growth) {
+                               TABLE PhaseCoefs* stages, real* x, real* w, real* growth,
+                               Extent* extent) {
   for (uint period = 0; period < periods; ++period) {
     TABLE PhaseCoefs* stage = stages + grid.first_stage;
     for (uint segment = 0; segment < grid.segments; ++segment) {
@@ -96,10 +172,11 @@ SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid 
         } else {
           rk4_step(point, stage, h, EVENTS, x);
         }
+        if (extent && step % EXTENT_EVERY == 0) extent_widen(x, extent);
         stage += RK4_STAGES_PER_STEP;
       }
       stage += 1;
     }
-    mark_diverged(x);
+    end_period(x);
   }
 }

@@ -11,16 +11,21 @@
 // [period][state]. They stand together, so that each item's stay near in a CPU's memory.
 #define SECTION_NUMBERS ((ORBIT_LONGEST + 1) * MODEL_STATE_COUNT)
 
-// The section so many periods before the last.
-SHARED_FN void load_section(__global const real* sections, uint ago, real* x) {
-  load_components(sections, 1, 0, (ORBIT_LONGEST - ago) * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
+// The distance of the section so many periods before the last from x, relative to the ranges.
+SHARED_FN void load_return(__global const real* sections, uint ago, const real* x,
+                           const real* ranges, real* distance) {
+  real section[MODEL_STATE_COUNT];
+  load_components(sections, 1, 0, (ORBIT_LONGEST - ago) * MODEL_STATE_COUNT, MODEL_STATE_COUNT,
+                  section);
+  relative_difference(section, x, ranges, distance);
 }
 
 SHARED_FN void store_section(__global real* sections, uint number, const real* x) {
   store_components(sections, 1, 0, number * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
 }
 
-// Settles by ORBIT_LONGEST periods in one or more rounds; sections is [item][period][state].
+// Settles by some of the ORBIT_LONGEST periods of an approach in one or more rounds; sections is
+// [item][period][state].
 __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
                        GRID_TABLES, __global real* state, __global real* sections) {
   const uint items = round.items;
@@ -32,9 +37,32 @@ __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real
   if (round.recorded == 0) store_section(own, 0, x);
   for (uint period = 0; period < round.periods; ++period) {
     advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x,
-                    0, 0);
+                    0, 0, 0);
     store_section(own, round.recorded + period + 1, x);
   }
+  store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
+}
+
+// The last period of an approach. ranges is [state][item]: what distances between the point's
+// states are relative to, when `tolerance` times that must not drown in rounding.
+__kernel void measure(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
+                      __global real* state, __global real* sections, const scalar tolerance,
+                      __global real* ranges) {
+  const uint items = round.items;
+  const uint item = get_global_id(0);
+  real x[MODEL_STATE_COUNT];
+  ModelPoint point;
+  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  Extent extent;
+  real own[MODEL_STATE_COUNT];
+  real shared[MODEL_STATE_COUNT];
+  extent_begin(x, &extent);
+  advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x, 0,
+                  0, &extent);
+  extent_ranges(&extent, tolerance, own);
+  share_ranges(own, shared);
+  store_components(ranges, items, item, 0, MODEL_STATE_COUNT, shared);
+  store_section(sections + (size_t)item * SECTION_NUMBERS, ORBIT_LONGEST, x);
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
 
@@ -49,29 +77,30 @@ __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real
 // extrapolation; Smith, Ford, Sidi, SIAM Review 29 (1987) 199-233), by the modified Gram-Schmidt
 // method.
 SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, const real* x,
-                                   real* guess) {
+                                   const real* ranges, real* guess) {
   const real zero = 0;
   const real one = 1;
   const int count = min((int)(ORBIT_LONGEST / lag) - 1, EXTRAPOLATED);
-  real later[MODEL_STATE_COUNT];
+  real earlier[MODEL_STATE_COUNT];
+  real later[MODEL_STATE_COUNT];               // both as their distance from x
   real moved[MODEL_STATE_COUNT];               // by the last return
   real rest[MODEL_STATE_COUNT];                // how far a return would move the guess
+  real way_out[MODEL_STATE_COUNT];             // from x to the guess
   real bend[EXTRAPOLATED][MODEL_STATE_COUNT];  // orthonormal: what takes a share of the rest away
   real way[EXTRAPOLATED][MODEL_STATE_COUNT];   // and where the guess goes for it
-  load_section(sections, lag, later);
+  load_return(sections, lag, x, ranges, later);
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    guess[i] = x[i];
-    moved[i] = rest[i] = x[i] - later[i];
+    way_out[i] = 0;
+    moved[i] = rest[i] = -later[i];
   }
   for (int j = 0; j < count; ++j) {
-    real earlier[MODEL_STATE_COUNT];
     real squares = 0;
     real left = 0;
     real share = 0;
-    load_section(sections, (j + 2) * lag, earlier);
+    load_return(sections, (j + 2) * lag, x, ranges, earlier);
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
       bend[j][i] = (later[i] - earlier[i]) - moved[i];
-      way[j][i] = later[i] - x[i];
+      way[j][i] = later[i];
       squares = squares + bend[j][i] * bend[j][i];
       later[i] = earlier[i];
     }
@@ -93,20 +122,21 @@ SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, cons
     }
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
       rest[i] = rest[i] - share * bend[j][i];
-      guess[i] = guess[i] - share * way[j][i];
+      way_out[i] = way_out[i] - share * way[j][i];
     }
   }
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i] + ranges[i] * way_out[i];
 }
 
 // After an approach: the least number of periods, n, before which the state was within near / n^2
-// (times its greatest component) of where it is now, and a guess at the orbit that comes back after
-// n periods ([state][item]). Motion on a torus comes back to within about 1 / n^2 of its size for
-// some n by itself (Dirichlet's theorem). lengths is [item]: first the sum of 2^(n - 1) over those
-// n that are out of the question; then n, or 0 where there is none. A kernel of its own, since at
-// the end of the other it would make that one slower (PoCL).
+// (relative to the motion's ranges) of where it is now, and a guess at the orbit that comes back
+// after n periods ([state][item]). Motion on a torus comes back to within about 1 / n^2 of its size
+// for some n by itself (Dirichlet's theorem). lengths is [item]: first the sum of 2^(n - 1) over
+// those n that are out of the question; then n, or 0 where there is none. A kernel of its own,
+// since at the end of the other it would make that one slower (PoCL).
 __kernel void extrapolate(const SweepRound round, __global const real* state,
-                          __global const real* sections, const scalar near, __global real* lengths,
-                          __global real* guesses) {
+                          __global const real* sections, __global const real* ranges,
+                          const scalar near, __global real* lengths, __global real* guesses) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   if (item >= items) return;
@@ -115,30 +145,23 @@ __kernel void extrapolate(const SweepRound round, __global const real* state,
   __global const real* own = sections + (size_t)item * SECTION_NUMBERS;
   real x[MODEL_STATE_COUNT];
   real guess[MODEL_STATE_COUNT];
-  real scale = 0;
+  real shared[MODEL_STATE_COUNT];
   load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    scale = lane_max(scale, lane_abs(x[i]));
-    guess[i] = x[i];
-  }
+  load_components(ranges, items, item, 0, MODEL_STATE_COUNT, shared);
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i];
   real least = 0;
   real excluded = lengths[item];
   for (uint n = 1; n <= ORBIT_LONGEST; ++n) {
     const real others = floor(excluded / two);
     const mask is_open = others * two == excluded;
     excluded = others;
-    real before[MODEL_STATE_COUNT];
-    real distance = 0;
-    load_section(own, n, before);
-    for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-      distance = lane_max(distance, lane_abs(x[i] - before[i]));
-    }
-    const scalar within = near / (scalar)(n * n);
-    const mask is_least =
-        is_open & (least == zero) & (distance <= within * scale) & !IS_DIVERGED(x);
+    real apart[MODEL_STATE_COUNT];
+    load_return(own, n, x, shared, apart);
+    const mask is_near = greatest_size(apart) <= near / (scalar)(n * n);
+    const mask is_least = is_open & (least == zero) & is_near & !IS_DIVERGED(x);
     if (all_lanes(!is_least)) continue;
     real orbit[MODEL_STATE_COUNT];
-    extrapolate_returns(own, n, x, orbit);
+    extrapolate_returns(own, n, x, shared, orbit);
     least = lane_select(is_least, (real)(n), least);
     for (int i = 0; i < MODEL_STATE_COUNT; ++i)
       guess[i] = lane_select(is_least, orbit[i], guess[i]);
@@ -168,7 +191,7 @@ __kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE re
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
     advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x,
-                    0, 0);
+                    0, 0, 0);
     store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
   }
 }
@@ -189,7 +212,7 @@ __kernel void return_map_linearized(const SweepRound round, TABLE scalar* unifor
     if (all_lanes(!is_under_way)) return;
     load_many(derivative, items, item, 0, TANGENT_NUMBERS, w);
     advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x,
-                    w, 0);
+                    w, 0, 0);
     store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
     store_where(is_under_way, derivative, items, item, TANGENT_NUMBERS, w);
   }

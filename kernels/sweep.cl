@@ -5,6 +5,7 @@
 //                                   STEP(observable), TANGENT(observable) or ORBIT(observable)
 //   TANGENTS                        tangent vectors that the observers need
 //   PERIOD_TOLERANCE                of the study; undefined when no observer is an ORBIT
+//   WATCHES_SECTIONS                1 when an observer is one
 //   POINCARE_STATES(X)              X(state) of each sampled state; undefined when there is none
 #include "items.h"
 
@@ -17,7 +18,7 @@ __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
 
   advance_periods(round.periods, &point, grids[item_grid[item]], segment_steps, segment_fractions,
-                  stages, x, 0, 0);
+                  stages, x, 0, 0, 0);
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
 
@@ -36,7 +37,7 @@ __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* s
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
 
   advance_periods(round.periods, &point, grids[item_grid[item]], segment_steps, segment_fractions,
-                  stages, x, w, growth);
+                  stages, x, w, growth, 0);
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
 }
@@ -95,8 +96,9 @@ SHARED_FN void take_sample(const ModelPoint* point, TABLE PhaseCoefs* stage, con
 #define ORBIT_DECLARE(kind) STEP_DECLARE(kind)
 #define ORBIT_INIT(kind) kind##_init(kind##_sums, x);
 #define ORBIT_UPDATE(kind)
-#define ORBIT_PERIOD(kind) \
-  kind##_period(kind##_sums, x, growth, point.period, round.recorded + period, round.record);
+#define ORBIT_PERIOD(kind)                                                              \
+  kind##_period(kind##_sums, x, growth, &extent, point.period, round.recorded + period, \
+                round.record);
 #define ORBIT_LOAD(kind) OBSERVER_MOVE(load_many, accumulators, kind##_accumulators, kind##_sums)
 #define ORBIT_STORE(kind) OBSERVER_MOVE(store_many, accumulators, kind##_accumulators, kind##_sums)
 #define ORBIT_FINISH(kind) OBSERVER_FINISH(load_many, kind, kind##_sums)
@@ -128,6 +130,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE, ORBIT_DECLARE)
   Sample before;
   Sample after;
+  Extent extent;  // of the period
   real w[TANGENT_NUMBERS];
   real growth[TANGENT_VECTORS];
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
@@ -142,6 +145,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   for (uint period = 0; period < round.periods; ++period) {
     TABLE PhaseCoefs* stage = stages + grid.first_stage;
     for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
+    extent_begin(x, &extent);
     for (uint segment = 0; segment < grid.segments; ++segment) {
       const uint steps = segment_steps[grid.first_segment + segment];
       const scalar weight = segment_fractions[grid.first_segment + segment];
@@ -151,6 +155,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       for (uint step = 0; step < steps; ++step) {
         tangent_step(&point, stage, h, x, w);
         if (TANGENT_IS_DUE(step, is_last && step + 1 == steps)) tangent_orthonormalize(w, growth);
+        if (WATCHES_SECTIONS && step % EXTENT_EVERY == 0) extent_widen(x, &extent);
         stage += RK4_STAGES_PER_STEP;
         take_sample(&point, stage, x, &after);
         OBSERVERS(CHANNEL_UPDATE, STEP_UPDATE, TANGENT_UPDATE, ORBIT_UPDATE)
@@ -159,7 +164,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       stage += 1;
     }
     OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD, ORBIT_PERIOD)
-    mark_diverged(x);
+    end_period(x);
 #ifdef POINCARE_STATES
     if (round.recorded + period < round.samples) {
       poincare_section(series, round.recorded + period, items, item, x);
@@ -191,12 +196,14 @@ __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* 
 
   OBSERVERS(CHANNEL_DECLARE, STEP_DECLARE, TANGENT_DECLARE, ORBIT_DECLARE)
   real growth[TANGENT_VECTORS];
+  Extent extent;
+  extent_begin(x, &extent);
   for (int j = 0; j < TANGENTS; ++j) growth[j] = growths[(size_t)j * items + item];
   OBSERVERS(CHANNEL_NONE, STEP_NONE, TANGENT_INIT, ORBIT_INIT)
   for (uint period = 0; period < round.record; ++period) {
     const uint first_component = period % length * MODEL_STATE_COUNT;
     if (period < length) {
-      advance_periods(1, &point, grid, segment_steps, segment_fractions, stages, x, 0, 0);
+      advance_periods(1, &point, grid, segment_steps, segment_fractions, stages, x, 0, 0, &extent);
       store_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
     } else {
       load_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);

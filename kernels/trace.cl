@@ -27,7 +27,7 @@ __kernel void trace(const SweepRound round, TABLE scalar* uniform, TABLE real* s
       }
       stage += 1;
     }
-    mark_diverged(x);
+    end_period(x);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distribute/state_distance.hpp"
+
 namespace gearsweep {
 namespace {
 
 // Multipliers of an orbit that is taken for stable stay below this. Nearer to 1 the steps' kinks at
 // contact, which move with the state, could decide.
-constexpr double kStable = 0.97;
+constexpr double kStable = 0.99;
 // Where Newton's method converges, each step does better than this, soon much better.
 constexpr double kSlow = 0.2;
 // What stands for the logarithm of zero.
@@ -26,35 +28,55 @@ std::vector<double> log_moduli(const Eigen::MatrixXd& derivative) {
   return logs;
 }
 
-// (I - derivative)^-1 (mapped - state): what Newton's method adds to the state.
-Eigen::VectorXd correction(const double* mapped, const double* derivative, const NewtonTry& one) {
+// How far the map carries the guess, relative to the ranges.
+Eigen::VectorXd moved(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
+  return relative_difference(mapped, one.state.data(), one.ranges, limits.angles);
+}
+
+// The map's derivative, relative to the ranges.
+Eigen::MatrixXd relative_derivative(const double* derivative, const NewtonTry& one) {
   const auto states = static_cast<Eigen::Index>(one.state.size());
-  const Eigen::Map<const Eigen::VectorXd> end(mapped, states);
-  const Eigen::Map<const Eigen::VectorXd> state(one.state.data(), states);
   const Eigen::Map<const Eigen::MatrixXd> slope(derivative, states, states);
-  return (Eigen::MatrixXd::Identity(states, states) - slope).partialPivLu().solve(end - state);
+  const Eigen::Map<const Eigen::VectorXd> ranges(one.ranges.data(), states);
+  return ranges.cwiseInverse().asDiagonal() * slope * ranges.asDiagonal();
+}
+
+// (I - derivative)^-1 moved: what Newton's method adds to the state, relative to the ranges.
+Eigen::VectorXd correction(const Eigen::VectorXd& moved, const Eigen::MatrixXd& slope) {
+  return (Eigen::MatrixXd::Identity(slope.rows(), slope.cols()) - slope)
+      .partialPivLu()
+      .solve(moved);
+}
+
+// False when the state is none any more.
+bool correct(const Eigen::VectorXd& correction, NewtonTry* one) {
+  const auto states = correction.size();
+  Eigen::Map<Eigen::VectorXd> state(one->state.data(), states);
+  state += correction.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(one->ranges.data(), states));
+  return state.allFinite();
 }
 
 }  // namespace
 
+bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
+  return moved(mapped, limits, one).lpNorm<Eigen::Infinity>() <= limits.same;
+}
+
 NewtonVerdict newton_step(const double* mapped, const double* derivative,
                           const NewtonLimits& limits, std::size_t tangents, NewtonTry* one) {
-  const auto states = static_cast<Eigen::Index>(one->state.size());
-  const Eigen::Map<const Eigen::VectorXd> end(mapped, states);
-  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, states, states);
-  const Eigen::Map<const Eigen::VectorXd> start(one->start.data(), states);
-  Eigen::Map<Eigen::VectorXd> state(one->state.data(), states);
-  if (!end.allFinite() || !slope.allFinite()) return NewtonVerdict::failed;
+  const Eigen::VectorXd by_map = moved(mapped, limits, *one);
+  const Eigen::MatrixXd slope = relative_derivative(derivative, *one);
+  if (!by_map.allFinite() || !slope.allFinite()) return NewtonVerdict::failed;
 
-  const double scale = start.lpNorm<Eigen::Infinity>();
-  const double distance = (end - state).lpNorm<Eigen::Infinity>();
+  const double distance = by_map.lpNorm<Eigen::Infinity>();
   if (distance > kSlow * one->distance) return NewtonVerdict::failed;
   one->distance = distance;
-  const Eigen::VectorXd step = correction(mapped, derivative, *one);
-  state += step;
-  if (!state.allFinite()) return NewtonVerdict::failed;
-  if ((state - start).lpNorm<Eigen::Infinity>() > limits.far * scale) return NewtonVerdict::failed;
-  if (step.lpNorm<Eigen::Infinity>() > limits.close * scale) return NewtonVerdict::going_on;
+  const Eigen::VectorXd step = correction(by_map, slope);
+  if (!correct(step, one)) return NewtonVerdict::failed;
+  const Eigen::VectorXd away =
+      relative_difference(one->state.data(), one->start.data(), one->ranges, limits.angles);
+  if (away.lpNorm<Eigen::Infinity>() > limits.far) return NewtonVerdict::failed;
+  if (step.lpNorm<Eigen::Infinity>() > limits.close) return NewtonVerdict::going_on;
 
   one->multipliers = log_moduli(slope);
   if (one->multipliers.empty()) return NewtonVerdict::failed;
@@ -68,14 +90,10 @@ NewtonVerdict newton_step(const double* mapped, const double* derivative,
 
 NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
                              const NewtonLimits& limits, NewtonTry* one) {
-  const auto states = static_cast<Eigen::Index>(one->state.size());
-  const Eigen::Map<const Eigen::VectorXd> end(mapped, states);
-  const Eigen::Map<const Eigen::VectorXd> start(one->start.data(), states);
-  Eigen::Map<Eigen::VectorXd> state(one->state.data(), states);
-  const bool comes_back =
-      (end - state).lpNorm<Eigen::Infinity>() <= limits.same * start.lpNorm<Eigen::Infinity>();
-  state += correction(mapped, derivative, *one);
-  return comes_back && state.allFinite() ? NewtonVerdict::found : NewtonVerdict::going_on;
+  const bool is_back = comes_back(mapped, limits, *one);
+  const Eigen::VectorXd step =
+      correction(moved(mapped, limits, *one), relative_derivative(derivative, *one));
+  return correct(step, one) && is_back ? NewtonVerdict::found : NewtonVerdict::going_on;
 }
 
 }  // namespace gearsweep

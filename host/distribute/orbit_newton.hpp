@@ -8,12 +8,13 @@
 
 namespace gearsweep {
 
-// Distances relative to the greatest component of the state.
+// Distances are relative to the ranges of the motion.
 struct NewtonLimits {
   double same;     // a state that comes back to within this is the orbit's
   double close;    // where a step is no longer than this, the derivative is that at the orbit
   double far;      // the orbit sought lies no farther from where the trajectory is
   double weakest;  // least multiplier, relative to the largest, that rounding leaves
+  std::vector<std::size_t> angles = {};  // states that mean the same after a full turn
 };
 
 enum class NewtonVerdict {
@@ -25,13 +26,17 @@ enum class NewtonVerdict {
 };
 
 struct NewtonTry {
-  std::vector<double> start;  // where the trajectory is
-  std::vector<double> state;  // the guess
+  std::vector<double> start;   // where the trajectory is
+  std::vector<double> ranges;  // [state] of the motion there, none 0
+  std::vector<double> state;   // the guess
   // How far the guess before this one was from coming back.
   double distance = std::numeric_limits<double>::infinity();
   // Logarithms of the absolute values of the multipliers over the whole map, largest first.
   std::vector<double> multipliers;
 };
+
+// Whether a state comes back: it is the same as its map.
+bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one);
 
 // One step, from the map of one->state and its derivative ([column][row]). `tangents`: of so many
 // multipliers the values are needed. Never `found`.

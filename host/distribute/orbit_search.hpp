@@ -2,17 +2,17 @@
 //
 // Every ORBIT_LONGEST periods each point's state is compared with where it was. Where it is nearly
 // back after some number of periods, its last returns are extrapolated to the periodic orbit that
-// they tend to, and Newton's method (shooting) goes on from there; when there is an orbit and its
-// multipliers say that it is stable, the point is on its way there and need not be integrated any
-// longer. The step's derivative gives all multipliers, and so all Lyapunov exponents. Private to
-// this folder.
+// they tend to, and Newton's method (shooting) goes on from there. When there is an orbit, its
+// multipliers over its minimal period say that it is stable, and the next returns of the trajectory
+// are seen to converge to it, the point need not be integrated any longer. The step's derivative
+// gives all multipliers, and so all Lyapunov exponents. Private to this folder.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "distribute/orbit_newton.hpp"
+#include "distribute/orbit_pursuit.hpp"
 #include "engine/engine.hpp"
 
 namespace gearsweep {
@@ -47,13 +47,9 @@ class OrbitSearch {
   const std::vector<double>& states() const { return states_; }   // [open point][state]
 
  private:
-  struct Attempt;
-
-  std::vector<Attempt> attempts_from(const Approach& approach) const;
-  std::optional<ReturnMaps> maps_of(const std::vector<Attempt*>& attempts, bool with_derivatives,
-                                    const RoundCallback& after_round);
-  bool pursue(std::vector<Attempt> all, const RoundCallback& after_round);
-  bool newton(const std::vector<Attempt*>& attempts, const RoundCallback& after_round);
+  std::size_t last_period() const;  // of the search: then the record begins, or its warm-up
+  std::vector<OrbitAttempt> attempts_from(const Approach& approach) const;
+  void take(OrbitAttempt* attempt);
   void close_points();
 
   const Plan& plan_;

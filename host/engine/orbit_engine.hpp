@@ -19,8 +19,17 @@ struct TileResult;
 // counts as what it costs); false asks the engine to stop.
 using RoundCallback = std::function<bool(double steps)>;
 
+// How near is near; distances are relative to the ranges of the motion.
+struct NearReturn {
+  double near;       // a state is near where it was n periods before within near / n^2
+  double tolerance;  // distances that are looked at, at least: a range is so large that these do
+                     // not drown in rounding
+};
+
 struct Approach {
   std::vector<double> states;  // at the end
+  // [point][state]: range of the states of the same unit during the last period, at most.
+  std::vector<double> ranges;
   // [point]: the least number of periods before which the state was near where it is now; 0: none.
   std::vector<std::uint32_t> lengths;
   std::vector<double> guesses;  // [point][state]: where the orbit of that length is likely to be
@@ -36,13 +45,18 @@ class OrbitEngine {
  public:
   virtual ~OrbitEngine() = default;
 
-  // Settles by ORBIT_LONGEST periods. The state is near where it was n periods before when it
-  // differs by no more than near / n^2 times the greatest component. excluded: [point] bit n - 1:
-  // not this n.
+  // Settles by ORBIT_LONGEST periods. excluded: [point] bit n - 1: the state is not compared with
+  // that n periods before.
   virtual std::optional<Approach> approach(const Plan& plan, const Tile& tile,
                                            const std::vector<double>& states,
-                                           const std::vector<std::uint32_t>& excluded, double near,
+                                           const std::vector<std::uint32_t>& excluded,
+                                           const NearReturn& near,
                                            const RoundCallback& after_round) = 0;
+
+  // The states after each of the next ORBIT_LONGEST periods: [point][period][state].
+  virtual std::optional<std::vector<double>> follow(const Plan& plan, const Tile& tile,
+                                                    const std::vector<double>& states,
+                                                    const RoundCallback& after_round) = 0;
 
   // lengths: [point] periods of its map. Points of equal length are best neighbours.
   virtual std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,

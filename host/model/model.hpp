@@ -67,6 +67,7 @@ struct Model {
   std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
   std::vector<ChannelInfo> phase_coefs;
+  std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   // A force grows from the limits of a backlash: the signals `deflection` and `backlash`.
   bool has_contact = false;
 

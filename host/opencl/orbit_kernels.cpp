@@ -48,6 +48,7 @@ OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launche
     : launcher_(launcher),
       program_(orbit_program(study, launcher)),
       approach_(program_, "approach"),
+      measure_(program_, "measure"),
       extrapolate_(program_, "extrapolate"),
       return_map_(program_, "return_map"),
       return_map_linearized_(program_, "return_map_linearized"),
@@ -57,9 +58,16 @@ OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launche
 std::optional<Approach> OrbitKernels::approach(const Plan& plan, const Tile& tile,
                                                const std::vector<double>& states,
                                                const std::vector<std::uint32_t>& excluded,
-                                               double near, const RoundCallback& after_round) {
+                                               const NearReturn& near,
+                                               const RoundCallback& after_round) {
   return launcher_->guard(
       tile, [&] { return approach_tile(plan, tile, states, excluded, near, after_round); });
+}
+
+std::optional<std::vector<double>> OrbitKernels::follow(const Plan& plan, const Tile& tile,
+                                                        const std::vector<double>& states,
+                                                        const RoundCallback& after_round) {
+  return launcher_->guard(tile, [&] { return follow_tile(plan, tile, states, after_round); });
 }
 
 std::optional<ReturnMaps> OrbitKernels::return_maps(const Plan& plan, const Tile& tile,
@@ -81,7 +89,8 @@ std::optional<TileResult> OrbitKernels::replay(
 std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile& tile,
                                                     const std::vector<double>& states,
                                                     const std::vector<std::uint32_t>& excluded,
-                                                    double near, const RoundCallback& after_round) {
+                                                    const NearReturn& near,
+                                                    const RoundCallback& after_round) {
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const std::size_t slot_count = inputs.slots.position.size();
   const std::size_t state_count = plan.study().model->states.size();
@@ -92,7 +101,14 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   approach_.setArg(argument++, state);
   approach_.setArg(argument++, sections);
   const Window rounds = window_of_rounds();
-  if (!launcher_->run_rounds(&approach_, rounds, inputs, ORBIT_LONGEST, after_round)) {
+  const cl::Buffer ranges = launcher_->allocate(state_count * slot_count);
+  argument = Launcher::set_inputs(&measure_, inputs);
+  measure_.setArg(argument++, state);
+  measure_.setArg(argument++, sections);
+  launcher_->set_number(&measure_, argument++, near.tolerance);
+  measure_.setArg(argument++, ranges);
+  if (!launcher_->run_rounds(&approach_, rounds, inputs, ORBIT_LONGEST - 1, after_round) ||
+      !launcher_->run_rounds(&measure_, rounds, inputs, 1, after_round)) {
     return std::nullopt;
   }
   const cl::Buffer lengths =
@@ -101,12 +117,14 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   extrapolate_.setArg(0, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
   extrapolate_.setArg(1, state);
   extrapolate_.setArg(2, sections);
-  launcher_->set_number(&extrapolate_, 3, near);
-  extrapolate_.setArg(4, lengths);
-  extrapolate_.setArg(5, guesses);
+  extrapolate_.setArg(3, ranges);
+  launcher_->set_number(&extrapolate_, 4, near.near);
+  extrapolate_.setArg(5, lengths);
+  extrapolate_.setArg(6, guesses);
   launcher_->launch(&extrapolate_, inputs.slots.items());
   Approach found;
   found.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  found.ranges = gather_points(launcher_->download(ranges, state_count * slot_count), inputs.slots);
   found.guesses =
       gather_points(launcher_->download(guesses, state_count * slot_count), inputs.slots);
   for (const double length :
@@ -114,6 +132,34 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
     found.lengths.push_back(static_cast<std::uint32_t>(length));
   }
   return found;
+}
+
+std::optional<std::vector<double>> OrbitKernels::follow_tile(const Plan& plan, const Tile& tile,
+                                                             const std::vector<double>& states,
+                                                             const RoundCallback& after_round) {
+  const TileInputs inputs = launcher_->prepare(plan, tile);
+  const Slots& slots = inputs.slots;
+  const std::size_t slot_count = slots.position.size();
+  const std::size_t state_count = plan.study().model->states.size();
+  const std::size_t numbers = (ORBIT_LONGEST + 1) * state_count;  // of a point's sections
+  const cl::Buffer state =
+      launcher_->upload(spread_states(states, state_count, slots), CL_MEM_READ_WRITE);
+  const cl::Buffer sections = launcher_->allocate(numbers * slot_count);
+  cl_uint argument = Launcher::set_inputs(&approach_, inputs);
+  approach_.setArg(argument++, state);
+  approach_.setArg(argument++, sections);
+  if (!launcher_->run_rounds(&approach_, window_of_rounds(), inputs, ORBIT_LONGEST, after_round)) {
+    return std::nullopt;
+  }
+  const std::vector<double> all = launcher_->download(sections, numbers * slot_count);
+  std::vector<double> out;
+  out.reserve(tile.points.size() * ORBIT_LONGEST * state_count);
+  for (const std::size_t slot : slots.slot_of) {
+    // [item][period][state][lane]; the first section is where it began.
+    const std::size_t first = slot / slots.lanes * numbers * slots.lanes + slot % slots.lanes;
+    for (std::size_t i = state_count; i < numbers; ++i) out.push_back(all[first + i * slots.lanes]);
+  }
+  return out;
 }
 
 std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& tile,

@@ -14,8 +14,12 @@ class OrbitKernels final : public OrbitEngine {
 
   std::optional<Approach> approach(const Plan& plan, const Tile& tile,
                                    const std::vector<double>& states,
-                                   const std::vector<std::uint32_t>& excluded, double near,
+                                   const std::vector<std::uint32_t>& excluded,
+                                   const NearReturn& near,
                                    const RoundCallback& after_round) override;
+  std::optional<std::vector<double>> follow(const Plan& plan, const Tile& tile,
+                                            const std::vector<double>& states,
+                                            const RoundCallback& after_round) override;
   std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states,
                                         const std::vector<std::uint32_t>& lengths,
@@ -29,8 +33,11 @@ class OrbitKernels final : public OrbitEngine {
  private:
   std::optional<Approach> approach_tile(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states,
-                                        const std::vector<std::uint32_t>& excluded, double near,
-                                        const RoundCallback& after_round);
+                                        const std::vector<std::uint32_t>& excluded,
+                                        const NearReturn& near, const RoundCallback& after_round);
+  std::optional<std::vector<double>> follow_tile(const Plan& plan, const Tile& tile,
+                                                 const std::vector<double>& states,
+                                                 const RoundCallback& after_round);
   std::optional<ReturnMaps> map_tile(const Plan& plan, const Tile& tile,
                                      const std::vector<double>& states,
                                      const std::vector<std::uint32_t>& lengths,
@@ -42,7 +49,8 @@ class OrbitKernels final : public OrbitEngine {
 
   Launcher* launcher_;
   cl::Program program_;
-  cl::Kernel approach_, extrapolate_, return_map_, return_map_linearized_, replay_, finish_;
+  cl::Kernel approach_, measure_, extrapolate_, return_map_, return_map_linearized_, replay_,
+      finish_;
 };
 
 }  // namespace gearsweep

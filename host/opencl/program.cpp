@@ -40,6 +40,18 @@ void write_parameters(const Study& study, std::ostream& out) {
   }
 }
 
+// States of the same unit have the same number.
+void write_units(const Model& model, std::ostream& out) {
+  std::vector<std::string> units;
+  out << "#define STATE_UNITS {";
+  for (const ChannelInfo& state : model.states) {
+    const auto known = std::find(units.begin(), units.end(), state.unit);
+    out << known - units.begin() << ", ";
+    if (known == units.end()) units.push_back(state.unit);
+  }
+  out << "}\n";
+}
+
 void write_observers(const Study& study, std::ostream& out) {
   std::set<std::string> channels;
   std::string list;
@@ -65,6 +77,7 @@ void write_observers(const Study& study, std::ostream& out) {
   out << "#define OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)" << list << '\n';
   out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   // Only where they matter: a program that differs in nothing else need not be built again.
+  out << fmt::format("#define WATCHES_SECTIONS {}\n", watches_orbit ? 1 : 0);
   if (watches_orbit) {
     out << fmt::format("#define PERIOD_TOLERANCE {}\n", study.selection.period_tolerance);
   }
@@ -133,6 +146,7 @@ std::string selection_header(const Study& study) {
   // OpenCL C knows no empty initialiser; a model without options has one dummy member.
   if (study.setting.options.empty()) out << 0;
   out << "}\n";
+  write_units(*study.model, out);
   write_parameters(study, out);
   write_observers(study, out);
   return out.str();

@@ -104,7 +104,8 @@ class Estimate {
     Buffers buffers = inputs(whole_slots());
     buffers.add(scalars((ORBIT_LONGEST + 1) * states_ * whole_slots()));
     buffers.add(scalars(whole_slots()));
-    buffers.add(scalars(states_ * whole_slots()));
+    buffers.add(scalars(states_ * whole_slots()));  // guesses
+    buffers.add(scalars(states_ * whole_slots()));  // ranges
     return buffers;
   }
 

@@ -133,11 +133,11 @@ std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer,
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
   if (kind == "kaplan_yorke") return make_kaplan_yorke();
-  if (kind == "period") return make_period(period_tolerance);
-  if (kind == "settled") return make_settled(period_tolerance);
-  if (kind == "motion") return make_motion(period_tolerance);
+  if (kind == "period") return make_period(period_tolerance, state_kinds(model));
+  if (kind == "settled") return make_settled(period_tolerance, state_kinds(model));
+  if (kind == "motion") return make_motion(period_tolerance, state_kinds(model));
   if (kind == "section") return make_section();
-  if (kind == "zero_one") return make_zero_one(period_tolerance);
+  if (kind == "zero_one") return make_zero_one(period_tolerance, state_kinds(model));
   throw RunError(fmt::format("the reference engine does not compute observable '{}'", kind));
 }
 

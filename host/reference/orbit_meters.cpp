@@ -20,8 +20,18 @@ struct Recurrence {
 // The sections of a record: where it begins, and at the end of each period.
 class Sections {
  public:
-  explicit Sections(double tolerance) : tolerance_(tolerance) {}
-  void add(const Eigen::VectorXd& state) { states_.push_back(state); }
+  Sections(double tolerance, const StateKinds& kinds)
+      : tolerance_(tolerance), range_(kinds, tolerance) {}
+  void begin(const Eigen::VectorXd& state) {
+    states_.push_back(state);
+    range_.begin(state);
+  }
+  // A moment between two sections.
+  void pass(const Eigen::VectorXd& state) { range_.widen(state); }
+  void add(const Eigen::VectorXd& state) {
+    states_.push_back(state);
+    range_.end_period(state);
+  }
   // The periods recorded, which is also the number of the last section.
   std::size_t last() const { return states_.size() - 1; }
 
@@ -29,9 +39,8 @@ class Sections {
   // them does; no two periods can do so. It counts when two multiples do or more, and for a quarter
   // of the record.
   Recurrence recurrence() const {
-    const double limit = tolerance_ * scale();
     for (std::size_t period = 1; period <= longest_window() / 2; ++period) {
-      const Stretch stretch = final_stretch(period, limit);
+      const Stretch stretch = final_stretch(period);
       if (stretch.recurrences >= 2 && 4 * (last() - stretch.since) >= last()) {
         return {period, stretch.since};
       }
@@ -59,14 +68,6 @@ class Sections {
     std::size_t recurrences = 0, since = 0;
   };
 
-  double scale() const {
-    double greatest = 0.0;
-    for (const Eigen::VectorXd& state : states_) {
-      greatest = std::max(greatest, state.cwiseAbs().maxCoeff());
-    }
-    return greatest;
-  }
-
   std::size_t longest_window() const {
     return std::max(std::size_t{64}, std::bit_floor(last() / 3));
   }
@@ -81,31 +82,30 @@ class Sections {
     return references;
   }
 
-  bool same(std::size_t i, std::size_t j, double limit) const {
-    return (states_[i] - states_[j]).cwiseAbs().maxCoeff() <= limit;
+  bool same(std::size_t i, std::size_t j) const {
+    return range_.distance(states_[i], states_[j]) <= tolerance_;
   }
 
   // How many multiples of the period the window holds; nothing when one of them is not the same as
   // the reference, or when another section is that a period could bring back.
-  std::optional<std::size_t> recurrences(const Reference& reference, std::size_t period,
-                                         double limit) const {
+  std::optional<std::size_t> recurrences(const Reference& reference, std::size_t period) const {
     std::size_t count = 0;
     for (std::size_t i = reference.section + 1; i <= reference.window_end; ++i) {
       const std::size_t lag = i - reference.section;
       const bool is_multiple = lag % period == 0;
       if (!is_multiple && lag > longest_window() / 2) continue;
-      if (same(i, reference.section, limit) != is_multiple) return std::nullopt;
+      if (same(i, reference.section) != is_multiple) return std::nullopt;
       if (is_multiple) ++count;
     }
     return count;
   }
 
   // The last references from which on the period recurs throughout.
-  Stretch final_stretch(std::size_t period, double limit) const {
+  Stretch final_stretch(std::size_t period) const {
     const std::vector<Reference> all = references();
     Stretch stretch;
     for (auto reference = all.rbegin(); reference != all.rend(); ++reference) {
-      const std::optional<std::size_t> count = recurrences(*reference, period, limit);
+      const std::optional<std::size_t> count = recurrences(*reference, period);
       if (!count) break;
       if (*count > 0) stretch = {stretch.recurrences + *count, reference->section};
     }
@@ -113,14 +113,16 @@ class Sections {
   }
 
   double tolerance_;
+  MotionRange range_;
   std::vector<Eigen::VectorXd> states_;
 };
 
 // Collects the sections.
 class SectionMeter : public Meter {
  public:
-  explicit SectionMeter(double tolerance) : sections_(tolerance) {}
-  void begin(const Eigen::VectorXd& state) override { sections_.add(state); }
+  SectionMeter(double tolerance, const StateKinds& kinds) : sections_(tolerance, kinds) {}
+  void begin(const Eigen::VectorXd& state) override { sections_.begin(state); }
+  void step(const Moment&, const Moment& after, double) override { sections_.pass(after.state); }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
     sections_.add(state);
   }
@@ -152,7 +154,8 @@ class Settled final : public SectionMeter {
 
 class Motion final : public SectionMeter {
  public:
-  explicit Motion(double tolerance) : SectionMeter(tolerance), exponent_(make_lyapunov_max()) {}
+  Motion(double tolerance, const StateKinds& kinds)
+      : SectionMeter(tolerance, kinds), exponent_(make_lyapunov_max()) {}
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
     SectionMeter::period(state, growth, length);
     exponent_->period(state, growth, length);
@@ -209,10 +212,14 @@ class SectionBox final : public Meter {
 }  // namespace
 
 std::unique_ptr<Meter> make_section() { return std::make_unique<SectionBox>(); }
-std::unique_ptr<Meter> make_period(double tolerance) { return std::make_unique<Period>(tolerance); }
-std::unique_ptr<Meter> make_settled(double tolerance) {
-  return std::make_unique<Settled>(tolerance);
+std::unique_ptr<Meter> make_period(double tolerance, const StateKinds& kinds) {
+  return std::make_unique<Period>(tolerance, kinds);
 }
-std::unique_ptr<Meter> make_motion(double tolerance) { return std::make_unique<Motion>(tolerance); }
+std::unique_ptr<Meter> make_settled(double tolerance, const StateKinds& kinds) {
+  return std::make_unique<Settled>(tolerance, kinds);
+}
+std::unique_ptr<Meter> make_motion(double tolerance, const StateKinds& kinds) {
+  return std::make_unique<Motion>(tolerance, kinds);
+}
 
 }  // namespace gearsweep

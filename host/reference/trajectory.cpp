@@ -1,5 +1,8 @@
 #include "reference/trajectory.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "reference/crossing.hpp"
 #include "sweep_types.h"
 
@@ -9,6 +12,7 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
     : grid_(plan.phase_grid_of(point)),
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
+      angles_(plan.study().model->angles),
       has_events_(plan.study().integrate.events && plan.study().model->has_contact),
       point_(plan.study().model->prepare(plan.setting_of(point))),
       state_(state) {
@@ -31,7 +35,12 @@ bool Trajectory::advance_period(const StepCallback& each_step) {
     }
     row += 1;  // the next segment has its own one-sided coefficients at the break phase
   }
-  return in_range();
+  const bool is_finite = in_range();
+  for (const std::size_t angle : angles_) {
+    double& turn = state_[static_cast<Eigen::Index>(angle)];
+    turn = std::remainder(turn, 2.0 * std::numbers::pi);
+  }
+  return is_finite;
 }
 
 Trajectory::Bundle Trajectory::slope(std::size_t row, const Bundle& at) const {

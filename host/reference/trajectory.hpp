@@ -29,7 +29,8 @@ class Trajectory {
   void set_tangents(const Eigen::MatrixXd& tangents) { tangents_ = tangents; }
   const Eigen::MatrixXd& tangents() const { return tangents_; }
 
-  // Advances by one period; false when the state left the range that counts as finite.
+  // Advances by one period, at whose end full turns are taken out of angles; false when the state
+  // left the range that counts as finite.
   bool advance_period();
   bool advance_period(const StepCallback& each_step);
 
@@ -54,6 +55,7 @@ class Trajectory {
 
   PhaseGrid grid_;
   std::size_t row_width_, signal_count_;
+  std::vector<std::size_t> angles_;             // states
   bool has_events_;                             // steps that cross a limit are corrected
   Eigen::Index deflection_ = 0, backlash_ = 0;  // signals of a model that has contact
   std::unique_ptr<PreparedPoint> point_;

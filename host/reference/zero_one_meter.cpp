@@ -40,9 +40,13 @@ double growth_of_walk(const Eigen::ArrayXd& series, double angle) {
 
 class ZeroOne final : public Meter {
  public:
-  explicit ZeroOne(double tolerance) : tolerance_(tolerance) {}
+  ZeroOne(double tolerance, const StateKinds& kinds)
+      : tolerance_(tolerance), range_(kinds, tolerance) {}
+  void begin(const Eigen::VectorXd& state) override { range_.begin(state); }
+  void step(const Moment&, const Moment& after, double) override { range_.widen(after.state); }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
     samples_.push_back(state[0]);
+    range_.end_period(state);
   }
 
   std::vector<double> finish(const Window&) const override {
@@ -51,7 +55,7 @@ class ZeroOne final : public Meter {
                                                    static_cast<Eigen::Index>(samples_.size()));
     const Eigen::ArrayXd series = samples - samples.mean();
     const double deviation = std::sqrt(series.square().mean());
-    if (deviation <= tolerance_ * samples.abs().maxCoeff()) return {0.0};
+    if (deviation <= tolerance_ * range_.of_state(0)) return {0.0};
     constexpr std::size_t kAngles = 31;
     std::vector<double> answers;
     for (std::size_t i = 1; i <= kAngles; ++i) {
@@ -66,13 +70,14 @@ class ZeroOne final : public Meter {
 
  private:
   double tolerance_;
+  MotionRange range_;
   std::vector<double> samples_;
 };
 
 }  // namespace
 
-std::unique_ptr<Meter> make_zero_one(double tolerance) {
-  return std::make_unique<ZeroOne>(tolerance);
+std::unique_ptr<Meter> make_zero_one(double tolerance, const StateKinds& kinds) {
+  return std::make_unique<ZeroOne>(tolerance, kinds);
 }
 
 }  // namespace gearsweep

@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "reference/meters.hpp"
+#include "reference/motion_range.hpp"
 
 namespace gearsweep {
 
 // K of the first state at the end of each recorded period, with the angles, the greatest lag and
 // the centring of kernels/observables/zero_one.h. 0 when the samples stay at one value: when their
-// standard deviation is at most `tolerance` times the greatest. NaN with less than 100 of them.
-std::unique_ptr<Meter> make_zero_one(double tolerance);
+// standard deviation is at most `tolerance` times the motion's range. NaN with less than 100 of
+// them.
+std::unique_ptr<Meter> make_zero_one(double tolerance, const StateKinds& kinds);
 
 }  // namespace gearsweep

@@ -47,7 +47,7 @@ struct Selection {
   std::optional<std::size_t> motion;
   std::optional<Survey> survey;  // when attractors are to be told apart
   // Two states at phase 0 are the same when they differ by no more than this, relative to the
-  // greatest component (kernels/observables/period.h).
+  // range of the motion (kernels/observables/period.h).
   double period_tolerance = 1e-6;
 
   std::size_t output_count() const;       // of all observers

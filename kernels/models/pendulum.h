@@ -1,12 +1,16 @@
 // pendulum: x'' + damping x' + sin x = drive sin(omega t + phase), the forced damped pendulum
-// (Baker and Gollub, Chaotic Dynamics, 1990; damping = 1/Q there). The angle is not wrapped.
+// (Baker and Gollub, Chaotic Dynamics, 1990; damping = 1/Q there). Full turns are taken out of the
+// angle at the end of each period, so rotating motion has sections that stay.
 #define MODEL_NAME "pendulum"
 #define MODEL_SUMMARY "forced damped pendulum (Baker and Gollub 1990)"
 
 // X(name, unit, meaning)
-#define MODEL_STATES(X)                                       \
-  X(x, "rad", "angle from the vertical, full turns included") \
+#define MODEL_STATES(X)                                             \
+  X(x, "rad", "angle from the vertical, from -pi to pi at phase 0") \
   X(v, "1", "angular velocity / small-swing angular frequency")
+
+// States that mean the same after a full turn.
+#define MODEL_ANGLES(X) X(x)
 
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER

@@ -63,10 +63,10 @@ SHARED_FN void motion_init(real* sums, const real* x) {
   motion_begin_half(sums, x);
 }
 
-SHARED_FN void motion_period(real* sums, const real* x, const real* growth, real period,
-                             uint number, uint record) {
+SHARED_FN void motion_period(real* sums, const real* x, const real* growth, const Extent* extent,
+                             real period, uint number, uint record) {
   sums[motion_forcing] = period;
-  period_period(sums + motion_recurrence, x, growth, period, number, record);
+  period_period(sums + motion_recurrence, x, growth, extent, period, number, record);
   lyapunov_max_period(sums + motion_growth, growth, period, number, record);
   if (number == record / 2) {
     sums[motion_extent] = motion_present_extent(sums);

@@ -2,7 +2,8 @@
 // state is compared with a reference that moves on after 1, 2, 4, ... periods (R. P. Brent, BIT 20
 // (1980) 176-184) and at last each time a window is full: 64 periods, or the greatest power of two
 // that is at most a third of the record. Two states are the same when no component differs by more
-// than PERIOD_TOLERANCE times the greatest component of any recorded state at phase 0. A period
+// than PERIOD_TOLERANCE times the range of the motion during any period so far (items.h), which
+// knows nothing of offsets and units. A period
 // counts when all its multiples within reach recur and nothing before or between them does, at
 // least two of them, from some reference to the end of the record and for a quarter of the record
 // or more. The longest that counts is half a window.
@@ -12,13 +13,13 @@
 #define PERIOD_OUTPUTS(X) X(, "1", "", "period in forcing periods; 0: none was found")
 
 enum {
-  period_candidate,                                   // 0: none
-  period_hits,                                        // times that the candidate recurred
-  period_due,                                         // lag at which it recurs next
-  period_since,                                       // periods recorded before its reference
-  period_scale,                                       // greatest component so far
-  period_reference,                                   // the state to compare with
-  period_accumulators = period_reference + PER_STATE  // all of them
+  period_candidate,                                // 0: none
+  period_hits,                                     // times that the candidate recurred
+  period_due,                                      // lag at which it recurs next
+  period_since,                                    // periods recorded before its reference
+  period_reference,                                // the state to compare with
+  period_ranges = period_reference + PER_STATE,    // of each state during a period, the greatest
+  period_accumulators = period_ranges + PER_STATE  // all of them
 };
 
 #ifdef __OPENCL_VERSION__
@@ -32,20 +33,17 @@ SHARED_FN uint period_longest_window(uint record) {
 
 SHARED_FN void period_take_reference(real* sums, const real* x) {
   UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    sums[period_reference + i] = x[i];
-    sums[period_scale] = lane_max(sums[period_scale], lane_abs(x[i]));
-  }
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) sums[period_reference + i] = x[i];
 }
 
 SHARED_FN void period_init(real* sums, const real* x) {
-  for (int i = 0; i < period_reference; ++i) sums[i] = 0;
+  for (int i = 0; i < period_accumulators; ++i) sums[i] = 0;
   period_take_reference(sums, x);
 }
 
-// x: state at the end of the recorded period of this number.
-SHARED_FN void period_period(real* sums, const real* x, const real* growth, real period,
-                             uint number, uint record) {
+// x: state at the end of the recorded period of this number, whose extent is given.
+SHARED_FN void period_period(real* sums, const real* x, const real* growth, const Extent* extent,
+                             real period, uint number, uint record) {
   const uint longest = period_longest_window(record);
   uint window = 1;
   uint start = 0;
@@ -58,13 +56,17 @@ SHARED_FN void period_period(real* sums, const real* x, const real* growth, real
   const real zero = 0;
   const real one = 1;
 
-  real distance = 0;
+  real ranges[MODEL_STATE_COUNT];
+  real shared[MODEL_STATE_COUNT];
+  extent_ranges(extent, (scalar)(PERIOD_TOLERANCE), ranges);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    sums[period_scale] = lane_max(sums[period_scale], lane_abs(x[i]));
-    distance = lane_max(distance, lane_abs(x[i] - sums[period_reference + i]));
+    sums[period_ranges + i] = lane_max(sums[period_ranges + i], ranges[i]);
   }
-  const mask same = distance <= (scalar)(PERIOD_TOLERANCE)*sums[period_scale];
+  share_ranges(sums + period_ranges, shared);
+  real apart[MODEL_STATE_COUNT];
+  relative_difference(x, sums + period_reference, shared, apart);
+  const mask same = greatest_size(apart) <= (scalar)(PERIOD_TOLERANCE);
   const mask due = sums[period_due] == now;
   const mask hit = due & same;
   const mask missed = due & !same;

@@ -19,8 +19,8 @@ SHARED_FN void section_init(real* sums, const real* x) {
   }
 }
 
-SHARED_FN void section_period(real* sums, const real* x, const real* growth, real period,
-                              uint number, uint record) {
+SHARED_FN void section_period(real* sums, const real* x, const real* growth, const Extent* extent,
+                              real period, uint number, uint record) {
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[i] = lane_min(sums[i], x[i]);
     sums[MODEL_STATE_COUNT + i] = lane_max(sums[MODEL_STATE_COUNT + i], x[i]);

@@ -16,9 +16,9 @@ enum { settled_outputs = SETTLED_OUTPUTS(COUNT_OUTPUT) };
 
 SHARED_FN void settled_init(real* sums, const real* x) { period_init(sums, x); }
 
-SHARED_FN void settled_period(real* sums, const real* x, const real* growth, real period,
-                              uint number, uint record) {
-  period_period(sums, x, growth, period, number, record);
+SHARED_FN void settled_period(real* sums, const real* x, const real* growth, const Extent* extent,
+                              real period, uint number, uint record) {
+  period_period(sums, x, growth, extent, period, number, record);
 }
 
 SHARED_FN void settled_finish(const real* sums, SweepRound round, real* out) {

@@ -21,7 +21,7 @@
 enum { zero_one_most_lags = 128 };
 enum {
   zero_one_origin,                                         // the samples below are less this
-  zero_one_greatest,                                       // sample by magnitude, origin included
+  zero_one_range,                                          // of the state, the greatest so far
   zero_one_sum,                                            // of all samples
   zero_one_part_sum,                                       // of samples 1 .. J
   zero_one_head,                                           // the first samples
@@ -40,12 +40,14 @@ SHARED_FN void zero_one_init(real* sums, const real* x) {
   sums[zero_one_origin] = x[0];
 }
 
-SHARED_FN void zero_one_period(real* sums, const real* x, const real* growth, real period,
-                               uint number, uint record) {
+SHARED_FN void zero_one_period(real* sums, const real* x, const real* growth, const Extent* extent,
+                               real period, uint number, uint record) {
   const uint lags = zero_one_lags(record);
   const uint i = number + 1;
   const real sample = x[0] - sums[zero_one_origin];
-  sums[zero_one_greatest] = lane_max(sums[zero_one_greatest], lane_abs(x[0]));
+  real ranges[MODEL_STATE_COUNT];
+  extent_ranges(extent, (scalar)(PERIOD_TOLERANCE), ranges);
+  sums[zero_one_range] = lane_max(sums[zero_one_range], ranges[0]);
   sums[zero_one_sum] += sample;
   if (i + lags <= record) sums[zero_one_part_sum] += sample;
   if (number < zero_one_most_lags) sums[zero_one_head + number] = sample;
@@ -108,7 +110,8 @@ SHARED_FN real zero_one_correlation(const real* head, const real* tail, const re
   return covariance / lane_sqrt(variance * count_variance);
 }
 
-// A series that stays at one value within PERIOD_TOLERANCE is regular, whatever its rounding does.
+// A series that stays at one value within PERIOD_TOLERANCE of the motion's range is regular,
+// whatever its rounding does.
 SHARED_FN void zero_one_finish(const real* sums, SweepRound round, real* out) {
   out[0] = NAN;
   if (round.record < 100) return;
@@ -132,7 +135,7 @@ SHARED_FN void zero_one_finish(const real* sums, SweepRound round, real* out) {
     }
   }
   const real zero = 0;
-  const real least = (scalar)(PERIOD_TOLERANCE)*sums[zero_one_greatest];
+  const real least = (scalar)(PERIOD_TOLERANCE)*sums[zero_one_range];
   const mask varies = products[0] > (scalar)(round.record - lags) * least * least;
   out[0] = lane_select(varies, sorted[zero_one_angles / 2], zero);
 }

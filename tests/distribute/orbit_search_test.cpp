@@ -17,7 +17,7 @@ namespace {
 using ::testing::Each;
 using ::testing::Lt;
 
-constexpr NewtonLimits kLimits = {1e-7, 1e-4, 0.5, 1e-10};
+const NewtonLimits kLimits = {1e-7, 1e-4, 0.5, 1e-10};
 
 // The map x -> A x + b in two dimensions.
 struct AffineMap {
@@ -28,6 +28,13 @@ struct AffineMap {
             columns[1] * x[0] + columns[3] * x[1] + b[1]};
   }
 };
+
+// States are of the size of 1.
+NewtonTry on_map() {
+  NewtonTry one;
+  one.ranges = {1.0, 1.0};
+  return one;
+}
 
 NewtonVerdict step(const AffineMap& map, NewtonTry* one, const NewtonLimits& limits = kLimits) {
   const std::vector<double> mapped = map(one->state);
@@ -42,7 +49,7 @@ NewtonVerdict confirm(const AffineMap& map, NewtonTry* one) {
 // (I - A)^-1 b = (1, 2), so one step from anywhere is enough, and the next one sees it.
 TEST(NewtonStep, FindsTheFixedPointOfAnAffineMapAtOnce) {
   const AffineMap map = {{0.5, 0.0, 0.0, -0.25}, {0.5, 2.5}};
-  NewtonTry one;
+  NewtonTry one = on_map();
   one.start = one.state = {1.1, 2.2};
   EXPECT_EQ(step(map, &one), NewtonVerdict::going_on);
   EXPECT_EQ(step(map, &one), NewtonVerdict::close);
@@ -57,7 +64,7 @@ TEST(NewtonStep, FindsTheFixedPointOfAnAffineMapAtOnce) {
 TEST(NewtonStep, DoesNotTakeForAnOrbitWhatDoesNotComeBack) {
   const AffineMap map = {{0.5, 0.0, 0.0, -0.25}, {0.5, 2.5}};
   const AffineMap beyond = {map.columns, {0.5, 2.5 + 1e-5}};
-  NewtonTry one;
+  NewtonTry one = on_map();
   one.start = one.state = {1.00001, 2.0};
   EXPECT_EQ(step(map, &one), NewtonVerdict::close);
   EXPECT_EQ(confirm(beyond, &one), NewtonVerdict::going_on);
@@ -68,21 +75,21 @@ TEST(NewtonStep, DoesNotTakeForAnOrbitWhatDoesNotComeBack) {
 
 TEST(NewtonStep, LeavesAnUnstableFixedPointAlone) {
   const AffineMap map = {{1.5, 0.0, 0.0, 0.5}, {-0.5, 1.0}};
-  NewtonTry one;
+  NewtonTry one = on_map();
   one.start = one.state = {1.0, 2.0};
   EXPECT_EQ(step(map, &one), NewtonVerdict::unstable);
 }
 
 TEST(NewtonStep, GoesNoFartherThanItMay) {
   const AffineMap map = {{0.99, 0.0, 0.0, 0.5}, {0.01, 1.0}};
-  NewtonTry one;
+  NewtonTry one = on_map();
   one.start = one.state = {5.0, 2.0};  // it is nearly back, and yet far from (1, 2)
   EXPECT_EQ(step(map, &one), NewtonVerdict::failed);
 }
 
 TEST(NewtonStep, DoesNotReadMultipliersOutOfRounding) {
   const AffineMap map = {{0.5, 0.0, 0.0, 1e-12}, {0.5, 2.0}};
-  NewtonTry one;
+  NewtonTry one = on_map();
   one.start = one.state = {1.0, 2.0};
   EXPECT_EQ(step(map, &one), NewtonVerdict::failed);
 }
@@ -115,14 +122,16 @@ TEST(OrbitSearch, KnowsTheOrbitOfALinearOscillator) {
 }
 
 // The return map of a linear oscillator is affine: extrapolated, the last returns give the orbit
-// itself, and one derivative is enough, in one run of the map with it and one without. The orbit is
-// then recorded and repeated.
+// itself, and one derivative is enough, in one run of the map with it and one without. Then the
+// trajectory is followed for 16 periods, and the orbit is recorded and repeated.
 TEST(OrbitSearch, TakesOneDerivativeWhereTheMapIsAffine) {
   const SweepResult result = run(kOscillator + "[observe]\nquantities = ['settled']\n");
   EXPECT_EQ(result.stopped, 1U);
   const double settled = map_of(result, "settled")[0];
-  const double with_derivative = 8.0, without = 1.0, recorded = 1.0, repeated = 1.0;
-  EXPECT_EQ(result.steps, 512.0 * (settled + with_derivative + without + recorded + repeated));
+  const double with_derivative = 8.0, without = 1.0, followed = 16.0, recorded = 1.0;
+  const double repeated = 1.0;
+  EXPECT_EQ(result.steps,
+            512.0 * (settled + with_derivative + without + followed + recorded + repeated));
 }
 
 const std::string kGear =

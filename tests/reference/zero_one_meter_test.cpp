@@ -9,9 +9,13 @@
 namespace gearsweep::testing {
 namespace {
 
+// Of a motion that goes through a range of 1 in each period, and is sampled so.
 double zero_one_of(std::size_t record, const std::function<double(std::size_t)>& sample) {
-  const std::unique_ptr<Meter> meter = make_zero_one(1e-6);
+  const std::unique_ptr<Meter> meter = make_zero_one(1e-6, {{0, 1}, {}});
+  meter->begin(Eigen::Vector2d(0.0, 7.0));
   for (std::size_t i = 0; i < record; ++i) {
+    meter->step({}, {Eigen::Vector2d(0.0, 7.0), {}}, 0.5);
+    meter->step({}, {Eigen::Vector2d(1.0, 7.0), {}}, 0.5);
     meter->period(Eigen::Vector2d(sample(i), 7.0), Eigen::VectorXd(), 1.0);
   }
   return meter->finish({0, 0, record}).front();
@@ -50,7 +54,7 @@ TEST(ReferenceZeroOne, IsThatOfTheShiftedSeries) {
               zero_one_of(500, plain), 1e-9);
 }
 
-// Within the tolerance, 1e-6 of its size, the series stays at one value.
+// Within the tolerance, 1e-6 of the motion's range, the series stays at one value.
 TEST(ReferenceZeroOne, IsZeroForASingleValue) {
   auto chaos = logistic_map(4.0);
   EXPECT_EQ(zero_one_of(200, [&](std::size_t i) { return 1.0 + 1e-6 * chaos(i); }), 0.0);

@@ -1,0 +1,44 @@
+// The range of a motion, which distances between its states are relative to: offsets and units do
+// not matter then.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gearsweep {
+
+// What a model says of its states.
+struct StateKinds {
+  std::vector<std::size_t> units;   // [state]: the same number for the same unit
+  std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
+};
+
+StateKinds state_kinds(const Model& model);
+
+class MotionRange {
+ public:
+  // A range is at least so large that `tolerance` times it is 64 roundings of the state.
+  MotionRange(StateKinds kinds, double tolerance);
+
+  // Where a period begins, each step's end in it, and where it ends and the next one begins.
+  void begin(const Eigen::VectorXd& state) { low_ = high_ = state; }
+  void widen(const Eigen::VectorXd& state);
+  void end_period(const Eigen::VectorXd& state);
+
+  // The greatest component of the difference of two states, relative to the largest range during
+  // any period of the states of its unit; angles differ by half a turn at most.
+  double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  // The largest range of one state during any period.
+  double of_state(Eigen::Index state) const { return ranges_[state]; }
+
+ private:
+  StateKinds kinds_;
+  double least_;
+  Eigen::VectorXd low_, high_;
+  Eigen::VectorXd ranges_;  // empty before the first period
+};
+
+}  // namespace gearsweep
