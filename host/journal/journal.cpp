@@ -155,7 +155,7 @@ std::string describe_differences(const std::map<std::string, std::string>& notes
 // keeps a commit through kill -9, since the system has the bytes then; synchronous FULL brings them
 // to the disk before the commit returns, which a power cut needs.
 Journal::Journal(const std::string& path, const Identity& identity) : path_(path) {
-  has_journal(path);
+  has_journal(path);  // throws where there is something that can be none
   lock_ = std::make_unique<FileLock>(path);
   try {
     database_ = std::make_unique<Database>(path);
