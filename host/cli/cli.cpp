@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
+#include <sstream>
+#include <system_error>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/kernel_cache.hpp"
+#include "cli/signal_watch.hpp"
+#include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
@@ -25,7 +29,7 @@ std::vector<std::string> exit_statuses() {
   return texts;
 }
 
-void add_commands(CLI::App* app, int* status) {
+void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
   app->set_version_flag("--version", "gearsweep " + version());
   app->require_subcommand(1);
   app->footer(std::string("A first map:\n"
@@ -34,18 +38,18 @@ void add_commands(CLI::App* app, int* status) {
                           "  gearsweep plot map.nc -q dmf_max -o dmf.png\n\n"
                           "'gearsweep COMMAND --help' shows each command with examples.\n") +
               fmt::format("Exit status: {}.", fmt::join(exit_statuses(), ", ")));
-  add_run_command(app, status);
+  add_run_command(app, signals, status);
   add_merge_command(app, status);
   add_status_command(app);
-  add_trace_command(app, status);
+  add_trace_command(app, signals, status);
   add_plot_command(app);
   add_export_command(app);
   add_floquet_command(app);
-  add_reproduce_command(app, status);
+  add_reproduce_command(app, signals, status);
   add_studies_command(app);
   add_model_command(app);
   add_devices_command(app);
-  add_verify_command(app, status);
+  add_verify_command(app, signals, status);
   add_completion_command(app);
   add_manual_command(app);
 }
@@ -61,20 +65,23 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 }
 
 // Runs the command that the arguments name; its exit status.
-int dispatch(int argc, char** argv) {
+int dispatch(int argc, char** argv, SignalWatch* signals) {
   CLI::App app(
       "gearsweep: maps of gear dynamics and non-smooth oscillators from massively parallel "
       "parameter sweeps",
       "gearsweep");
   int status = kDone;
-  add_commands(&app, &status);
+  add_commands(&app, signals, &status);
   refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // The parser's own codes tell help (0) from errors, which are all wrong input to us.
     if (error.get_exit_code() != 0) throw InputError(describe_parse_error(app, error));
-    return app.exit(error);
+    std::ostringstream help;
+    const int code = app.exit(error, help, help);
+    answer("{}", help.str());
+    return code;
   }
   return status;
 }
@@ -83,12 +90,20 @@ int dispatch(int argc, char** argv) {
 
 int run_cli(int argc, char** argv) {
   try {
-    return dispatch(argc, argv);
+    KernelCache kernels;
+    SignalWatch signals([&kernels] { kernels.remove(); });
+    const int status = dispatch(argc, argv, &signals);
+    flush_answers();
+    return status;
   } catch (const InputError& error) {
-    fmt::print(stderr, "gearsweep: {}\n", error.what());
+    tell("gearsweep: {}\n", error.what());
     return kWrongInput;
+  } catch (const std::system_error& error) {
+    // Who reads no further has what was asked for.
+    if (error.code() != std::errc::broken_pipe) tell("gearsweep: {}\n", error.what());
+    return kFailed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gearsweep: {}\n", error.what());
+    tell("gearsweep: {}\n", error.what());
     return kFailed;
   }
 }

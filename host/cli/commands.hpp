@@ -9,6 +9,8 @@
 
 namespace gearsweep {
 
+class SignalWatch;
+
 enum ExitStatus { kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130 };
 
 // Each exit status and what it means, for help and manual.
@@ -19,18 +21,18 @@ inline std::vector<std::pair<int, std::string>> exit_meanings() {
           {kInterrupted, "interrupted"}};
 }
 
-void add_run_command(CLI::App* app, int* status);
+void add_run_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_merge_command(CLI::App* app, int* status);
 void add_status_command(CLI::App* app);
-void add_trace_command(CLI::App* app, int* status);
-void add_reproduce_command(CLI::App* app, int* status);
+void add_trace_command(CLI::App* app, SignalWatch* signals, int* status);
+void add_reproduce_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_plot_command(CLI::App* app);
 void add_export_command(CLI::App* app);
 void add_floquet_command(CLI::App* app);
 void add_devices_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
 void add_model_command(CLI::App* app);
-void add_verify_command(CLI::App* app, int* status);
+void add_verify_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_completion_command(CLI::App* app);
 void add_manual_command(CLI::App* app);
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/floquet_report.hpp"
 #include "cli/place.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
 #include "distribute/sweep.hpp"
 #include "model/error.hpp"
@@ -169,7 +169,7 @@ void add_floquet_command(CLI::App* app) {
       "The engine settles the motion; Newton's method on the period map finds the orbit.");
   command->callback([arguments] {
     const FloquetFindings findings = compute(*arguments);
-    fmt::print("{}", arguments->as_json ? floquet_as_json(findings) : describe_floquet(findings));
+    answer("{}", arguments->as_json ? floquet_as_json(findings) : describe_floquet(findings));
   });
 }
 

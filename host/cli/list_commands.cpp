@@ -1,12 +1,12 @@
 // gearsweep devices, gearsweep studies.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
 #include "opencl/device.hpp"
 
@@ -27,19 +27,19 @@ void print_devices_as_json(const std::vector<DeviceInfo>& devices) {
                     {"lanes_fp64", device.lanes_fp64},
                     {"lanes_fp32", device.lanes_fp32}});
   }
-  fmt::print("{}\n", list.dump(2));
+  answer("{}\n", list.dump(2));
 }
 
 void print_devices(const std::vector<DeviceInfo>& devices) {
   const std::size_t chosen = default_device(devices);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const DeviceInfo& device = devices[i];
-    fmt::print("{}{} {}\n    {}, {}, driver {}, {} compute units, {}, lanes {} (fp64) {} (fp32)\n",
-               i, i == chosen ? "*" : " ", device.name, device.platform,
-               device.is_cpu ? "CPU" : "GPU", device.driver, device.compute_units,
-               device.fp64 ? "fp64" : "no fp64", device.lanes_fp64, device.lanes_fp32);
+    answer("{}{} {}\n    {}, {}, driver {}, {} compute units, {}, lanes {} (fp64) {} (fp32)\n", i,
+           i == chosen ? "*" : " ", device.name, device.platform, device.is_cpu ? "CPU" : "GPU",
+           device.driver, device.compute_units, device.fp64 ? "fp64" : "no fp64", device.lanes_fp64,
+           device.lanes_fp32);
   }
-  fmt::print("* is used unless --device says otherwise\n");
+  answer("* is used unless --device says otherwise\n");
 }
 
 void print_studies(bool as_json) {
@@ -49,10 +49,10 @@ void print_studies(bool as_json) {
     if (as_json) {
       list.push_back({{"name", name}, {"title", study.title}, {"points", study.points()}});
     } else {
-      fmt::print("{:<16} {} ({} points)\n", name, study.title, study.points());
+      answer("{:<16} {} ({} points)\n", name, study.title, study.points());
     }
   }
-  if (as_json) fmt::print("{}\n", list.dump(2));
+  if (as_json) answer("{}\n", list.dump(2));
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void add_studies_command(CLI::App* app) {
     if (name->empty()) {
       print_studies(*as_json);
     } else {
-      fmt::print("{}", builtin_study_text(*name));
+      answer("{}", builtin_study_text(*name));
     }
   });
 }

@@ -1,12 +1,12 @@
 // gearsweep merge: the result of a study that ran in shards.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/summary.hpp"
 #include "distribute/shards.hpp"
 #include "io/result_file.hpp"
@@ -34,7 +34,7 @@ int merge(const MergeArguments& arguments) {
   const std::string command = fmt::format("gearsweep merge -o '{}' ({} shards)", arguments.output,
                                           arguments.journals.size());
   write_result(result, arguments.output, {command, version(), source_hash()});
-  if (!arguments.quiet) fmt::print(stderr, "{}", describe_run(result, arguments.output));
+  if (!arguments.quiet) tell("{}", describe_run(result, arguments.output));
   return status_of(result);
 }
 

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -53,51 +53,51 @@ std::string origin_of(const Study& study, std::size_t parameter) {
 }
 
 void print_models() {
-  for (const Model& model : models()) fmt::print("{:<10} {}\n", model.name, model.summary);
-  fmt::print("'gearsweep model NAME' shows one in full\n");
+  for (const Model& model : models()) answer("{:<10} {}\n", model.name, model.summary);
+  answer("'gearsweep model NAME' shows one in full\n");
 }
 
 void print_parameters(const Study& study) {
   const Model& model = *study.model;
-  fmt::print("\nparameters (value, unit, allowed range, meaning; origin)\n");
+  answer("\nparameters (value, unit, allowed range, meaning; origin)\n");
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
-    fmt::print("  {:<12} {:<12.10g} {:<7} {:g} .. {:g}  {}; {}\n", info.name,
-               study.setting.parameters[i], info.unit, info.least, info.greatest, info.meaning,
-               origin_of(study, i));
+    answer("  {:<12} {:<12.10g} {:<7} {:g} .. {:g}  {}; {}\n", info.name,
+           study.setting.parameters[i], info.unit, info.least, info.greatest, info.meaning,
+           origin_of(study, i));
   }
-  fmt::print("\noptions\n");
+  answer("\noptions\n");
   for (std::size_t i = 0; i < model.options.size(); ++i) {
     const OptionInfo& option = model.options[i];
     const auto chosen = static_cast<std::size_t>(study.setting.options[i]);
-    fmt::print("  {:<12} {:<12} of {}: {}; {}\n", option.name, option.choices[chosen],
-               fmt::join(option.choices, ", "), option.meaning, study.option_origins[i]);
+    answer("  {:<12} {:<12} of {}: {}; {}\n", option.name, option.choices[chosen],
+           fmt::join(option.choices, ", "), option.meaning, study.option_origins[i]);
   }
 }
 
 void print_channels(const Model& model) {
   for (const auto& [title, channels] :
        {std::pair("states", &model.states), std::pair("signals", &model.signals)}) {
-    fmt::print("\n{}\n", title);
+    answer("\n{}\n", title);
     for (const ChannelInfo& info : *channels) {
-      fmt::print("  {:<12} {:<10} {}\n", info.name, info.unit, info.meaning);
+      answer("  {:<12} {:<10} {}\n", info.name, info.unit, info.meaning);
     }
   }
 }
 
 // Quantities that every channel has are listed once, by their suffix.
 void print_quantities(const Model& model) {
-  fmt::print("\nquantities\n");
+  answer("\nquantities\n");
   for (const Observable& observable : observables()) {
     for (const ObservableOutput& output : observable.outputs) {
       const bool per_channel = observable.kind == ObservableKind::channel;
       const std::string stem = per_channel ? "CHANNEL" : observable.name;
       const std::string name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
-      fmt::print("  {:<16} {}{}\n", name, output.meaning,
-                 output.flags.empty() ? "" : fmt::format(" ({})", fmt::join(output.flags, ", ")));
+      answer("  {:<16} {}{}\n", name, output.meaning,
+             output.flags.empty() ? "" : fmt::format(" ({})", fmt::join(output.flags, ", ")));
     }
   }
-  fmt::print(
+  answer(
       "  {:<16} why the point ended; always there\nCHANNEL is a state or a signal, as in "
       "{}_rms\n",
       "status", model.states.front().name);
@@ -105,12 +105,12 @@ void print_quantities(const Model& model) {
 
 void print_model(const Study& study) {
   const Model& model = *study.model;
-  fmt::print("{}: {}\npreset {}\n", model.name, model.summary, study.preset);
+  answer("{}: {}\npreset {}\n", model.name, model.summary, study.preset);
   print_parameters(study);
   if (!study.gear_notes.empty()) {
-    fmt::print("\nfrom the [gear] table\n");
-    for (const std::string& note : study.gear_notes) fmt::print("  {}\n", note);
-    fmt::print(
+    answer("\nfrom the [gear] table\n");
+    for (const std::string& note : study.gear_notes) answer("  {}\n", note);
+    answer(
         "  one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
         "N; varpi = {:.6g} rad/s\n",
         study.scales.rpm_per_omega, 1e6 * study.scales.b_n, study.scales.k0 * study.scales.b_n,
@@ -118,9 +118,9 @@ void print_model(const Study& study) {
   }
   print_channels(model);
   print_quantities(model);
-  fmt::print("\npresets\n");
+  answer("\npresets\n");
   for (const PresetInfo& preset : model.presets) {
-    fmt::print("  {:<12} {}\n", preset.name, preset.meaning);
+    answer("  {:<12} {}\n", preset.name, preset.meaning);
   }
 }
 
@@ -145,7 +145,7 @@ void print_model_as_json(const Study& study) {
   for (const Quantity& quantity : offered_quantities(model)) {
     json["quantities"].push_back(quantity.name);
   }
-  fmt::print("{}\n", json.dump(2));
+  answer("{}\n", json.dump(2));
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "cli/standard_streams.hpp"
 
 namespace gearsweep {
 namespace {
@@ -60,7 +61,7 @@ void ProgressBar::show(const SweepProgress& progress) {
 }
 
 void ProgressBar::close() {
-  if (bar_open_) fmt::print(stderr, "\n");
+  if (bar_open_) tell("\n");
   bar_open_ = false;
 }
 
@@ -69,15 +70,14 @@ void ProgressBar::show_bar(const SweepProgress& progress) {
   const int width = std::clamp(terminal_columns() - 46, 0, 30);
   const int full = static_cast<int>(progress.share * width);
   // The escape sequence clears what a longer line left behind.
-  fmt::print(stderr, "\r[{:=>{}}{:>{}}] {:5.1f} %  {}\033[K", "", full, "", width - full,
-             100.0 * progress.share, describe_speed(progress));
-  std::fflush(stderr);
+  tell("\r[{:=>{}}{:>{}}] {:5.1f} %  {}\033[K", "", full, "", width - full, 100.0 * progress.share,
+       describe_speed(progress));
   bar_open_ = true;
 }
 
 void ProgressBar::show_line(const SweepProgress& progress) {
-  fmt::print(stderr, "{:5.1f} %  {} of {} points  {}\n", 100.0 * progress.share,
-             progress.points_done, progress.points, describe_speed(progress));
+  tell("{:5.1f} %  {} of {} points  {}\n", 100.0 * progress.share, progress.points_done,
+       progress.points, describe_speed(progress));
 }
 
 }  // namespace gearsweep

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
+#include "cli/standard_streams.hpp"
 #include "reproduce/reproduce.hpp"
 
 namespace gearsweep {
@@ -20,31 +20,31 @@ struct ReproduceArguments {
   bool quiet = false;
 };
 
-int run(const ReproduceArguments& arguments) {
-  const SignalWatch signals;
+int run(const ReproduceArguments& arguments, SignalWatch* signals) {
   const auto start = std::chrono::steady_clock::now();
   ReproduceOptions options;
   options.preset = arguments.preset;
   options.folder = arguments.folder;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals.interrupted();
+  options.stop = &signals->interrupted();
   if (!arguments.quiet) {
     options.on_step = [&](const std::string& what) {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      fmt::print(stderr, "{:>8}  {}\n", format_duration(spent.count()), what);
+      tell("{:>8}  {}\n", format_duration(spent.count()), what);
     };
   }
+  signals->set(OnSignal::stop);
   if (!reproduce(options)) {
-    fmt::print(stderr, "gearsweep: interrupted\n");
+    tell("gearsweep: interrupted\n");
     return kInterrupted;
   }
-  if (!arguments.quiet) fmt::print(stderr, "{}/report.md\n", arguments.folder);
+  if (!arguments.quiet) tell("{}/report.md\n", arguments.folder);
   return kDone;
 }
 
 }  // namespace
 
-void add_reproduce_command(CLI::App* app, int* status) {
+void add_reproduce_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command = app->add_subcommand(
       "reproduce", "The figures of Chen et al. 2011, and a report on what the paper says of them");
   const auto arguments = std::make_shared<ReproduceArguments>();
@@ -63,7 +63,7 @@ void add_reproduce_command(CLI::App* app, int* status) {
       "  gearsweep reproduce -o paper\n"
       "  gearsweep reproduce --preset consistent -o consistent\n\n"
       "The studies behind the figures are built in: gearsweep run paper/fig7 -o fig7.nc");
-  command->callback([arguments, status] { *status = run(*arguments); });
+  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }
 
 }  // namespace gearsweep

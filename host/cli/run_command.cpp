@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "cli/arguments.hpp"
@@ -51,14 +50,18 @@ int serve(const RunArguments& arguments, Cluster* cluster) {
   return kFailed;
 }
 
-int run(const RunArguments& arguments) {
-  block_signals();
+int run(const RunArguments& arguments, SignalWatch* signals) {
   // Shards know nothing of each other, whatever has started them.
   const std::unique_ptr<Cluster> cluster =
       arguments.shard.empty() ? Cluster::join() : std::unique_ptr<Cluster>();
-  if (!cluster) return run_study(arguments, chosen_devices(arguments.devices), nullptr);
+  if (!cluster) {
+    return run_study(arguments, chosen_devices(arguments.devices), nullptr, signals);
+  }
   const bool all_agree = cluster->all_say(agreement(arguments));
-  if (cluster->rank() > 0) return all_agree ? serve(arguments, cluster.get()) : kWrongInput;
+  if (cluster->rank() > 0) {
+    signals->set(OnSignal::nothing);
+    return all_agree ? serve(arguments, cluster.get()) : kWrongInput;
+  }
   if (!all_agree) {
     throw InputError(
         "the processes were started with different arguments or are of different versions; give "
@@ -66,12 +69,12 @@ int run(const RunArguments& arguments) {
   }
   const Dismissal dismissal(cluster.get());
   return run_study(arguments, share_of_devices(chosen_devices(arguments.devices), *cluster),
-                   cluster.get());
+                   cluster.get(), signals);
 }
 
 }  // namespace
 
-void add_run_command(CLI::App* app, int* status) {
+void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command = app->add_subcommand("run", "Compute the maps of a study");
   const auto arguments = std::make_shared<RunArguments>();
   command
@@ -129,7 +132,7 @@ void add_run_command(CLI::App* app, int* status) {
       "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
       "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"
       "and NaN; the exit status is 1 only when all points do.");
-  command->callback([arguments, status] { *status = run(*arguments); });
+  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }
 
 }  // namespace gearsweep

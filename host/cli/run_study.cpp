@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/forecast_report.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/signal_watch.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
 #include "cli/summary.hpp"
 #include "distribute/cluster.hpp"
@@ -78,10 +78,9 @@ std::string journal_path(const RunArguments& arguments, const std::string& outpu
 // The exit status of an interrupted run.
 int tell_interrupted(const SweepProgress& last, const std::string& journal) {
   if (last.share_kept == 0.0) {
-    fmt::print(stderr, "gearsweep: interrupted before anything was finished\n");
+    tell("gearsweep: interrupted before anything was finished\n");
   } else {
-    fmt::print(
-        stderr,
+    tell(
         "gearsweep: interrupted; {:.0f} % of the work is done and kept in {}: the same command "
         "continues from there\n",
         100.0 * last.share_kept, journal);
@@ -110,8 +109,11 @@ SweepOptions sweep_options(const RunArguments& arguments, const Study& study,
 int tell_forecast(const Study& study, const SweepOptions& options, const std::string& output,
                   bool with_json) {
   const std::optional<Forecast> forecast = forecast_sweep(study, options);
-  if (!forecast) return kInterrupted;
-  fmt::print("{}", with_json ? forecast_as_json(*forecast) : describe_forecast(*forecast, output));
+  if (!forecast) {
+    tell("gearsweep: interrupted\n");
+    return kInterrupted;
+  }
+  answer("{}", with_json ? forecast_as_json(*forecast) : describe_forecast(*forecast, output));
   return kDone;
 }
 
@@ -133,12 +135,11 @@ int run_one_shard(const RunArguments& arguments, const Study& study, const std::
   bar.close();
   if (!is_done) return tell_interrupted(last, options.journal_path);
   if (arguments.as_json) {
-    fmt::print("{}", shard_as_json(arguments.shard, options.journal_path, last.points));
+    answer("{}", shard_as_json(arguments.shard, options.journal_path, last.points));
   }
   if (!arguments.quiet) {
-    fmt::print(stderr,
-               "shard {} is done: {}; when all are: gearsweep merge {}.shard-*.journal -o {}\n",
-               arguments.shard, options.journal_path, output, output);
+    tell("shard {} is done: {}; when all are: gearsweep merge {}.shard-*.journal -o {}\n",
+         arguments.shard, options.journal_path, output, output);
   }
   return kDone;
 }
@@ -149,40 +150,41 @@ void draw(const RunArguments& arguments, const std::string& output) {
   request.quantity = arguments.quantity;
   request.output_path = arguments.plot;
   plot_files(request);
-  if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.plot);
+  if (!arguments.quiet) tell("{}\n", arguments.plot);
 }
 
 int run_whole(const RunArguments& arguments, const Study& study, const std::string& output,
-              SweepOptions options) {
+              SweepOptions options, SignalWatch* signals) {
   ProgressBar bar;
   SweepProgress last;
   watch_progress(arguments, &bar, &last, &options);
   const std::optional<SweepResult> result = run_sweep(study, options);
   bar.close();
+  signals->set(OnSignal::end);
   if (!result) return tell_interrupted(last, options.journal_path);
-  if (arguments.as_json) fmt::print("{}", run_as_json(*result, output));
+  if (arguments.as_json) answer("{}", run_as_json(*result, output));
   if (!arguments.quiet) {
     if (last.points_resumed > 0) {
-      fmt::print(stderr, "{:.0f} % of the work was in the journal of an interrupted run\n",
-                 100.0 * last.share_resumed);
+      tell("{:.0f} % of the work was in the journal of an interrupted run\n",
+           100.0 * last.share_resumed);
     }
-    fmt::print(stderr, "{}", describe_run(*result, output));
+    tell("{}", describe_run(*result, output));
   }
   if (!arguments.plot.empty()) draw(arguments, output);
   const Cluster* cluster = options.cluster;
   if (cluster != nullptr && !arguments.quiet) {
-    fmt::print(stderr, "{} processes; {} bytes for each point came from the others\n",
-               cluster->size(), cluster->bytes_received() / result->study.trajectories());
+    tell("{} processes; {} bytes for each point came from the others\n", cluster->size(),
+         cluster->bytes_received() / result->study.trajectories());
   }
   return status_of(*result);
 }
 
 }  // namespace
 
-void warn(const std::string& what) { fmt::print(stderr, "\ngearsweep: warning: {}\n", what); }
+void warn(const std::string& what) { tell("\ngearsweep: warning: {}\n", what); }
 
-int run_study(const RunArguments& given, const std::vector<DeviceChoice>& devices,
-              Cluster* cluster) {
+int run_study(const RunArguments& given, const std::vector<DeviceChoice>& devices, Cluster* cluster,
+              SignalWatch* signals) {
   RunArguments arguments = given;
   if (arguments.lanes) {
     arguments.overrides.push_back(fmt::format("integrate.lanes={}", *arguments.lanes));
@@ -195,11 +197,11 @@ int run_study(const RunArguments& given, const std::vector<DeviceChoice>& device
   SweepOptions options = sweep_options(arguments, study, output);
   options.devices = devices;
   options.cluster = cluster;
-  const SignalWatch signals;
-  options.stop = &signals.interrupted();
+  options.stop = &signals->interrupted();
+  signals->set(OnSignal::stop);
   if (arguments.dry_run) return tell_forecast(study, options, output, arguments.as_json);
   if (arguments.restart) Journal::discard(options.journal_path);
-  return arguments.shard.empty() ? run_whole(arguments, study, output, std::move(options))
+  return arguments.shard.empty() ? run_whole(arguments, study, output, std::move(options), signals)
                                  : run_one_shard(arguments, study, output, std::move(options));
 }
 

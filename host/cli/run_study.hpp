@@ -10,6 +10,8 @@
 
 namespace gearsweep {
 
+class SignalWatch;
+
 struct RunArguments {
   std::string study, output, plot, quantity, shard;
   std::string devices;
@@ -28,7 +30,7 @@ void warn(const std::string& what);
 
 // With these devices, and the other processes of the cluster if there is one. The exit status;
 // throws as run_sweep() does, and InputError where the arguments do not fit the study.
-int run_study(const RunArguments& given, const std::vector<DeviceChoice>& devices,
-              Cluster* cluster);
+int run_study(const RunArguments& given, const std::vector<DeviceChoice>& devices, Cluster* cluster,
+              SignalWatch* signals);
 
 }  // namespace gearsweep

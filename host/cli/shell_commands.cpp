@@ -1,13 +1,13 @@
 // gearsweep completion, gearsweep manual: what the shell and man want to know of the commands.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/completion.hpp"
 #include "cli/manual.hpp"
+#include "cli/standard_streams.hpp"
 
 namespace gearsweep {
 
@@ -21,15 +21,15 @@ void add_completion_command(CLI::App* app) {
       "  gearsweep completion fish > ~/.config/fish/completions/gearsweep.fish");
   command->callback([app, shell] {
     const CommandTable table = command_table(*app);
-    if (*shell == "zsh") fmt::print("autoload -U bashcompinit\nbashcompinit\n");
-    fmt::print("{}", *shell == "fish" ? fish_completion(table) : bash_completion(table));
+    if (*shell == "zsh") answer("autoload -U bashcompinit\nbashcompinit\n");
+    answer("{}", *shell == "fish" ? fish_completion(table) : bash_completion(table));
   });
 }
 
 void add_manual_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("manual", "Print the manual page");
   command->footer("Example: gearsweep manual | man -l -");
-  command->callback([app] { fmt::print("{}", manual_page(command_table(*app))); });
+  command->callback([app] { answer("{}", manual_page(command_table(*app))); });
 }
 
 }  // namespace gearsweep

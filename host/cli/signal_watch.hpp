@@ -1,26 +1,40 @@
-// Ctrl-C and SIGTERM as a flag. Private to this folder.
+// SIGINT and SIGTERM. Private to this folder.
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <thread>
 
 namespace gearsweep {
 
-// While it lives, the first SIGINT or SIGTERM sets the flag and the second ends the process. Make
-// it before other threads start, or call block_signals() then: they inherit the signal mask that
-// lets only the watch see the signals.
+enum class OnSignal {
+  end,     // the program
+  stop,    // the command, which looks at the flag; a second signal ends the program
+  nothing  // signals are another process's, of which there are several
+};
+
+// Sees both signals from its making on; at first they end the program.
 class SignalWatch {
  public:
-  SignalWatch();
+  // Before anything starts threads, drivers and MPI included: they inherit the signal mask that
+  // lets only the watch see the signals. on_end: what is still done when a signal ends the program.
+  explicit SignalWatch(std::function<void()> on_end);
+  ~SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+  void set(OnSignal what) { on_signal_ = what; }
+  // Whether the command is to stop.
   const std::atomic<bool>& interrupted() const { return interrupted_; }
 
  private:
+  void watch(const std::stop_token& stop);
+  [[noreturn]] void end(int signal_number);
+
+  std::function<void()> on_end_;
+  std::atomic<OnSignal> on_signal_ = OnSignal::end;
   std::atomic<bool> interrupted_ = false;
   std::jthread watcher_;
 };
-
-// Keeps both signals from this thread and those that it starts: before anything starts threads,
-// drivers and MPI included.
-void block_signals();
 
 }  // namespace gearsweep

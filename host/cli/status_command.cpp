@@ -2,16 +2,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/standard_streams.hpp"
+#include "io/damage.hpp"
+#include "io/result_file.hpp"
 #include "journal/journal.hpp"
 #include "journal/notes.hpp"
 #include "model/error.hpp"
+#include "model/regular_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -70,13 +73,15 @@ nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
 
 void show(const std::string& output, bool with_json) {
   const std::string journal = output.ends_with(".journal") ? output : output + ".journal";
-  if (std::filesystem::exists(journal)) {
+  if (has_regular_file(journal, "a journal")) {
     const JournalStatus status = Journal::status(journal);
-    fmt::print("{}", with_json ? as_json(output, status).dump(2) + "\n" : describe(output, status));
-  } else if (std::filesystem::exists(output)) {
-    fmt::print("{}", with_json
-                         ? nlohmann::json{{"output", output}, {"state", "finished"}}.dump(2) + "\n"
-                         : fmt::format("{}: finished\n", output));
+    answer("{}", with_json ? as_json(output, status).dump(2) + "\n" : describe(output, status));
+  } else if (has_regular_file(output, "a result")) {
+    ensure_undamaged(output);
+    const ResultFile whole(output);  // throws when it is none
+    answer("{}", with_json
+                     ? nlohmann::json{{"output", output}, {"state", "finished"}}.dump(2) + "\n"
+                     : fmt::format("{}: finished\n", output));
   } else {
     throw InputError(fmt::format(
         "{0}: there is neither this result nor {0}.journal of a run that is to write it", output));

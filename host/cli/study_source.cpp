@@ -10,6 +10,7 @@
 #include "io/result_file.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/regular_file.hpp"
 #include "study/builtin_studies.hpp"
 
 namespace gearsweep {
@@ -19,11 +20,8 @@ constexpr std::uintmax_t kMostStudyBytes = std::uintmax_t{16} << 20U;
 
 std::string read_text(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: is a directory, not a study", path));
-  }
-  if (std::filesystem::is_regular_file(path, error) &&
-      std::filesystem::file_size(path, error) > kMostStudyBytes) {
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (!error && bytes > kMostStudyBytes) {
     throw InputError(fmt::format("{}: too large for a study; a study is a short TOML text", path));
   }
   std::ifstream in(path, std::ios::binary);
@@ -53,7 +51,7 @@ const std::string& builtin_study_text(const std::string& name) {
 }
 
 Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides) {
-  if (std::filesystem::exists(name_or_path)) {
+  if (has_regular_file(name_or_path, "a study")) {
     ensure_undamaged(name_or_path);
     const std::string text =
         is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);

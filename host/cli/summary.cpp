@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "cli/attractor_report.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/standard_streams.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -207,7 +207,7 @@ int status_of(const SweepResult& result) {
   const bool any_is_ok = std::any_of(result.status.begin(), result.status.end(),
                                      [](std::uint8_t status) { return status == STATUS_ok; });
   if (any_is_ok) return kDone;
-  fmt::print(stderr, "gearsweep: every point failed; the maps are empty\n");
+  tell("gearsweep: every point failed; the maps are empty\n");
   return kFailed;
 }
 

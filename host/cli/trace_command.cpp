@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/place.hpp"
 #include "cli/signal_watch.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
 #include "distribute/trace_run.hpp"
 #include "io/trace_file.hpp"
@@ -127,15 +127,15 @@ Study load(const TraceArguments& arguments) {
   return study;
 }
 
-int run(const TraceArguments& arguments) {
+int run(const TraceArguments& arguments, SignalWatch* signals) {
   const Study whole = load(arguments);
   const bool is_map = is_netcdf(arguments.study);
   ensure_writable(arguments.output);
   ensure_trace_ending(arguments.output);
-  const SignalWatch signals;
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals.interrupted();
+  options.stop = &signals->interrupted();
+  signals->set(OnSignal::stop);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
   std::vector<Trace> traces;
@@ -147,7 +147,7 @@ int run(const TraceArguments& arguments) {
     const Study study = point_study(whole, place);
     const std::optional<Trace> trace = run_trace(study, arguments.samples_per_period, options);
     if (!trace) {
-      fmt::print(stderr, "gearsweep: interrupted\n");
+      tell("gearsweep: interrupted\n");
       return kInterrupted;
     }
     labels.push_back(label_of(*whole.model, place));
@@ -160,20 +160,20 @@ int run(const TraceArguments& arguments) {
       }
     }
     if (!arguments.quiet) {
-      fmt::print(stderr, "{}: {} moments of {} periods after {}\n",
-                 labels.back().empty() ? "the study's point" : labels.back(), trace->tau.size(),
-                 study.integrate.record, trace->settled);
+      tell("{}: {} moments of {} periods after {}\n",
+           labels.back().empty() ? "the study's point" : labels.back(), trace->tau.size(),
+           study.integrate.record, trace->settled);
     }
   }
   write_traces(traces, labels, placed_names, whole, arguments.output,
                {command_line(arguments), version(), source_hash()});
-  if (!arguments.quiet) fmt::print(stderr, "{}\n", arguments.output);
+  if (!arguments.quiet) tell("{}\n", arguments.output);
   return kDone;
 }
 
 }  // namespace
 
-void add_trace_command(CLI::App* app, int* status) {
+void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command =
       app->add_subcommand("trace", "The time history of points of a study or of a map");
   const auto arguments = std::make_shared<TraceArguments>();
@@ -218,7 +218,7 @@ void add_trace_command(CLI::App* app, int* status) {
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --at omega=0.55,e0=0.6 -o two.nc\n"
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --samples-per-period 256 -o trace.csv\n\n"
       "A point of a map passes through the map's own samples: same start, same steps.");
-  command->callback([arguments, status] { *status = run(*arguments); });
+  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }
 
 }  // namespace gearsweep

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/signal_watch.hpp"
+#include "cli/standard_streams.hpp"
 #include "distribute/sweep.hpp"
 #include "model/error.hpp"
 #include "model/version.hpp"
@@ -66,9 +66,9 @@ std::string figures_of(const Outcome& outcome) {
 }
 
 void print_line(const Timed& timed) {
-  fmt::print("{:<7}  {:<23} {:4.1f} s  {}\n", word_of(timed.outcome.verdict), timed.check->name,
-             timed.seconds, figures_of(timed.outcome));
-  std::fflush(stdout);
+  answer("{:<7}  {:<23} {:4.1f} s  {}\n", word_of(timed.outcome.verdict), timed.check->name,
+         timed.seconds, figures_of(timed.outcome));
+  flush_answers();
 }
 
 nlohmann::json as_json(const Timed& timed) {
@@ -108,22 +108,22 @@ std::string verdict_of(const std::vector<Timed>& all) {
   return text;
 }
 
-int run(const VerifyArguments& arguments) {
-  block_signals();
+int run(const VerifyArguments& arguments, SignalWatch* signals) {
   const std::vector<DeviceInfo> devices = list_devices();
   const std::vector<DeviceChoice> chosen = chosen_devices(arguments.device);
   const DeviceInfo& device =
       devices[chosen.empty() ? default_device(devices) : chosen.front().number];
   const std::string title =
       fmt::format("{} ({}, driver {})", device.name, device.platform, device.driver);
-  const SignalWatch signals;
-  const Subject subject = subject_of(arguments, device, signals);
-  if (!arguments.as_json) fmt::print("gearsweep {} on {}\n", version(), title);
+  const Subject subject = subject_of(arguments, device, *signals);
+  signals->set(OnSignal::stop);
+  if (!arguments.as_json) answer("gearsweep {} on {}\n", version(), title);
+  flush_answers();
   std::vector<Timed> all;
   for (const Check& check : checks()) {
     all.push_back(carry_out_timed(check, subject));
-    if (signals.interrupted()) {
-      fmt::print(stderr, "gearsweep: interrupted\n");
+    if (signals->interrupted()) {
+      tell("gearsweep: interrupted\n");
       return kInterrupted;
     }
     if (!arguments.as_json) print_line(all.back());
@@ -132,9 +132,9 @@ int run(const VerifyArguments& arguments) {
     nlohmann::json json = {{"device", title}, {"verdict", verdict_of(all)}};
     json["checks"] = nlohmann::json::array();
     for (const Timed& timed : all) json["checks"].push_back(as_json(timed));
-    fmt::print("{}\n", json.dump(2));
+    answer("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n", verdict_of(all));
+    answer("{}\n", verdict_of(all));
   }
   return count(all, Verdict::fail) > 0 ? kFailed : kDone;
 }
@@ -147,7 +147,7 @@ std::string list_of_checks() {
 
 }  // namespace
 
-void add_verify_command(CLI::App* app, int* status) {
+void add_verify_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command = app->add_subcommand(
       "verify", "Check that this machine and its OpenCL driver give right numbers");
   const auto arguments = std::make_shared<VerifyArguments>();
@@ -161,7 +161,7 @@ void add_verify_command(CLI::App* app, int* status) {
       "  gearsweep verify --device 1\n\n"
       "Exit status: 0 all checks pass, 1 one of them fails. A check in fp64 is skipped\n"
       "on a device without it.");
-  command->callback([arguments, status] { *status = run(*arguments); });
+  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }
 
 }  // namespace gearsweep

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +20,7 @@
 #include "io/pipe.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
+#include "model/regular_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -93,8 +96,10 @@ void bound_resources(const std::string& path) {
   }
 }
 
-// Of the process that reads. What a dying library says is not for the user.
+// Of the process that reads. What a dying library says is not for the user. Signals that the user
+// sends are for the process that waits, and this one ends with it.
 [[noreturn]] void read_and_exit(const std::string& path, int verdict) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -111,7 +116,7 @@ void bound_resources(const std::string& path) {
 }  // namespace
 
 void ensure_undamaged(const std::string& path) {
-  if (!is_netcdf(path)) return;
+  if (!has_regular_file(path, "a result") || !is_netcdf(path)) return;
   Pipe verdict("the process that reads the file first");
   const pid_t child = fork();
   if (child < 0) {

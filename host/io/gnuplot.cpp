@@ -1,6 +1,7 @@
 #include "io/gnuplot.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +17,29 @@ extern char** environ;
 namespace gearsweep {
 namespace {
 
+// Signals do to the new process what they do by themselves, whatever this one does about them.
+class SpawnAttributes {
+ public:
+  SpawnAttributes() {
+    posix_spawnattr_init(&attributes_);
+    sigset_t none, ignored;
+    sigemptyset(&none);
+    sigemptyset(&ignored);
+    for (const int signal_number : {SIGPIPE, SIGXFSZ}) sigaddset(&ignored, signal_number);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setsigdefault(&attributes_, &ignored);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 // Starts gnuplot with its output and messages going to the pipe. Returns errno's kind of code.
 int spawn(const std::vector<std::string>& arguments, const Pipe& messages, pid_t* child) {
   std::vector<std::string> words = {"gnuplot", "--default-settings"};
@@ -28,7 +52,8 @@ int spawn(const std::vector<std::string>& arguments, const Pipe& messages, pid_t
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, messages.writer(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, messages.writer(), STDERR_FILENO);
-  const int code = posix_spawnp(child, "gnuplot", &actions, nullptr, argv.data(), environ);
+  const SpawnAttributes attributes;
+  const int code = posix_spawnp(child, "gnuplot", &actions, attributes.get(), argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   return code;
 }

@@ -19,22 +19,25 @@ namespace gearsweep {
 
 namespace {
 
-// "HDF error" alone does not say what to do: the system's reason, where it is one of the disk's.
-std::string reason_of_system(int code) {
+// "HDF error" alone does not say what to do, and a file that cannot be created is said to be one
+// without permission: the system's reason, where it is one of the disk's.
+std::string reason_of(int code) {
   const int reason = errno;
   const bool is_of_disk =
       reason == ENOSPC || reason == EDQUOT || reason == EFBIG || reason == EIO || reason == EROFS;
-  if (code != NC_EHDFERR || !is_of_disk) return "";
-  return ": " + std::generic_category().message(reason);
+  const bool may_hide_it = code == NC_EHDFERR || code == EACCES;
+  return may_hide_it && is_of_disk ? std::generic_category().message(reason)
+                                   : fmt::format("{} ({})", nc_strerror(code), code);
 }
 
 }  // namespace
 
 NetcdfFile NetcdfFile::create(const std::string& path, const std::string& shown_name) {
   int id = -1;
+  errno = 0;
   const int code = nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
   NetcdfFile file(code == NC_NOERR ? id : -1, shown_name);
-  file.check(code, "create");
+  file.check(code, "write the first data");
   return file;
 }
 
@@ -73,8 +76,7 @@ NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept
 
 void NetcdfFile::check(int code, std::string_view doing) const {
   if (code == NC_NOERR) return;
-  throw RunError(fmt::format("cannot {} in '{}': {} ({}){}", doing, shown_name_, nc_strerror(code),
-                             code, reason_of_system(code)));
+  throw RunError(fmt::format("cannot {} in '{}': {}", doing, shown_name_, reason_of(code)));
 }
 
 void NetcdfFile::close() { check(nc_close(std::exchange(id_, -1)), "write the last data"); }

@@ -27,9 +27,10 @@ void refuse_bad_target(const std::string& path, const std::string& target) {
   const auto refuse = [&](const std::string& reason) {
     throw InputError(fmt::format("cannot write '{}': {}", path, reason));
   };
-  std::error_code ignored;
+  std::error_code error, ignored;
+  const fs::file_type there = fs::status(target, error).type();
   const fs::path folder = folder_of(target);
-  if (fs::path(target).filename().empty() || fs::is_directory(target, ignored)) {
+  if (fs::path(target).filename().empty() || there == fs::file_type::directory) {
     refuse("it is a folder; give the name of a file");
   }
   if (!fs::exists(folder, ignored)) {
@@ -38,9 +39,10 @@ void refuse_bad_target(const std::string& path, const std::string& target) {
   if (!fs::is_directory(folder, ignored)) {
     refuse(fmt::format("'{}' is not a folder", folder.string()));
   }
-  if (!fs::exists(target, ignored)) return;
+  if (there == fs::file_type::not_found) return;
+  if (error) refuse(error.message());
   // Renaming over a device or a write-protected file would work, but nobody means that.
-  if (!fs::is_regular_file(target, ignored)) refuse("it is there and not a plain file");
+  if (there != fs::file_type::regular) refuse("it is there and not a plain file");
   if (access(target.c_str(), W_OK) != 0) refuse(std::strerror(errno));
 }
 

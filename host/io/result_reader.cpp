@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <system_error>
 
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
@@ -91,6 +93,8 @@ void mark_missing(const NetcdfFile& file, int variable, std::vector<double>* val
 }  // namespace
 
 bool is_netcdf(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
   std::ifstream in(path, std::ios::binary);
   std::string start(kHdf5Mark.size(), '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -26,6 +29,13 @@ void Database::execute(const std::string& sql) {
 void Database::fail(int code) const {
   const int kind = code & 0xff;
   if (kind == SQLITE_NOTADB || kind == SQLITE_CORRUPT) refuse(sqlite3_errmsg(handle()));
+  std::error_code ignored;
+  if (code == SQLITE_READONLY_DBMOVED || !std::filesystem::exists(path_, ignored)) {
+    throw RunError(fmt::format(
+        "the journal '{}' is no longer there: it, or its folder, was deleted or moved away during "
+        "the run",
+        path_));
+  }
   throw RunError(fmt::format("cannot read or write the journal '{}': {} (SQLite error {})", path_,
                              handle() == nullptr ? sqlite3_errstr(code) : sqlite3_errmsg(handle()),
                              code));

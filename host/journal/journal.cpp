@@ -15,6 +15,7 @@
 #include "journal/file_lock.hpp"
 #include "model/checksum.hpp"
 #include "model/error.hpp"
+#include "model/regular_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -112,10 +113,20 @@ void check_identity(Database& database, const std::string& path, const Identity&
   for (const auto& [name, value] : identity) note.bind(1, name).bind(2, value).run();
 }
 
+// The journal and what SQLite keeps beside it; the journal is the last.
+constexpr std::array<const char*, 4> kSuffixes = {"-journal", "-wal", "-shm", ""};
+
+// SQLite would open whatever is there. Whether there is a journal.
+bool has_journal(const std::string& path) {
+  bool has_file = false;
+  for (const char* suffix : kSuffixes) has_file = has_regular_file(path + suffix, "a journal");
+  return has_file;
+}
+
 // Deletes the journal and what SQLite keeps beside it; returns what went wrong, empty if nothing.
 // The journal goes last: if the process dies in between, the next run still has all that it needs.
 std::string delete_files(const std::string& path) {
-  for (const char* suffix : {"-journal", "-wal", "-shm", ""}) {
+  for (const char* suffix : kSuffixes) {
     std::error_code error;
     std::filesystem::remove(path + suffix, error);
     if (error) return fmt::format("cannot delete '{}{}': {}", path, suffix, error.message());
@@ -143,8 +154,9 @@ std::string describe_differences(const std::map<std::string, std::string>& notes
 // log would write it twice and needs shared memory, which network file systems do not have. Either
 // keeps a commit through kill -9, since the system has the bytes then; synchronous FULL brings them
 // to the disk before the commit returns, which a power cut needs.
-Journal::Journal(const std::string& path, const Identity& identity)
-    : path_(path), lock_(std::make_unique<FileLock>(path)) {
+Journal::Journal(const std::string& path, const Identity& identity) : path_(path) {
+  has_journal(path);  // throws where there is something that can be none
+  lock_ = std::make_unique<FileLock>(path);
   try {
     database_ = std::make_unique<Database>(path);
     database_->execute("PRAGMA synchronous = FULL");
@@ -248,18 +260,14 @@ void Journal::remove() {
 }
 
 void Journal::discard(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return;
+  if (!has_journal(path)) return;
   const FileLock lock(path);
   const std::string failure = delete_files(path);
   if (!failure.empty()) throw RunError(failure);
 }
 
 JournalStatus Journal::status(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw InputError(fmt::format("'{}': there is no such journal", path));
-  }
+  if (!has_journal(path)) throw InputError(fmt::format("'{}': there is no such journal", path));
   JournalStatus status;
   status.is_held = FileLock::is_held(path);
   const Database database(path, Database::Opening::existing);

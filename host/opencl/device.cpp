@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "opencl/cl.hpp"
+#include "opencl/pocl_cache.hpp"
 
 namespace gearsweep {
 namespace {
@@ -37,6 +40,24 @@ DeviceInfo describe(const cl::Device& device) {
     info.lanes_fp32 = lanes(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
   }
   return info;
+}
+
+// What in the environment may keep the devices of an installed driver away.
+std::string describe_obstacles() {
+  std::string text;
+  if (const std::filesystem::path folder = pocl_cache_folder(); !can_write_in(folder)) {
+    text += fmt::format(
+        "\n  PoCL has none where it cannot keep what it compiles, and '{}' cannot be written: set "
+        "POCL_CACHE_DIR, or HOME, to a folder that can",
+        folder.string());
+  }
+  if (const char* devices = std::getenv("POCL_DEVICES")) {
+    text += fmt::format("\n  POCL_DEVICES = '{}' says which ones PoCL has: unset it", devices);
+  }
+  if (const char* drivers = std::getenv("OCL_ICD_VENDORS")) {
+    text += fmt::format("\n  OCL_ICD_VENDORS = '{}' says where drivers are: unset it", drivers);
+  }
+  return text.empty() ? "" : "\nif one is installed, this may keep it away:" + text;
 }
 
 [[noreturn]] void refuse_list(const std::string& text) {
@@ -172,7 +193,8 @@ std::size_t default_device(const std::vector<DeviceInfo>& devices) {
   if (devices.empty()) {
     throw InputError(
         "no OpenCL device was found; install a driver (on Debian, "
-        "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"");
+        "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"" +
+        describe_obstacles());
   }
   for (std::size_t i = 0; i < devices.size(); ++i) {
     if (devices[i].is_cpu) return i;

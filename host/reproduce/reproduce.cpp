@@ -18,7 +18,8 @@ namespace {
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder)) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
     throw InputError(fmt::format("{}: cannot be made a folder ({})", folder, error.message()));
   }
   ensure_writable(folder + "/report.md");

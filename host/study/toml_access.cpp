@@ -33,18 +33,20 @@ void fail_at(const toml::node& node, const std::string& message) {
 }
 
 double read_number(const toml::node& node, const std::string& what, double least, double greatest) {
-  const std::optional<double> value = node.value<double>();
-  if (!node.is_number() || !value) {
+  if (!node.is_number()) {
     fail_at(node, fmt::format("{} must be a number, not {}", what, describe(node)));
   }
-  if (!std::isfinite(*value)) {
-    fail_at(node, fmt::format("{} must be finite, not {}", what, *value));
+  // The parser itself gives no integer as a number that has not exactly its value.
+  const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                                         : node.as_floating_point()->get();
+  if (!std::isfinite(value)) {
+    fail_at(node, fmt::format("{} must be finite, not {}", what, value));
   }
-  if (*value < least || *value > greatest) {
-    fail_at(node, fmt::format("{} = {} is out of range; from {} to {} is allowed", what, *value,
+  if (value < least || value > greatest) {
+    fail_at(node, fmt::format("{} = {} is out of range; from {} to {} is allowed", what, value,
                               least, greatest));
   }
-  return *value;
+  return value;
 }
 
 TableReader::TableReader(const toml::table* table, std::string name)

@@ -102,6 +102,15 @@ INSTANTIATE_TEST_SUITE_P(
                  {"study.toml:5:", "mu = -1 is out of range", "from 0 to 1"}},
         BadStudy{
             "not_a_number", "mu = 0.05", "mu = \"much\"", {"study.toml:5:", "mu must be a number"}},
+        BadStudy{"largest_integer",
+                 "settle = 1",
+                 "settle = 9223372036854775807",
+                 {"study.toml:12:", "settle = 9.223372036854776e+18 is out of range",
+                  "from 0 to 100000000"}},
+        BadStudy{"integer_between_numbers",
+                 "mu = 0.05",
+                 "mu = -9007199254740993",
+                 {"study.toml:5:", "mu = -9007199254740992 is out of range", "from 0 to 1"}},
         BadStudy{"count_zero",
                  "count = 2",
                  "count = 0",
@@ -210,6 +219,17 @@ TEST_F(BadCommandTest, NoOpenClDeviceIsRefused) {
                  "OCL_ICD_VENDORS=/nonexistent-vendors");
 }
 
+TEST_F(BadCommandTest, WhatHidesAnInstalledDriverIsNamed) {
+  folder_.write("study.toml", kGood);
+  const std::string run = "run study.toml -o out.nc";
+  expect_refused(run,
+                 {"no OpenCL device", "/proc/none' cannot be written", "POCL_CACHE_DIR", "HOME"},
+                 "POCL_CACHE_DIR=/proc/none");
+  expect_refused(run, {"/proc/pocl/kcache' cannot be written", "POCL_CACHE_DIR", "HOME"},
+                 "env -u POCL_CACHE_DIR XDG_CACHE_HOME=/proc TMPDIR=/proc");
+  expect_refused(run, {"no OpenCL device", "POCL_DEVICES = 'none'"}, "POCL_DEVICES=none");
+}
+
 TEST_F(BadCommandTest, WrongOverridesAreRefused) {
   folder_.write("study.toml", kGood);
   expect_refused("run study.toml -o out.nc --set integrate.setle=3",
@@ -261,6 +281,55 @@ TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {
   expect_refused("plot missing.nc -o map.png", {"missing.nc"});
   expect_refused("plot text.nc missing.nc -q x1_rms -o map.png", {"text.nc"});
   expect_refused("export text.nc -q x1_rms -o map.csv", {"text.nc"});
+}
+
+// A pipe would be waited for and a device read for ever: the time is no part of the test.
+TEST_F(BadCommandTest, WhatIsNoRegularFileIsRefusedByAllThatReadIt) {
+  ASSERT_EQ(
+      run_in(folder_, "mkfifo pipe pipe.nc.journal && ln -s loop loop && mkdir folder").status, 0);
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"pipe", "'pipe' is a pipe; "},
+      {"/dev/zero", "'/dev/zero' is a device; "},
+      {"folder", "'folder' is a folder; "},
+      {"loop", "'loop' cannot be opened: Too many levels of symbolic links"}};
+  for (const auto& [file, message] : files) {
+    for (const std::string before_it :
+         {"run -o out.nc ", "trace -o out.nc ", "floquet ", "model --study ", "plot -o out.png ",
+          "export -q x1_rms -o out.csv ", "status ", "merge -o out.nc "}) {
+      expect_refused(before_it + file, {message}, "timeout 60");
+    }
+  }
+  folder_.write("study.toml", kGood);
+  const std::string message = "'pipe.nc.journal' is a pipe; a journal must be a regular file";
+  for (const char* command : {"run study.toml -o pipe.nc", "run study.toml -o pipe.nc --restart",
+                              "status pipe.nc", "status pipe.nc.journal"}) {
+    expect_refused(command, {message}, "timeout 60");
+  }
+}
+
+TEST_F(BadCommandTest, OutputsThatAreNoRegularFilesAreRefused) {
+  ASSERT_EQ(run_in(folder_, "mkfifo pipe.nc && ln -s loop.nc loop.nc").status, 0);
+  folder_.write("study.toml", kGood);
+  const std::string long_name = std::string(300, 'a') + ".nc";
+  for (const std::string command :
+       {"run study.toml -o ", "trace study.toml -o ", "merge none -o "}) {
+    expect_refused(command + "pipe.nc", {"pipe.nc"}, "timeout 60");
+    expect_refused(command + "loop.nc", {"'loop.nc': Too many levels of symbolic links"});
+    expect_refused(command + long_name, {"File name too long"});
+  }
+}
+
+TEST_F(BadCommandTest, AStatusIsOfARunOrOfAWholeResult) {
+  folder_.write("study.toml", kGood);
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet").status, 0);
+  EXPECT_EQ(gearsweep(folder_, "status whole.nc").out, "whole.nc: finished\n");
+  const std::string whole = read_all(folder_ / "whole.nc");
+  folder_.write("short.nc", whole.substr(0, whole.size() / 2));
+  folder_.write("empty.nc", "");
+  expect_refused("status short.nc", {"short.nc", "cut short"});
+  expect_refused("status empty.nc", {"empty.nc", "give a result"});
+  expect_refused("status study.toml", {"study.toml", "give a result"});
+  expect_refused("status missing.nc", {"missing.nc", "neither"});
 }
 
 TEST_F(BadCommandTest, ADamagedResultIsRefusedByAllThatReadIt) {

@@ -99,6 +99,17 @@ TEST_F(DiskTest, ADiskWithoutRoomForTheResultKeepsTheJournal) {
   EXPECT_EQ(difference(), "");
 }
 
+TEST_F(DiskTest, ATraceWithoutRoomSaysSo) {
+  const std::string trace = GEARSWEEP_BINARY " trace study.toml --at omega=0.7,e0=0.5 --quiet -o ";
+  const std::optional<Outcome> outcome = run_with_disk(
+      "size=1m", "cat /dev/zero > disk/other\n" + trace + "disk/out.nc; echo status $?\n" + trace +
+                     "disk/out.csv; echo status $?\n" + "ls disk\n");
+  if (!outcome) GTEST_SKIP() << "no file system can be mounted here";
+  EXPECT_EQ(outcome->out, "status 1\nstatus 1\nother\n");
+  EXPECT_THAT(outcome->err, HasSubstr("in 'disk/out.nc': No space left on device"));
+  EXPECT_THAT(outcome->err, HasSubstr("'disk/out.csv': No space left on device"));
+}
+
 TEST_F(DiskTest, AFileThatMayNotGrowIsAnErrorLikeAFullDisk) {
   ASSERT_EQ(gearsweep(folder_, "run study.toml -o out.nc --quiet --keep-journal").status, 0);
   std::filesystem::remove(folder_ / "out.nc");

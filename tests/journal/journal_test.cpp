@@ -297,6 +297,17 @@ TEST_F(JournalTest, ATileThatDoesNotFitOnTheDiskLeavesTheOthers) {
   EXPECT_TRUE(same_bits(*journal.find(2), example_tile(2)));
 }
 
+TEST_F(JournalTest, AJournalWhoseFolderIsDeletedSaysSo) {
+  Journal journal(path_, kSweepA);
+  fs::remove_all(folder_);
+  try {
+    journal.store(0, example_tile(0));
+    FAIL() << "a tile was stored nowhere";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr(path_), HasSubstr("no longer there")));
+  }
+}
+
 TEST_F(JournalTest, ASecondRunOnTheSameOutputIsRefused) {
   Journal first(path_, kSweepA);
   EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("in use by another run")));
