@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 
+#include "io/file_names.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
 #include "study/settings.hpp"
@@ -89,9 +90,10 @@ class Writer {
   }
 
   void write_axis(const Axis& axis) {
-    const int dimension = file_.define_dimension(axis.name, axis.values.size());
+    const std::string name = name_in_result(axis, study_);
+    const int dimension = file_.define_dimension(name, axis.values.size());
     map_dimensions_.push_back(dimension);
-    const int variable = file_.define_variable(axis.name, NC_DOUBLE, {dimension});
+    const int variable = file_.define_variable(name, NC_DOUBLE, {dimension});
     describe(variable, axis.unit, axis.meaning);
     file_.put_attribute(variable, "scale", axis.logarithmic ? "log" : "linear");
     put_all(variable, axis.values);

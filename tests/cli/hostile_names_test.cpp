@@ -8,6 +8,8 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::HasSubstr;
+
 // As the shell takes it literally.
 std::string quoted(const std::string& text) {
   std::string out = "'";
@@ -40,6 +42,27 @@ TEST(HostileNames, RunNothingInAnyCommand) {
                 "map.svg");
     expect_done("plot " + file("trace.nc") + " -o " + file("trace.pdf"), "trace.pdf");
     expect_done("export " + file(".nc") + " -q x1_rms -o " + file(".csv"), ".csv");
+  }
+}
+
+// It computed everything and then failed to write it, at each try.
+TEST(Names, OfAnAxisAndAQuantityMayBeTheSame) {
+  const Folder folder;
+  for (const std::string model : {"rossler", "lorenz", "jerk"}) {
+    folder.write("study.toml", "[model]\nname = '" + model +
+                                   "'\n[[axes]]\nname = 'period'\nvalues = [1, 2]\n"
+                                   "[integrate]\nsettle = 2\nrecord = 4\n"
+                                   "[observe]\nquantities = ['period', 'poincare']\n");
+    const Outcome run =
+        gearsweep(folder, "run study.toml -o " + model + ".nc --plot map.png -q period");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(gearsweep(folder, "export " + model + ".nc -q period -o " + model + ".csv").status,
+              0);
+    EXPECT_THAT(read_all(folder / (model + ".csv")), HasSubstr("parameter_period,period\n1,"));
+    const Outcome trace =
+        gearsweep(folder, "trace " + model + ".nc --at period=2 -o " + model + "-trace.nc");
+    EXPECT_EQ(trace.status, 0) << trace.err;
+    EXPECT_EQ(gearsweep(folder, "plot " + model + "-trace.nc -o trace.png").status, 0);
   }
 }
 
