@@ -96,11 +96,12 @@ SweepOptions sweep_options(const RunArguments& arguments, const Study& study,
   options.keep_journal = arguments.keep_journal;
   options.notes = {{notes::kCommand, command_line(arguments, output)}};
   options.on_trouble = warn;
-  const ResultSize size = size_of_result(study);
+  const Provenance provenance = {command_line(arguments, output), version(), source_hash()};
+  const ResultSize size = size_of_result(study, provenance);
   options.delivery = {size.file, size.memory};
   options.deliver = [=](const SweepResult& result) {
     discard_abandoned(output);  // the journal's lock keeps other runs away
-    write_result(result, output, {command_line(arguments, output), version(), source_hash()});
+    write_result(result, output, provenance);
   };
   return options;
 }

@@ -20,7 +20,7 @@ constexpr double kProgram = 256e6;
 
 double block(std::size_t bytes) { return static_cast<double>(16 + bytes); }  // of the heap
 
-double memory_of_maps(const Study& study) {
+double memory_of_maps(const Study& study, std::size_t tiles) {
   const auto points = static_cast<double>(study.points());
   const auto trajectories = static_cast<double>(study.trajectories());
   const std::size_t states = study.model->states.size();
@@ -29,9 +29,11 @@ double memory_of_maps(const Study& study) {
     numbers += static_cast<double>(quantity.width);
   }
   if (study.is_chained()) numbers += static_cast<double>(states);
-  // A point's index is in the plan's tiles, and, while these are cut, in two lists that grow by
-  // doubling.
-  double bytes = points * (1.0 + 8.0 * numbers) + 5.0 * 8.0 * trajectories;
+  // The plan's lists of points, one by phase grids and one by tiles, which grow by doubling: of
+  // runs, each of two points at least. And the tiles themselves.
+  constexpr double kOfTrajectory = 32.0, kOfTile = 512.0;
+  double bytes = points * (1.0 + 8.0 * numbers) + kOfTrajectory * trajectories +
+                 kOfTile * static_cast<double>(tiles);
   // A box grows by doubling; telling the attractors apart takes a few indices more, and a set for
   // each point.
   if (study.selection.survey) {
@@ -50,6 +52,14 @@ double journal_size(const Study& study, std::size_t tiles) {
   const double data = static_cast<double>(study.trajectories()) * of_point;
   return data * kPage / kUsed + kPage * kPagesOfTile * static_cast<double>(tiles) +
          kPage * kPagesOfAll + 2.0 * static_cast<double>(study.toml.size());
+}
+
+// Of any plan of the study.
+std::size_t least_tiles(const Study& study) {
+  const std::size_t stages = study.is_chained() ? study.axes[study.initial.along].values.size() : 1;
+  if (study.integrate.tile == 0) return stages;
+  const std::size_t points = study.trajectories() / stages;
+  return stages * ((points + study.integrate.tile - 1) / study.integrate.tile);
 }
 
 std::string folder_of(const std::string& path) {
@@ -72,7 +82,7 @@ StudyNeeds needs_of(const Study& study, const DeliveryNeeds& delivery,
                     const std::string& journal_path, std::size_t tiles) {
   StudyNeeds needs;
   needs.program = kProgram;
-  needs.maps = memory_of_maps(study);
+  needs.maps = memory_of_maps(study, tiles);
   needs.delivery = delivery.memory;
   needs.result = delivery.file;
   needs.memory_left = available_memory();
@@ -88,7 +98,7 @@ StudyNeeds needs_of(const Study& study, const DeliveryNeeds& delivery,
 
 StudyNeeds needs_of_study(const Study& study, const DeliveryNeeds& delivery,
                           const std::string& journal_path) {
-  return needs_of(study, delivery, journal_path, 1);
+  return needs_of(study, delivery, journal_path, least_tiles(study));
 }
 
 StudyNeeds needs_of_plan(const Plan& plan, const std::vector<std::unique_ptr<Engine>>& engines,

@@ -80,7 +80,7 @@ Preparation prepare_sweep(const Study& study, const SweepOptions& options, const
       quick_tile_size(*ready.plan, shard.count > 0 ? 1 : least_tile(ready.engines));
   points = std::min(points, study.trajectories());
   while (true) {
-    if (ready.plan->tile_points() != points) ready.plan.emplace(study, points);
+    if (ready.plan->tile_points() != points) ready.plan->cut(points);
     ready.needs = needs_of_plan(*ready.plan, ready.engines, options.delivery, options.journal_path);
     const double strain = strain_of_tile(ready.needs);
     if (strain <= 1.0) break;

@@ -8,8 +8,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 #include "io/pipe.hpp"
+#include "io/plain_path.hpp"
 #include "model/error.hpp"
 
 extern char** environ;
@@ -58,9 +60,7 @@ int spawn(const std::vector<std::string>& arguments, const Pipe& messages, pid_t
   return code;
 }
 
-}  // namespace
-
-void run_gnuplot(const std::vector<std::string>& arguments) {
+void run(const std::vector<std::string>& arguments) {
   constexpr int kNotFoundByShell = 127;
   const std::string not_found =
       "cannot draw: there is no gnuplot on the PATH; install it (Debian, Ubuntu: gnuplot-nox)";
@@ -78,6 +78,16 @@ void run_gnuplot(const std::vector<std::string>& arguments) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     throw RunError(fmt::format("gnuplot failed; it said: {}", said.empty() ? "nothing" : said));
   }
+}
+
+}  // namespace
+
+void ensure_gnuplot() { run({"-e", "exit"}); }
+
+void run_gnuplot(const std::string& script, const std::string& picture) {
+  std::vector<std::string> arguments = {"-c", plain_path(script)};
+  if (!picture.empty()) arguments.push_back(plain_path(picture));
+  run(arguments);
 }
 
 }  // namespace gearsweep

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace gearsweep {
 
-// Runs gnuplot with its defaults and these arguments. Throws RunError, with what it said, when it
-// is not installed or fails.
-void run_gnuplot(const std::vector<std::string>& arguments);
+// Throws RunError when gnuplot is not installed.
+void ensure_gnuplot();
+
+// Runs a script with gnuplot's defaults; ARG1 is the path of the picture, if there is one. Whatever
+// the names of the two files, they are files. Throws RunError, with what gnuplot said, when it is
+// not installed or fails.
+void run_gnuplot(const std::string& script, const std::string& picture = "");
 
 }  // namespace gearsweep

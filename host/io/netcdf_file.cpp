@@ -1,6 +1,8 @@
 #include "io/netcdf_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -12,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/plain_path.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
 
@@ -30,12 +33,35 @@ std::string reason_of(int code) {
                                    : fmt::format("{} ({})", nc_strerror(code), code);
 }
 
+// What the NetCDF library is given for the path of a file that is there. It takes a backslash for a
+// slash on every system, so that it would go into another folder.
+class LibraryPath {
+ public:
+  explicit LibraryPath(const std::string& path) : path_(plain_path(path)) {
+    if (path.find('\\') == std::string::npos) return;
+    descriptor_ = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+    if (descriptor_ >= 0) path_ = fmt::format("/proc/self/fd/{}", descriptor_);
+  }
+  ~LibraryPath() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  LibraryPath(const LibraryPath&) = delete;
+  LibraryPath& operator=(const LibraryPath&) = delete;
+
+  const char* c_str() const { return path_.c_str(); }
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+};
+
 }  // namespace
 
 NetcdfFile NetcdfFile::create(const std::string& path, const std::string& shown_name) {
   int id = -1;
+  const LibraryPath library_path(path);
   errno = 0;
-  const int code = nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
+  const int code = nc_create(library_path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
   NetcdfFile file(code == NC_NOERR ? id : -1, shown_name);
   file.check(code, "write the first data");
   return file;
@@ -51,7 +77,7 @@ NetcdfFile NetcdfFile::open(const std::string& path) {
                          : fmt::format("cannot open '{}'; give an existing result file", path));
   }
   int id = -1;
-  const int code = nc_open(path.c_str(), NC_NOWRITE, &id);
+  const int code = nc_open(LibraryPath(path).c_str(), NC_NOWRITE, &id);
   if (code != NC_NOERR) {
     throw InputError(
         fmt::format("'{}' looks like a NetCDF file but cannot be opened ({}); it may "

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kScriptEnding = ".gp";
+
 std::string terminal_of(const std::string& output, const PlotScript& drawn) {
   const bool large = drawn.for_column;
   if (output.ends_with(".png")) {
@@ -62,16 +64,18 @@ bool is_whole(const std::string& file, const std::string& name) {
          std::string::npos;
 }
 
-// The lines before the picture's own: where its files are and where the picture goes.
+// The lines before the picture's own: where its files are and where the picture goes. Whatever
+// their names and whoever starts gnuplot, they begin with '/' or './' (see plain_path()).
 std::string preamble(const fs::path& script, const std::string& output, const PlotScript& drawn) {
   const fs::path from_script = fs::absolute(output).lexically_relative(
       fs::absolute(script).lexically_normal().parent_path());
   return fmt::format(
       "# Given to gnuplot, this draws the picture again.\n"
-      "folder = ''\n"
-      "do for [i = 1:strlen(ARG0)] {{ if (ARG0[i:i] eq '/') {{ folder = ARG0[1:i] }} }}\n"
-      "files = ARG0[1:strlen(ARG0) - 3]\n"
-      "picture = ARGC > 0 ? ARG1 : folder.{}\n"
+      "plain(path) = path[1:1] eq '/' ? path : './'.path\n"
+      "script = plain(ARG0)\n"
+      "do for [i = 1:strlen(script)] {{ if (script[i:i] eq '/') {{ folder = script[1:i] }} }}\n"
+      "files = script[1:strlen(script) - 3]\n"
+      "picture = ARGC > 0 ? plain(ARG1) : folder.{}\n"
       "set encoding utf8\n"
       "set terminal {}\n"
       "set output picture\n",
@@ -83,13 +87,13 @@ std::string preamble(const fs::path& script, const std::string& output, const Pl
 void ensure_plottable(const std::string& output_path) {
   terminal_of(output_path, {});
   ensure_writable(output_path);
-  run_gnuplot({"-e", "exit"});
+  ensure_gnuplot();
 }
 
 void plot_files(const PlotRequest& request) {
   terminal_of(request.output_path, {});
   const bool keep_script = !request.script_path.empty();
-  if (keep_script && !request.script_path.ends_with(".gp")) {
+  if (keep_script && !request.script_path.ends_with(kScriptEnding)) {
     throw InputError(
         fmt::format("cannot write the script '{}': its name must end in .gp", request.script_path));
   }
@@ -99,12 +103,13 @@ void plot_files(const PlotRequest& request) {
 
   const TemporaryFolder folder;
   const fs::path script = keep_script ? fs::path(request.script_path) : folder.path() / "plot.gp";
-  const std::string files = fs::path(script).replace_extension().string();
+  const std::string stem = script.string();
+  const std::string files = stem.substr(0, stem.size() - kScriptEnding.size());
   write_file(files + ".dat", drawn.data);
   if (!drawn.missing.empty()) write_file(files + "-missing.dat", drawn.missing);
   write_file(script.string(), preamble(script, request.output_path, drawn) + drawn.text);
 
-  run_gnuplot({"-c", script.string(), output.temporary_path()});
+  run_gnuplot(script.string(), output.temporary_path());
   if (!is_whole(output.temporary_path(), request.output_path)) {
     throw RunError(fmt::format("gnuplot wrote no whole picture for '{}'; is the disk full?",
                                request.output_path));

@@ -59,7 +59,8 @@ ClassScale named_classes(const std::vector<std::string>& flags) {
   ClassScale scale;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     scale.values.push_back(static_cast<double>(i));
-    std::string name = flags[i];
+    constexpr std::size_t kLongestName = 40;  // that leaves room for the picture
+    std::string name = shortened(flags[i], kLongestName);
     std::replace(name.begin(), name.end(), '_', ' ');
     scale.names.push_back(name);
     scale.colours.emplace_back(kDistinct[i % kDistinct.size()]);
@@ -166,7 +167,7 @@ std::string ClassScale::palette() const {
   std::vector<std::string> bands, tics;
   for (std::size_t i = 0; i < names.size(); ++i) {
     bands.push_back(fmt::format("{} '{}', {} '{}'", i, colours[i], i + 1, colours[i]));
-    tics.push_back(fmt::format("{} {}", quote(literal(names[i])), i));
+    tics.push_back(fmt::format("{} {}", quote_tic(literal(names[i])), i));
   }
   return fmt::format(
       "set palette maxcolors {0}\nset palette defined ({1})\nset cbrange [-0.5:{0}-0.5]\n"
@@ -177,7 +178,7 @@ std::string ClassScale::palette() const {
 std::string ClassScale::tics() const {
   std::vector<std::string> tics;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    tics.push_back(fmt::format("{} {}", quote(literal(names[i])), i));
+    tics.push_back(fmt::format("{} {}", quote_tic(literal(names[i])), i));
   }
   return fmt::format("set yrange [-0.5:{}-0.5]\nset ytics ({})\n", names.size(),
                      fmt::join(tics, ", "));

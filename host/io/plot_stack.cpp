@@ -189,7 +189,9 @@ Layout layout_of(const Stack& stack, std::size_t title_lines, std::size_t key_li
     if (PanelLabel(shown_by(panel.front()), layout.panel).has_two_lines) {
       layout.left = std::max(layout.left, 0.2);
     }
-    for (const std::string& name : panel.front().map.flags) {
+    if (panel.front().map.flags.empty()) continue;
+    const std::optional<ClassScale> classes = class_scale(panel.front().map);
+    for (const std::string& name : classes->names) {
       layout.left = std::max(layout.left, 0.085 + kLetter * static_cast<double>(name.size()));
     }
   }

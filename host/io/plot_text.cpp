@@ -34,6 +34,12 @@ std::string typeset_word(const std::string& word) {
 
 }  // namespace
 
+std::string quote_tic(std::string_view text) {
+  std::string format;
+  for (const char letter : text) format += letter == '%' ? "%%" : std::string(1, letter);
+  return quote(format);
+}
+
 std::string quote(std::string_view text) {
   std::string quoted = "\"";
   for (const char letter : text) {
@@ -51,18 +57,30 @@ std::string quote(std::string_view text) {
   return quoted + "\"";
 }
 
+std::string shortened(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  const auto goes_on = [&](std::size_t i) {  // inside a letter of UTF-8
+    return (static_cast<unsigned char>(text[i]) & 0xc0U) == 0x80U;
+  };
+  std::size_t end = longest;
+  while (end > 0 && goes_on(end)) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
 std::string literal(std::string_view text) {
   std::string markup;
-  for (const char letter : text) {
+  for (const char letter : shortened(text)) {
     if (std::string_view("\\{}^_@&~").find(letter) != std::string_view::npos) markup += '\\';
     markup += letter;
+    // Lest what follows makes the number of a letter of it: U+0041.
+    if (letter == '\\') markup += "{}";
   }
   return markup;
 }
 
 std::string typeset(std::string_view text) {
   std::string markup, word;
-  for (const char letter : text) {
+  for (const char letter : shortened(text)) {
     if (is_word_letter(letter)) {
       word += letter;
       continue;
@@ -89,7 +107,7 @@ std::string label_of(const ResultAxis& axis) {
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   std::vector<std::string> lines;
-  for (const std::string& word : split_words(text)) {
+  for (const std::string& word : split_words(shortened(text))) {
     if (lines.empty() || lines.back().size() + 1 + word.size() > width) {
       lines.push_back(word);
     } else {

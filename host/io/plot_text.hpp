@@ -13,7 +13,15 @@ namespace gearsweep {
 // or a variable.
 std::string quote(std::string_view text);
 
-// Markup that shows exactly this text.
+// The same for the label of a tic, which gnuplot takes for a format of the tic's number.
+std::string quote_tic(std::string_view text);
+
+// At most so many bytes of a text, and "..." in place of the rest: anyone may have written it, and
+// gnuplot takes minutes over megabytes.
+inline constexpr std::size_t kLongestText = 500;
+std::string shortened(std::string_view text, std::size_t longest = kLongestText);
+
+// Markup that shows exactly this text, as far as it is not too long.
 std::string literal(std::string_view text);
 
 // Markup of a unit or a meaning with its symbols as in print: b_n with a subscript, varpi as the

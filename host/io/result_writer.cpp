@@ -10,8 +10,10 @@
 #include <limits>
 #include <numeric>
 
+#include "io/file_names.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
+#include "io/result_size.hpp"
 #include "study/settings.hpp"
 #include "sweep_types.h"
 
@@ -89,9 +91,10 @@ class Writer {
   }
 
   void write_axis(const Axis& axis) {
-    const int dimension = file_.define_dimension(axis.name, axis.values.size());
+    const std::string name = name_in_result(axis, study_);
+    const int dimension = file_.define_dimension(name, axis.values.size());
     map_dimensions_.push_back(dimension);
-    const int variable = file_.define_variable(axis.name, NC_DOUBLE, {dimension});
+    const int variable = file_.define_variable(name, NC_DOUBLE, {dimension});
     describe(variable, axis.unit, axis.meaning);
     file_.put_attribute(variable, "scale", axis.logarithmic ? "log" : "linear");
     put_all(variable, axis.values);
@@ -218,32 +221,33 @@ class Writer {
     put_samples(variable, states.size() * record);
   }
 
-  // One row of points in blocks of about a mebibyte: a block is a chunk of the file, so that it is
-  // compressed once and one point can be read without the rest.
   void put_samples(int variable, std::size_t per_point) {
-    const std::size_t row = study_.axes.front().values.size();
-    constexpr std::size_t kBlock = std::size_t{1} << 20;
-    const std::size_t block =
-        std::clamp(kBlock / (per_point * sizeof(double)), std::size_t{1}, row);
-    std::vector<std::size_t> chunk(map_dimensions_.size(), 1);
-    chunk.back() = block;
+    const SampleBlock block = block_of_samples(study_);
     const std::size_t states = study_.selection.poincare.size();
-    chunk.insert(chunk.end(), {states, per_point / states});
+    const bool is_map = map_dimensions_.size() == 2;
+    const auto shape_of = [&](std::size_t rows, std::size_t columns) {
+      std::vector<std::size_t> shape = {rows, columns, states, per_point / states};
+      if (!is_map) shape.erase(shape.begin());
+      return shape;
+    };
+    const std::vector<std::size_t> chunk = shape_of(block.rows, block.columns);
     file_.check(nc_def_var_chunking(file_.id(), variable, NC_CHUNKED, chunk.data()),
                 "set the chunks of 'poincare'");
     file_.compress(variable);
-    const std::size_t points = result_.status.size();
-    for (std::size_t first = 0; first < points;) {
-      const std::size_t x = first % row;
-      const std::size_t count = std::min(block, row - x);
-      std::vector<std::size_t> start(chunk.size(), 0), shape = chunk;
-      start[map_dimensions_.size() - 1] = x;
-      if (map_dimensions_.size() == 2) start[0] = first / row;
-      shape[map_dimensions_.size() - 1] = count;
-      const auto begin = result_.samples.begin() + static_cast<std::ptrdiff_t>(first * per_point);
-      put_reals(variable, start, shape,
-                {begin, begin + static_cast<std::ptrdiff_t>(count * per_point)});
-      first += count;
+    const std::size_t row = study_.axes.front().values.size();
+    const std::size_t rows = result_.status.size() / row;
+    // Where a block is not a whole row, it has but one.
+    for (std::size_t y = 0; y < rows; y += block.rows) {
+      for (std::size_t x = 0; x < row; x += block.columns) {
+        const std::size_t high = std::min(block.rows, rows - y);
+        const std::size_t wide = std::min(block.columns, row - x);
+        std::vector<std::size_t> start = {y, x, 0, 0};
+        if (!is_map) start.erase(start.begin());
+        const auto begin =
+            result_.samples.begin() + static_cast<std::ptrdiff_t>((y * row + x) * per_point);
+        put_reals(variable, start, shape_of(high, wide),
+                  {begin, begin + static_cast<std::ptrdiff_t>(high * wide * per_point)});
+      }
     }
   }
 

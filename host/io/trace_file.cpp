@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "io/csv_text.hpp"
+#include "io/file_names.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/output_file.hpp"
 #include "model/error.hpp"
@@ -28,7 +29,9 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
                    const Study& study) {
   CsvText csv;
   csv.add_name("trace");
-  for (const std::string& name : placed) csv.add_name(name);
+  for (const std::string& name : placed) {
+    csv.add_name(name_in_traces(name, traces.front().channels));
+  }
   csv.add_name("tau");
   for (const ChannelInfo& channel : traces.front().channels) csv.add_name(channel.name);
   csv.end_row();
@@ -65,7 +68,7 @@ class Writer {
     for (const std::string& name : placed) {
       const ParameterInfo& info =
           study.model->parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
-      write_numbers(name, info.unit, info.meaning,
+      write_numbers(name_in_traces(name, traces_.front().channels), info.unit, info.meaning,
                     [&](const Trace& trace) { return parameter_of(study, trace, name); });
     }
     write_history({"tau", "1/varpi", "dimensionless time since the first moment"},

@@ -81,6 +81,8 @@ struct Model {
   // The static equilibrium, one number per state: where the policy "shifted" starts.
   std::vector<double> (*equilibrium)(const ModelSetting&);
   std::unique_ptr<PreparedPoint> (*prepare)(const ModelSetting&);
+  // As of prepare(), without the rest: a plan asks for each point of a study.
+  double (*period)(const ModelSetting&);
 
   // Index of a name, or -1.
   int find_parameter(std::string_view parameter) const;

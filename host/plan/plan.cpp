@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <random>
 
 #include "model/error.hpp"
@@ -13,12 +12,6 @@ namespace gearsweep {
 namespace {
 
 constexpr double kMostSteps = 65536;  // per period
-
-std::vector<std::size_t> all_points(std::size_t count) {
-  std::vector<std::size_t> points(count);
-  std::iota(points.begin(), points.end(), std::size_t{0});
-  return points;
-}
 
 // The same for all points, so that neighbours differ by their parameters alone. The first is zero.
 std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::size_t states) {
@@ -36,27 +29,25 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
 
 }  // namespace
 
-Plan::Plan(const Study& study, std::size_t tile_points) : study_(study), tile_points_(tile_points) {
-  for (const std::size_t point : all_points(study_.points())) {
-    const std::string wrong = study_.model->check(setting_of(point));
-    if (!wrong.empty()) throw InputError(wrong);
-    steps_of(point);
-  }
+Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
   offsets_ = ensemble_offsets(study_.initial, study_.model->states.size());
-  if (!study_.is_chained()) {
-    add_stage(all_points(study_.trajectories()));
-    return;
-  }
-  const std::size_t length = study_.axes[study_.initial.along].values.size();
-  for (std::size_t i = 0; i < length; ++i) {
+  const Span x = {0, study_.axes[0].values.size()};
+  const Span y = {0, study_.points() / x.last};
+  const bool along_x = study_.initial.along == 0;
+  const std::size_t length = (along_x ? x : y).last;
+  for (std::size_t i = 0; study_.is_chained() && i < length; ++i) {
     const std::size_t index = study_.initial.policy == InitialPolicy::forward ? i : length - 1 - i;
-    const std::size_t nx = study_.axes[0].values.size();
-    std::vector<std::size_t> points = all_points(study_.points() / length);
-    for (std::size_t& point : points) {
-      point = study_.initial.along == 0 ? point * nx + index : index * nx + point;
-    }
-    add_stage(points);
+    const Span here = {index, index + 1};
+    groups_.push_back(along_x ? grouped(here, y) : grouped(x, here));
   }
+  if (!study_.is_chained()) groups_.push_back(grouped(x, y));
+  cut(tile_points);
+}
+
+void Plan::cut(std::size_t tile_points) {
+  tile_points_ = tile_points;
+  stages_.clear();
+  for (const std::vector<Group>& groups : groups_) stages_.push_back(stage_of(groups));
 }
 
 double Plan::total_work() const {
@@ -76,19 +67,24 @@ double Plan::axis_value(std::size_t axis, std::size_t point) const {
   return study_.axes[axis].values[axis_index(axis, point)];
 }
 
+void Plan::place(std::size_t axis, std::size_t index, ModelSetting* setting) const {
+  if (axis >= study_.axes.size() || study_.axes[axis].is_state) return;
+  setting->parameters[study_.axes[axis].index] = study_.axes[axis].values[index];
+}
+
 ModelSetting Plan::setting_of(std::size_t point) const {
   ModelSetting setting = study_.setting;
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    if (study_.axes[axis].is_state) continue;
-    setting.parameters[study_.axes[axis].index] = axis_value(axis, point);
+    place(axis, axis_index(axis, point), &setting);
   }
   return setting;
 }
 
-std::size_t Plan::steps_of(std::size_t point) const {
+std::size_t Plan::steps_of(std::size_t point) const { return steps_at(setting_of(point)); }
+
+std::size_t Plan::steps_at(const ModelSetting& setting) const {
   if (study_.integrate.steps_per_period > 0) return study_.integrate.steps_per_period;
-  const double wanted =
-      study_.model->prepare(setting_of(point))->period() / study_.integrate.max_step;
+  const double wanted = study_.model->period(setting) / study_.integrate.max_step;
   if (!(wanted <= kMostSteps)) {
     throw InputError(
         fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
@@ -103,15 +99,19 @@ PhaseGrid Plan::phase_grid_of(std::size_t point) const {
   return make_phase_grid(*study_.model, setting_of(point), steps_of(point));
 }
 
-// The number of steps and the phase-shaping parameters among the axes.
 std::vector<double> Plan::grid_key(std::size_t point) const {
-  std::vector<double> key = {static_cast<double>(steps_of(point))};
-  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    const Axis& swept = study_.axes[axis];
-    if (swept.is_state || !study_.model->parameters[swept.index].shapes_phase) continue;
-    key.push_back(axis_value(axis, point));
-  }
+  std::vector<double> key;
+  set_key(setting_of(point), &key);
   return key;
+}
+
+// The number of steps and the phase-shaping parameters among the axes.
+void Plan::set_key(const ModelSetting& setting, std::vector<double>* key) const {
+  key->assign(1, static_cast<double>(steps_at(setting)));
+  for (const Axis& axis : study_.axes) {
+    if (axis.is_state || !study_.model->parameters[axis.index].shapes_phase) continue;
+    key->push_back(setting.parameters[axis.index]);
+  }
 }
 
 std::optional<std::size_t> Plan::predecessor(std::size_t point) const {
@@ -138,10 +138,39 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
   return state;
 }
 
-void Plan::add_stage(const std::vector<std::size_t>& points) {
-  std::map<std::vector<double>, std::vector<std::size_t>> by_grid;
-  for (const std::size_t point : points) by_grid[grid_key(point)].push_back(point);
+// In the order of their keys. What takes time for each point of a large study is here.
+std::vector<Plan::Group> Plan::grouped(const Span& x, const Span& y) const {
+  std::map<std::vector<double>, PointList> by_grid;
+  using Entry = decltype(by_grid)::value_type;
+  // Mostly a point shares the grid of the one before it, or of the one in the row before.
+  Entry* entry = nullptr;
+  std::vector<Entry*> row(x.last - x.first, nullptr);
+  std::vector<double> key;
+  ModelSetting setting = study_.setting;
+  const std::size_t nx = study_.axes[0].values.size();
+  const std::size_t members = study_.is_chained() ? 1 : study_.initial.ensemble;
+  for (std::size_t line = 0; line < members * (y.last - y.first); ++line) {
+    const std::size_t member = line / (y.last - y.first);
+    const std::size_t iy = y.first + line % (y.last - y.first);
+    place(1, iy, &setting);
+    for (std::size_t ix = x.first; ix < x.last; ++ix) {
+      place(0, ix, &setting);
+      const std::string wrong = study_.model->check(setting);
+      if (!wrong.empty()) throw InputError(wrong);
+      set_key(setting, &key);
+      Entry*& above = row[ix - x.first];
+      if (entry == nullptr || entry->first != key) entry = above;
+      if (entry == nullptr || entry->first != key) entry = &*by_grid.try_emplace(key).first;
+      above = entry;
+      entry->second.push_back(member * study_.points() + iy * nx + ix);
+    }
+  }
+  std::vector<Group> groups;
+  for (auto& [grid, points] : by_grid) groups.push_back({grid.front(), std::move(points)});
+  return groups;
+}
 
+Stage Plan::stage_of(const std::vector<Group>& groups) const {
   const auto periods =
       static_cast<double>(study_.integrate.settle) + static_cast<double>(study_.integrate.record);
   Stage stage;
@@ -150,17 +179,18 @@ void Plan::add_stage(const std::vector<std::size_t>& points) {
     if (!tile.points.empty()) stage.tiles.push_back(std::move(tile));
     tile = {};
   };
-  for (const auto& [key, members] : by_grid) {
-    const double steps = key.front() * periods;
-    for (std::size_t i = 0; i < members.size(); ++i) {
+  for (const Group& group : groups) {
+    bool is_first = true;
+    for (const std::size_t point : group.points) {
       if (tile.points.size() == tile_points_) close_tile();
-      if (i == 0 || tile.points.empty()) tile.grid_starts.push_back(tile.points.size());
-      tile.points.push_back(members[i]);
-      tile.work += steps;
+      if (is_first || tile.points.empty()) tile.grid_starts.push_back(tile.points.size());
+      is_first = false;
+      tile.points.push_back(point);
+      tile.work += group.steps * periods;
     }
   }
   close_tile();
-  stages_.push_back(std::move(stage));
+  return stage;
 }
 
 }  // namespace gearsweep

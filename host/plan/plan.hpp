@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plan/phase_grid.hpp"
+#include "plan/point_list.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -13,7 +14,7 @@ namespace gearsweep {
 // The points that one launch sequence computes; those that share a phase grid stand together. With
 // an ensemble, trajectory m of point p counts as point m * study.points() + p of the plan.
 struct Tile {
-  std::vector<std::size_t> points;       // point indices
+  PointList points;
   std::vector<std::size_t> grid_starts;  // position in `points` where each phase grid begins
   double work = 0.0;                     // integration steps in all
 };
@@ -28,6 +29,8 @@ class Plan {
  public:
   // Throws InputError when a point's setting is wrong or a period would need too many steps.
   Plan(const Study& study, std::size_t tile_points);
+  // Cuts the same points into tiles of another size.
+  void cut(std::size_t tile_points);
 
   const Study& study() const { return study_; }
   std::size_t tile_points() const { return tile_points_; }  // at most, of each tile
@@ -47,12 +50,28 @@ class Plan {
   std::vector<double> own_initial_state(std::size_t point) const;
 
  private:
+  // Points with one phase grid, in a stage.
+  struct Group {
+    double steps = 0.0;  // of a period
+    PointList points;
+  };
+  // Indices of an axis, the last excluded.
+  struct Span {
+    std::size_t first = 0, last = 0;
+  };
+
   std::size_t axis_index(std::size_t axis, std::size_t point) const;
-  void add_stage(const std::vector<std::size_t>& points);
+  // Gives what an axis sweeps the value of this index.
+  void place(std::size_t axis, std::size_t index, ModelSetting* setting) const;
+  void set_key(const ModelSetting& setting, std::vector<double>* key) const;
+  std::size_t steps_at(const ModelSetting& setting) const;
+  std::vector<Group> grouped(const Span& x, const Span& y) const;
+  Stage stage_of(const std::vector<Group>& groups) const;
 
   const Study study_;
-  const std::size_t tile_points_;
+  std::size_t tile_points_ = 0;
   std::vector<std::vector<double>> offsets_;  // [trajectory of a point][state]
+  std::vector<std::vector<Group>> groups_;    // [stage]
   std::vector<Stage> stages_;
 };
 

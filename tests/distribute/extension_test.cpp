@@ -2,6 +2,7 @@
 // over from them.
 #include "distribute/extension.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -77,7 +78,8 @@ TEST(Extension, TakesTheUndecidedPointsWithTheirStatesAndPhaseGrids) {
 
   const Window window = windows_of(study)[1];
   const Tile part = part_of(plan, tile, positions, window.settle + window.record);
-  EXPECT_EQ(part.points, (std::vector<std::size_t>{tile.points[0], tile.points[2]}));
+  EXPECT_THAT(std::vector<std::size_t>(part.points.begin(), part.points.end()),
+              ::testing::ElementsAre(tile.points[0], tile.points[2]));
   // Each phase grid of the tile that is still there begins where its first point stands.
   EXPECT_EQ(part.grid_starts, (std::vector<std::size_t>{0, 1}));
   const auto steps =

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <cstring>
 
 #include "io/example_result.hpp"
 #include "io/gnuplot.hpp"
@@ -230,6 +231,71 @@ TEST_F(PlotTest, NothingInATitleIsACommand) {
   EXPECT_FALSE(fs::exists(trap));
 }
 
+// The letters of an SVG picture, without its elements.
+std::string letters_of(const std::string& svg) {
+  std::string letters;
+  bool is_inside = true;
+  for (const char letter : svg) {
+    if (letter == '<') is_inside = false;
+    if (is_inside && letter != '\n' && letter != '\t') letters += letter;
+    if (letter == '>') is_inside = true;
+  }
+  for (const auto& [name, letter] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&amp;", "&"}}) {
+    for (std::size_t at = 0; (at = letters.find(name, at)) != std::string::npos; ++at) {
+      letters.replace(at, std::strlen(name), letter);
+    }
+  }
+  return letters;
+}
+
+// A stranger's file: gnuplot has formats, markup and escapes, and each kind of text its own.
+TEST_F(PlotTest, EveryTextOfAFileIsShownLetterByLetter) {
+  const std::string odd = "%s%n%5.3f{x}^2@a&b~c\\U+0041\\n\\101$d'q'\"r\"<t>#%%";
+  for (const bool is_map : {true, false}) {
+    SweepResult result = example_result(4, is_map ? 3 : 0);
+    result.study.title = "title" + odd;
+    result.study.axes[0].unit = "unit" + odd;
+    result.study.axes[0].meaning = "meaning" + odd.substr(0, 20);
+    Quantity& quantity = result.study.selection.quantities[1];
+    quantity.meaning = "long" + odd;
+    quantity.flags = {"flag" + odd.substr(0, 30), "%d", "100%"};
+    const std::string path = write(result);
+    const std::string picture = in_folder("picture.svg");
+    plot_files({{path}, "contact_class", picture, "", {}, {}, {}});
+    const std::string letters = letters_of(content(picture));
+    for (const std::string& text :
+         {result.study.title, result.study.axes[0].unit, result.study.axes[0].meaning,
+          quantity.meaning, quantity.flags[0], quantity.flags[1], quantity.flags[2]}) {
+      EXPECT_THAT(letters, HasSubstr(text));
+    }
+    const std::string second = write(result, "%s{y}^2&z.nc");
+    if (!is_map) {
+      plot_files({{path, second}, "contact_class,x1_rms", picture, "", {}, {}, {}});
+      EXPECT_THAT(letters_of(content(picture)), AllOf(HasSubstr("%s{y}^2&z"), HasSubstr("100%")));
+    }
+  }
+}
+
+// gnuplot takes a minute over a title of 15 MB.
+TEST_F(PlotTest, ATextThatNobodyReadsIsCutShort) {
+  SweepResult result = example_result(7, 0);
+  const std::string large(100'000, 'x');
+  result.study.title = large;
+  result.study.axes[0].unit = large;
+  result.study.axes[0].meaning = large;
+  for (Quantity& quantity : result.study.selection.quantities) {
+    quantity.unit = large;
+    quantity.meaning = large;
+  }
+  result.study.selection.quantities[1].flags = {large, "b", "c"};
+  const std::string path = write(result);
+  for (const char* const quantity : {"x1_rms", "contact_class", "poincare,x1_rms,contact_class"}) {
+    EXPECT_LT(script_of({{path}, quantity, "", "", {}, {}, {}}).size(), 20'000U);
+  }
+  const std::string other = write(result, "other.nc");
+  EXPECT_LT(script_of({{path, other}, "x1_rms", "", "", {}, {}, {}}).size(), 20'000U);
+}
+
 TEST_F(PlotTest, OddNamesOfFilesWork) {
   fs::create_directory(folder_ / "it's {here} ü");
   PlotRequest request;
@@ -239,7 +305,7 @@ TEST_F(PlotTest, OddNamesOfFilesWork) {
   plot_files(request);
   EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
   fs::remove(request.output_path);
-  run_gnuplot({request.script_path});
+  run_gnuplot(request.script_path);
   EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
 }
 
@@ -274,10 +340,10 @@ TEST_F(PlotTest, AMissingOrFailingGnuplotIsTold) {
     }
     return "accepted";
   };
-  EXPECT_THAT(failure([] {
-                run_gnuplot({"-e", "plot 'no_such_file'"});
-              }),
-              HasSubstr("no_such_file"));
+  const std::string script = in_folder("wrong.gp");
+  std::ofstream(script) << "plot 'no_such_file'\n";
+  EXPECT_THAT(failure([&] { run_gnuplot(script); }), HasSubstr("no_such_file"));
+  fs::remove(script);
   const std::string path = write(example_result());
   const std::string before = std::getenv("PATH");
   setenv("PATH", folder_.c_str(), 1);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <numeric>
@@ -136,6 +137,45 @@ TEST(Plan, AChainHasAStagePerValue) {
   EXPECT_THAT(points_of(backward.stages()[0]), ElementsAre(1, 3, 5));
   EXPECT_FALSE(backward.predecessor(3));
   EXPECT_EQ(backward.predecessor(2), 3U);
+}
+
+// What journals and shards rely on, since they know tiles by their numbers.
+TEST(Plan, PointsAreInTheOrderOfTheirGridsWhateverTheTiles) {
+  for (const std::string& study :
+       {kGrid, axis("omega", "[0.3, 0.31, 0.7, 1.9]") + axis("eps", "[1.2, 1.4, 1.6]"),
+        axis("eps", "[1.2, 1.4, 1.6]") + axis("omega", "[0.3, 0.31, 0.7, 1.9]"),
+        axis("x1", "[0.1, 0.2]") + axis("omega", "[0.3, 0.7, 1.9]") +
+            "[initial]\nensemble = 3\n"}) {
+    Plan plan = plan_of(study, 1000);
+    std::vector<std::size_t> sorted(plan.study().trajectories());
+    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+    std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+      return plan.grid_key(a) < plan.grid_key(b);
+    });
+    const double work = plan.total_work();
+    for (const std::size_t tile_points : {1000U, 1U, 7U, 5U}) {
+      plan.cut(tile_points);
+      EXPECT_EQ(plan.tile_points(), tile_points);
+      EXPECT_EQ(plan.total_work(), work);
+      std::vector<std::size_t> points;
+      for (const Tile& tile : plan.stages().at(0).tiles) {
+        EXPECT_LE(tile.points.size(), tile_points);
+        points.insert(points.end(), tile.points.begin(), tile.points.end());
+      }
+      EXPECT_EQ(points, sorted);
+    }
+  }
+}
+
+// A study may have a hundred times as many points, and its plan is there before its maps are.
+TEST(Plan, OfAMillionPointsTakesNextToNoMemory) {
+  const Study study = read_study(
+      "[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.9\ncount = 1000\n"
+      "[[axes]]\nname = 'eps'\nfrom = 1.2\nto = 1.9\ncount = 1000\n",
+      "test.toml");
+  const std::size_t before = mallinfo2().uordblks;
+  const Plan plan(study, 16384);
+  EXPECT_LT(mallinfo2().uordblks - before, 4'000'000U);
 }
 
 TEST(Plan, AnInitialStateAxisReplacesThatState) {
