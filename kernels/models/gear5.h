@@ -80,12 +80,12 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
     "formulation = 'printed'\nstiffness = 'fourier'\npolicy = 'fixed'\n")
 
 // X(name, unit, meaning)
-#define MODEL_SIGNALS(X)                                                                     \
-  X(deflection, "b_n", "mesh deflection D along the line of action")                         \
-  X(backlash, "b_n", "half backlash b' at work")                                             \
-  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                     \
-  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                         \
-  X(friction, "k0 b_n", "sliding friction on the shafts, mu (C f + 2 zeta H D'), all pairs") \
+#define MODEL_SIGNALS(X)                                                                \
+  X(deflection, "b_n", "mesh deflection D along the line of action")                    \
+  X(backlash, "b_n", "half backlash b' at work")                                        \
+  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                \
+  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                    \
+  X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs") \
   X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")
 
 // What depends on the phase alone. With friction arms a_i = rho_p s_pi/Rp + rho_g s_gi/Rg (printed:
