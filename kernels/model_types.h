@@ -48,7 +48,8 @@ typedef struct {
 } PhaseCoefs;
 
 #ifdef MODEL_CONTACT
-// Where the contact's distance stands: in contact while backlash < |deflection|.
+// Where the contact stands: the drive flank touches while backlash < deflection, the back flank
+// while deflection < -backlash; while a backlash is negative, both may.
 typedef struct {
   real deflection, backlash;
 } ModelContact;

@@ -58,6 +58,21 @@ const std::vector<double>* find_map(const SweepResult& result, const std::string
   return nullptr;
 }
 
+// How many points had a negative backlash while recording, as far as the study tells.
+std::size_t count_wedged(const SweepResult& result) {
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    if (result.study.selection.quantities[i].name != "contact_class") continue;
+    for (const Count& count :
+         count_classes(result.study.selection.quantities[i], result.values[i])) {
+      if (count.name == "wedged") return count.points;
+    }
+  }
+  const std::vector<double>* backlash = find_map(result, "backlash_min");
+  if (backlash == nullptr) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(*backlash, [](double least) { return least < 0.0; }));
+}
+
 // A set of points, and what to call it.
 struct Group {
   std::string name;
@@ -150,6 +165,10 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     if (quantity.flags.empty()) continue;
     text += fmt::format("{}: {}\n", quantity.name,
                         describe_counts(count_classes(quantity, result.values[i])));
+  }
+  if (const std::size_t wedged = count_wedged(result); wedged > 0) {
+    text += fmt::format("{} of {} points are wedged: a negative backlash, both flanks at once\n",
+                        wedged, result.status.size());
   }
   if (result.stopped > 0) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",

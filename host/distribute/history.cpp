@@ -104,7 +104,7 @@ class History {
     trace.channels.insert(trace.channels.end(), model_.signals.begin(), model_.signals.end());
     if (has_contact()) {
       trace.channels.push_back(
-          {"contact", "1", "1 on the drive flank, 0 in the gap, -1 on the back flank"});
+          {"contact", "1", "1 on the drive flank, 0 in the gap, -1 on the back flank, 2 on both"});
     }
     trace.values.resize(trace.channels.size());
     return trace;
@@ -124,9 +124,9 @@ class History {
     if (!has_contact()) return;
     const double deflection = signals[static_cast<std::size_t>(model_.find_signal("deflection"))];
     const double backlash = signals[static_cast<std::size_t>(model_.find_signal("backlash"))];
-    trace->values[channel].push_back(deflection > backlash    ? 1.0
-                                     : deflection < -backlash ? -1.0
-                                                              : 0.0);
+    const bool drive = deflection > backlash;
+    const bool back = deflection < -backlash;
+    trace->values[channel].push_back(drive && back ? 2.0 : drive ? 1.0 : back ? -1.0 : 0.0);
   }
 
   const Model& model_;

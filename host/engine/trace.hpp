@@ -15,7 +15,7 @@ struct Trace {
   std::size_t settled = 0;  // periods before the first moment
   std::vector<double> tau;  // [moment] dimensionless time since the first
   // The model's states, its signals, and, of a model with backlash, `contact`: 1 on the drive
-  // flank, 0 in the gap, -1 on the back flank.
+  // flank, 0 in the gap, -1 on the back flank, 2 on both (wedged).
   std::vector<ChannelInfo> channels;
   std::vector<std::vector<double>> values;  // [channel][moment]
 };

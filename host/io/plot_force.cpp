@@ -22,7 +22,7 @@ std::vector<Band> bands_of(const Trace& trace) {
   const std::vector<double>& contact = values_of(trace, "contact");
   std::vector<Band> bands;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    const int flank = (contact[i] > 0.5 ? 1 : 0) - (contact[i] < -0.5 ? 1 : 0);
+    const int flank = contact[i] > 1.5 ? 2 : contact[i] > 0.5 ? 1 : contact[i] < -0.5 ? -1 : 0;
     if (bands.empty() || bands.back().flank != flank) {
       const double from = bands.empty() ? time[i] : 0.5 * (time[i - 1] + time[i]);
       if (!bands.empty()) bands.back().to = from;
@@ -37,8 +37,10 @@ struct FlankStyle {
   int flank;
   const char *name, *colour;
 };
-constexpr std::array<FlankStyle, 3> kFlanks = {
-    {{1, "drive flank", "#dbe8f3"}, {0, "no contact", "#fff0c9"}, {-1, "back flank", "#e2b9d3"}}};
+constexpr std::array<FlankStyle, 4> kFlanks = {{{1, "drive flank", "#dbe8f3"},
+                                                {0, "no contact", "#fff0c9"},
+                                                {-1, "back flank", "#e2b9d3"},
+                                                {2, "both flanks (wedged)", "#a9cfae"}}};
 
 // Boxes over the part [bottom, top] of the picture's height; returns whether there are any.
 bool add_boxes(const std::vector<Band>& bands, int flank, double bottom, double top,
@@ -89,9 +91,9 @@ FlankKey add_bands(const Trace& trace, PlotScript* script) {
 constexpr double kStrip = 0.045;  // of the height
 
 // A strip of each trace in its colour, the first at the top: nothing on the drive flank, a tint
-// without contact, full on the back flank.
+// without contact, full on the back flank, black on both.
 FlankKey add_strips(const TracePicture& picture, PlotScript* script) {
-  bool any_gap = false, any_back = false;
+  bool any_gap = false, any_back = false, any_wedged = false;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const double bottom = kStrip * static_cast<double>(picture.layers.size() - 1 - i);
     const std::vector<Band> bands = bands_of(picture.layers[i].trace);
@@ -102,10 +104,12 @@ FlankKey add_strips(const TracePicture& picture, PlotScript* script) {
     const std::string transparent = fmt::format("#b0{}", layer_colour(i).substr(1));
     any_gap = add(0, transparent) || any_gap;
     any_back = add(-1, layer_colour(i)) || any_back;
+    any_wedged = add(2, "#000000") || any_wedged;
   }
   FlankKey key;
   if (any_gap) key.add("#cccccc", "no contact");
   if (any_back) key.add("#555555", "back flank");
+  if (any_wedged) key.add("#000000", "both flanks (wedged)");
   return key;
 }
 

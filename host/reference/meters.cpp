@@ -71,7 +71,14 @@ class Moments final : public Meter {
   double weight_ = 0.0, mean_ = 0.0, squares_ = 0.0;
 };
 
-enum class Region { drive, gap, back };
+// Part of a step, from one share of it to another.
+struct Span {
+  double from = 0.0, to = 0.0;
+  double length() const { return std::max(0.0, to - from); }
+  Span meet(const Span& other) const {
+    return {std::max(from, other.from), std::min(to, other.to)};
+  }
+};
 
 class Contact final : public Meter {
  public:
@@ -79,14 +86,20 @@ class Contact final : public Meter {
       : deflection_(model, "deflection"), backlash_(model, "backlash") {}
 
   void step(const Moment& before, const Moment& after, double share) override {
-    drive_ += share * share_beyond(deflection_(before) - backlash_(before),
-                                   deflection_(after) - backlash_(after));
-    back_ += share * share_beyond(-deflection_(before) - backlash_(before),
-                                  -deflection_(after) - backlash_(after));
-    const Region from = region(before);
-    const Region to = region(after);
-    if (from != Region::gap && to != from) ++losses_;
-    seen_gap_ = seen_gap_ || to == Region::gap;
+    const Span drive = above_zero(beyond(before, 1.0), beyond(after, 1.0));
+    const Span back = above_zero(beyond(before, -1.0), beyond(after, -1.0));
+    const double both = drive.meet(back).length();
+    drive_ += share * (drive.length() - both);
+    back_ += share * (back.length() - both);
+    wedged_ += share * both;
+    for (const double flank : {1.0, -1.0}) {
+      if (beyond(before, flank) > 0.0 && beyond(after, flank) <= 0.0) ++losses_;
+    }
+    // Without a backlash a gap between the flanks is rounding.
+    const bool open = std::max(backlash_(before), backlash_(after)) > 0.0;
+    const double touching = drive.length() + back.length() - both;
+    if (touching <= 0.0 || (open && touching < 1.0)) seen_gap_ = true;
+    least_backlash_ = std::min({least_backlash_, backlash_(before), backlash_(after)});
   }
 
   std::vector<double> finish(const Window& window) const override {
@@ -94,31 +107,36 @@ class Contact final : public Meter {
     const bool on_drive = drive_ > 0.0;
     const bool on_back = back_ > 0.0;
     double contact_class = 0.0;
-    if (on_drive && on_back) {
+    if (least_backlash_ < 0.0) {
+      contact_class = 3.0;
+    } else if (on_drive && on_back) {
       contact_class = 2.0;
     } else if ((on_drive || on_back) && seen_gap_) {
       contact_class = 1.0;
     }
-    const double gap = seen_gap_ ? std::max(0.0, 1.0 - (drive_ + back_) / count) : 0.0;
-    return {drive_ / count, gap, back_ / count, losses_ / count, contact_class};
+    // Without a negative backlash both flanks touch by rounding only.
+    const double wedged = least_backlash_ < 0.0 ? wedged_ : 0.0;
+    const double gap = seen_gap_ ? std::max(0.0, 1.0 - (drive_ + back_ + wedged) / count) : 0.0;
+    return {drive_ / count, gap, back_ / count, wedged / count, losses_ / count, contact_class};
   }
 
  private:
-  // Share of a step for which the straight line from a to b is above zero.
-  static double share_beyond(double a, double b) {
-    if (a > 0.0 && b > 0.0) return 1.0;
-    if (a <= 0.0 && b <= 0.0) return 0.0;
+  // Where the straight line from a to b is above zero.
+  static Span above_zero(double a, double b) {
+    if (a <= 0.0 && b <= 0.0) return {};
+    if (a > 0.0 && b > 0.0) return {0.0, 1.0};
     const double crossing = a / (a - b);
-    return a > 0.0 ? crossing : 1.0 - crossing;
+    return a > 0.0 ? Span{0.0, crossing} : Span{crossing, 1.0};
   }
 
-  Region region(const Moment& moment) const {
-    if (deflection_(moment) > backlash_(moment)) return Region::drive;
-    return deflection_(moment) < -backlash_(moment) ? Region::back : Region::gap;
+  // How far the deflection is beyond the limit of a flank, 1 (drive) or -1 (back).
+  double beyond(const Moment& moment, double flank) const {
+    return flank * deflection_(moment) - backlash_(moment);
   }
 
   Channel deflection_, backlash_;
-  double drive_ = 0.0, back_ = 0.0, losses_ = 0.0;
+  double drive_ = 0.0, back_ = 0.0, wedged_ = 0.0, losses_ = 0.0;
+  double least_backlash_ = std::numeric_limits<double>::infinity();
   bool seen_gap_ = false;
 };
 

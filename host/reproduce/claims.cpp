@@ -299,19 +299,19 @@ class Judge {
   }
 
   void three_regimes() {
-    std::vector<bool> seen(3, false);
-    for (const char* figure : {"fig7", "fig10"}) {
-      const Curve classes(map(figure), "contact_class");
-      for (const double kind : classes.values()) {
-        if (kind >= 0.0) seen[static_cast<std::size_t>(kind)] = true;
-      }
-    }
-    const auto word = [&](std::size_t kind) { return seen[kind] ? "occurs" : "does not occur"; };
+    const Curve constant(map("fig7"), "contact_class");
+    const Curve dynamic(map("fig10"), "contact_class");
+    const auto occurs = [&](double kind) {
+      return std::ranges::count(constant.values(), kind) > 0 ||
+             std::ranges::count(dynamic.values(), kind) > 0;
+    };
+    const auto word = [&](double kind) { return occurs(kind) ? "occurs" : "does not occur"; };
     add(11,
         "Motion without impact, with single-sided and with double-sided impacts all occur over b.",
         "all three classes of contact occur in figures 7 and 10; in part: two or one of them",
-        fmt::format("no impact {}, single-sided {}, double-sided {}", word(0), word(1), word(2)),
-        by_count({seen[0], seen[1], seen[2]}));
+        fmt::format("no impact {}, single-sided {}, double-sided {}", word(0.0), word(1.0),
+                    word(2.0)),
+        by_count({occurs(0.0), occurs(1.0), occurs(2.0)}));
   }
 
   const Measured& measured_;

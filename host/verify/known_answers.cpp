@@ -47,10 +47,10 @@ std::vector<Compared> compare_oscillator(const Subject& subject, const std::stri
   return compared;
 }
 
-// No impact; impacts with dynamic backlash; a larger transmission error.
+// No impact; impacts with dynamic backlash; a larger transmission error; a wedged tooth.
 std::vector<const ReferenceRow*> chosen_rows() {
   return {&reference_row("consistent_07"), &reference_row("consistent_05_dynamic"),
-          &reference_row("coarse_065")};
+          &reference_row("coarse_065"), &reference_row("coarse_05_wedged")};
 }
 
 void append(const std::vector<Compared>& more, std::vector<Compared>* compared) {

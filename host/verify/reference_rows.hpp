@@ -5,7 +5,8 @@
 // That table's least, greatest, mean and rms of x1 are averages and extremes of samples, off by up
 // to 3.1e-5 and 5.2e-6. The ones here are from an outside integration (Boost.odeint's
 // Dormand-Prince at 1e-12, the integrals of x1 and x1^2 as two more states, extremes between the
-// steps too), which outside_opinion_test.cpp repeats.
+// steps too), which outside_opinion_test.cpp repeats. So is all of the row with a wedged tooth,
+// which that table has not.
 #pragma once
 
 #include <cstddef>

@@ -7,8 +7,9 @@
 //   h integral(m p du) + h^2 J m integral((1 - u) p du)
 // where the evaluations, with weights 1/6, 1/3, 1/3, 1/6, saw sums instead of integrals. Adding the
 // difference leaves an error of fourth order. Once a limit is crossed back within the same step,
-// nothing is seen. All this asks for a penetration that depends on positions and a push on
-// velocities.
+// nothing is seen. Each flank has its own limit and its own penetration, D - b' and D + b', whose
+// corrections add up: where the backlash is negative both flanks touch at once. All this asks for a
+// penetration that depends on positions and a push on velocities.
 
 #ifdef MODEL_CONTACT
 
@@ -84,14 +85,20 @@ SHARED_FN void crossing_locate(const real* p, real flank, Crossing* crossing) {
   crossing->after = (scalar)(2) * ahead[3] / (root - slope);
 }
 
-// Corrects the end x of a step for the crossings of one flank's limit.
-SHARED_FN void crossing_apply(const Crossings* crossings, const ModelContact* contact, real flank,
-                              Crossing* crossing, real* x) {
-  real p[RK4_EVALUATIONS];
+// p of a flank from the contact at each evaluation, or the derivatives of p from those of the
+// contact.
+SHARED_FN void crossing_beyond(const ModelContact* contact, real flank, real* p) {
   UNROLL
   for (int i = 0; i < RK4_EVALUATIONS; ++i) {
     p[i] = contact[i].deflection - flank * contact[i].backlash;
   }
+}
+
+// Corrects the end x of a step for the crossings of one flank's limit.
+SHARED_FN void crossing_apply(const Crossings* crossings, const ModelContact* contact, real flank,
+                              Crossing* crossing, real* x) {
+  real p[RK4_EVALUATIONS];
+  crossing_beyond(contact, flank, p);
   crossing_locate(p, flank, crossing);
   crossing_correct(crossings, crossing, p, x);
 }
@@ -126,6 +133,20 @@ SHARED_FN void crossings_correct(const ModelPoint* point, const PhaseCoefs* star
   }
   crossing_apply(crossings, contact, one, &crossings->drive, x);
   crossing_apply(crossings, contact, -one, &crossings->back, x);
+}
+
+// Corrects the end w of a tangent vector's step from what it added to the contact at the
+// evaluations.
+SHARED_FN void crossings_correct_tangent(const Crossings* crossings, const ModelContact* added,
+                                         real* w) {
+  if (!crossings->any) return;
+  const real one = 1;
+  real drive[RK4_EVALUATIONS];
+  real back[RK4_EVALUATIONS];
+  crossing_beyond(added, one, drive);
+  crossing_beyond(added, -one, back);
+  crossing_correct(crossings, &crossings->drive, drive, w);
+  crossing_correct(crossings, &crossings->back, back, w);
 }
 
 #endif

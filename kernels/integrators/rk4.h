@@ -123,11 +123,11 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLine
   model_tangent(point, &linear[2], w3, w, w4);
   model_tangent(point, &linear[3], w4, zeros, last);
 #ifdef MODEL_CONTACT
-  real p[RK4_EVALUATIONS];
-  p[0] = model_penetration_tangent(point, &linear[0], w);
-  p[1] = model_penetration_tangent(point, &linear[1], w2);
-  p[2] = model_penetration_tangent(point, &linear[2], w3);
-  p[3] = model_penetration_tangent(point, &linear[3], w4);
+  ModelContact added[RK4_EVALUATIONS];
+  model_contact_tangent(point, &linear[0], w, &added[0]);
+  model_contact_tangent(point, &linear[1], w2, &added[1]);
+  model_contact_tangent(point, &linear[2], w3, &added[2]);
+  model_contact_tangent(point, &linear[3], w4, &added[3]);
 #endif
   UNROLL
   for (int i = 0; i < RK4_POSITIONS; ++i) {
@@ -139,9 +139,6 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLine
     w[i] = last[i] + third * ((w4[i] + two * w3[i]) + (w2[i] - w[i]));
   }
 #ifdef MODEL_CONTACT
-  if (crossings && crossings->any) {
-    crossing_correct(crossings, &crossings->drive, p, w);
-    crossing_correct(crossings, &crossings->back, p, w);
-  }
+  if (crossings) crossings_correct_tangent(crossings, added, w);
 #endif
 }

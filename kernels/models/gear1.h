@@ -150,12 +150,13 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
   linear->stiffness = lane_select(point->b < lane_abs(x[STATE_x]), stiffness, zero);
 }
 
-// What a tangent vector adds to the deflection beyond a limit.
-SHARED_FN real model_penetration_tangent(const ModelPoint* point, const ModelLinear* linear,
-                                         const real* w) {
+// What a tangent vector adds to the deflection and to the backlash.
+SHARED_FN void model_contact_tangent(const ModelPoint* point, const ModelLinear* linear,
+                                     const real* w, ModelContact* added) {
   (void)point;
   (void)linear;
-  return w[STATE_x];
+  added->deflection = w[STATE_x];
+  added->backlash = 0;
 }
 
 // out = base + scale J w; out is neither w nor base.

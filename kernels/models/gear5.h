@@ -80,12 +80,12 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
     "formulation = 'printed'\nstiffness = 'fourier'\npolicy = 'fixed'\n")
 
 // X(name, unit, meaning)
-#define MODEL_SIGNALS(X)                                                                     \
-  X(deflection, "b_n", "mesh deflection D along the line of action")                         \
-  X(backlash, "b_n", "half backlash b' at work")                                             \
-  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                     \
-  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                         \
-  X(friction, "k0 b_n", "sliding friction on the shafts, mu (C f + 2 zeta H D'), all pairs") \
+#define MODEL_SIGNALS(X)                                                                \
+  X(deflection, "b_n", "mesh deflection D along the line of action")                    \
+  X(backlash, "b_n", "half backlash b' at work")                                        \
+  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                \
+  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                    \
+  X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs") \
   X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")
 
 // What depends on the phase alone. With friction arms a_i = rho_p s_pi/Rp + rho_g s_gi/Rg (printed:
@@ -195,9 +195,16 @@ SHARED_FN real gear5_backlash(const ModelPoint* point, const PhaseCoefs* phase, 
   return point->b + (y * phase->tan_alpha) * ratio;
 }
 
-// f of Eq. (19): the part of the deflection beyond the backlash.
-SHARED_FN real gear5_penetration(real deflection, real backlash) {
-  return deflection - lane_clamp(deflection, -backlash, backlash);
+// f, the part of the deflection beyond each flank's limit: max(D - b', 0) + min(D + b', 0). That is
+// Eq. (19) while b' >= 0. A tooth whose working backlash is negative is wedged: both flanks touch
+// at once while |D| < -b'. A constant backlash is never negative, and so a clamp does, which is
+// less work.
+SHARED_FN real gear5_penetration(const ModelPoint* point, const ModelContact* contact) {
+  const real zero = 0;
+  const real deflection = contact->deflection;
+  const real backlash = contact->backlash;
+  if (!point->dynamic) return deflection - lane_clamp(deflection, -backlash, backlash);
+  return lane_max(deflection - backlash, zero) + lane_min(deflection + backlash, zero);
 }
 
 // How the mesh acts on the shafts: Q, 2 zeta G, B, mu C and 2 zeta mu H of the model equations.
@@ -253,7 +260,7 @@ SHARED_FN void model_contact(const ModelPoint* point, const PhaseCoefs* phase, c
 SHARED_FN void model_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                                     const ModelContact* contact, real* dx) {
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
-  const real f = gear5_penetration(contact->deflection, contact->backlash);
+  const real f = gear5_penetration(point, contact);
   const Gear5Mesh mesh = gear5_mesh(point, phase);
   gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
 }
@@ -289,7 +296,8 @@ SHARED_FN void model_push_carried(const ModelPoint* point, const PhaseCoefs* pha
 
 // `scale` times the Jacobian at a phase and a state, worked out once for all tangent vectors. The
 // scale goes with x1's stiffness and damping and with the masses and bearings of the shafts, not
-// with the mesh's forces on them. All stiffness of the mesh is 0 in the gap.
+// with the mesh's forces on them. All stiffness of the mesh is 0 in the gap, twice its own where
+// the tooth is wedged.
 typedef struct {
   real scale;
   real stiffness, damping;                                // of the mesh on x1, scaled
@@ -297,7 +305,8 @@ typedef struct {
   real mass_p, mass_g;                                    // scaled from here on
   real bearing_damping[4];
   real bearing_stiffness[4];
-  real wedge_u, wedge_v;  // dynamic backlash: df = dD - wedge_u d(x4 - x2) - wedge_v d(x3 - x5)
+  real flank;             // df = dD - flank db' times the flanks that touch; two cancel out
+  real wedge_u, wedge_v;  // dynamic backlash: db' = wedge_u d(x4 - x2) + wedge_v d(x3 - x5)
 } ModelLinear;
 
 // The field is continuous at D = +-b', so no jump of the tangent is needed there.
@@ -305,15 +314,17 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
                                real scale, ModelLinear* linear) {
   const real zero = 0;
   const real one = 1;
-  const real deflection = gear5_deflection(point, x[STATE_x1], x[STATE_x3], x[STATE_x5]);
-  const real backlash = gear5_backlash(point, phase, x);
-  const real contact = lane_select(backlash < lane_abs(deflection), one, zero);
+  ModelContact contact;
+  model_contact(point, phase, x, &contact);
+  const real drive = lane_select(contact.backlash < contact.deflection, one, zero);
+  const real back = lane_select(contact.deflection < -contact.backlash, one, zero);
+  const real flanks = drive + back;
   const Gear5Mesh mesh = gear5_mesh(point, phase);
   linear->scale = scale;
-  linear->stiffness = contact * (scale * mesh.stiffness);
+  linear->stiffness = flanks * (scale * mesh.stiffness);
   linear->damping = scale * mesh.damping;
-  linear->normal_stiffness = contact * mesh.normal_stiffness;
-  linear->slide_stiffness = contact * mesh.slide_stiffness;
+  linear->normal_stiffness = flanks * mesh.normal_stiffness;
+  linear->slide_stiffness = flanks * mesh.slide_stiffness;
   linear->slide_damping = mesh.slide_damping;
   linear->mass_p = scale * point->mass_p;
   linear->mass_g = scale * point->mass_g;
@@ -322,25 +333,35 @@ SHARED_FN void model_linearize(const ModelPoint* point, const PhaseCoefs* phase,
     linear->bearing_damping[i] = scale * point->bearing_damping[i];
     linear->bearing_stiffness[i] = scale * point->bearing_stiffness[i];
   }
+  linear->flank = drive - back;
   linear->wedge_u = zero;
   linear->wedge_v = zero;
   if (!point->dynamic) return;
   // dS/du = (u + A cos(alpha))/S, both divided by A; likewise v.
   const real u = phase->cos_alpha + (x[STATE_x4] - x[STATE_x2]) * point->per_centre;
   const real v = phase->sin_alpha + (x[STATE_x3] - x[STATE_x5]) * point->per_centre;
-  const real flank = lane_select(zero < deflection, one, -one);
-  const real slope = flank * phase->tan_alpha / lane_sqrt(u * u + v * v);
+  const real slope = phase->tan_alpha / lane_sqrt(u * u + v * v);
   linear->wedge_u = slope * u;
   linear->wedge_v = slope * v;
 }
 
-// What a tangent vector adds to the deflection beyond the limit of the flank that it points to.
-SHARED_FN real model_penetration_tangent(const ModelPoint* point, const ModelLinear* linear,
+// What a tangent vector adds to the deflection and to the backlash.
+SHARED_FN void model_contact_tangent(const ModelPoint* point, const ModelLinear* linear,
+                                     const real* w, ModelContact* added) {
+  added->deflection = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
+  added->backlash = 0;
+  if (!point->dynamic) return;
+  added->backlash =
+      linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) + linear->wedge_v * (w[STATE_x3] - w[STATE_x5]);
+}
+
+// What it adds to the penetration of one flank that touches; those that touch are in the stiffness.
+SHARED_FN real gear5_penetration_tangent(const ModelPoint* point, const ModelLinear* linear,
                                          const real* w) {
-  const real f = gear5_deflection(point, w[STATE_x1], w[STATE_x3], w[STATE_x5]);
-  if (!point->dynamic) return f;
-  return f - (linear->wedge_u * (w[STATE_x4] - w[STATE_x2]) +
-              linear->wedge_v * (w[STATE_x3] - w[STATE_x5]));
+  ModelContact added;
+  model_contact_tangent(point, linear, w, &added);
+  if (!point->dynamic) return added.deflection;
+  return added.deflection - linear->flank * added.backlash;
 }
 
 // out = base + scale J w; out is neither w nor base. Each sum ends with what waits longest for w's
@@ -350,7 +371,7 @@ SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear,
   const real* damping = linear->bearing_damping;
   const real* stiffness = linear->bearing_stiffness;
   const real rate = gear5_deflection(point, w[STATE_v1], w[STATE_v3], w[STATE_v5]);
-  const real f = model_penetration_tangent(point, linear, w);
+  const real f = gear5_penetration_tangent(point, linear, w);
   const real normal = point->normal_damping * rate + linear->normal_stiffness * f;
   const real sliding = linear->slide_damping * rate + linear->slide_stiffness * f;
 
@@ -375,7 +396,7 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
   ModelContact contact;
   model_contact(point, phase, x, &contact);
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
-  const real f = gear5_penetration(contact.deflection, contact.backlash);
+  const real f = gear5_penetration(point, &contact);
   const Gear5Mesh mesh = gear5_mesh(point, phase);
   signals->deflection = contact.deflection;
   signals->backlash = contact.backlash;

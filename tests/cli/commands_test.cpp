@@ -8,6 +8,7 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const char* const kSmall =
@@ -31,6 +32,23 @@ TEST(Commands, RunPlotAndExportGoFromAStudyToPicturesAndTables) {
   EXPECT_THAT(read_all(folder / "cut.pdf"), StartsWith("%PDF"));
   EXPECT_THAT(read_all(folder / "dmf.csv"), StartsWith("omega,e0,dmf_max\n"));
   EXPECT_THAT(read_all(folder / "dmf.npy"), StartsWith("\x93NUMPY"));
+}
+
+// As far as the study has a quantity that tells.
+TEST(Commands, TheSummaryTellsHowManyPointsAreWedged) {
+  const Folder folder;
+  folder.write("wedged.toml",
+               "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[parameters]\nomega = 0.5021\n"
+               "[[axes]]\nname = 'b'\nvalues = [0.1, 0.2553, 5.0]\n[integrate]\nsettle = 40\n"
+               "record = 4\n");
+  for (const std::string quantity : {"contact_class", "backlash_min"}) {
+    const std::string run = "run wedged.toml --set observe.quantities='[\"" + quantity + "\"]' ";
+    EXPECT_THAT(gearsweep(folder, run + "-o " + quantity + ".nc").err,
+                HasSubstr("2 of 3 points are wedged"));
+    EXPECT_THAT(
+        gearsweep(folder, run + "--set model.backlash=constant -o never_" + quantity + ".nc").err,
+        Not(HasSubstr("are wedged")));
+  }
 }
 
 TEST(Commands, AResultFileRunsAgainToTheSameMaps) {

@@ -53,6 +53,27 @@ std::string gear_point(const std::string& omega, const std::string& integrate) {
          "'contact_drive', 'poincare']\npoincare = ['x1', 'v3']\n";
 }
 
+// The flanks that touch, as the maps have them: the moments of a wedged tooth, too.
+TEST(Trace, TellsWhichFlanksTouch) {
+  const std::string toml =
+      "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[parameters]\nb = 0.1\n[[axes]]\n"
+      "name = 'omega'\nvalues = [0.5021]\n[integrate]\nsettle = 60\nrecord = 4\n"
+      "steps_per_period = 4096\n[observe]\nquantities = ['contact_drive', 'contact_gap', "
+      "'contact_back', 'contact_wedged']\n";
+  const SweepResult map = run(toml);
+  ASSERT_GT(map_of(map, "contact_wedged")[0], 0.01);
+  const Trace trace = trace_of_study(toml);
+  const std::vector<double>& contact = channel(trace, "contact");
+  const auto fraction = [&](double flank) {
+    return time_average(trace, [&](std::size_t i) { return contact[i] == flank ? 1.0 : 0.0; });
+  };
+  // A step's worth at each of a dozen changes in a period.
+  EXPECT_NEAR(fraction(1.0), map_of(map, "contact_drive")[0], 3e-3);
+  EXPECT_NEAR(fraction(0.0), map_of(map, "contact_gap")[0], 3e-3);
+  EXPECT_NEAR(fraction(-1.0), map_of(map, "contact_back")[0], 3e-3);
+  EXPECT_NEAR(fraction(2.0), map_of(map, "contact_wedged")[0], 3e-3);
+}
+
 // A point in chaos, one on an orbit that stops early, one that runs to the end; both engines.
 TEST(Trace, GivesTheMapsOfItsPoint) {
   for (const std::string& toml :

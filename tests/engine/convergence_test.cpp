@@ -21,11 +21,13 @@ const std::string kStudy =
     "record = 1\n[observe]\nquantities = ['contact_class', 'poincare']\n"
     "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
 
-// The teeth part and meet again in each period, on one flank or, with the small backlash, on both.
-std::string parting(const std::string& backlash, const std::string& b) {
+// The teeth part and meet again in each period, on one flank or, with the small backlash, on both;
+// with a small dynamic backlash both touch at once.
+std::string parting(const std::string& backlash, const std::string& b,
+                    const std::string& omega = "1.0") {
   return "[model]\npreset = 'coarse'\nbacklash = '" + backlash +
-         "'\n[parameters]\neps = 1.5\nb = " + b +
-         "\n[[axes]]\nname = 'omega'\nvalues = [1.0]\n[integrate]\nsettle = 4\nrecord = 1\n"
+         "'\n[parameters]\neps = 1.5\nb = " + b + "\n[[axes]]\nname = 'omega'\nvalues = [" + omega +
+         "]\n[integrate]\nsettle = 4\nrecord = 1\n"
          "[observe]\nquantities = ['contact_class', 'poincare']\n"
          "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
 }
@@ -92,6 +94,8 @@ TEST(Convergence, IsOfFourthOrderWhereTeethPart) {
     expect_fourth_order_where_teeth_part(parting("constant", "1.0"), engine, 1.0);
     expect_fourth_order_where_teeth_part(parting("dynamic", "1.0"), engine, 1.0);
     expect_fourth_order_where_teeth_part(parting("constant", "0.05"), engine, 2.0);
+    expect_fourth_order_where_teeth_part(parting("dynamic", "0.02", "0.7"), engine, 3.0);
+    expect_fourth_order_where_teeth_part(parting("dynamic", "0.02", "1.1"), engine, 3.0);
   }
 }
 

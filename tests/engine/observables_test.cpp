@@ -21,7 +21,7 @@ using ::testing::Each;
 // Every quantity of every state and signal, and the contact regime.
 std::string all_quantities() {
   std::string list =
-      "'contact_drive', 'contact_gap', 'contact_back', 'contact_losses', "
+      "'contact_drive', 'contact_gap', 'contact_back', 'contact_wedged', 'contact_losses', "
       "'contact_class', 'poincare'";
   for (const auto& channels : {gear5().states, gear5().signals}) {
     for (const ChannelInfo& channel : channels) {
@@ -38,7 +38,7 @@ std::string all_quantities() {
 // room, and no motion has to be left out.
 constexpr double kTolerance = 1e-9;
 
-void expect_engines_agree(const std::string& toml) {
+void expect_engines_agree(const std::string& toml, const std::vector<double>& classes) {
   const SweepResult kernel = run(toml);
   const SweepResult reference = run(toml, {"integrate.engine='reference'"});
   EXPECT_EQ(kernel.status, reference.status);
@@ -56,15 +56,20 @@ void expect_engines_agree(const std::string& toml) {
   for (std::size_t i = 0; i < kernel.samples.size(); ++i) {
     EXPECT_NEAR(kernel.samples[i], reference.samples[i], kTolerance);
   }
-  for (const double contact_class : {0.0, 1.0, 2.0}) {
+  for (const double contact_class : classes) {
     EXPECT_THAT(map_of(kernel, "contact_class"), Contains(contact_class));
   }
   for (std::size_t point = 0; point < kernel.study.points(); ++point) {
     const double drive = map_of(kernel, "contact_drive")[point];
     const double back = map_of(kernel, "contact_back")[point];
-    EXPECT_NEAR(drive + map_of(kernel, "contact_gap")[point] + back, 1.0, 1e-12);
+    const double wedged = map_of(kernel, "contact_wedged")[point];
+    EXPECT_NEAR(drive + map_of(kernel, "contact_gap")[point] + back + wedged, 1.0, 1e-12);
     const double contact_class = map_of(kernel, "contact_class")[point];
-    EXPECT_EQ(contact_class == 2.0, drive > 0.0 && back > 0.0);
+    EXPECT_EQ(contact_class == 3.0, map_of(kernel, "backlash_min")[point] < 0.0);
+    if (contact_class < 3.0) {
+      EXPECT_EQ(wedged, 0.0);
+      EXPECT_EQ(contact_class == 2.0, drive > 0.0 && back > 0.0);
+    }
     if (contact_class == 0.0) {
       EXPECT_EQ(map_of(kernel, "contact_losses")[point], 0.0);
     }
@@ -80,14 +85,33 @@ TEST(Observables, AgreeWithTheReferenceEngine) {
   expect_engines_agree(
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\n"
       "values = [0.7, 0.9, 1.3, 1.7]\n" +
-      kRest);
+          kRest,
+      {0.0, 1.0, 2.0});
 }
 
 TEST(Observables, AgreeWithTheReferenceEngineForDynamicBacklash) {
   expect_engines_agree(
       "[model]\nbacklash = 'dynamic'\n[parameters]\nomega = 1.3\n[[axes]]\n"
       "name = 'e0'\nvalues = [0.02, 0.2, 0.6]\n" +
-      kRest);
+          kRest,
+      {0.0, 1.0, 2.0, 3.0});
+}
+
+// Any step, from one that sees each crossing to one in which several limits are crossed at once.
+TEST(Observables, FractionsOfContactAddUpToOne) {
+  for (const std::string law : {"constant", "dynamic"}) {
+    for (const std::string steps : {"12", "32", "128"}) {
+      expect_engines_agree(
+          "[model]\npreset = 'coarse'\nbacklash = '" + law +
+              "'\n[[axes]]\nname = 'omega'\nfrom = 0.61\nto = 1.77\ncount = 7\n[[axes]]\n"
+              "name = 'b'\nvalues = [0.0, 0.003, 0.03, 0.1, 0.25]\n[integrate]\nsettle = 4\n"
+              "record = 3\nsteps_per_period = " +
+              steps + "\n[observe]\nquantities = ['backlash_min', 'contact_drive', " +
+              "'contact_gap', 'contact_back', 'contact_wedged', 'contact_losses', "
+              "'contact_class']\n",
+          {law == "dynamic" ? 3.0 : 2.0});
+    }
+  }
 }
 
 // The recorded signals are what the equations say: with constant backlash b' is b, and D and the

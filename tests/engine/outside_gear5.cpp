@@ -111,8 +111,8 @@ void OutsideGear::slope(double psi, double inside, const OutsideState& x, Outsid
     backlash = b_ + n / (S + A_) * std::tan(alpha_);
   }
   double f = 0.0;
-  if (D > backlash) f = D - backlash;
-  if (D < -backlash) f = D + backlash;
+  if (D > backlash) f += D - backlash;
+  if (D < -backlash) f += D + backlash;  // both when the backlash is negative: a wedged tooth
 
   const double two_zeta = 2.0 * zeta_;
   for (std::size_t i = 0; i < 5; ++i) (*dx)[i] = x[i + 5];

@@ -22,8 +22,11 @@ namespace {
 constexpr double kTolerance = 5e-9;
 constexpr std::size_t kPeriods = 60;
 
-// Returns how many of the points have impacts.
-std::size_t expect_same_sections(const std::string& toml) {
+struct Regimes {
+  std::size_t with_impacts, wedged;  // points
+};
+
+Regimes expect_same_sections(const std::string& toml) {
   const std::string integrate =
       "\n[integrate]\nsteps_per_period = 2048\nsettle = " + std::to_string(kPeriods - 2) +
       "\nrecord = 2\nstop = 'never'\n[observe]\nquantities = ['poincare', 'contact_class']\n"
@@ -44,21 +47,32 @@ std::size_t expect_same_sections(const std::string& toml) {
     }
   }
   const std::vector<double>& classes = map_of(result, "contact_class");
-  return classes.size() - static_cast<std::size_t>(std::count(classes.begin(), classes.end(), 0.0));
+  const auto points_of = [&](double contact_class) {
+    return static_cast<std::size_t>(std::ranges::count(classes, contact_class));
+  };
+  return {classes.size() - points_of(0.0), points_of(3.0)};
 }
 
 TEST(OutsideOpinion, ConsistentConstantBacklash) {
-  const std::size_t with_impacts = expect_same_sections(
+  const Regimes regimes = expect_same_sections(
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.3, 0.65, 0.8, 1.0]\n"
       "[[axes]]\nname = 'mu'\nvalues = [0.05, 0.12]\n");
-  EXPECT_GE(with_impacts, 6U);
+  EXPECT_GE(regimes.with_impacts, 6U);
 }
 
 TEST(OutsideOpinion, ConsistentDynamicBacklash) {
-  const std::size_t with_impacts = expect_same_sections(
+  const Regimes regimes = expect_same_sections(
       "[model]\npreset = 'consistent'\nbacklash = 'dynamic'\n[parameters]\ne0 = 0.3\n"
       "[[axes]]\nname = 'omega'\nvalues = [0.45, 0.5, 0.7, 1.0]\n");
-  EXPECT_GE(with_impacts, 3U);
+  EXPECT_GE(regimes.with_impacts, 3U);
+}
+
+// The shafts come so near to one another that the backlash is negative, in each period.
+TEST(OutsideOpinion, WedgedTooth) {
+  const Regimes regimes = expect_same_sections(
+      "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\n"
+      "values = [0.48, 0.5021, 0.9]\n[[axes]]\nname = 'b'\nvalues = [0.02, 0.1, 0.2553]\n");
+  EXPECT_GE(regimes.wedged, 5U);
 }
 
 TEST(OutsideOpinion, RectangularStiffness) {
@@ -94,10 +108,13 @@ TEST(OutsideOpinion, PrintedWithImpacts) {
   const std::string printed = "[model]\nformulation = 'printed'\n";
   const std::string masses = "[parameters]\nm1 = 0.04\nm2 = 0.04\n";
   const std::string axis = "[[axes]]\nname = 'omega'\nvalues = ";
-  EXPECT_EQ(expect_same_sections(printed + masses + axis + "[0.6, 0.75, 0.8]\n"), 3U);
-  EXPECT_EQ(expect_same_sections(printed + masses + "e0 = 0.4\n" + axis + "[1.35, 1.45]\n"), 2U);
+  EXPECT_EQ(expect_same_sections(printed + masses + axis + "[0.6, 0.75, 0.8]\n").with_impacts, 3U);
+  EXPECT_EQ(
+      expect_same_sections(printed + masses + "e0 = 0.4\n" + axis + "[1.35, 1.45]\n").with_impacts,
+      2U);
   EXPECT_EQ(expect_same_sections(printed + "backlash = 'dynamic'\n" + masses + axis +
-                                 "[0.5, 0.6, 0.8, 1.0]\n"),
+                                 "[0.5, 0.6, 0.8, 1.0]\n")
+                .with_impacts,
             4U);
 }
 

@@ -74,7 +74,8 @@ TEST_F(PlotTest, AnUnevenOrLogarithmicGridIsMadeOfBoxes) {
 TEST_F(PlotTest, ClassesHaveNamesAtTheColourBar) {
   const std::string path = write(example_result());
   EXPECT_THAT(script_of({{path}, "contact_class", "", "", {}, {}, {}}),
-              HasSubstr("set cbtics (\"no impact\" 0, \"single sided\" 1, \"double sided\" 2)"));
+              HasSubstr("set cbtics (\"no impact\" 0, \"single sided\" 1, \"double sided\" 2, "
+                        "\"wedged\" 3)"));
   EXPECT_THAT(script_of({{path}, "status", "", "", {}, {}, {}}), HasSubstr("\"diverged\" 1"));
 }
 

@@ -128,6 +128,16 @@ TEST_F(PlotTraceTest, ASpectrumIsInDecibelsOverTheOrder) {
   EXPECT_THAT(script_of(spectrum), HasSubstr("set xrange [0:3]"));
 }
 
+TEST_F(PlotTraceTest, ForceShowsWhereBothFlanksTouch) {
+  Trace trace = made_trace(study_, 2, 16);
+  for (double& contact : trace.values[3]) contact *= 2.0;
+  const std::string path = write("wedged.nc", {trace}, {"omega=0.5"});
+  const std::string free = write("free.nc", {made_trace(study_, 2, 16)}, {"b=9"});
+  EXPECT_THAT(script_of({path}, "force"),
+              AllOf(HasSubstr("\"both flanks (wedged)\""), Not(HasSubstr("\"drive flank\""))));
+  EXPECT_THAT(script_of({path, free}, "force"), HasSubstr("\"both flanks (wedged)\""));
+}
+
 TEST_F(PlotTraceTest, ForceHasTheFlanksBehindIt) {
   const std::string one = script_of({write_one(2)}, "force");
   EXPECT_THAT(one, AllOf(HasSubstr("dmf [k_{0} b_{n}]"), HasSubstr("\"drive flank\""),

@@ -52,7 +52,7 @@ TEST_F(ResultFileTest, MapsComeBack) {
 TEST_F(ResultFileTest, AClassHasNamesAndNoClassIsMissing) {
   const SweepResult result = example_result();
   const ResultMap map = ResultFile(write(result)).read("contact_class");
-  EXPECT_THAT(map.flags, ElementsAre("no_impact", "single_sided", "double_sided"));
+  EXPECT_THAT(map.flags, ElementsAre("no_impact", "single_sided", "double_sided", "wedged"));
   EXPECT_THAT(map.values, same_numbers(result.values[1]));
 }
 
@@ -309,8 +309,8 @@ assert np.isnan(x1[1, 1]) and int(np.isnan(x1).sum()) == 1
 assert x1[2, 0] == 20.1
 
 contact = ds["contact_class"]
-assert contact.attrs["flag_meanings"] == "no_impact single_sided double_sided"
-assert list(contact.attrs["flag_values"]) == [0, 1, 2]
+assert contact.attrs["flag_meanings"] == "no_impact single_sided double_sided wedged"
+assert list(contact.attrs["flag_values"]) == [0, 1, 2, 3]
 assert np.isnan(contact[1, 1]) and contact[0, 2] == 2
 assert ds["status"].dtype == np.int8 and ds["status"][1, 1] == 1 and ds["status"].sum() == 1
 assert ds["status"].attrs["flag_meanings"].split()[:2] == ["ok", "diverged"]

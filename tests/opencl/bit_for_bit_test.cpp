@@ -22,7 +22,8 @@ struct Laws {
 class BitForBit : public ::testing::TestWithParam<Laws> {};
 
 // 1,000 points over 28 periods of at least 44 steps: single-sided, double-sided and chaotic motion,
-// several phase grids. As printed, the masses are those of the preset `paper`, lest all diverge.
+// several phase grids; with dynamic backlash wedged teeth, too. As printed, the masses are those of
+// the preset `paper`, lest all diverge.
 std::string study_of(const Laws& laws) {
   const std::string masses = laws.formulation == "printed" ? "m1 = 0.0387\nm2 = 0.0387\n" : "";
   return "[model]\npreset = 'coarse'\nformulation = '" + laws.formulation + "'\nbacklash = '" +
@@ -52,17 +53,20 @@ TEST_P(BitForBit, KernelAndHost) {
 
   const std::size_t periods = study.integrate.settle + study.integrate.record;
   std::vector<double> host;
-  std::size_t impacts = 0;
+  std::size_t impacts = 0, wedged = 0;
   for (std::size_t i = 0; i < tile.points.size(); ++i) {
     const std::size_t point = tile.points[i];
     ASSERT_GE(plan.phase_grid_of(point).steps * periods, 1000U);
     const std::vector<double> state = step_on_host(plan, point, periods);
     host.insert(host.end(), state.begin(), state.end());
     EXPECT_EQ(kernel->status[i], 0) << "point " << point;
-    if (kernel->outputs[4 * tile.points.size() + i] > 0.0) ++impacts;  // contact_class
+    const double contact_class = kernel->outputs[5 * tile.points.size() + i];
+    if (contact_class > 0.0) ++impacts;
+    if (contact_class == 3.0) ++wedged;
   }
   EXPECT_EQ(tile.points.size(), 1000U);
   EXPECT_GE(impacts, 500U);
+  EXPECT_EQ(wedged > 5U, GetParam().backlash == "dynamic");
   EXPECT_EQ(different_bits(kernel->final_states, host), 0U);
 }
 

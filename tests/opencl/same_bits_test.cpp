@@ -51,7 +51,7 @@ void expect_any_cut(const std::string& toml, const std::string& precision,
   const std::string precise = "integrate.precision=" + precision;
   const SweepResult expected = run(toml, {precise, "integrate.lanes=1"});
   const std::vector<double>& classes = map_of(expected, "contact_class");
-  ASSERT_EQ(std::set<double>(classes.begin(), classes.end()).size(), 3U);  // all regimes occur
+  ASSERT_GE(std::set<double>(classes.begin(), classes.end()).size(), 3U);  // all regimes occur
   for (const std::string& count : lanes) {
     expect_same(expected, toml, {precise, "integrate.lanes=" + count});
   }
