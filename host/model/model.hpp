@@ -55,9 +55,10 @@ class PreparedPoint {
 
   // Of a model that has_contact. out: d(dx_i/dtau)/d(penetration), one number per state.
   virtual void push(const double* coefs, double* out) const = 0;
-  // Of a model that has_contact. out: d(penetration)/dx_j of the flank that the deflection points
-  // to, one number per state.
-  virtual void penetration_gradient(const double* coefs, const double* x, double* out) const = 0;
+  // Of a model that has_contact. out: d(penetration)/dx_j of a flank, 1 (drive) or -1 (back),
+  // touching or not; one number per state.
+  virtual void penetration_gradient(const double* coefs, const double* x, double flank,
+                                    double* out) const = 0;
 };
 
 struct Model {

@@ -95,7 +95,7 @@ void Trajectory::correct_crossings(std::size_t row, double h, const std::array<B
     state_ += h * (last * weights->sum.dot(p) + carry * weights->moment.dot(p));
     for (std::size_t i = 0; i < 4 && tangents_.cols() > 0; ++i) {
       Eigen::RowVectorXd gradient(states);
-      point_->penetration_gradient(coefs(kRow[i]), at[i].state.data(), gradient.data());
+      point_->penetration_gradient(coefs(kRow[i]), at[i].state.data(), flank, gradient.data());
       const auto k = static_cast<Eigen::Index>(i);
       tangents_ +=
           h * (last * weights->sum[k] + carry * weights->moment[k]) * (gradient * at[i].tangents);
