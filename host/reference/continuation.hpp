@@ -44,8 +44,7 @@ struct FollowRequest {
 // Follows the orbit `start` of `request.setting`. Bifurcations are located to about 1e-9 of the
 // range; two of one kind within one step of the branch (at most 2 % of range and state) are missed.
 // Ends where the parameter leaves the range or the branch was born; earlier when there is no smooth
-// way on, as where the motion grazes an edge of the field and the branch has a corner: see
-// Branch::ended.
+// way on, as at a corner of the branch: see Branch::ended.
 Branch follow_orbit(const FollowRequest& request, const Orbit& start);
 
 }  // namespace gearsweep
