@@ -17,7 +17,7 @@ std::string with_digits(double value, double error) {
   double decimals = error > 0.0 ? std::floor(-std::log10(2.0 * error)) : kMostDigits;
   if (value != 0.0) {
     const double whole = std::floor(std::log10(std::fabs(value))) + 1.0;
-    if (whole + decimals < 0.0 && decimals < 0.0) return "?";
+    if (decimals <= 0.0 && whole + decimals <= 0.0) return "?";
     decimals = std::min(decimals, kMostDigits - whole);
   }
   const double unit = std::pow(10.0, -decimals);

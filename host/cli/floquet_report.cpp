@@ -41,9 +41,9 @@ std::string describe_multipliers(const FloquetFindings& findings) {
   }
   if (findings.error.grazing) {
     text += fmt::format(
-        "the motion grazes a limit of the backlash: it turns {:.1g} from it, and multipliers "
-        "change\n"
-        "like the root of that, so that few digits hold, however short the steps\n",
+        "the motion grazes a limit of the backlash: it turns {:.1g} from it, nearer than it is "
+        "known,\n"
+        "and multipliers change like the root of that: few digits hold\n",
         orbit.graze.distance);
   } else if (!std::isfinite(findings.error.state)) {
     text +=
@@ -55,6 +55,7 @@ std::string describe_multipliers(const FloquetFindings& findings) {
 // "modulus 0.97, 0.03 inside the unit circle".
 std::string describe_margin(const Nearest& nearest, double error) {
   const std::string modulus = with_digits(std::abs(nearest.multiplier), error);
+  if (modulus == "?") return "no digit of its modulus holds";
   const double margin = std::fabs(nearest.margin);
   const std::string distance = with_digits(margin, std::max(error, 5e-4 * margin));
   if (distance.find_first_of("123456789") == std::string::npos) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/orbit_error.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -185,7 +187,8 @@ void estimate_error(const Follower& coarser, Test test, Bracket* bracket) {
   const double again = zero_parameter(coarser, test, *low, *high);
   bracket->grazing = bracket->low.orbit.graze.distance < kGrazing * kBracket * coarser.size();
   if (!std::isfinite(again)) return;
-  bracket->error = std::fabs(again - bracket->parameter) + kRounding * coarser.range();
+  bracket->error =
+      kErrorPerChange * std::fabs(again - bracket->parameter) + kRounding * coarser.range();
   if (!bracket->grazing) return;
   bracket->error +=
       std::fabs(coarser.parameter_of(bracket->high) - coarser.parameter_of(bracket->low));

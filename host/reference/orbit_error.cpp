@@ -36,10 +36,11 @@ OrbitError error_of(const Orbit& orbit, const PeriodMap& coarser) {
   OrbitError error{none, Eigen::VectorXd::Constant(orbit.multipliers.size(), none), false};
   const std::optional<Orbit> coarse = shoot(coarser, orbit.state, orbit.period);
   if (!coarse) return error;
-  error.state =
-      (coarse->state - orbit.state).cwiseAbs().maxCoeff() + kRounding * scale_of(orbit.state);
+  error.state = kErrorPerChange * (coarse->state - orbit.state).cwiseAbs().maxCoeff() +
+                kRounding * scale_of(orbit.state);
   const double stretch = std::max(1.0, orbit.monodromy.cwiseAbs().maxCoeff());
-  error.multipliers = shifts(orbit.multipliers, coarse->multipliers).array() + kRounding * stretch;
+  error.multipliers = kErrorPerChange * shifts(orbit.multipliers, coarse->multipliers).array() +
+                      kRounding * stretch;
   const double depth = kWorstPhase * error.state;
   error.grazing = orbit.graze.distance < depth;
   if (error.grazing) {
