@@ -119,9 +119,10 @@ FloquetFindings compute(const FloquetArguments& arguments) {
   const Study study = point_study(whole, arguments, range);
   PeriodMap map = map_of(study, arguments.steps);
   const Orbit orbit = find_orbit(map, end_state(study, arguments.device), arguments.period);
+  const OrbitError error = error_of(orbit, PeriodMap(*study.model, study.setting, map.steps() / 2));
   std::vector<Branch> branches;
   if (range) branches = follow(study, *range, map, orbit);
-  return {study, std::move(map), orbit, range, std::move(branches)};
+  return {study, std::move(map), orbit, error, range, std::move(branches)};
 }
 
 }  // namespace
@@ -166,7 +167,9 @@ void add_floquet_command(CLI::App* app) {
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5 --along omega=0.6:0.8\n"
       "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 1   an orbit inside chaos\n\n"
-      "The engine settles the motion; Newton's method on the period map finds the orbit.");
+      "The engine settles the motion; Newton's method on the period map finds the orbit. Steps\n"
+      "end where teeth meet or part. The digits shown are those that steps of twice the length\n"
+      "agree on.");
   command->callback([arguments] {
     const FloquetFindings findings = compute(*arguments);
     answer("{}", arguments->as_json ? floquet_as_json(findings) : describe_floquet(findings));

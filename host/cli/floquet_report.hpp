@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/continuation.hpp"
+#include "reference/orbit_error.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -20,14 +21,17 @@ struct FloquetFindings {
   Study study;  // of one point
   PeriodMap map;
   Orbit orbit;
+  OrbitError error;
   std::optional<FollowedRange> range;
   std::vector<Branch> branches;  // downwards and upwards; none without a range
 };
 
-// Several lines: the orbit, its multipliers, the nearest bifurcation, those along the range.
+// Several lines: the orbit, its multipliers, the nearest bifurcation, those along the range; of
+// each number the digits that hold.
 std::string describe_floquet(const FloquetFindings& findings);
 
-// The same for scripts, as one JSON object, with every orbit of the branches.
+// The same for scripts, as one JSON object, with every orbit of the branches and all digits
+// beside their errors.
 std::string floquet_as_json(const FloquetFindings& findings);
 
 }  // namespace gearsweep

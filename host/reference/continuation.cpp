@@ -5,6 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "reference/orbit_error.hpp"
 
 namespace gearsweep {
 namespace {
@@ -20,6 +23,8 @@ constexpr int kMostCorrections = 12;
 constexpr int kQuickCorrection = 4;    // so many iterations or fewer: the next step is longer
 constexpr double kCorrected = 1e-12;   // residual, of the state's size
 constexpr double kBracket = 1e-6;      // arclength around a bifurcation
+constexpr double kRounding = 1e-11;    // of the range: what the straight line leaves
+constexpr double kGrazing = 10.0;      // brackets: so near to a limit the motion may touch or not
 constexpr double kJustDoubled = 1e-3;  // half_return of an orbit that has only just doubled
 constexpr double kHalved = 1e-9;       // half_return of an orbit of half the period
 constexpr double kStraight = 0.9;      // least cosine of the angle between neighbours
@@ -36,13 +41,16 @@ struct Solution {
 
 class Follower {
  public:
-  Follower(const FollowRequest& request, const Orbit& start)
+  Follower(const FollowRequest& request, const Orbit& start, std::size_t steps)
       : request_(request),
+        steps_(steps),
         period_(start.period),
         size_(scale_of(start.state)),
         range_(request.to - request.from) {}
 
   double parameter_of(const Solution& s) const { return s.z[s.z.size() - 1] * range_; }
+  double range() const { return range_; }
+  double size() const { return size_; }
 
   std::optional<Solution> start(const Orbit& orbit) const {
     const double parameter = request_.setting.parameters[request_.parameter];
@@ -83,8 +91,7 @@ class Follower {
       const double stretch = std::max(1.0, 1e-2 * image->monodromy.cwiseAbs().maxCoeff());
       if (residual.cwiseAbs().maxCoeff() <= kCorrected * stretch) {
         VectorXd tangent = solver.solve(VectorXd::Unit(states + 1, states));
-        return Solution{z, tangent.normalized(), make_orbit({state, image->monodromy}, period_),
-                        iteration};
+        return Solution{z, tangent.normalized(), make_orbit(state, *image, period_), iteration};
       }
       z -= solver.solve(residual);
       if (!z.allFinite()) return std::nullopt;
@@ -106,7 +113,7 @@ class Follower {
   }
 
   PeriodMap map_at(double parameter) const {
-    return PeriodMap(*request_.model, setting_at(parameter), request_.steps);
+    return PeriodMap(*request_.model, setting_at(parameter), steps_);
   }
 
   // Derivative of the map by the parameter, by central differences (inside the allowed range). It
@@ -121,6 +128,7 @@ class Follower {
   }
 
   const FollowRequest& request_;
+  std::size_t steps_;
   std::size_t period_;
   double size_, range_;
 };
@@ -157,13 +165,40 @@ bool changes(Test test, const Solution& a, const Solution& b) {
 struct Bracket {
   Solution low, high;
   double parameter = 0.0;
+  double error = 0.0;
+  bool grazing = false;
 };
+
+// Where the straight line through a test function at two solutions is zero.
+double zero_parameter(const Follower& follower, Test test, const Solution& a, const Solution& b) {
+  const double share = test(a) / (test(a) - test(b));
+  return (1.0 - share) * follower.parameter_of(a) + share * follower.parameter_of(b);
+}
+
+// How far the parameter of a bracket may be off: by what it changes with the map of `coarser`.
+// Where the motion grazes a limit of the backlash the test function is no straight line, and all
+// that is known is the bracket.
+void estimate_error(const Follower& coarser, Test test, Bracket* bracket) {
+  const VectorXd direction = (bracket->high.z - bracket->low.z).normalized();
+  const std::optional<Solution> low = coarser.correct(bracket->low.z, direction);
+  const std::optional<Solution> high = coarser.correct(bracket->high.z, direction);
+  bracket->error = std::numeric_limits<double>::infinity();
+  if (!low || !high) return;
+  const double again = zero_parameter(coarser, test, *low, *high);
+  bracket->grazing = bracket->low.orbit.graze.distance < kGrazing * kBracket * coarser.size();
+  if (!std::isfinite(again)) return;
+  bracket->error =
+      kErrorPerChange * std::fabs(again - bracket->parameter) + kRounding * coarser.range();
+  if (!bracket->grazing) return;
+  bracket->error +=
+      std::fabs(coarser.parameter_of(bracket->high) - coarser.parameter_of(bracket->low));
+}
 
 // Halves the arclength between two solutions down to kBracket and then draws a straight line. Going
 // on to the zero itself would gain nothing, and where branches cross there is no unique solution to
 // find there.
-std::optional<Bracket> locate(const Follower& follower, Test test, const Solution& a,
-                              const Solution& b) {
+std::optional<Bracket> locate(const Follower& follower, const Follower& coarser, Test test,
+                              const Solution& a, const Solution& b) {
   Bracket bracket{a, b};
   const VectorXd direction = (b.z - a.z).normalized();
   while ((bracket.high.z - bracket.low.z).norm() > kBracket) {
@@ -172,24 +207,24 @@ std::optional<Bracket> locate(const Follower& follower, Test test, const Solutio
     if (!next) return std::nullopt;
     (changes(test, bracket.low, *next) ? bracket.high : bracket.low) = *std::move(next);
   }
-  const double at_low = test(bracket.low);
-  const double share = at_low / (at_low - test(bracket.high));
-  bracket.parameter = (1.0 - share) * follower.parameter_of(bracket.low) +
-                      share * follower.parameter_of(bracket.high);
+  bracket.parameter = zero_parameter(follower, test, bracket.low, bracket.high);
+  estimate_error(coarser, test, &bracket);
   return bracket;
 }
 
 // Adds the bifurcations between two neighbours of a branch; false when the branch begins there.
-bool add_bifurcations(const Follower& follower, const FollowRequest& request, const Solution& a,
-                      const Solution& b, Branch* branch) {
+bool add_bifurcations(const Follower& follower, const Follower& coarser,
+                      const FollowRequest& request, const Solution& a, const Solution& b,
+                      Branch* branch) {
   const auto add = [&](Bifurcation kind, Test test, std::size_t born_of = 0) {
-    const std::optional<Bracket> found = locate(follower, test, a, b);
+    const std::optional<Bracket> found = locate(follower, coarser, test, a, b);
     if (!found || found->parameter < request.from || found->parameter > request.to) return;
     if (kind == Bifurcation::neimark_sacker &&
         nearest_bifurcation(found->low.orbit).kind != Bifurcation::neimark_sacker) {
       return;
     }
-    branch->bifurcations.push_back({kind, found->parameter, found->low.orbit, born_of});
+    branch->bifurcations.push_back(
+        {kind, found->parameter, found->error, found->low.orbit, found->grazing, born_of});
   };
   if (changes(at_minus_one, a, b)) add(Bifurcation::flip, at_minus_one);
   if (changes(at_pair, a, b)) add(Bifurcation::neimark_sacker, at_pair);
@@ -199,7 +234,7 @@ bool add_bifurcations(const Follower& follower, const FollowRequest& request, co
   } else if (turns) {
     // The multiplier only touched +1: the branch was born here out of another, and goes back along
     // its own image.
-    const std::optional<Bracket> birth = locate(follower, turning, a, b);
+    const std::optional<Bracket> birth = locate(follower, coarser, turning, a, b);
     const bool doubled = birth && follower.half_return(birth->low) < kJustDoubled;
     const std::size_t period = a.orbit.period;
     add(doubled ? Bifurcation::flip : Bifurcation::branching, turning,
@@ -213,7 +248,8 @@ bool add_bifurcations(const Follower& follower, const FollowRequest& request, co
 
 Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
   const std::string& name = request.model->parameters[request.parameter].name;
-  const Follower follower(request, start);
+  const Follower follower(request, start, request.steps);
+  const Follower coarser(request, start, request.steps / 2);
   Branch branch;
   std::optional<Solution> last = follower.start(start);
   if (!last) {
@@ -236,7 +272,7 @@ Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
       }
       continue;
     }
-    if (!add_bifurcations(follower, request, *last, *next, &branch)) {
+    if (!add_bifurcations(follower, coarser, request, *last, *next, &branch)) {
       branch.ended =
           fmt::format("the branch begins near {} = {:.8g}", name, follower.parameter_of(*next));
       return branch;

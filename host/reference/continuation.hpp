@@ -19,7 +19,9 @@ struct BranchOrbit {
 struct LocatedBifurcation {
   Bifurcation kind = Bifurcation::fold;
   double parameter = 0.0;
+  double error = 0.0;       // of the parameter, at most: see orbit_error.hpp
   Orbit orbit;              // next to it, on the branch that was followed
+  bool grazing = false;     // so near to a limit of the backlash that the error is the bracket's
   std::size_t born_of = 0;  // period of the orbits that the branch was born of here; 0: it was not
 };
 
@@ -42,8 +44,7 @@ struct FollowRequest {
 // Follows the orbit `start` of `request.setting`. Bifurcations are located to about 1e-9 of the
 // range; two of one kind within one step of the branch (at most 2 % of range and state) are missed.
 // Ends where the parameter leaves the range or the branch was born; earlier when there is no smooth
-// way on, as where the motion grazes an edge of the field and the branch has a corner: see
-// Branch::ended.
+// way on, as at a corner of the branch: see Branch::ended.
 Branch follow_orbit(const FollowRequest& request, const Orbit& start);
 
 }  // namespace gearsweep

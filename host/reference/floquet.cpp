@@ -120,9 +120,9 @@ Nearest nearest_bifurcation(const Orbit& orbit) {
   return out;
 }
 
-Orbit make_orbit(const PeriodImage& image, std::size_t period) {
-  Orbit orbit{image.state, period, image.monodromy,
-              Eigen::EigenSolver<MatrixXd>(image.monodromy, false).eigenvalues()};
+Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t period) {
+  Orbit orbit{state, period, image.monodromy,
+              Eigen::EigenSolver<MatrixXd>(image.monodromy, false).eigenvalues(), image.graze};
   // Of a complex pair, which has one modulus, the member above the real axis comes first.
   std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
                    [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
@@ -139,7 +139,7 @@ std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::siz
     const VectorXd residual = image->state - state;
     const double before = size_of(residual);
     if (before <= reachable_residual(state, image->monodromy)) {
-      return make_orbit({state, image->monodromy}, period);
+      return make_orbit(state, *image, period);
     }
     const VectorXd step = (image->monodromy - identity).fullPivLu().solve(-residual);
     std::optional<PeriodImage> next;
@@ -183,7 +183,7 @@ Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<st
         least, wanted, least));
   }
   const std::optional<PeriodImage> image = map.linearize(found->state, least);
-  return make_orbit({found->state, image->monodromy}, least);
+  return make_orbit(found->state, *image, least);
 }
 
 }  // namespace gearsweep

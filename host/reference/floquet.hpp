@@ -29,6 +29,7 @@ struct Orbit {
   std::size_t period = 1;  // in forcing periods; the least
   Eigen::MatrixXd monodromy;
   Eigen::VectorXcd multipliers;  // largest modulus first
+  Graze graze;
 
   bool stable() const;
   // How many multipliers lie outside the unit circle.
@@ -43,8 +44,8 @@ struct Nearest {
 };
 Nearest nearest_bifurcation(const Orbit& orbit);
 
-// An orbit with the state and the matrix at hand, multipliers computed.
-Orbit make_orbit(const PeriodImage& image, std::size_t period);
+// The orbit through a state that `image` brings back; multipliers computed.
+Orbit make_orbit(const Eigen::VectorXd& state, const PeriodImage& image, std::size_t period);
 
 // What counts as the size of a state when residuals are judged.
 double scale_of(const Eigen::VectorXd& state);

@@ -1,14 +1,13 @@
 // The map that carries a state from phase 0 to phase 0 one forcing period later, with its
-// derivative: the classical Runge-Kutta method on the phase grid, and the same steps differentiated
-// (so the monodromy matrix is that of the discrete map to rounding, and Newton's method converges
-// on it). Shares nothing with the kernels but the model's formula and the phase grid.
+// derivative: see flow.hpp. Shares nothing with the kernels but the model's formula and the phase
+// grid.
 #pragma once
 
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
 
-#include "plan/phase_grid.hpp"
+#include "reference/flow.hpp"
 
 namespace gearsweep {
 
@@ -16,6 +15,7 @@ namespace gearsweep {
 struct PeriodImage {
   Eigen::VectorXd state;
   Eigen::MatrixXd monodromy;
+  Graze graze;  // of the way there
 };
 
 class PeriodMap {
@@ -36,11 +36,12 @@ class PeriodMap {
   std::size_t steps() const { return grid_.steps; }
 
  private:
-  template <class Step>
-  void each_step(const Step& step) const;
+  // Advances; false when the state left the range.
+  static bool advance(Flow* flow, std::size_t periods);
 
+  const Model* model_;
+  ModelSetting setting_;
   PhaseGrid grid_;
-  std::size_t row_width_;
   std::unique_ptr<PreparedPoint> point_;
 };
 

@@ -14,6 +14,7 @@ std::vector<Compared> compare_orbits_fp64(const Subject& subject);
 std::vector<Compared> compare_orbits_fp32(const Subject& subject);
 std::vector<Compared> compare_exponent_sum(const Subject& subject);
 std::vector<Compared> compare_published_exponents(const Subject& subject);
+std::vector<Compared> compare_multipliers(const Subject& subject);
 
 // agreement.cpp
 std::vector<Compared> compare_bits(const Subject& subject);

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
+#include "model/error.hpp"
 #include "plan/plan.hpp"
+#include "reference/floquet.hpp"
 #include "verify/check_list.hpp"
 #include "verify/exact_answers.hpp"
 #include "verify/published_exponents.hpp"
@@ -113,6 +116,45 @@ std::vector<Compared> compare_exponent_sum(const Subject& subject) {
 std::vector<Compared> compare_published_exponents(const Subject& subject) {
   const PublishedExponents& row = published_exponents_of("ueda");
   return compare_exponents(row, compute(subject, study_of(row, row.steps_per_period, row.record)));
+}
+
+// On the stable orbit at 0.65 the device's motion must end. The unstable one at 0.55 lies inside
+// chaos; Newton's method starts from four digits of it. Its multipliers are those of an outside
+// integration (Dormand-Prince of order 8, impacts located), to eight digits. With 2048 steps to a
+// period a wrong derivative at an impact leaves 1e-3 in them, the steps 1e-10.
+std::vector<Compared> compare_multipliers(const Subject& subject) {
+  const SweepResult result = compute(
+      subject,
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65]\n[integrate]\n"
+      "steps_per_period = 1024\nsettle = 400\nrecord = 1\nstop = 'never'\n[observe]\n"
+      "quantities = ['poincare']\npoincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', "
+      "'v4', 'v5']\n");
+  const auto orbit_at = [&](double omega, const Eigen::VectorXd& guess) {
+    ModelSetting setting = result.study.setting;
+    const Model& model = *result.study.model;
+    setting.parameters[static_cast<std::size_t>(model.find_parameter("omega"))] = omega;
+    const std::optional<Orbit> orbit = shoot(PeriodMap(model, setting, 2048), guess, 1);
+    if (!orbit) throw RunError(fmt::format("there is no orbit of period 1 at omega = {}", omega));
+    return *orbit;
+  };
+  std::vector<Compared> compared;
+  Eigen::VectorXd settled(10);
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    settled[i] = samples_of(result, 0, static_cast<std::size_t>(i)).back();
+  }
+  const Orbit stable = orbit_at(0.65, settled);
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    compared.push_back({fmt::format("state {} of the orbit at omega = 0.65", i + 1),
+                        stable.state[i], settled[i], 1e-8});
+  }
+  Eigen::VectorXd inside_chaos(10);
+  inside_chaos << 0.5419, 0.0002, -0.1870, -0.0002, 0.1870, -0.5034, 0.0026, -0.2401, -0.0026,
+      0.2401;
+  const std::complex<double> multiplier = orbit_at(0.55, inside_chaos).multipliers[0];
+  compared.push_back({"multiplier at omega = 0.55, real", -0.10191766, multiplier.real(), 2e-8});
+  compared.push_back(
+      {"multiplier at omega = 0.55, imaginary", 1.07545673, std::fabs(multiplier.imag()), 2e-8});
+  return compared;
 }
 
 }  // namespace gearsweep

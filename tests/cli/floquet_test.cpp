@@ -1,7 +1,12 @@
 // gearsweep floquet as a user types it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -57,6 +62,102 @@ TEST(FloquetCommand, StartsWhereItIsTold) {
                "[observe]\nquantities = ['x_rms']\n");
   EXPECT_THAT(gearsweep(folder, "floquet wells.toml --at x=1.0").out, HasSubstr("\n  x    0."));
   EXPECT_THAT(gearsweep(folder, "floquet wells.toml --at x=-1.0").out, HasSubstr("\n  x    -"));
+}
+
+// A printed number beside the true one: the digits after the point, of which the last may be one
+// off.
+void expect_digits(const std::string& printed, double truth, std::size_t digits) {
+  const std::size_t point = printed.find('.');
+  const std::size_t after = point == std::string::npos ? 0 : printed.size() - point - 1;
+  EXPECT_GE(after, digits) << printed;
+  EXPECT_LE(std::fabs(std::stod(printed) - truth), std::pow(10.0, -static_cast<double>(after)))
+      << printed << " for " << truth;
+}
+
+// The groups of the first match of an expression in a text.
+std::vector<std::string> found(const std::string& text, const std::string& expression) {
+  std::smatch match;
+  EXPECT_TRUE(std::regex_search(text, match, std::regex(expression))) << expression << '\n' << text;
+  return {match.begin(), match.end()};
+}
+
+// The real and the imaginary part of the first multiplier.
+std::vector<std::string> first_multiplier(const std::string& text) {
+  return found(text, "hold\\)\n +[0-9.]+ +(-?[0-9.]+) [-+]([0-9.]+)i");
+}
+
+// The answers of an independent integrator of order 8 that locates the impacts, to as many digits
+// as it was asked for.
+TEST(FloquetCommand, DigitsOfAnOrbitWithImpactsHold) {
+  const Folder folder;
+  const std::string text =
+      gearsweep(folder, "floquet coarse-map --at omega=0.55,e0=0.6 --period 1").out;
+  const std::vector<std::string> multiplier = first_multiplier(text);
+  ASSERT_EQ(multiplier.size(), 3U);
+  expect_digits(multiplier[1].substr(0, 11), -0.10191766, 8);
+  expect_digits(multiplier[2].substr(0, 10), 1.07545673, 8);
+
+  const std::string along =
+      gearsweep(folder, "floquet coarse-map --at omega=1,e0=0.6 --along omega=1:1.6 --steps 1024")
+          .out;
+  const std::vector<std::string> bifurcations =
+      found(along,
+            "Neimark-Sacker +omega = ([0-9.]+)\n +flip +omega = ([0-9.]+)\n +Neimark-Sacker "
+            "+omega = ([0-9.]+)\n");
+  ASSERT_EQ(bifurcations.size(), 4U);
+  expect_digits(bifurcations[1].substr(0, 10), 1.03335299, 8);
+  expect_digits(bifurcations[2].substr(0, 10), 1.54086315, 8);
+  expect_digits(bifurcations[3].substr(0, 10), 1.59767219, 8);
+}
+
+// gear1 with constant stiffness 1 under the load 0.1, from the start of its motion without impact:
+// a swing about the static deflection of 0.1.
+struct LinearGear {
+  double z = 0.05, w = 0.8, Fte = 0.0;
+  double period() const { return 2.0 * std::numbers::pi / w; }
+  std::complex<double> swing() const {
+    return Fte * w * w / std::complex<double>(1.0 - w * w, 2.0 * z * w);
+  }
+  // One of the two, the other its conjugate.
+  std::complex<double> multiplier() const {
+    return std::exp(std::complex<double>(-z, std::sqrt(1.0 - z * z)) * period());
+  }
+  std::string study() const {
+    return fmt::format(
+        "[model]\nname = 'gear1'\n[parameters]\nomega = {:.17g}\nz = {:.17g}\nk = 0.0\n"
+        "k_2 = 0.0\nk_3 = 0.0\nFm = 0.1\nFte_2 = 0.0\nFte_3 = 0.0\n[[axes]]\nname = 'Fte'\n"
+        "values = [{:.17g}]\n[initial]\npolicy = 'fixed'\nstate = {{x = {:.17g}, v = {:.17g}}}\n"
+        "[observe]\nquantities = ['x_rms']\n",
+        w, z, Fte, 1.1 + swing().real(), -w * swing().imag());
+  }
+};
+
+// However coarse the steps, and where the motion grazes its limit, where the swing is just the
+// static deflection: what is printed holds.
+TEST(FloquetCommand, DigitsHoldAtAnySteps) {
+  const Folder folder;
+  LinearGear gear;
+  gear.Fte = 1.0;
+  const double grazing = 0.1 / std::abs(gear.swing());
+  for (const double share : {0.3, 0.9, 1.0 - 1e-12}) {
+    gear.Fte = share * grazing;
+    folder.write("linear.toml", gear.study());
+    for (const std::size_t steps : {128U, 256U, 2048U}) {
+      const std::string text =
+          gearsweep(folder, fmt::format("floquet linear.toml --steps {}", steps)).out;
+      const std::vector<std::string> multiplier = first_multiplier(text);
+      ASSERT_EQ(multiplier.size(), 3U);
+      const bool grazes = share > 0.99;
+      const std::size_t digits = grazes ? 1 : steps == 2048 ? 9 : 4;
+      expect_digits(multiplier[1], gear.multiplier().real(), digits);
+      expect_digits(multiplier[2], gear.multiplier().imag(), digits);
+      EXPECT_EQ(text.find("the motion grazes a limit") != std::string::npos, grazes) << text;
+      // The state is known to 1e-11 at best, and the multipliers to the root of that.
+      EXPECT_TRUE(!grazes || multiplier[1].size() <= std::string("0.00000").size()) << text;
+    }
+  }
+  EXPECT_THAT(gearsweep(folder, "floquet linear.toml --steps 16").out,
+              HasSubstr("no digit of its modulus holds"));
 }
 
 struct Refusal {

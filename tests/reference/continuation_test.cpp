@@ -210,5 +210,41 @@ TEST(Continuation, CoarseGearHasANeimarkSackerBifurcation) {
   }
 }
 
+// Nine digits of an independent integrator of order 8 that locates the impacts; what is said of the
+// error holds, too.
+TEST(Continuation, BifurcationsOfOrbitsWithImpactsAreThoseOfAnOutsideIntegration) {
+  const Example coarse("gear5", {{"omega", 1.0}, {"e0", 0.6}});
+  const Branch up = coarse.follow(coarse.orbit(400, 1024), "omega", 1.0, 1.62, true, 1024);
+  const std::pair<Bifurcation, double> expected[] = {{Bifurcation::neimark_sacker, 1.03335299},
+                                                     {Bifurcation::flip, 1.54086315},
+                                                     {Bifurcation::neimark_sacker, 1.59767219}};
+  ASSERT_EQ(up.bifurcations.size(), std::size(expected)) << up.ended;
+  for (std::size_t i = 0; i < std::size(expected); ++i) {
+    EXPECT_EQ(up.bifurcations[i].kind, expected[i].first);
+    EXPECT_NEAR(up.bifurcations[i].parameter, expected[i].second, 1e-8);
+    EXPECT_LT(up.bifurcations[i].error, 1e-8);
+    EXPECT_FALSE(up.bifurcations[i].grazing);
+  }
+  const Example gear1(
+      "gear1",
+      {{"omega", 1.03}, {"Fte", 0.1}, {"Fte_2", 0.0}, {"Fte_3", 0.0}, {"k_2", 0.0}, {"k_3", 0.0}});
+  const LocatedBifurcation flip =
+      only(gear1.follow(gear1.orbit(400, 1024), "omega", 1.03, 1.07, true, 1024));
+  EXPECT_EQ(flip.kind, Bifurcation::flip);
+  EXPECT_NEAR(flip.parameter, 1.04917463, 1e-8);
+}
+
+// The error that is told is more than the true one at any number of steps.
+TEST(Continuation, LocatedPointsAreAsFarOffAsTheySay) {
+  const Example example("gear5", {{"omega", 1.0}, {"e0", 0.6}});
+  for (const std::size_t steps : {64U, 128U, 256U}) {
+    const LocatedBifurcation found =
+        only(example.follow(example.orbit(400, steps), "omega", 1.0, 1.05, true, steps));
+    const double wrong = std::fabs(found.parameter - 1.033352994);
+    EXPECT_LT(wrong, found.error) << steps;
+    EXPECT_GT(200.0 * wrong, found.error) << steps;
+  }
+}
+
 }  // namespace
 }  // namespace gearsweep::testing
