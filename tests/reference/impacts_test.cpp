@@ -61,6 +61,9 @@ TEST(Impacts, MultipliersConvergeWithTheFourthOrder) {
   for (const Example& example :
        {Example("gear5", {{"omega", 0.65}, {"e0", 0.6}}),
         Example("gear5", {{"omega", 0.65}, {"e0", 0.6}}, {{"backlash", "dynamic"}}),
+        // Wedged for a part of the period.
+        Example("gear5", {{"omega", 0.5021}, {"e0", 0.6}, {"b", 0.2553}},
+                {{"backlash", "dynamic"}}),
         Example("gear5", {{"omega", 1.0}, {"e0", 0.6}}, {{"stiffness", "rectangular"}}),
         Example("gear1", {{"omega", 1.0}, {"Fte", 0.1}})}) {
     const Orbit near = example.orbit(400, 128);
