@@ -73,6 +73,8 @@ TEST_P(EveryCheck, FailsOnADeviceThatIsSlightlyWrong) {
       {"engines agree", 1e-10},
       {"exponent sum", 1e-6},
       {"published exponents", 0.1},
+      {"default step", 0.1},
+      {"periods", 1.0},
       {"linear oscillator, fp32", 1e-3},
       {"reference orbits, fp32", 1e-2},
       {"engines agree, fp32", 1e-2},
