@@ -105,7 +105,8 @@ void print_quantities(const Model& model) {
 
 void print_model(const Study& study) {
   const Model& model = *study.model;
-  answer("{}: {}\npreset {}\n", model.name, model.summary, study.preset);
+  answer("{}: {}\npreset {}\nsteps are at most {} unless a study says otherwise\n", model.name,
+         model.summary, study.preset, model.max_step);
   print_parameters(study);
   if (!study.gear_notes.empty()) {
     answer("\nfrom the [gear] table\n");
@@ -126,7 +127,8 @@ void print_model(const Study& study) {
 
 void print_model_as_json(const Study& study) {
   const Model& model = *study.model;
-  nlohmann::json json = {{"name", model.name}, {"preset", study.preset}};
+  nlohmann::json json = {
+      {"name", model.name}, {"preset", study.preset}, {"max_step", model.max_step}};
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
     json["parameters"].push_back({{"name", info.name},

@@ -117,10 +117,11 @@ Study load(const TraceArguments& arguments) {
     const std::optional<double> step =
         is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt;
     if (!step) {
-      throw InputError(
+      throw InputError(fmt::format(
           "integrate.tolerance takes a map to find the step: trace a point of the finished map "
           "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
-          "integrate.max_step=0.05");
+          "integrate.max_step={}",
+          study.model->max_step));
     }
     study.integrate.max_step = *step;
   }

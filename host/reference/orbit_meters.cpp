@@ -12,6 +12,9 @@
 namespace gearsweep {
 namespace {
 
+// By how much what does not recur must miss, in terms of what does (kernels/observables/period.h).
+constexpr double kClear = 100.0;
+
 // The period with which the sections recur, 0: none; and the section from which on they do.
 struct Recurrence {
   std::size_t period = 0, since = 0;
@@ -37,11 +40,12 @@ class Sections {
 
   // At each reference from some section on, the multiples of the period recur and nothing between
   // them does; no two periods can do so. It counts when two multiples do or more, and for a quarter
-  // of the record.
+  // of the record, and when what is between them misses by far more than they do.
   Recurrence recurrence() const {
     for (std::size_t period = 1; period <= longest_window() / 2; ++period) {
       const Stretch stretch = final_stretch(period);
       if (stretch.recurrences >= 2 && 4 * (last() - stretch.since) >= last()) {
+        if (stretch.nearest < kClear * stretch.worst) return {};
         return {period, stretch.since};
       }
     }
@@ -63,9 +67,11 @@ class Sections {
   struct Reference {
     std::size_t section, window_end;
   };
-  // How often sections recurred, and since which reference.
+  // How often sections recurred, and since which reference; the greatest distance among those that
+  // did, the least among the others.
   struct Stretch {
     std::size_t recurrences = 0, since = 0;
+    double worst = 0.0, nearest = std::numeric_limits<double>::infinity();
   };
 
   std::size_t longest_window() const {
@@ -82,22 +88,29 @@ class Sections {
     return references;
   }
 
-  bool same(std::size_t i, std::size_t j) const {
-    return range_.distance(states_[i], states_[j]) <= tolerance_;
+  double distance(std::size_t i, std::size_t j) const {
+    return range_.distance(states_[i], states_[j]);
   }
 
-  // How many multiples of the period the window holds; nothing when one of them is not the same as
-  // the reference, or when another section is that a period could bring back.
-  std::optional<std::size_t> recurrences(const Reference& reference, std::size_t period) const {
-    std::size_t count = 0;
+  // The stretch with a window before it; nothing when one of the multiples of the period is not the
+  // same as the reference, or when another section is that a period could bring back.
+  std::optional<Stretch> with(const Reference& reference, std::size_t period,
+                              Stretch stretch) const {
     for (std::size_t i = reference.section + 1; i <= reference.window_end; ++i) {
       const std::size_t lag = i - reference.section;
       const bool is_multiple = lag % period == 0;
       if (!is_multiple && lag > longest_window() / 2) continue;
-      if (same(i, reference.section) != is_multiple) return std::nullopt;
-      if (is_multiple) ++count;
+      const double apart = distance(i, reference.section);
+      if ((apart <= tolerance_) != is_multiple) return std::nullopt;
+      if (is_multiple) {
+        ++stretch.recurrences;
+        stretch.since = reference.section;
+        stretch.worst = std::max(stretch.worst, apart);
+      } else {
+        stretch.nearest = std::min(stretch.nearest, apart);
+      }
     }
-    return count;
+    return stretch;
   }
 
   // The last references from which on the period recurs throughout.
@@ -105,9 +118,9 @@ class Sections {
     const std::vector<Reference> all = references();
     Stretch stretch;
     for (auto reference = all.rbegin(); reference != all.rend(); ++reference) {
-      const std::optional<std::size_t> count = recurrences(*reference, period);
-      if (!count) break;
-      if (*count > 0) stretch = {stretch.recurrences + *count, reference->section};
+      const std::optional<Stretch> longer = with(*reference, period, stretch);
+      if (!longer) break;
+      stretch = *longer;
     }
     return stretch;
   }

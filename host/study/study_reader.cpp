@@ -155,7 +155,7 @@ void read_integrate(const toml::table* table, Study* study) {
   TableReader reader(table, "[integrate]");
   Integrate& integrate = study->integrate;
   integrate.fp64 = reader.choice("precision", 1, {"fp32", "fp64"}) == 1;
-  integrate.max_step = reader.number("max_step", integrate.max_step, 1e-6, 1.0);
+  integrate.max_step = reader.number("max_step", study->model->max_step, 1e-6, 1.0);
   integrate.steps_per_period = reader.count("steps_per_period", 0, 8, 65536);
   if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
     fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");

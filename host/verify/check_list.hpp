@@ -15,6 +15,8 @@ std::vector<Compared> compare_orbits_fp32(const Subject& subject);
 std::vector<Compared> compare_exponent_sum(const Subject& subject);
 std::vector<Compared> compare_published_exponents(const Subject& subject);
 std::vector<Compared> compare_multipliers(const Subject& subject);
+std::vector<Compared> compare_default_step(const Subject& subject);
+std::vector<Compared> compare_periods(const Subject& subject);
 
 // agreement.cpp
 std::vector<Compared> compare_bits(const Subject& subject);

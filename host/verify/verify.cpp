@@ -19,6 +19,8 @@ const std::vector<Check>& checks() {
        compare_published_exponents},
       {"multipliers", "of gear5's orbits with impacts, against an outside integration", true,
        compare_multipliers},
+      {"default step", "van der Pol's oscillator against Sprott 2003", true, compare_default_step},
+      {"periods", "linear oscillators on their slow way to period 1", true, compare_periods},
       {"linear oscillator, fp32", "the same as above", false, compare_oscillator_fp32},
       {"reference orbits, fp32", "the same as above", false, compare_orbits_fp32},
       {"engines agree, fp32", "the same as above; the reference engine computes in fp64", false,

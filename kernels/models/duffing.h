@@ -12,6 +12,9 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
+// Far out the cubic spring makes a quick oscillator: shorter steps than by default.
+#define MODEL_MAX_STEP 0.03
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                              \
   X(damping, "1", 0.05, -10.0, 100.0, 0, "factor of the velocity")       \

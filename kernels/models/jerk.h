@@ -10,6 +10,9 @@
   X(v, "1", "velocity of x") \
   X(a, "1", "acceleration of x")
 
+// The slope of |x| jumps inside steps, which leaves a lower order: shorter steps than by default.
+#define MODEL_MAX_STEP 0.02
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                          \
   X(damping, "1", 0.6, -10.0, 10.0, 0, "factor of the acceleration") \

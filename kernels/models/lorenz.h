@@ -9,6 +9,9 @@
   X(y, "1", "temperature difference of the streams") \
   X(z, "1", "departure of the profile from a straight line")
 
+// One direction contracts by 15 to 25 per unit of time: shorter steps than by default.
+#define MODEL_MAX_STEP 0.01
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                                         \
   X(sigma, "1", 10.0, 0.0, 1e3, 0, "Prandtl number")                                \

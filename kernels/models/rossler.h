@@ -9,6 +9,9 @@
   X(y, "1", "second of the turning pair") \
   X(z, "1", "switch that folds the band")
 
+// While x is small, z decays by c and more: shorter steps than by default.
+#define MODEL_MAX_STEP 0.02
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                    \
   X(a, "1", 0.2, -10.0, 10.0, 0, "growth of the turning pair") \

@@ -11,6 +11,10 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
+// Where |x| is large the velocity decays by mu (x^2 - 1), some 15 per unit of time: shorter steps
+// than by default.
+#define MODEL_MAX_STEP 0.02
+
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                        \
   X(mu, "1", 3.0, 0.0, 100.0, 0, "strength of the damping")        \

@@ -1,13 +1,15 @@
 // Mean, RMS and standard deviation of a state or signal over the recorded periods, by the
 // trapezoidal rule on the phase grid. The sums are of the difference to the first value, and first
-// over each period, so that they keep their digits in fp32.
+// over each period, so that they keep their digits in fp32. What a state has lost before, to its
+// own rounding, they cannot bring back: a motion smaller than some units in the last place of its
+// offset is staggered, or stands still. In fp32 such a motion has no standard deviation.
 
 #define MOMENTS_KIND channel
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
 #define MOMENTS_OUTPUTS(X)                                     \
   X(mean, "", "", "time average over the recorded periods")    \
   X(rms, "", "", "root mean square over the recorded periods") \
-  X(std, "", "", "standard deviation over the recorded periods")
+  X(std, "", "", "standard deviation over the recorded periods; in fp32 none below 1e-5 of the rms")
 
 enum {
   moments_origin,
@@ -53,5 +55,9 @@ SHARED_FN void moments_finish(const real* sums, SweepRound round, real* out) {
   out[0] = mean;
   out[1] = lane_sqrt(mean * mean + variance);
   out[2] = lane_sqrt(variance);
+#if REAL_BITS == 32
+  // Some hundred units in the last place: rounding makes about ten of them by itself.
+  out[2] = lane_select(out[2] < (scalar)(1e-5) * out[1], (real)(NAN), out[2]);
+#endif
 }
 #endif

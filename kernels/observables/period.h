@@ -7,6 +7,13 @@
 // counts when all its multiples within reach recur and nothing before or between them does, at
 // least two of them, from some reference to the end of the record and for a quarter of the record
 // or more. The longest that counts is half a window.
+//
+// A motion that still nears its orbit from alternating sides comes closer to itself after two of
+// its periods than after one, for as long as it moves: it would count with the double (a rotating
+// approach with another multiple). But then what is missed between is of the size of that approach,
+// and so is what the recurrences still lack. Therefore a period counts only when nothing before or
+// between its multiples is nearer than PERIOD_CLEAR times the worst of them; what is not as clear
+// as that stays open. A ratio of two distances: neither units nor offsets nor scales matter.
 
 #define PERIOD_KIND orbit
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
@@ -17,12 +24,18 @@ enum {
   period_hits,                                     // times that the candidate recurred
   period_due,                                      // lag at which it recurs next
   period_since,                                    // periods recorded before its reference
+  period_worst,                                    // greatest distance of its recurrences
+  period_nearest,                                  // least distance of all else since then
+  period_window_nearest,                           // and in this window
   period_reference,                                // the state to compare with
   period_ranges = period_reference + PER_STATE,    // of each state during a period, the greatest
   period_accumulators = period_ranges + PER_STATE  // all of them
 };
 
 #ifdef __OPENCL_VERSION__
+// Settled recurrences are worse by rounding alone, 1e-9 of what they must be told from and less.
+#define PERIOD_CLEAR 100
+
 enum { period_outputs = PERIOD_OUTPUTS(COUNT_OUTPUT) };
 
 SHARED_FN uint period_longest_window(uint record) {
@@ -38,6 +51,8 @@ SHARED_FN void period_take_reference(real* sums, const real* x) {
 
 SHARED_FN void period_init(real* sums, const real* x) {
   for (int i = 0; i < period_accumulators; ++i) sums[i] = 0;
+  sums[period_nearest] = INFINITY;
+  sums[period_window_nearest] = INFINITY;
   period_take_reference(sums, x);
 }
 
@@ -66,25 +81,33 @@ SHARED_FN void period_period(real* sums, const real* x, const real* growth, cons
   share_ranges(sums + period_ranges, shared);
   real apart[MODEL_STATE_COUNT];
   relative_difference(x, sums + period_reference, shared, apart);
-  const mask same = greatest_size(apart) <= (scalar)(PERIOD_TOLERANCE);
+  const real distance = greatest_size(apart);
+  const mask same = distance <= (scalar)(PERIOD_TOLERANCE);
   const mask due = sums[period_due] == now;
   const mask hit = due & same;
   const mask missed = due & !same;
   sums[period_hits] = lane_select(hit, sums[period_hits] + one, sums[period_hits]);
+  sums[period_worst] = lane_select(hit, lane_max(sums[period_worst], distance), sums[period_worst]);
   sums[period_due] = lane_select(hit, now + sums[period_candidate], sums[period_due]);
   sums[period_candidate] = lane_select(missed, zero, sums[period_candidate]);
   sums[period_due] = lane_select(missed, zero, sums[period_due]);
   if (2 * lag <= longest) {
+    const real beside = lane_select(same, (real)(INFINITY), distance);
+    sums[period_nearest] = lane_min(sums[period_nearest], beside);
+    sums[period_window_nearest] = lane_min(sums[period_window_nearest], beside);
     const mask fresh =
         same & ((sums[period_candidate] == zero) | ((now < sums[period_due]) & !hit));
     sums[period_candidate] = lane_select(fresh, now, sums[period_candidate]);
     sums[period_hits] = lane_select(fresh, one, sums[period_hits]);
+    sums[period_worst] = lane_select(fresh, distance, sums[period_worst]);
+    sums[period_nearest] = lane_select(fresh, sums[period_window_nearest], sums[period_nearest]);
     sums[period_due] = lane_select(fresh, now + now, sums[period_due]);
     sums[period_since] = lane_select(fresh, (real)((scalar)(number + 1 - lag)), sums[period_since]);
   }
   if (lag < window) return;
   period_take_reference(sums, x);
   sums[period_due] = sums[period_candidate];
+  sums[period_window_nearest] = INFINITY;
 }
 
 // The period, 0 where none counts.
@@ -92,7 +115,8 @@ SHARED_FN real period_found(const real* sums, uint record) {
   const real zero = 0;
   const real held = (scalar)(record)-sums[period_since];
   const mask counts = (sums[period_hits] >= (scalar)(2)) & ((scalar)(4) * held >= (scalar)(record));
-  return lane_select(counts, sums[period_candidate], zero);
+  const mask clear = sums[period_nearest] >= (scalar)(PERIOD_CLEAR)*sums[period_worst];
+  return lane_select(counts & clear, sums[period_candidate], zero);
 }
 
 SHARED_FN void period_finish(const real* sums, SweepRound round, real* out) {

@@ -91,6 +91,29 @@ TEST(Period, IsTheLeastThatTheSectionRecursAfter) {
   }
 }
 
+// A linear oscillator goes to an orbit of period 1. With a natural frequency of p/q of the forcing
+// it does so from q sides in turn, and comes nearest to itself after q periods. These decay to the
+// tolerance within some record or other: the damping is chosen to do so after 1,000 to 4,000.
+TEST(Period, IsNotThatOfAnApproachThatAlternatesOrTurns) {
+  const std::string study =
+      "[model]\nname = 'duffing'\n[parameters]\ncubic = 0.0\namplitude = 1.0\n"
+      "[[axes]]\nname = 'linear'\nvalues = [0.0625, 0.1111111111, 0.25, 0.4444444444, "
+      "0.6944444444, 1.5625, 1.96, 2.25]\n"
+      "[[axes]]\nname = 'damping'\nfrom = 0.001\nto = 0.01\ncount = 64\n"
+      "[initial]\npolicy = 'fixed'\nstate = {x = 0.1, v = 1.0}\n"
+      "[integrate]\nmax_step = 0.1\nsettle = 1000\nrecord = 100\nstop = 'never'\n"
+      "[observe]\nquantities = ['period']\n";
+  for (const std::string extend : {"1", "16"}) {
+    SCOPED_TRACE(extend);
+    const SweepResult result = run(study, {"integrate.extend=" + extend});
+    const std::vector<double>& period = map_of(result, "period");
+    const auto ones = std::count(period.begin(), period.end(), 1.0);
+    const auto open = std::count(period.begin(), period.end(), 0.0);
+    EXPECT_EQ(ones + open, 512);
+    EXPECT_GE(ones, 256);
+  }
+}
+
 // From the start, without settling: the transient is not taken for the motion, and `settled` tells
 // how long it took. References lie at most 512 periods apart in a record of this length, so the
 // orbit may have settled up to so many periods before.

@@ -3,6 +3,7 @@
 // side, the kernel against the reference engine.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -36,6 +37,44 @@ TEST_P(Published, Exponents) {
 
 INSTANTIATE_TEST_SUITE_P(Textbook, Published, ::testing::ValuesIn(published_exponents()),
                          [](const auto& row) { return row.param.name; });
+
+// Regular motions of the models that bring their own longest step, beside their presets.
+struct RegularMotion {
+  std::string name, parameters;
+};
+
+class DefaultStep : public ::testing::TestWithParam<RegularMotion> {};
+
+// What Model::max_step says of itself: the exponents of a quarter of it, to a thousandth of the
+// greatest. With steps of 0.05 each of these is 1.5 to 60 times as far off.
+TEST_P(DefaultStep, GivesTheExponentsOfAQuarterOfIt) {
+  const auto& [name, parameters] = GetParam();
+  const std::string study = "[model]\nname = '" + name + "'\n[parameters]\n" + parameters +
+                            "\n[[axes]]\nname = 'x'\nvalues = [-1.9]\n[integrate]\n"
+                            "settle = 1000\nstop = 'never'\nextend = 1\n"
+                            "[observe]\nquantities = ['lyapunov_spectrum']\n";
+  const double quarter = find_model(name)->max_step / 4.0;
+  const SweepResult result = run(study);
+  const SweepResult finer = run(study, {"integrate.max_step=" + std::to_string(quarter)});
+  const std::vector<double>& exponents = map_of(result, "lyapunov_spectrum");
+  const std::vector<double>& truth = map_of(finer, "lyapunov_spectrum");
+  double greatest = 0.0;
+  for (const double exponent : truth) greatest = std::max(greatest, std::abs(exponent));
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    EXPECT_NEAR(exponents[i], truth[i], 1e-3 * greatest) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Textbook, DefaultStep,
+    ::testing::Values(RegularMotion{"vanderpol", "mu = 2.2\namplitude = 8.9\nomega = 2.584"},
+                      RegularMotion{"vanderpol", "mu = 5.02\namplitude = 3.34\nomega = 1.205"},
+                      RegularMotion{"lorenz", "sigma = 18.96\nrho = 29.56\nbeta = 3.412"},
+                      RegularMotion{"rossler", "a = 0.1328\nb = 0.3686\nc = 7.424"},
+                      RegularMotion{
+                          "duffing",
+                          "damping = 0.0925\ncubic = 1.23\namplitude = 13.1\nomega = 0.585"}),
+    [](const auto& motion) { return motion.param.name + std::to_string(motion.index); });
 
 class ExactSum : public ::testing::TestWithParam<PublishedExponents> {};
 

@@ -19,6 +19,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::DoubleNear;
 using ::testing::Each;
@@ -89,6 +90,34 @@ TEST(ReferencePeriod, IsNotThatOfASlowDrift) {
   const Sequence drift = [](std::size_t i) { return 1.0 + 1e-7 * static_cast<double>(i); };
   EXPECT_EQ(period_of(200, drift), 0.0);
   EXPECT_EQ(period_of(200, drift, 1e-3), 1.0);
+}
+
+// Alternates about a cycle, nearer by this factor each time; a factor of 1 doubles the period.
+Sequence alternating(std::size_t period, double first, double factor) {
+  return [=](std::size_t i) {
+    return cycle(period)(i) + first * std::pow(-factor, static_cast<double>(i / period));
+  };
+}
+
+// It comes nearer to itself after two periods than after one; within 1e-6 only the former may be.
+TEST(ReferencePeriod, IsNotTheDoubleOfAnApproachFromAlternatingSides) {
+  for (const std::size_t period : {2U, 6U, 10U}) {
+    std::size_t open = 0;
+    for (double first = 1e-8; first < 1e-4; first *= 1.1) {
+      const double found = period_of(200, alternating(period, first, 0.99));
+      EXPECT_THAT(found, AnyOf(0.0, static_cast<double>(period))) << period << ' ' << first;
+      open += found == 0.0 ? 1 : 0;
+    }
+    // From the first that is told down to 1e-8 all are.
+    EXPECT_EQ(period_of(200, alternating(period, 1e-8, 0.99)), static_cast<double>(period));
+    EXPECT_GT(open, 0U);
+  }
+}
+
+// An orbit whose halves differ by a hundred times what is taken for the same has the longer period.
+TEST(ReferencePeriod, IsTheDoubleWhereTheHalvesStayApart) {
+  EXPECT_EQ(period_of(200, alternating(6, 1e-4, 1.0)), 12.0);
+  EXPECT_EQ(period_of(200, alternating(2, 1e-4, 1.0)), 4.0);
 }
 
 // References are sections 63, 127, 191, ... What begins just after one is seen from the next on.

@@ -96,6 +96,17 @@ TEST(Study, ItsSettingsNameEveryValueWithDefaultsResolved) {
   EXPECT_EQ(again.integrate.settle, study.integrate.settle);
 }
 
+TEST(Study, AModelMayBringItsOwnStep) {
+  const std::string lorenz = "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [28]\n";
+  EXPECT_EQ(read_study(lorenz, "s.toml").integrate.max_step, find_model("lorenz")->max_step);
+  EXPECT_LT(find_model("lorenz")->max_step, find_model("gear5")->max_step);
+  EXPECT_THAT(resolved_settings(read_study(lorenz, "s.toml")), HasSubstr("max_step = 0.01\n"));
+  EXPECT_EQ(read_study(lorenz, "s.toml", {"integrate.max_step=0.05"}).integrate.max_step, 0.05);
+  EXPECT_EQ(
+      read_study(lorenz, "s.toml", {"integrate.steps_per_period=64"}).integrate.steps_per_period,
+      64U);
+}
+
 TEST(Study, ALogAxisHasAConstantRatio) {
   const Study study = read_study(
       "[[axes]]\nname = 'F1'\nfrom = 0.1\nto = 10.0\ncount = 3\nscale = 'log'\n", "s.toml");

@@ -74,6 +74,8 @@ TEST_P(EveryCheck, FailsOnADeviceThatIsSlightlyWrong) {
       {"exponent sum", 1e-6},
       {"published exponents", 0.1},
       {"multipliers", 1e-6},
+      {"default step", 0.1},
+      {"periods", 1.0},
       {"linear oscillator, fp32", 1e-3},
       {"reference orbits, fp32", 1e-2},
       {"engines agree, fp32", 1e-2},
