@@ -65,13 +65,14 @@ inline Grid make_grid(const PhaseGrid& grid) {
   return result;
 }
 
-// points: kLanes of them.
-inline Pack make_pack(const Plan& plan, const std::size_t* points, std::size_t grid) {
+// Of kLanes points from the first on.
+inline Pack make_pack(const Plan& plan, const PointList& points, std::size_t first,
+                      std::size_t grid) {
   std::vector<ModelSetting> settings;
   std::vector<std::vector<double>> starts;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    settings.push_back(plan.setting_of(points[lane]));
-    starts.push_back(plan.own_initial_state(points[lane]));
+    settings.push_back(plan.setting_of(points[first + lane]));
+    starts.push_back(plan.own_initial_state(points[first + lane]));
   }
   ModelParameters parameters;
   std::size_t index = 0;
@@ -102,7 +103,7 @@ class Points final : public OdeintSweep {
     }
     for (const Run& run : runs) {
       for (std::size_t lane = 0; lane < kRunPoints; lane += kLanes) {
-        packs_.push_back(make_pack(plan, tile.points.data() + run.first + lane, run.grid));
+        packs_.push_back(make_pack(plan, tile.points, run.first + lane, run.grid));
       }
     }
   }

@@ -18,6 +18,9 @@ std::vector<Compared> compare_multipliers(const Subject& subject);
 std::vector<Compared> compare_default_step(const Subject& subject);
 std::vector<Compared> compare_periods(const Subject& subject);
 
+// stopped_points.cpp
+std::vector<Compared> compare_stopped_points(const Subject& subject);
+
 // agreement.cpp
 std::vector<Compared> compare_bits(const Subject& subject);
 std::vector<Compared> compare_engines_fp64(const Subject& subject);

@@ -21,6 +21,8 @@ const std::vector<Check>& checks() {
        compare_multipliers},
       {"default step", "van der Pol's oscillator against Sprott 2003", true, compare_default_step},
       {"periods", "linear oscillators on their slow way to period 1", true, compare_periods},
+      {"stopped points", "trajectories that pass near orbits that they do not go to", true,
+       compare_stopped_points},
       {"linear oscillator, fp32", "the same as above", false, compare_oscillator_fp32},
       {"reference orbits, fp32", "the same as above", false, compare_orbits_fp32},
       {"engines agree, fp32", "the same as above; the reference engine computes in fp64", false,

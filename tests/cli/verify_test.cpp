@@ -18,7 +18,7 @@ TEST(Verify, PassesAndSaysSoInTheLastLine) {
   const Outcome outcome = gearsweep(folder, "verify");
   EXPECT_EQ(outcome.status, 0) << outcome.out;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("pass     reference orbits"), Not(HasSubstr("FAIL")),
-                                 EndsWith("\npass: 11 checks\n")));
+                                 EndsWith("\npass: 14 checks\n")));
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(folder.files(), std::set<std::string>());
 }
@@ -30,14 +30,14 @@ TEST(Verify, FailsWhereNoFileCanBeWritten) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out,
               AllOf(ContainsRegex("\nFAIL     file and back .*folder for temporary files"),
-                    EndsWith("\nFAIL: 1 of 11 checks failed\n")));
+                    EndsWith("\nFAIL: 1 of 14 checks failed\n")));
 }
 
 TEST(Verify, ScriptsReadJson) {
   const Folder folder;
   const Outcome outcome = gearsweep(folder, "verify --json");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"verdict\": \"pass: 11 checks\""),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"verdict\": \"pass: 14 checks\""),
                                  HasSubstr("\"name\": \"same bits\""), HasSubstr("\"seen\": ")));
 }
 

@@ -68,13 +68,15 @@ class Resume : public ::testing::Test {
   bool journal_at_delivery_ = false;
 };
 
-// Chaotic points and, in the corner of the two larger masses, a diverged one: NaN survives too.
+// Chaotic points and, in the corner of the two larger masses, diverged ones: NaN survives too. What
+// is under way when a stop is asked for, a tile or two for each worker, may be finished; there are
+// far more points than that.
 const std::string kRest =
     "tile = 4\nsettle = 30\nrecord = 8\n[observe]\nquantities = ['x1_rms', 'dmf_max', "
     "'contact_class', 'poincare']\npoincare = ['x1', 'v1']\n";
 const std::string kStudy =
     "[model]\npreset = 'coarse'\nformulation = 'printed'\n[[axes]]\nname = 'omega'\nfrom = 0.4\n"
-    "to = 1.6\ncount = 8\n[[axes]]\nname = 'm1'\nvalues = [0.02, 0.03, 0.04, 0.35, 0.9]\n";
+    "to = 1.6\ncount = 24\n[[axes]]\nname = 'm1'\nvalues = [0.02, 0.03, 0.04, 0.35, 0.9]\n";
 
 TEST_F(Resume, GivesTheSameBits) { expect_resumes(kStudy + "[integrate]\n" + kRest); }
 

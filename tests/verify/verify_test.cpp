@@ -76,6 +76,7 @@ TEST_P(EveryCheck, FailsOnADeviceThatIsSlightlyWrong) {
       {"multipliers", 1e-6},
       {"default step", 0.1},
       {"periods", 1.0},
+      {"stopped points", 1e-2},
       {"linear oscillator, fp32", 1e-3},
       {"reference orbits, fp32", 1e-2},
       {"engines agree, fp32", 1e-2},
