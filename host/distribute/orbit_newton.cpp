@@ -58,6 +58,13 @@ bool correct(const Eigen::VectorXd& correction, NewtonTry* one) {
 
 }  // namespace
 
+double largest_log_multiplier(const double* derivative, std::size_t states) {
+  const auto size = static_cast<Eigen::Index>(states);
+  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, size, size);
+  const std::vector<double> logs = slope.allFinite() ? log_moduli(slope) : std::vector<double>();
+  return logs.empty() ? std::numeric_limits<double>::quiet_NaN() : logs.front();
+}
+
 bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
   return moved(mapped, limits, one).lpNorm<Eigen::Infinity>() <= limits.same;
 }
@@ -76,7 +83,8 @@ NewtonVerdict newton_step(const double* mapped, const double* derivative,
   const Eigen::VectorXd away =
       relative_difference(one->state.data(), one->start.data(), one->ranges, limits.angles);
   if (away.lpNorm<Eigen::Infinity>() > limits.far) return NewtonVerdict::failed;
-  if (step.lpNorm<Eigen::Infinity>() > limits.close) return NewtonVerdict::going_on;
+  one->step = step.lpNorm<Eigen::Infinity>();
+  if (one->step > limits.close) return NewtonVerdict::going_on;
 
   one->multipliers = log_moduli(slope);
   if (one->multipliers.empty()) return NewtonVerdict::failed;

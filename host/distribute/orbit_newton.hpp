@@ -31,9 +31,15 @@ struct NewtonTry {
   std::vector<double> state;   // the guess
   // How far the guess before this one was from coming back.
   double distance = std::numeric_limits<double>::infinity();
+  // The length of the last step that came close: how far from the orbit the derivative was taken.
+  double step = 0.0;
   // Logarithms of the absolute values of the multipliers over the whole map, largest first.
   std::vector<double> multipliers;
 };
+
+// The logarithm of the largest absolute value of a multiplier, of a return map's derivative
+// ([column][row]); NaN when there is none.
+double largest_log_multiplier(const double* derivative, std::size_t states);
 
 // Whether a state comes back: it is the same as its map.
 bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one);

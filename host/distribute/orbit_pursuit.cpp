@@ -88,7 +88,9 @@ bool OrbitPursuit::run(std::vector<OrbitAttempt>* attempts, std::size_t most_per
   if (tangents_ == 0) return true;
   Attempts arriving;
   std::copy_if(all.begin(), all.end(), std::back_inserter(arriving),
-               [](const OrbitAttempt* attempt) { return attempt->arrives; });
+               [this](const OrbitAttempt* attempt) {
+                 return attempt->arrives && attempt->newton.step > limits_.same;
+               });
   return sharpen(arriving, after_round);
 }
 
@@ -205,7 +207,8 @@ bool OrbitPursuit::follow(Attempts found, std::size_t most_periods,
   return true;
 }
 
-// Exponents are the multipliers of the orbit itself, not of a state near it.
+// Exponents are the multipliers of the orbit itself, not of a state that is near it by more than
+// what counts as the same.
 bool OrbitPursuit::sharpen(const Attempts& arriving, const RoundCallback& after_round) {
   if (arriving.empty()) return true;
   const std::optional<ReturnMaps> maps = maps_of(arriving, lengths_of(arriving), true, after_round);

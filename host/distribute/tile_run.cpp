@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "distribute/exponent_error.hpp"
 #include "distribute/extension.hpp"
 #include "distribute/orbit_search.hpp"
 #include "distribute/parts.hpp"
@@ -27,10 +28,13 @@ class TileRun {
         callbacks_(callbacks),
         windows_(windows_of(study_)),
         tells_settling_(observes(study_.selection, "settled")),
-        result_(empty_result(study_, tile.points.size())) {}
+        result_(empty_result(study_, tile.points.size())),
+        has_stopped_(tile.points.size(), 0) {}
 
   std::optional<TileResult> run(const std::vector<double>& initial) {
-    const bool finished = search_for_orbits(initial) && record_the_rest() && extend();
+    const bool finished = search_for_orbits(initial) && record_the_rest() && extend() &&
+                          add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
+                                              callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
     result_.effort.assign(kEfforts, 0.0);
     result_.effort[kStopped] = static_cast<double>(stopped_);
@@ -125,6 +129,7 @@ class TileRun {
     once->final_states = std::move(replayed->final_states);
     put_part(study_, *once, positions, &result_);
     stopped_ += positions.size();
+    for (const std::size_t position : positions) has_stopped_[position] = 1;
     return true;
   }
 
@@ -171,10 +176,11 @@ class TileRun {
   const std::vector<Window> windows_;
   const bool tells_settling_;  // an observer says after how many periods a point has settled
   TileResult result_;
-  std::vector<std::size_t> open_;  // positions
-  std::vector<double> states_;     // [open point][state]
-  std::size_t settled_ = 0;        // periods behind the open points
-  std::size_t stopped_ = 0;        // points
+  std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit
+  std::vector<std::size_t> open_;          // positions
+  std::vector<double> states_;             // [open point][state]
+  std::size_t settled_ = 0;                // periods behind the open points
+  std::size_t stopped_ = 0;                // points
 };
 
 }  // namespace

@@ -41,6 +41,12 @@ struct ReturnMaps {
   std::vector<double> derivatives;  // [point][column][row], when asked for
 };
 
+// Whether a study's points are looked at on their orbits: to stop there, or for the error of their
+// exponents.
+inline bool looks_for_orbits(const Study& study) {
+  return study.integrate.stop == Stop::orbit || study.selection.exponent_error.has_value();
+}
+
 class OrbitEngine {
  public:
   virtual ~OrbitEngine() = default;

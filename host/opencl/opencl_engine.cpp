@@ -28,7 +28,7 @@ class OpenClEngine final : public Engine {
     record_ = cl::Kernel(program_, "record");
     if (study.selection.tangent_count() > 0) align_ = cl::Kernel(program_, "align");
     finish_ = cl::Kernel(program_, "finish");
-    if (study.integrate.stop == Stop::orbit) {
+    if (looks_for_orbits(study)) {
       orbits_ = std::make_unique<OrbitKernels>(study, program_, &launcher_);
     }
     series_bytes_per_point_ =

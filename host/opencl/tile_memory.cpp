@@ -34,7 +34,7 @@ class Estimate {
         tile_(tile),
         layout_(layout),
         states_(study_.model->states.size()),
-        searches_(study_.integrate.stop == Stop::orbit) {}
+        searches_(looks_for_orbits(study_)) {}
 
   TileMemory most() const {
     const Buffers tables = grid_tables();

@@ -80,10 +80,19 @@ ModelSetting Plan::setting_of(std::size_t point) const {
   return setting;
 }
 
+Plan Plan::with_longer_steps() const {
+  Plan longer = *this;
+  longer.step_length_ = 2 * step_length_;
+  return longer;
+}
+
 std::size_t Plan::steps_of(std::size_t point) const { return steps_at(setting_of(point)); }
 
 std::size_t Plan::steps_at(const ModelSetting& setting) const {
-  if (study_.integrate.steps_per_period > 0) return study_.integrate.steps_per_period;
+  const auto longer = [this](std::size_t steps) {
+    return (steps + step_length_ - 1) / step_length_;
+  };
+  if (study_.integrate.steps_per_period > 0) return longer(study_.integrate.steps_per_period);
   const double wanted = study_.model->period(setting) / study_.integrate.max_step;
   if (!(wanted <= kMostSteps)) {
     throw InputError(
@@ -92,7 +101,7 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
                     "integrate.steps_per_period",
                     wanted, study_.integrate.max_step, kMostSteps));
   }
-  return ladder_steps(wanted);
+  return longer(ladder_steps(wanted));
 }
 
 PhaseGrid Plan::phase_grid_of(std::size_t point) const {

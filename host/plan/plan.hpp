@@ -31,6 +31,8 @@ class Plan {
   Plan(const Study& study, std::size_t tile_points);
   // Cuts the same points into tiles of another size.
   void cut(std::size_t tile_points);
+  // The same points and tiles with steps of twice the length: what they change tells an error.
+  Plan with_longer_steps() const;
 
   const Study& study() const { return study_; }
   std::size_t tile_points() const { return tile_points_; }  // at most, of each tile
@@ -70,6 +72,7 @@ class Plan {
 
   const Study study_;
   std::size_t tile_points_ = 0;
+  std::size_t step_length_ = 1;               // in steps of the study
   std::vector<std::vector<double>> offsets_;  // [trajectory of a point][state]
   std::vector<std::vector<Group>> groups_;    // [stage]
   std::vector<Stage> stages_;

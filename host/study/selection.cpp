@@ -215,6 +215,12 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       quantity.output = add_output(offers, name, model.states.size(), &selection);
     }
     if (name == "motion_class") selection.motion = quantity.output;
+    if (name == "lyapunov_max_error") {
+      const std::size_t states = model.states.size();
+      selection.exponent_error = {add_output(offers, "lyapunov_max", states, &selection),
+                                  quantity.output,
+                                  add_output(offers, "period", states, &selection)};
+    }
     selection.quantities.push_back(quantity);
   }
   return selection;

@@ -39,13 +39,19 @@ struct Survey {
   std::optional<std::size_t> peak;               // dmf_max, of a model that has it
 };
 
+// What the error of the largest exponent needs: outputs of lyapunov_max and period.
+struct ExponentError {
+  std::size_t exponent = 0, error = 0, period = 0;
+};
+
 struct Selection {
   std::vector<Observer> observers;    // all but poincare
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
   // Output of motion_class, when an observer looks for kinds of motion.
   std::optional<std::size_t> motion;
-  std::optional<Survey> survey;  // when attractors are to be told apart
+  std::optional<Survey> survey;                 // when attractors are to be told apart
+  std::optional<ExponentError> exponent_error;  // when lyapunov_max_error is asked for
   // Two states at phase 0 are the same when they differ by no more than this, relative to the
   // range of the motion (kernels/observables/period.h).
   double period_tolerance = 1e-6;

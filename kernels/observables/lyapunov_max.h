@@ -1,13 +1,14 @@
 // Largest Lyapunov exponent (natural logarithm, per dimensionless time) over the recorded periods,
 // and the standard error of the estimate from the spread of its means over 16 blocks of periods.
-// The phase's zero exponent is not counted.
+// The phase's zero exponent is not counted. The host adds to the error of a periodic motion what
+// the steps' length and the distance from the orbit make (host/distribute/exponent_error.hpp).
 
 #define LYAPUNOV_MAX_KIND tangent
 #define LYAPUNOV_MAX_TANGENTS 1
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define LYAPUNOV_MAX_OUTPUTS(X)                                            \
-  X(, "1/tau", "", "largest Lyapunov exponent")                            \
-  X(error, "1/tau", "", "standard error of the largest Lyapunov exponent") \
+#define LYAPUNOV_MAX_OUTPUTS(X)                                   \
+  X(, "1/tau", "", "largest Lyapunov exponent")                   \
+  X(error, "1/tau", "", "error of the largest Lyapunov exponent") \
   X(per_period, "1", "", "largest Lyapunov exponent times the forcing period")
 
 enum {
