@@ -132,9 +132,10 @@ class KernelSweep {
   std::vector<GearState> states() const {
     std::vector<GearState> found;
     for (const std::size_t point : judged_points(plan_)) {
-      const auto place = std::find(tile().points.begin(), tile().points.end(), point);
-      const auto first = result_.final_states.begin() +
-                         (place - tile().points.begin()) * static_cast<std::ptrdiff_t>(10);
+      const auto& points = tile().points;
+      const auto place =
+          std::distance(points.begin(), std::find(points.begin(), points.end(), point));
+      const auto first = result_.final_states.begin() + place * std::ptrdiff_t{10};
       found.emplace_back();
       std::copy(first, first + 10, found.back().begin());
     }
