@@ -115,7 +115,7 @@ TEST(OrbitSearch, KnowsTheOrbitOfALinearOscillator) {
   for (const double exponent : map_of(result, "lyapunov_spectrum")) {
     EXPECT_NEAR(exponent, -damping / 2.0, 1e-8);
   }
-  EXPECT_LE(std::abs(map_of(result, "lyapunov_max")[0] + damping / 2.0),
+  EXPECT_LE(std::abs(map_of(result, "lyapunov_spectrum")[0] + damping / 2.0),
             map_of(result, "lyapunov_max_error")[0]);
   EXPECT_LT(map_of(result, "lyapunov_max_error")[0], 1e-6);
   EXPECT_EQ(map_of(result, "period")[0], 1.0);
