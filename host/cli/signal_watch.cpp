@@ -47,7 +47,9 @@ SignalWatch::SignalWatch(std::function<void()> on_end) : on_end_(std::move(on_en
 
 SignalWatch::~SignalWatch() {
   watcher_.request_stop();
-  pthread_kill(watcher_.native_handle(), SIGTERM);  // wakes it
+  // It is blocked there and waited for: it wakes the watcher and ends nothing.
+  // NOLINTNEXTLINE(bugprone-bad-signal-to-kill-thread)
+  pthread_kill(watcher_.native_handle(), SIGTERM);
   watcher_.join();
   unblock_signals();
 }

@@ -50,7 +50,8 @@ class Sum {
   void add_samples(const Study& study) {
     const SampleBlock block = block_of_samples(study);
     const auto blocks = [](std::size_t whole, std::size_t piece) {
-      return static_cast<double>((whole + piece - 1) / piece);
+      const std::size_t pieces = (whole + piece - 1) / piece;
+      return static_cast<double>(pieces);
     };
     const double chunks = blocks(study.axes.front().values.size(), block.columns) *
                           blocks(points_along_y(study), block.rows);
