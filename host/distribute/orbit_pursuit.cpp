@@ -1,11 +1,9 @@
 #include "distribute/orbit_pursuit.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <thread>
+#include <iterator>
 
-#include "distribute/orbit_convergence.hpp"
+#include "distribute/on_all_cores.hpp"
 #include "distribute/parts.hpp"
 #include "sweep_types.h"
 
@@ -25,24 +23,6 @@ NewtonLimits limits_of(const Study& study) {
           study.model->angles};
 }
 
-// Calls work(i) for all i below `count`, on all cores.
-template <class Work>
-void for_each_on_all_cores(std::size_t count, const Work& work) {
-  constexpr std::size_t kShare = 32;
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t first = next.fetch_add(kShare); first < count;
-         first = next.fetch_add(kShare)) {
-      for (std::size_t i = first; i < std::min(count, first + kShare); ++i) work(i);
-    }
-  };
-  const std::size_t useful = std::min<std::size_t>(
-      (count + kShare - 1) / kShare, std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < useful; ++i) threads.emplace_back(run);
-  run();
-}
-
 std::vector<std::uint32_t> lengths_of(const std::vector<OrbitAttempt*>& attempts) {
   std::vector<std::uint32_t> lengths;
   for (const OrbitAttempt* attempt : attempts) lengths.push_back(attempt->length);
@@ -57,11 +37,6 @@ std::vector<OrbitAttempt*> those_with(const std::vector<OrbitAttempt*>& attempts
   return out;
 }
 
-OrbitConvergence convergence_to(const OrbitAttempt& attempt, const NewtonLimits& limits) {
-  return OrbitConvergence({attempt.newton.state, attempt.derivative, attempt.newton.ranges,
-                           limits.angles, limits.same});
-}
-
 }  // namespace
 
 OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine)
@@ -72,11 +47,8 @@ OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engi
       states_(plan.study().model->states.size()),
       tangents_(plan.study().selection.tangent_count()) {}
 
-bool OrbitPursuit::run(std::vector<OrbitAttempt>* attempts, std::size_t most_periods,
-                       const RoundCallback& after_round) {
-  Attempts all, found;
-  for (OrbitAttempt& attempt : *attempts) all.push_back(&attempt);
-  Attempts open = all;
+bool OrbitPursuit::find(const Attempts& attempts, const RoundCallback& after_round) {
+  Attempts open = attempts;
   for (std::size_t i = 0; i < kMostSteps && !open.empty(); ++i) {
     if (!step(open, after_round) || !confirm(those_with(open, NewtonVerdict::close), after_round) ||
         !shorten(those_with(open, NewtonVerdict::found), after_round)) {
@@ -84,14 +56,7 @@ bool OrbitPursuit::run(std::vector<OrbitAttempt>* attempts, std::size_t most_per
     }
     open = those_with(open, NewtonVerdict::going_on);
   }
-  if (!follow(those_with(all, NewtonVerdict::found), most_periods, after_round)) return false;
-  if (tangents_ == 0) return true;
-  Attempts arriving;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(arriving),
-               [this](const OrbitAttempt* attempt) {
-                 return attempt->arrives && attempt->newton.step > limits_.same;
-               });
-  return sharpen(arriving, after_round);
+  return true;
 }
 
 std::optional<ReturnMaps> OrbitPursuit::maps_of(const Attempts& attempts,
@@ -163,64 +128,20 @@ bool OrbitPursuit::shorten(const Attempts& found, const RoundCallback& after_rou
   return true;
 }
 
-// Goes on with each trajectory until it is seen whether it converges to the orbit.
-bool OrbitPursuit::follow(Attempts found, std::size_t most_periods,
-                          const RoundCallback& after_round) {
-  using Verdict = OrbitConvergence::Verdict;
-  std::vector<OrbitConvergence> views;
-  std::vector<std::vector<double>> ends;
-  for (const OrbitAttempt* attempt : found) {
-    views.push_back(convergence_to(*attempt, limits_));
-    views.back().add(attempt->newton.start.data());
-    ends.push_back(attempt->newton.start);
-  }
-  for (std::size_t gone = 0; gone + ORBIT_LONGEST <= most_periods && !found.empty();
-       gone += ORBIT_LONGEST) {
-    std::vector<std::size_t> positions;
-    std::vector<double> states;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      positions.push_back(found[i]->position);
-      states.insert(states.end(), ends[i].begin(), ends[i].end());
-    }
-    const Tile part = part_of(plan_, tile_, positions, ORBIT_LONGEST);
-    const std::optional<std::vector<double>> sections =
-        engine_->follow(plan_, part, states, after_round);
-    if (!sections) return false;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const double* own = sections->data() + i * ORBIT_LONGEST * states_;
-      Verdict verdict = Verdict::open;
-      for (std::size_t k = 1; k <= ORBIT_LONGEST && verdict == Verdict::open; ++k) {
-        if ((gone + k) % found[i]->length != 0) continue;
-        verdict = views[i].add(own + (k - 1) * states_);
-      }
-      found[i]->arrives = verdict == Verdict::converges;
-      if (verdict != Verdict::open) continue;
-      const double* last = own + (ORBIT_LONGEST - 1) * states_;
-      ends[kept].assign(last, last + states_);
-      found[kept] = found[i];
-      if (kept != i) views[kept] = std::move(views[i]);
-      ++kept;
-    }
-    found.resize(kept);
-  }
-  return true;
-}
-
-// Exponents are the multipliers of the orbit itself, not of a state that is near it by more than
-// what counts as the same.
-bool OrbitPursuit::sharpen(const Attempts& arriving, const RoundCallback& after_round) {
-  if (arriving.empty()) return true;
-  const std::optional<ReturnMaps> maps = maps_of(arriving, lengths_of(arriving), true, after_round);
+bool OrbitPursuit::sharpen(Attempts found, const RoundCallback& after_round) {
+  std::erase_if(found,
+                [this](const OrbitAttempt* one) { return one->newton.step <= limits_.same; });
+  if (tangents_ == 0 || found.empty()) return true;
+  const std::optional<ReturnMaps> maps = maps_of(found, lengths_of(found), true, after_round);
   if (!maps) return false;
-  for_each_on_all_cores(arriving.size(), [&](std::size_t i) {
-    NewtonTry last = arriving[i]->newton;
+  for_each_on_all_cores(found.size(), [&](std::size_t i) {
+    NewtonTry last = found[i]->newton;
     last.distance = std::numeric_limits<double>::infinity();
     const NewtonVerdict verdict =
         newton_step(maps->states.data() + i * states_,
                     maps->derivatives.data() + i * states_ * states_, limits_, tangents_, &last);
-    arriving[i]->arrives = verdict == NewtonVerdict::close;
-    arriving[i]->newton = std::move(last);
+    if (verdict != NewtonVerdict::close) found[i]->verdict = verdict;
+    found[i]->newton = std::move(last);
   });
   return true;
 }

@@ -1,5 +1,4 @@
-// From guesses at periodic orbits to the orbits that the trajectories go to: Newton's method, the
-// minimal period, and a look at whether each trajectory itself converges to its orbit. Private to
+// From guesses at periodic orbits to orbits: Newton's method and the minimal period. Private to
 // this folder.
 #pragma once
 
@@ -17,7 +16,6 @@ struct OrbitAttempt {
   std::uint32_t length = 0;  // periods of the forcing after which the orbit comes back
   NewtonTry newton;
   NewtonVerdict verdict = NewtonVerdict::going_on;
-  bool arrives = false;  // the trajectory goes to this orbit, whose length is the minimal period
   std::vector<double> derivative = {};  // [column][row], of the last step that came close
 };
 
@@ -26,14 +24,19 @@ class OrbitPursuit {
   // The plan, the tile and the engine outlive the pursuit.
   OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine);
 
-  // Attempts of one phase grid stand together. A trajectory is followed for so many periods at
-  // most. False when the callback asked to stop.
-  bool run(std::vector<OrbitAttempt>* attempts, std::size_t most_periods,
-           const RoundCallback& after_round);
-
- private:
+  // Attempts of one phase grid stand together. Each of these is false when the callback asked to
+  // stop.
   using Attempts = std::vector<OrbitAttempt*>;
 
+  // Those whose verdict is `found` then are on a stable orbit, whose length is the minimal period.
+  bool find(const Attempts& attempts, const RoundCallback& after_round);
+
+  // Takes the multipliers of attempts that were found, where exponents need them, at the orbit
+  // itself and not at a state that is near it by more than what counts as the same. Those with
+  // which that fails are no longer found.
+  bool sharpen(Attempts found, const RoundCallback& after_round);
+
+ private:
   std::optional<ReturnMaps> maps_of(const Attempts& attempts,
                                     const std::vector<std::uint32_t>& lengths,
                                     bool with_derivatives, const RoundCallback& after_round);
@@ -41,8 +44,6 @@ class OrbitPursuit {
   bool step(const Attempts& attempts, const RoundCallback& after_round);
   bool confirm(const Attempts& close, const RoundCallback& after_round);
   bool shorten(const Attempts& found, const RoundCallback& after_round);
-  bool follow(Attempts found, std::size_t most_periods, const RoundCallback& after_round);
-  bool sharpen(const Attempts& arriving, const RoundCallback& after_round);
 
   const Plan& plan_;
   const Tile& tile_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "distribute/on_all_cores.hpp"
 #include "distribute/parts.hpp"
 #include "sweep_types.h"
 
@@ -18,27 +19,23 @@ constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
 }  // namespace
 
 OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
-                         OrbitEngine* engine)
+                         std::size_t periods, OrbitEngine* engine)
     : plan_(plan),
       tile_(tile),
+      periods_(periods),
       engine_(engine),
       open_(tile.points.size()),
       states_(initial),
       hopeless_(tile.points.size(), 0),
       next_try_(tile.points.size(), 0),
-      is_found_(tile.points.size(), 0) {
+      is_found_(tile.points.size(), 0),
+      candidates_(tile.points.size()) {
   std::iota(open_.begin(), open_.end(), std::size_t{0});
-}
-
-std::size_t OrbitSearch::last_period() const {
-  const Integrate& integrate = plan_.study().integrate;
-  const bool warms_up = plan_.study().selection.tangent_count() > 0;
-  return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
 }
 
 bool OrbitSearch::can_advance() const {
   if (engine_ == nullptr || plan_.study().integrate.stop == Stop::never) return false;
-  return !open_.empty() && settled_ + ORBIT_LONGEST <= last_period();
+  return !open_.empty() && settled_ + ORBIT_LONGEST <= periods_;
 }
 
 bool OrbitSearch::advance(const RoundCallback& after_round) {
@@ -46,17 +43,17 @@ bool OrbitSearch::advance(const RoundCallback& after_round) {
   settled_ += ORBIT_LONGEST;
   std::vector<std::uint32_t> excluded;
   for (const std::size_t position : open_) {
-    excluded.push_back(settled_ < next_try_[position] ? kAnyLength : hopeless_[position]);
+    const bool waits = candidates_[position] != nullptr || settled_ < next_try_[position];
+    excluded.push_back(waits ? kAnyLength : hopeless_[position]);
   }
   std::optional<Approach> approach =
       engine_->approach(plan_, part, states_, excluded,
                         {kNear, plan_.study().selection.period_tolerance}, after_round);
   if (!approach) return false;
   states_ = std::move(approach->states);
-  std::vector<OrbitAttempt> attempts = attempts_from(*approach);
-  OrbitPursuit pursuit(plan_, tile_, engine_);
-  if (!pursuit.run(&attempts, last_period() - settled_, after_round)) return false;
-  for (OrbitAttempt& attempt : attempts) take(&attempt);
+  if (!find_candidates(*approach, after_round)) return false;
+  watch(approach->sections);
+  if (!take_arrivals(after_round)) return false;
   close_points();
   return true;
 }
@@ -91,19 +88,67 @@ std::vector<OrbitAttempt> OrbitSearch::attempts_from(const Approach& approach) c
   return attempts;
 }
 
-// What came of an attempt.
-void OrbitSearch::take(OrbitAttempt* attempt) {
-  const std::size_t position = attempt->position;
-  // The longer it takes, the less it costs to wait.
-  next_try_[position] = settled_ + settled_ / 2;
-  if (attempt->arrives) {
-    for (double& growth : attempt->newton.multipliers) growth /= attempt->length;
-    found_.push_back({position, attempt->length, settled_, std::move(attempt->newton.state),
-                      std::move(attempt->newton.multipliers)});
-    is_found_[position] = 1;
-  } else if (attempt->verdict == NewtonVerdict::unstable) {
-    hopeless_[position] |= 1U << (attempt->length - 1);
+bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback& after_round) {
+  std::vector<OrbitAttempt> attempts = attempts_from(approach);
+  std::vector<OrbitAttempt*> all;
+  for (OrbitAttempt& attempt : attempts) all.push_back(&attempt);
+  if (!OrbitPursuit(plan_, tile_, engine_).find(all, after_round)) return false;
+  for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
+    OrbitAttempt& attempt = attempts[i];
+    // The longer it takes, the less it costs to wait.
+    next_try_[attempt.position] = settled_ + settled_ / 2;
+    if (attempt.verdict == NewtonVerdict::unstable) {
+      hopeless_[attempt.position] |= 1U << (attempt.length - 1);
+    } else if (attempt.verdict == NewtonVerdict::found) {
+      const OrbitMap map = {attempt.newton.state, attempt.derivative, attempt.newton.ranges,
+                            plan_.study().model->angles, plan_.study().selection.period_tolerance};
+      candidates_[attempt.position] = std::unique_ptr<Candidate>(
+          new Candidate{std::move(attempt), settled_, OrbitConvergence(map)});
+    }
+  });
+  return true;
+}
+
+void OrbitSearch::watch(const Sections& sections) {
+  for_each_on_all_cores(open_.size(), [&](std::size_t i) {
+    Candidate* candidate = candidates_[open_[i]].get();
+    if (candidate == nullptr) return;
+    const bool is_new = candidate->settled == settled_;
+    const std::size_t length = candidate->orbit.length;
+    for (std::size_t period = is_new ? 0 : 1; period <= ORBIT_LONGEST; ++period) {
+      // Periods since the candidate's own state, which may be -ORBIT_LONGEST.
+      const std::size_t phase =
+          (settled_ - candidate->settled + period + ORBIT_LONGEST * (length - 1)) % length;
+      if (phase != 0 || candidate->verdict != OrbitConvergence::Verdict::open) continue;
+      candidate->verdict = candidate->view.add(sections.state(i, period).data());
+    }
+  });
+}
+
+bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
+  std::vector<OrbitAttempt*> arrivals;
+  for (const std::size_t position : open_) {
+    Candidate* candidate = candidates_[position].get();
+    if (candidate == nullptr) continue;
+    if (candidate->verdict == OrbitConvergence::Verdict::converges) {
+      arrivals.push_back(&candidate->orbit);
+    } else if (candidate->verdict == OrbitConvergence::Verdict::leaves) {
+      next_try_[position] = settled_ + settled_ / 2;
+      candidates_[position].reset();
+    }
   }
+  if (!OrbitPursuit(plan_, tile_, engine_).sharpen(arrivals, after_round)) return false;
+  for (OrbitAttempt* orbit : arrivals) {
+    const std::size_t position = orbit->position;
+    if (orbit->verdict == NewtonVerdict::found) {
+      for (double& growth : orbit->newton.multipliers) growth /= orbit->length;
+      found_.push_back({position, orbit->length, candidates_[position]->settled,
+                        std::move(orbit->newton.state), std::move(orbit->newton.multipliers)});
+      is_found_[position] = 1;
+    }
+    candidates_[position].reset();
+  }
+  return true;
 }
 
 // Takes out of the open points what was found, and what has diverged.
@@ -123,6 +168,12 @@ void OrbitSearch::close_points() {
   }
   open_.resize(kept);
   states_.resize(kept * states);
+}
+
+std::size_t searched_periods(const Study& study) {
+  const Integrate& integrate = study.integrate;
+  const bool warms_up = study.selection.tangent_count() > 0;
+  return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
 }
 
 }  // namespace gearsweep

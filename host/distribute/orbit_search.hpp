@@ -2,16 +2,19 @@
 //
 // Every ORBIT_LONGEST periods each point's state is compared with where it was. Where it is nearly
 // back after some number of periods, its last returns are extrapolated to the periodic orbit that
-// they tend to, and Newton's method (shooting) goes on from there. When there is an orbit, its
-// multipliers over its minimal period say that it is stable, and the next returns of the trajectory
-// are seen to converge to it, the point need not be integrated any longer. The step's derivative
-// gives all multipliers, and so all Lyapunov exponents. Private to this folder.
+// they tend to, and Newton's method (shooting) goes on from there. When there is an orbit and its
+// multipliers over its minimal period say that it is stable, the point's last returns and its next
+// ones are compared with it, and when they are seen to converge to it, the point need not be
+// integrated any longer. The step's derivative gives all multipliers, and so all Lyapunov
+// exponents. Private to this folder.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "distribute/orbit_convergence.hpp"
 #include "distribute/orbit_pursuit.hpp"
 #include "engine/engine.hpp"
 
@@ -27,12 +30,13 @@ struct FoundOrbit {
 
 class OrbitSearch {
  public:
-  // initial: [point of the tile][state]. `engine` and the others outlive the search.
+  // initial: [point of the tile][state]. Looks for so many periods at most. `engine` (null: there
+  // is nothing that could look) and the others outlive the search.
   OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
-              OrbitEngine* engine);
+              std::size_t periods, OrbitEngine* engine);
 
-  // Whether another advance() stays within the study's settling, less the tangent vectors' warm-up,
-  // which belongs to the record, and there is a point to settle. Never with stop = "never".
+  // Whether another advance() stays within these periods, and there is a point to settle. Never
+  // with stop = "never".
   bool can_advance() const;
 
   // Settles the open points by ORBIT_LONGEST periods. False when the callback asked to stop.
@@ -47,13 +51,28 @@ class OrbitSearch {
   const std::vector<double>& states() const { return states_; }   // [open point][state]
 
  private:
-  std::size_t last_period() const;  // of the search: then the record begins, or its warm-up
+  // An orbit that a point may be on its way to.
+  struct Candidate {
+    OrbitAttempt orbit;
+    std::size_t settled;    // periods behind orbit.newton.start
+    OrbitConvergence view;  // of the trajectory's returns to the orbit
+    OrbitConvergence::Verdict verdict = OrbitConvergence::Verdict::open;
+  };
+
   std::vector<OrbitAttempt> attempts_from(const Approach& approach) const;
-  void take(OrbitAttempt* attempt);
+  // Looks for orbits that open points without a candidate may be on their way to. False when the
+  // callback asked to stop.
+  bool find_candidates(const Approach& approach, const RoundCallback& after_round);
+  // Shows the candidates the sections of the approach that has just ended.
+  void watch(const Sections& sections);
+  // Takes over the candidates that are arrived at, and gives up those that are not. False when the
+  // callback asked to stop.
+  bool take_arrivals(const RoundCallback& after_round);
   void close_points();
 
   const Plan& plan_;
   const Tile& tile_;
+  const std::size_t periods_;  // of the search, at most
   OrbitEngine* engine_;
   std::size_t settled_ = 0;
   std::vector<std::size_t> open_;
@@ -61,8 +80,13 @@ class OrbitSearch {
   std::vector<std::uint32_t> hopeless_;  // [point of the tile] bit n - 1: not this length again
   std::vector<std::size_t> next_try_;    // [point of the tile] not before so many periods
   std::vector<std::uint8_t> is_found_;   // [point of the tile]
+  std::vector<std::unique_ptr<Candidate>> candidates_;  // [point of the tile] or none
   std::vector<FoundOrbit> found_;
   std::vector<std::size_t> diverged_;
 };
+
+// Periods of a study's settling that a search may take: what is left is the warm-up of the tangent
+// vectors, which belongs to the record.
+std::size_t searched_periods(const Study& study);
 
 }  // namespace gearsweep

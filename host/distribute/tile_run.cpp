@@ -45,7 +45,7 @@ class TileRun {
   // Each of these is false when the callback asked to stop.
 
   bool search_for_orbits(const std::vector<double>& initial) {
-    OrbitSearch search(plan_, tile_, initial, engine_->orbits());
+    OrbitSearch search(plan_, tile_, initial, searched_periods(study_), engine_->orbits());
     while (search.can_advance()) {
       const std::size_t before = search.found().size();
       if (!search.advance(callbacks_.after_round)) return false;

@@ -63,13 +63,12 @@ std::optional<Start> find_start(const Plan& plan, const Tile& tile,
                                 const std::vector<double>& initial, Engine* engine,
                                 const RoundCallback& after_round) {
   const std::size_t settle = plan.study().integrate.settle;
-  OrbitSearch search(plan, tile, initial, engine->orbits());
+  OrbitSearch search(plan, tile, initial, searched_periods(plan.study()), engine->orbits());
   while (search.can_advance()) {
     if (!search.advance(after_round)) return std::nullopt;
     if (search.found().empty()) continue;
     const FoundOrbit& orbit = search.found().front();
-    return Start{orbit.state, search.settled(), (settle - search.settled()) % orbit.length,
-                 orbit.length};
+    return Start{orbit.state, orbit.settled, (settle - orbit.settled) % orbit.length, orbit.length};
   }
   if (!search.diverged().empty()) return Start{};
   return Start{search.states(), search.settled(), settle - search.settled()};

@@ -2,9 +2,11 @@
 // (distribute/orbit_search.hpp). States are [point of the tile][state], at phase 0.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/result.hpp"
@@ -26,8 +28,33 @@ struct NearReturn {
                      // not drown in rounding
 };
 
+// The states of each point at the beginning of an approach and after each of its periods.
+class Sections {
+ public:
+  Sections() = default;
+  // numbers: those of point i and period k begin at first[i] + k * states * stride, one state in
+  // each stride.
+  Sections(std::vector<double> numbers, std::vector<std::size_t> first, std::size_t stride,
+           std::size_t states)
+      : numbers_(std::move(numbers)), first_(std::move(first)), stride_(stride), states_(states) {}
+
+  // period: 0 to ORBIT_LONGEST.
+  std::vector<double> state(std::size_t point, std::size_t period) const {
+    std::vector<double> out(states_);
+    const std::size_t begin = first_[point] + period * states_ * stride_;
+    for (std::size_t i = 0; i < states_; ++i) out[i] = numbers_[begin + i * stride_];
+    return out;
+  }
+
+ private:
+  std::vector<double> numbers_;
+  std::vector<std::size_t> first_;
+  std::size_t stride_ = 1, states_ = 0;
+};
+
 struct Approach {
   std::vector<double> states;  // at the end
+  Sections sections;
   // [point][state]: range of the states of the same unit during the last period, at most.
   std::vector<double> ranges;
   // [point]: the least number of periods before which the state was near where it is now; 0: none.
@@ -58,11 +85,6 @@ class OrbitEngine {
                                            const std::vector<std::uint32_t>& excluded,
                                            const NearReturn& near,
                                            const RoundCallback& after_round) = 0;
-
-  // The states after each of the next ORBIT_LONGEST periods: [point][period][state].
-  virtual std::optional<std::vector<double>> follow(const Plan& plan, const Tile& tile,
-                                                    const std::vector<double>& states,
-                                                    const RoundCallback& after_round) = 0;
 
   // lengths: [point] periods of its map. Points of equal length are best neighbours.
   virtual std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,

@@ -40,6 +40,16 @@ std::vector<double> spread_numbers(const std::vector<std::uint32_t>& numbers, co
   return spread_states({numbers.begin(), numbers.end()}, 1, slots);
 }
 
+// numbers: [item][period][state][lane].
+Sections sections_of(std::vector<double> numbers, std::size_t states, const Slots& slots) {
+  const std::size_t of_item = (ORBIT_LONGEST + 1) * states * slots.lanes;
+  std::vector<std::size_t> first;
+  for (const std::size_t slot : slots.slot_of) {
+    first.push_back(slot / slots.lanes * of_item + slot % slots.lanes);
+  }
+  return {std::move(numbers), std::move(first), slots.lanes, states};
+}
+
 Window window_of_rounds() { return {0, 0, 1, 0, false}; }
 
 }  // namespace
@@ -62,12 +72,6 @@ std::optional<Approach> OrbitKernels::approach(const Plan& plan, const Tile& til
                                                const RoundCallback& after_round) {
   return launcher_->guard(
       tile, [&] { return approach_tile(plan, tile, states, excluded, near, after_round); });
-}
-
-std::optional<std::vector<double>> OrbitKernels::follow(const Plan& plan, const Tile& tile,
-                                                        const std::vector<double>& states,
-                                                        const RoundCallback& after_round) {
-  return launcher_->guard(tile, [&] { return follow_tile(plan, tile, states, after_round); });
 }
 
 std::optional<ReturnMaps> OrbitKernels::return_maps(const Plan& plan, const Tile& tile,
@@ -96,7 +100,8 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   const std::size_t state_count = plan.study().model->states.size();
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
-  const cl::Buffer sections = launcher_->allocate((ORBIT_LONGEST + 1) * state_count * slot_count);
+  const std::size_t section_numbers = (ORBIT_LONGEST + 1) * state_count * slot_count;
+  const cl::Buffer sections = launcher_->allocate(section_numbers);
   cl_uint argument = Launcher::set_inputs(&approach_, inputs);
   approach_.setArg(argument++, state);
   approach_.setArg(argument++, sections);
@@ -124,6 +129,8 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   launcher_->launch(&extrapolate_, inputs.slots.items());
   Approach found;
   found.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  found.sections =
+      sections_of(launcher_->download(sections, section_numbers), state_count, inputs.slots);
   found.ranges = gather_points(launcher_->download(ranges, state_count * slot_count), inputs.slots);
   found.guesses =
       gather_points(launcher_->download(guesses, state_count * slot_count), inputs.slots);
@@ -132,34 +139,6 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
     found.lengths.push_back(static_cast<std::uint32_t>(length));
   }
   return found;
-}
-
-std::optional<std::vector<double>> OrbitKernels::follow_tile(const Plan& plan, const Tile& tile,
-                                                             const std::vector<double>& states,
-                                                             const RoundCallback& after_round) {
-  const TileInputs inputs = launcher_->prepare(plan, tile);
-  const Slots& slots = inputs.slots;
-  const std::size_t slot_count = slots.position.size();
-  const std::size_t state_count = plan.study().model->states.size();
-  const std::size_t numbers = (ORBIT_LONGEST + 1) * state_count;  // of a point's sections
-  const cl::Buffer state =
-      launcher_->upload(spread_states(states, state_count, slots), CL_MEM_READ_WRITE);
-  const cl::Buffer sections = launcher_->allocate(numbers * slot_count);
-  cl_uint argument = Launcher::set_inputs(&approach_, inputs);
-  approach_.setArg(argument++, state);
-  approach_.setArg(argument++, sections);
-  if (!launcher_->run_rounds(&approach_, window_of_rounds(), inputs, ORBIT_LONGEST, after_round)) {
-    return std::nullopt;
-  }
-  const std::vector<double> all = launcher_->download(sections, numbers * slot_count);
-  std::vector<double> out;
-  out.reserve(tile.points.size() * ORBIT_LONGEST * state_count);
-  for (const std::size_t slot : slots.slot_of) {
-    // [item][period][state][lane]; the first section is where it began.
-    const std::size_t first = slot / slots.lanes * numbers * slots.lanes + slot % slots.lanes;
-    for (std::size_t i = state_count; i < numbers; ++i) out.push_back(all[first + i * slots.lanes]);
-  }
-  return out;
 }
 
 std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& tile,

@@ -17,9 +17,6 @@ class OrbitKernels final : public OrbitEngine {
                                    const std::vector<std::uint32_t>& excluded,
                                    const NearReturn& near,
                                    const RoundCallback& after_round) override;
-  std::optional<std::vector<double>> follow(const Plan& plan, const Tile& tile,
-                                            const std::vector<double>& states,
-                                            const RoundCallback& after_round) override;
   std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states,
                                         const std::vector<std::uint32_t>& lengths,
@@ -35,9 +32,6 @@ class OrbitKernels final : public OrbitEngine {
                                         const std::vector<double>& states,
                                         const std::vector<std::uint32_t>& excluded,
                                         const NearReturn& near, const RoundCallback& after_round);
-  std::optional<std::vector<double>> follow_tile(const Plan& plan, const Tile& tile,
-                                                 const std::vector<double>& states,
-                                                 const RoundCallback& after_round);
   std::optional<ReturnMaps> map_tile(const Plan& plan, const Tile& tile,
                                      const std::vector<double>& states,
                                      const std::vector<std::uint32_t>& lengths,

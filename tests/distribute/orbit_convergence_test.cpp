@@ -104,6 +104,60 @@ TEST(OrbitConvergence, EndsWithTheBasin) {
   EXPECT_EQ(verdict(0.0251), Verdict::leaves);
 }
 
+// Next to a flip or a Neimark-Sacker bifurcation a trajectory alternates or goes round, and terms
+// of second order take turns. They are hundreds of times what one return contracts here, and yet
+// the distance halves when the derivative says so.
+TEST(OrbitConvergence, IsSeenWhereTermsOfSecondOrderTakeTurns) {
+  const Map flip = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(-0.98 * x + 5.0 * x.cwiseProduct(x));
+  };
+  EXPECT_EQ(verdict_on(orbit_at(Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, -0.98),
+                                Eigen::VectorXd::Ones(1)),
+                       flip, Eigen::VectorXd::Constant(1, 0.02), 80),
+            Verdict::converges);
+
+  Eigen::Matrix2d turn;
+  turn << std::cos(1.0), -std::sin(1.0), std::sin(1.0), std::cos(1.0);
+  const Map round = [&](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(0.98 * turn * x + 2.0 * Eigen::Vector2d(x[0] * x[1], x[0] * x[0]));
+  };
+  EXPECT_EQ(verdict_on(orbit_at(Eigen::Vector2d::Zero(), 0.98 * turn, Eigen::Vector2d::Ones()),
+                       round, Eigen::Vector2d(0.02, 0.0), 80),
+            Verdict::converges);
+}
+
+// Next to a fold nothing takes turns: x -> 0.98 x + x^2 goes to 0 from below 0.02 alone, and from
+// just there only after a long time.
+TEST(OrbitConvergence, WaitsNextToAFold) {
+  const OrbitMap orbit = orbit_at(Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 0.98),
+                                  Eigen::VectorXd::Ones(1));
+  const Map fold = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(0.98 * x + x.cwiseProduct(x));
+  };
+  const auto verdict = [&](double start) {
+    return verdict_on(orbit, fold, Eigen::VectorXd::Constant(1, start), 80);
+  };
+  EXPECT_EQ(verdict(0.001), Verdict::converges);
+  EXPECT_EQ(verdict(-0.001), Verdict::converges);
+  EXPECT_EQ(verdict(0.0199), Verdict::open);
+  EXPECT_EQ(verdict(0.0201), Verdict::open);
+}
+
+// What passes an orbit, from a stable direction of a saddle to an unstable one, is for some returns
+// nearly where the orbit's derivative would have taken it. Here that would shrink all by 0.93 in
+// each return, which halves in 10; the trajectory comes in by 0.91 and goes out by 1.02.
+TEST(OrbitConvergence, IsNotSeenOfWhatPassesBy) {
+  const Eigen::Matrix2d derivative = Eigen::Vector2d(-0.93, -0.93).asDiagonal();
+  const Eigen::Matrix2d saddle = Eigen::Vector2d(-0.91, -1.02).asDiagonal();
+  const Map map = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(saddle * x); };
+  for (const double out : {0.05, 0.07, 0.09}) {
+    EXPECT_EQ(verdict_on(orbit_at(Eigen::Vector2d::Zero(), derivative, Eigen::Vector2d::Ones()),
+                         map, Eigen::Vector2d(0.05, 0.05 * out), 80),
+              Verdict::leaves)
+        << out;
+  }
+}
+
 // A trajectory that is there already stays within rounding, and that does not contract.
 TEST(OrbitConvergence, IsSeenOfWhatHasArrived) {
   std::mt19937 random(2);
