@@ -31,9 +31,13 @@ Study pilot_study(const Study& study) {
   pilot.integrate.record = kRecord;
   std::vector<std::string> states;
   for (const ChannelInfo& state : study.model->states) states.push_back(state.name);
+  std::vector<std::string> quantities = {states.front() + "_rms", "period", "poincare"};
+  for (const std::string& state : states) {
+    quantities.push_back(state + "_min");
+    quantities.push_back(state + "_max");
+  }
   const double period_tolerance = pilot.selection.period_tolerance;
-  pilot.selection =
-      select_quantities(*study.model, {states.front() + "_rms", "period", "poincare"}, states);
+  pilot.selection = select_quantities(*study.model, quantities, states);
   pilot.selection.period_tolerance = period_tolerance;
   return pilot;
 }
@@ -42,46 +46,69 @@ Study pilot_study(const Study& study) {
 struct Orbit {
   std::size_t period = 0;  // 0: not on an orbit
   double rms = 0.0;
+  std::vector<double> ranges;       // [state] of the motion, the largest among states of its unit
   const double* samples = nullptr;  // [state][sample]
 };
 
-Orbit orbit_of(const SweepResult& result, std::size_t point) {
+// Where little moves about a large offset, a range is so large that a difference of the tolerance
+// is 64 roundings.
+std::vector<double> ranges_at(const SweepResult& result, double tolerance, std::size_t point) {
+  const double rounding = result.study.integrate.fp64 ? std::numeric_limits<double>::epsilon()
+                                                      : std::numeric_limits<float>::epsilon();
+  const std::vector<ChannelInfo>& states = result.study.model->states;
+  std::vector<double> ranges(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const double low = map_of(result, states[i].name + "_min")[point];
+    const double high = map_of(result, states[i].name + "_max")[point];
+    const double least = 64.0 * rounding / tolerance * std::max(std::abs(low), std::abs(high));
+    const double own = std::max(high - low, least);
+    for (std::size_t j = 0; j < states.size(); ++j) {
+      if (states[j].unit == states[i].unit) ranges[j] = std::max(ranges[j], own);
+    }
+  }
+  return ranges;
+}
+
+Orbit orbit_of(const SweepResult& result, double tolerance, std::size_t point) {
   if (result.status[point] != STATUS_ok) return {};
   const std::size_t numbers = result.samples.size() / result.status.size();
-  return {static_cast<std::size_t>(result.values[1][point]), result.values[0][point],
-          result.samples.data() + point * numbers};
+  const std::string rms = result.study.model->states.front().name + "_rms";
+  return {static_cast<std::size_t>(map_of(result, "period")[point]), map_of(result, rms)[point],
+          ranges_at(result, tolerance, point), result.samples.data() + point * numbers};
+}
+
+// What is nothing beside nothing is no error.
+double share_of(double difference, double range) {
+  return difference > 0.0 ? difference / range : 0.0;
 }
 
 // Greatest difference of two orbits of the same period, which may be out of phase by some turns.
-double section_difference(const Orbit& a, const Orbit& b, std::size_t states) {
-  double scale = 0.0;
-  for (std::size_t i = 0; i < states * kRecord; ++i)
-    scale = std::max(scale, std::abs(a.samples[i]));
+double section_difference(const Orbit& a, const Orbit& b) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t shift = 0; shift < a.period; ++shift) {
     double greatest = 0.0;
-    for (std::size_t state = 0; state < states; ++state) {
+    for (std::size_t state = 0; state < a.ranges.size(); ++state) {
       for (std::size_t i = 0; i < a.period; ++i) {
-        greatest = std::max(greatest, std::abs(a.samples[state * kRecord + i] -
-                                               b.samples[state * kRecord + i + shift]));
+        const double difference =
+            std::abs(a.samples[state * kRecord + i] - b.samples[state * kRecord + i + shift]);
+        greatest = std::max(greatest, share_of(difference, a.ranges[state]));
       }
     }
     least = std::min(least, greatest);
   }
-  return scale > 0.0 ? least / scale : least;
+  return least;
 }
 
 // The differences of the points that are on an orbit of the same period in both.
-std::vector<double> differences(const SweepResult& a, const SweepResult& b) {
-  const std::size_t states = a.study.model->states.size();
+std::vector<double> differences(const SweepResult& a, const SweepResult& b, double tolerance) {
   std::vector<double> out;
   for (std::size_t point = 0; point < a.status.size(); ++point) {
-    const Orbit one = orbit_of(a, point);
-    const Orbit other = orbit_of(b, point);
+    const Orbit one = orbit_of(a, tolerance, point);
+    const Orbit other = orbit_of(b, tolerance, point);
     if (one.period == 0 || one.period > ORBIT_LONGEST || one.period != other.period) continue;
-    const double rms = std::abs(one.rms - other.rms);
-    out.push_back(
-        std::max(section_difference(one, other, states), one.rms > 0.0 ? rms / one.rms : rms));
+    const double rms =
+        share_of(std::abs(one.rms - other.rms), std::min(one.rms, one.ranges.front()));
+    out.push_back(std::max(section_difference(one, other), rms));
   }
   return out;
 }
@@ -121,7 +148,7 @@ std::optional<PilotRun> find_step(const Study& study, const SweepOptions& option
   for (double step = kLongestStep; step > kShortestStep; step /= 2.0) {
     std::optional<SweepResult> fine = run_with_step(pilot, step / 2.0, options);
     if (!fine) return std::nullopt;
-    const std::vector<double> found = differences(*coarse, *fine);
+    const std::vector<double> found = differences(*coarse, *fine, tolerance);
     if (found.size() >= kFewestPoints) {
       error = quantile(found, kShare);
       if (error <= tolerance) {

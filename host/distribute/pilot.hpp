@@ -1,11 +1,13 @@
 // A pilot run that finds the step for integrate.tolerance. Private to this folder.
 //
 // Points of a coarse sub-grid are computed with steps of 0.2, 0.1, 0.05, ... Where a point arrives
-// on a periodic orbit of the same period with two steps in a row, their sections (each state, taken
-// relative to the greatest component) and the rms of the first state are compared. The longer step
-// is taken when the two agree to the tolerance at 95 % of these points; at the others, next to a
-// bifurcation, no step would do. What is left after halving is an estimate of the longer step's own
-// error, and a cautious one: the shorter step has some of it, but in the same direction.
+// on a periodic orbit of the same period with two steps in a row, their sections and the rms of the
+// first state are compared. Differences are relative to the range of the motion, the largest among
+// the states of the same unit (an rms that is less, relative to itself): neither offsets nor units
+// matter. The longer step is taken when the two agree to the tolerance at 95 % of these points; at
+// the others, next to a bifurcation, no step would do. What is left after halving is an estimate of
+// the longer step's own error, and a cautious one: the shorter step has some of it, but in the same
+// direction.
 #pragma once
 
 #include <optional>

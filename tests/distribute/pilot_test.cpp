@@ -1,4 +1,5 @@
 // The step that integrate.tolerance finds, judged by an oscillator whose orbit is known.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,6 +51,23 @@ TEST_P(PilotTolerance, IsKeptAtEveryPointOfASmoothSystem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tolerances, PilotTolerance, ::testing::Values("1e-3", "1e-5", "1e-8"));
+
+// Motion on one flank does not know the backlash (model.md, exact test 4), and neither does the
+// step that it needs, though the backlash is the offset of all its states.
+TEST(Pilot, DoesNotKnowTheOffsetOfTheMotion) {
+  const auto pilot = [](double b) {
+    return run(fmt::format("[model]\npreset = 'consistent'\n[parameters]\nF1 = 0.5\ne0 = 0.1\nb = "
+                           "{}\n[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 1.2\ncount = 6\n"
+                           "[observe]\nquantities = ['x1_rms']\n[integrate]\ntolerance = 1e-5\n",
+                           b))
+        .pilot.value();
+  };
+  const PilotFindings near = pilot(1.0), far = pilot(300.0);
+  EXPECT_EQ(near.points, 6U);
+  EXPECT_EQ(far.points, 6U);
+  EXPECT_EQ(far.step, near.step);
+  EXPECT_NEAR(far.error, near.error, 1e-3 * near.error);
+}
 
 std::string refusal(const std::string& toml, const std::vector<std::string>& overrides) {
   try {
