@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "io/pipe.hpp"
-#include "io/plain_path.hpp"
 #include "model/error.hpp"
+#include "model/plain_path.hpp"
 
 extern char** environ;
 

@@ -14,9 +14,9 @@
 #include <system_error>
 #include <utility>
 
-#include "io/plain_path.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
+#include "model/plain_path.hpp"
 
 namespace gearsweep {
 

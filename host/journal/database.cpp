@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "model/error.hpp"
+#include "model/plain_path.hpp"
 
 namespace gearsweep {
 
@@ -13,7 +14,7 @@ Database::Database(const std::string& path, Opening opening) : path_(path) {
   sqlite3* opened = nullptr;
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE |
                     (opening == Opening::create ? SQLITE_OPEN_CREATE : 0);
-  const int code = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+  const int code = sqlite3_open_v2(plain_path(path).c_str(), &opened, flags, nullptr);
   handle_.reset(opened);
   if (code != SQLITE_OK) fail(code);
   // Another process reads it for a moment, if at all.

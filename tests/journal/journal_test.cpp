@@ -107,6 +107,15 @@ TEST_F(JournalTest, ANewJournalIsEmpty) {
   EXPECT_FALSE(journal.find(0).has_value());
 }
 
+// SQLite takes "file:..." for an address, of which '?' and '#' end the path.
+TEST_F(JournalTest, ANameLikeAnAddressIsAName) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  { const Journal journal("file:map.nc?mode=memory", kSweepA); }
+  fs::current_path(before);
+  EXPECT_TRUE(fs::exists(folder_ / "file:map.nc?mode=memory"));
+}
+
 TEST_F(JournalTest, ATileComesBackToTheBit) {
   TileResult tile = example_tile(7);
   double signalling = 0.0;
