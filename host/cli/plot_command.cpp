@@ -75,7 +75,7 @@ void add_plot_command(CLI::App* app) {
       "  gearsweep plot map.nc -q contact_class -o class.png\n"
       "  gearsweep plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf\n"
       "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
-      "  gearsweep plot map.nc -q x1_rms --at b=1 -o cut.svg --script cut.gp\n"
+      "  gearsweep plot map.nc -q x1_rms --at e0=0.3 -o cut.svg --script cut.gp\n"
       "  gearsweep plot trace.nc -q force -o force.png\n"
       "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png");
   command->callback([request, cut] {

@@ -34,7 +34,9 @@ class Crew {
 
   virtual std::size_t size() const = 0;            // members, those that are lost left out
   virtual bool may_grow() const { return false; }  // others are still to come
-  virtual std::size_t idle() const = 0;            // those of them that have no tile
+  // Those of them that have no tile. A member whose tile has ended is idle, or lost, once wait()
+  // has told so: however slow the driver is, no more results than members wait for it.
+  virtual std::size_t idle() const = 0;
   // Gives a tile to an idle member. initial: [point of the tile][state]; empty: each point's own.
   virtual void start(std::size_t tile, std::vector<double> initial) = 0;
   // The next report; nothing when there was none for so long.

@@ -53,6 +53,10 @@ std::optional<CrewReport> LocalCrew::wait(std::chrono::milliseconds patience) {
   }
   CrewReport report = std::move(reports_.front());
   reports_.pop_front();
+  const bool goes_on =
+      report.kind == CrewReport::Kind::progress || report.kind == CrewReport::Kind::more_work;
+  if (!goes_on) --busy_;
+  if (report.kind == CrewReport::Kind::lost) --size_;
   return report;
 }
 
@@ -113,13 +117,8 @@ std::optional<LocalCrew::Task> LocalCrew::next_task() {
   return task;
 }
 
-// A member that has told how its tile ended is idle again, or lost.
 void LocalCrew::report(CrewReport report) {
   const std::lock_guard lock(mutex_);
-  const bool goes_on =
-      report.kind == CrewReport::Kind::progress || report.kind == CrewReport::Kind::more_work;
-  if (!goes_on) --busy_;
-  if (report.kind == CrewReport::Kind::lost) --size_;
   reports_.push_back(std::move(report));
   has_report_.notify_one();
 }

@@ -13,7 +13,8 @@ bool is_taken_in_result(const std::string& name, const Study& study) {
   return name == "status" || name == "poincare" || name == "sample" || name.starts_with("state") ||
          name.starts_with("attractor_") ||
          std::any_of(quantities.begin(), quantities.end(), [&](const Quantity& quantity) {
-           return name == quantity.name || name == quantity.dimension;
+           const std::string& dimension = quantity.dimension;
+           return name == quantity.name || (!dimension.empty() && name.starts_with(dimension));
          });
 }
 

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <vector>
 
 #include "io/pipe.hpp"
@@ -42,20 +43,38 @@ class SpawnAttributes {
   posix_spawnattr_t attributes_;
 };
 
+// This process's environment, but for the locale: letters are UTF-8 and the picture is the same
+// whatever the user's is. The C library itself brings this one, so it is there in a bare container.
+std::vector<std::string> environment_of_child() {
+  constexpr std::string_view kLocale = "LC_ALL=";
+  std::vector<std::string> variables = {std::string(kLocale) + "C.UTF-8"};
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!std::string_view(*variable).starts_with(kLocale)) variables.emplace_back(*variable);
+  }
+  return variables;
+}
+
+// As exec() takes a list; it lives as long as the words do.
+std::vector<char*> pointers_to(std::vector<std::string>* words) {
+  std::vector<char*> pointers;
+  for (std::string& word : *words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
 // Starts gnuplot with its output and messages going to the pipe. Returns errno's kind of code.
 int spawn(const std::vector<std::string>& arguments, const Pipe& messages, pid_t* child) {
   std::vector<std::string> words = {"gnuplot", "--default-settings"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  std::vector<std::string> variables = environment_of_child();
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, messages.writer(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, messages.writer(), STDERR_FILENO);
   const SpawnAttributes attributes;
-  const int code = posix_spawnp(child, "gnuplot", &actions, attributes.get(), argv.data(), environ);
+  const int code = posix_spawnp(child, "gnuplot", &actions, attributes.get(),
+                                pointers_to(&words).data(), pointers_to(&variables).data());
   posix_spawn_file_actions_destroy(&actions);
   return code;
 }

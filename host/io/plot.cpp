@@ -66,6 +66,10 @@ bool is_whole(const std::string& file, const std::string& name) {
 
 // The lines before the picture's own: where its files are and where the picture goes. Whatever
 // their names and whoever starts gnuplot, they begin with '/' or './' (see plain_path()).
+//
+// gnuplot's default encoding passes UTF-8 on as it is, in every locale. To set any other, this one
+// too, makes gnuplot 5.4 complain where the locale is not UTF-8, so that is left to whoever has
+// chosen another in an own ~/.gnuplot.
 std::string preamble(const fs::path& script, const std::string& output, const PlotScript& drawn) {
   const fs::path from_script = fs::absolute(output).lexically_relative(
       fs::absolute(script).lexically_normal().parent_path());
@@ -76,7 +80,7 @@ std::string preamble(const fs::path& script, const std::string& output, const Pl
       "do for [i = 1:strlen(script)] {{ if (script[i:i] eq '/') {{ folder = script[1:i] }} }}\n"
       "files = script[1:strlen(script) - 3]\n"
       "picture = ARGC > 0 ? plain(ARG1) : folder.{}\n"
-      "set encoding utf8\n"
+      "if (GPVAL_ENCODING ne 'default' && GPVAL_ENCODING ne 'utf8') {{ set encoding utf8 }}\n"
       "set terminal {}\n"
       "set output picture\n",
       quote(from_script.string()), terminal_of(output, drawn));

@@ -43,7 +43,8 @@ struct ResultAxis {
   bool logarithmic = false;
 };
 
-// One quantity over the axes; `unit` is in the model's dimensionless units, "1" without any.
+// One quantity over the axes; `unit` is in the model's dimensionless units, "1" without any, or
+// where the parts have several.
 struct ResultMap {
   std::string name, unit, meaning;
   std::vector<std::string> flags;  // class names when the value is a class, by value

@@ -83,6 +83,11 @@ bool is_map(const NetcdfFile& file, int variable, const std::vector<int>& axes) 
   return own.size() - axes.size() == (is_poincare ? 2 : 1);
 }
 
+bool has_several_units(const std::vector<ChannelInfo>& parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const ChannelInfo& part) { return part.unit != parts.front().unit; });
+}
+
 void mark_missing(const NetcdfFile& file, int variable, std::vector<double>* values) {
   const std::vector<double> fill = file.number_attribute(variable, "_FillValue");
   if (fill.empty() || std::isnan(fill.front())) return;
@@ -203,10 +208,16 @@ std::vector<ChannelInfo> ResultFile::read_parts(int variable) const {
     }
     return parts;
   }
-  const std::string unit = text_or_empty(*file_, variable, "units");
+  const std::size_t count = file_->dimension_size(dimension);
+  std::vector<std::string> units(count, text_or_empty(*file_, variable, "units"));
+  if (const int list = file_->find_variable(fmt::format("{}_units", along)); list >= 0) {
+    units = file_->read_texts(list);
+    if (units.size() != count) refuse_foreign(path_, fmt::format("unit for each {}", along));
+  }
   const std::string meaning = text_or_empty(*file_, variable, "long_name");
-  for (std::size_t i = 1; i <= file_->dimension_size(dimension); ++i) {
-    parts.push_back({fmt::format("{}", i), unit, fmt::format("{}, {} {}", meaning, along, i)});
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.push_back(
+        {fmt::format("{}", i + 1), units[i], fmt::format("{}, {} {}", meaning, along, i + 1)});
   }
   return parts;
 }
@@ -279,7 +290,11 @@ ResultMap ResultFile::read(const std::string& quantity, const std::optional<Cut>
   }
   map.parts = read_parts(variable);
   if (!map.parts.empty()) map.dimension = file_->dimension_name(dimensions[axes_.size()]);
-  if (map.is_poincare()) map.samples = count.back();
+  if (map.is_poincare()) {
+    map.samples = count.back();
+  } else if (has_several_units(map.parts)) {
+    map.unit = std::string("1");
+  }
   if (colon != std::string::npos) {
     const std::string wanted = quantity.substr(colon + 1);
     const auto part = std::find_if(map.parts.begin(), map.parts.end(),

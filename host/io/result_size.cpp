@@ -46,6 +46,20 @@ class Sum {
     add_text(unit);
     add_text(meaning);
   }
+  // What they are called and measured in, in lists of equally long texts.
+  void add_channels(const std::vector<ChannelInfo>& channels) {
+    std::size_t longest = 1;
+    for (const ChannelInfo& channel : channels) {
+      longest =
+          std::max({longest, channel.name.size(), channel.unit.size(), channel.meaning.size()});
+    }
+    constexpr int kTexts = 4;  // names, units, meanings, units of SI
+    for (int list = 0; list < kTexts; ++list) {
+      add(static_cast<double>(channels.size() * longest));
+      add(0.0);  // the dimension of its letters
+    }
+    add(8.0 * static_cast<double>(channels.size()));  // scales
+  }
   // Samples of the study.
   void add_samples(const Study& study) {
     const SampleBlock block = block_of_samples(study);
@@ -106,7 +120,10 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
     sum.add_described(quantity.unit, quantity.meaning, (is_class ? 1.0 : real) * width * points);
     for (const std::string& flag : quantity.flags) sum.add_text(flag);
     widest = std::max(widest, width);
-    if (quantity.width > 1) sum.add(4.0 * width);  // the coordinate of its own dimension
+    if (quantity.width > 1) {
+      sum.add(4.0 * width);  // the coordinate of its own dimension
+      sum.add_channels(study.model->states);
+    }
   }
   if (study.selection.survey) {
     // Each trajectory may reach an attractor of its own.
@@ -118,15 +135,11 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
   if (!study.selection.poincare.empty()) {
     sum.add_samples(study);
     sum.add(4.0 * static_cast<double>(study.integrate.record));
-    std::size_t longest = 1;
+    std::vector<ChannelInfo> sampled;
     for (const std::size_t state : study.selection.poincare) {
-      const ChannelInfo& info = study.model->states[state];
-      longest = std::max({longest, info.name.size(), info.unit.size(), info.meaning.size()});
+      sampled.push_back(study.model->states[state]);
     }
-    for (int list = 0; list < 3; ++list) {
-      sum.add(static_cast<double>(study.selection.poincare.size() * longest));
-      sum.add(0.0);  // the dimension of its letters
-    }
+    sum.add_channels(sampled);
   }
   // Numbers on their way into the file: as the file has them, and packed.
   sum.size.memory += 2.0 * real * widest * points;

@@ -1,49 +1,40 @@
 // Writes a sweep as NetCDF-4, so that xarray, MATLAB, Octave and ncview open it without help.
 // The file claims no CF convention: the dimensionless units are not units of UDUNITS.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "io/file_names.hpp"
+#include "io/file_notes.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
 #include "io/result_size.hpp"
-#include "study/settings.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
 
 constexpr signed char kNoClass = -1;
+constexpr const char* kComponents = "component";  // the dimension of quantities of every state
 
-// The SI unit of a dimensionless unit; the scale is 0 where there is none.
-struct SiUnit {
-  double scale = 0.0;
-  std::string name;
-};
-
-SiUnit si_unit(const std::string& unit, const Scales& scales) {
-  if (!scales.known()) return {};
-  if (unit == "b_n") return {scales.b_n, "m"};
-  if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
-  if (unit == "varpi") return {scales.varpi, "rad/s"};
-  if (unit == "1/tau") return {scales.varpi, "1/s"};
-  if (unit == "k0") return {scales.k0, "N/m"};
-  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
-  return {};
+std::vector<std::string> names_of_axes(const Study& study) {
+  std::vector<std::string> names;
+  for (const Axis& axis : study.axes) names.push_back(axis.name);
+  return names;
 }
 
 // Defines all of the file, then fills it.
 class Writer {
  public:
   Writer(const SweepResult& result, NetcdfFile* file)
-      : result_(result), study_(result.study), file_(*file) {}
+      : result_(result),
+        study_(result.study),
+        file_(*file),
+        notes_(result.study, names_of_axes(result.study), file) {}
 
   void write(const Provenance& provenance) {
     write_provenance(provenance);
@@ -58,36 +49,21 @@ class Writer {
 
  private:
   void write_provenance(const Provenance& provenance) {
+    notes_.put_provenance(provenance);
     const auto put = [&](const char* name, const auto& value) {
       file_.put_attribute(NC_GLOBAL, name, value);
     };
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    put("title", study_.title);
-    put("study", study_.toml);
-    put("settings", resolved_settings(study_));
-    put("gearsweep_version", provenance.version);
-    put("source_hash", provenance.source_hash);
     put("device", result_.engine.device);
     put("driver", result_.engine.driver);
     put("kernel_macros", result_.engine.macros);
-    put("command_line", provenance.command_line);
-    put("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
     put("integration_steps", result_.steps);
     put("stopped_trajectories", static_cast<double>(result_.stopped));
     put("compute_seconds", result_.seconds);
     put("kernel_seconds", result_.kernel_seconds);
-    if (result_.pilot) {
-      put("pilot_max_step", result_.pilot->step);
-      put("pilot_error", result_.pilot->error);
-      put("pilot_points", static_cast<double>(result_.pilot->points));
-    }
-    const Scales& scales = study_.scales;
-    if (!scales.known()) return;
-    put("scale_varpi_rad_per_s", scales.varpi);
-    put("scale_b_n_m", scales.b_n);
-    put("scale_k0_N_per_m", scales.k0);
-    put("scale_force_N", scales.k0 * scales.b_n);
-    put("scale_rpm_per_omega", scales.rpm_per_omega);
+    if (!result_.pilot) return;
+    put("pilot_max_step", result_.pilot->step);
+    put("pilot_error", result_.pilot->error);
+    put("pilot_points", static_cast<double>(result_.pilot->points));
   }
 
   void write_axis(const Axis& axis) {
@@ -95,14 +71,14 @@ class Writer {
     const int dimension = file_.define_dimension(name, axis.values.size());
     map_dimensions_.push_back(dimension);
     const int variable = file_.define_variable(name, NC_DOUBLE, {dimension});
-    describe(variable, axis.unit, axis.meaning);
+    notes_.describe(variable, axis.unit, axis.meaning);
     file_.put_attribute(variable, "scale", axis.logarithmic ? "log" : "linear");
     put_all(variable, axis.values);
   }
 
   void write_status() {
     const int variable = file_.define_variable("status", NC_BYTE, map_dimensions_);
-    describe(variable, "", "why the point ended");
+    notes_.describe(variable, "", "why the point ended");
     std::vector<std::string> names, meanings;
     std::vector<signed char> codes;
     const auto add = [&](const char* name, int code, const char* meaning) {
@@ -129,7 +105,11 @@ class Writer {
     }
     const int variable =
         file_.define_variable(quantity.name, is_class ? NC_BYTE : real_type(), dimensions);
-    describe(variable, quantity.unit, quantity.meaning);
+    if (quantity.dimension == kComponents) {
+      notes_.describe(variable, study_.model->states, kComponents, quantity.meaning);
+    } else {
+      notes_.describe(variable, quantity.unit, quantity.meaning);
+    }
     set_fill(variable, is_class);
     if (is_class) {
       std::vector<signed char> codes(quantity.flags.size());
@@ -152,7 +132,7 @@ class Writer {
     const auto write = [&](const std::string& name, const std::string& unit,
                            const std::string& meaning, const auto& value) {
       const int variable = file_.define_variable(name, NC_DOUBLE, {number});
-      describe(variable, unit, meaning);
+      notes_.describe(variable, unit, meaning);
       std::vector<double> values;
       for (const Attractor& attractor : list) values.push_back(value(attractor));
       put_all(variable, values);
@@ -190,11 +170,22 @@ class Writer {
     if (known >= 0) return file_.dimensions_of(known).front();
     const int dimension = file_.define_dimension(name, size);
     const int variable = file_.define_variable(name, NC_INT, {dimension});
-    describe(variable, "", fmt::format("number of the {}", name));
+    notes_.describe(variable, "", fmt::format("number of the {}", name));
     std::vector<double> numbers(size);
     std::iota(numbers.begin(), numbers.end(), 1.0);
     put_all(variable, numbers);
+    if (name == kComponents) write_components(dimension);
     return dimension;
+  }
+
+  // What the numbers of the model's states stand for.
+  void write_components(int dimension) {
+    const std::vector<ChannelInfo>& states = study_.model->states;
+    std::vector<std::string> names;
+    for (const ChannelInfo& state : states) names.push_back(state.name);
+    notes_.put_texts(kComponents + std::string("_state"), "state of each component", dimension,
+                     names);
+    notes_.put_channels(states, kComponents, dimension);
   }
 
   void write_poincare() {
@@ -202,7 +193,7 @@ class Writer {
     const int state = write_states();
     const int sample = file_.define_dimension("sample", record);
     const int sample_variable = file_.define_variable("sample", NC_INT, {sample});
-    describe(sample_variable, "", "recorded period");
+    notes_.describe(sample_variable, "", "recorded period");
     std::vector<double> numbers(record);
     std::iota(numbers.begin(), numbers.end(), 1.0);
     put_all(sample_variable, numbers);
@@ -211,12 +202,7 @@ class Writer {
     dimensions.insert(dimensions.end(), {state, sample});
     const int variable = file_.define_variable("poincare", real_type(), dimensions);
     const std::vector<ChannelInfo> states = chosen_states();
-    const bool one_unit = std::all_of(states.begin(), states.end(), [&](const ChannelInfo& other) {
-      return other.unit == states.front().unit;
-    });
-    describe(variable, one_unit ? states.front().unit : "see state_units",
-             "states at phase 0 of each recorded period");
-    file_.put_attribute(variable, "coordinates", "state_units state_long_name");
+    notes_.describe(variable, states, "state", "states at phase 0 of each recorded period");
     set_fill(variable, false);
     put_samples(variable, states.size() * record);
   }
@@ -251,35 +237,15 @@ class Writer {
     }
   }
 
-  // Returns the dimension. Names are character arrays, not NetCDF-4 strings: every reader knows
-  // them.
+  // Returns the dimension.
   int write_states() {
-    std::vector<std::string> names, units, meanings;
-    for (const ChannelInfo& state : chosen_states()) {
-      names.push_back(state.name);
-      units.push_back(state.unit);
-      meanings.push_back(state.meaning);
-    }
+    const std::vector<ChannelInfo> states = chosen_states();
+    std::vector<std::string> names;
+    for (const ChannelInfo& state : states) names.push_back(state.name);
     const int dimension = file_.define_dimension("state", names.size());
-    write_texts("state", dimension, names);
-    write_texts("state_units", dimension, units);
-    write_texts("state_long_name", dimension, meanings);
+    notes_.put_texts("state", "state that was sampled", dimension, names);
+    notes_.put_channels(states, "state", dimension);
     return dimension;
-  }
-
-  void write_texts(const std::string& name, int dimension, const std::vector<std::string>& texts) {
-    std::size_t width = 1;
-    for (const std::string& text : texts) width = std::max(width, text.size());
-    const int length = file_.define_dimension(name + "_strlen", width);
-    const int variable = file_.define_variable(name, NC_CHAR, {dimension, length});
-    file_.put_attribute(variable, "_Encoding", "utf-8");
-    std::string all;
-    for (std::string text : texts) {
-      text.resize(width, '\0');
-      all += text;
-    }
-    file_.check(nc_put_var_text(file_.id(), variable, all.data()),
-                fmt::format("write the variable '{}'", name));
   }
 
   std::vector<ChannelInfo> chosen_states() const {
@@ -288,15 +254,6 @@ class Writer {
       states.push_back(study_.model->states[state]);
     }
     return states;
-  }
-
-  void describe(int variable, const std::string& unit, const std::string& meaning) {
-    file_.put_attribute(variable, "units", unit.empty() ? "1" : unit);
-    file_.put_attribute(variable, "long_name", meaning);
-    const SiUnit si = si_unit(unit, study_.scales);
-    if (si.scale <= 0.0) return;
-    file_.put_attribute(variable, "scale_to_SI", si.scale);
-    file_.put_attribute(variable, "SI_units", si.name);
   }
 
   void put_flags(int variable, const std::vector<signed char>& codes,
@@ -352,6 +309,7 @@ class Writer {
   const SweepResult& result_;
   const Study& study_;
   NetcdfFile& file_;
+  FileNotes notes_;
   std::vector<int> map_dimensions_;  // (y, x) or (x)
 };
 

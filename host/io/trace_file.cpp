@@ -1,19 +1,18 @@
 #include "io/trace_file.hpp"
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "io/csv_text.hpp"
 #include "io/file_names.hpp"
+#include "io/file_notes.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/output_file.hpp"
 #include "model/error.hpp"
-#include "study/settings.hpp"
 
 namespace gearsweep {
 namespace {
@@ -51,27 +50,32 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
 // Defines the whole file, then fills it.
 class Writer {
  public:
-  Writer(const std::vector<Trace>& traces, NetcdfFile* file)
+  Writer(const std::vector<Trace>& traces, const Study& study,
+         const std::vector<std::string>& placed, NetcdfFile* file)
       : traces_(traces),
+        study_(study),
+        placed_(placed),
         file_(*file),
+        notes_(study, placed, file),
         trace_(file_.define_dimension("trace", traces.size())),
         moment_(file_.define_dimension("moment", longest())) {}
 
-  void write(const std::vector<std::string>& labels, const std::vector<std::string>& placed,
-             const Study& study, const Provenance& provenance) {
-    write_provenance(study, provenance);
+  void write(const std::vector<std::string>& labels, const Provenance& provenance) {
+    file_.put_attribute(NC_GLOBAL, "content", kContent);
+    notes_.put_provenance(provenance);
+    const std::string time = time_unit(*study_.model);
     write_labels(labels);
-    write_numbers("period", "1/varpi", "forcing period in dimensionless time",
+    write_numbers("period", time, "forcing period in dimensionless time",
                   [](const Trace& trace) { return trace.period; });
     write_numbers("settled", "1", "forcing periods before the first moment",
                   [](const Trace& trace) { return static_cast<double>(trace.settled); });
-    for (const std::string& name : placed) {
+    for (const std::string& name : placed_) {
       const ParameterInfo& info =
-          study.model->parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
+          study_.model->parameters[static_cast<std::size_t>(study_.model->find_parameter(name))];
       write_numbers(name_in_traces(name, traces_.front().channels), info.unit, info.meaning,
-                    [&](const Trace& trace) { return parameter_of(study, trace, name); });
+                    [&](const Trace& trace) { return parameter_of(study_, trace, name); });
     }
-    write_history({"tau", "1/varpi", "dimensionless time since the first moment"},
+    write_history({"tau", time, "dimensionless time since the first moment"},
                   [](const Trace& trace) -> const std::vector<double>& { return trace.tau; });
     const std::vector<ChannelInfo>& channels = traces_.front().channels;
     for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -88,21 +92,6 @@ class Writer {
     return most;
   }
 
-  void write_provenance(const Study& study, const Provenance& provenance) {
-    const auto put = [&](const std::string& name, const std::string& text) {
-      file_.put_attribute(NC_GLOBAL, name, text);
-    };
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    put("content", kContent);
-    put("title", study.title);
-    put("study", study.toml);
-    put("settings", resolved_settings(study));
-    put("gearsweep_version", provenance.version);
-    put("source_hash", provenance.source_hash);
-    put("command_line", provenance.command_line);
-    put("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
-  }
-
   void write_labels(const std::vector<std::string>& labels) {
     std::size_t width = 1;
     for (const std::string& label : labels) width = std::max(width, label.size());
@@ -116,16 +105,11 @@ class Writer {
     }
   }
 
-  void describe(int variable, const std::string& unit, const std::string& meaning) {
-    if (!unit.empty()) file_.put_attribute(variable, "units", unit);
-    file_.put_attribute(variable, "long_name", meaning);
-  }
-
   template <class Value>
   void write_numbers(const std::string& name, const std::string& unit, const std::string& meaning,
                      const Value& value) {
     const int variable = file_.define_variable(name, NC_DOUBLE, {trace_});
-    describe(variable, unit, meaning);
+    notes_.describe(variable, unit, meaning);
     std::vector<double> numbers;
     for (const Trace& trace : traces_) numbers.push_back(value(trace));
     file_.put(variable, {0}, {numbers.size()}, numbers);
@@ -135,7 +119,7 @@ class Writer {
   void write_history(const ChannelInfo& info, const Values& values_of) {
     const double missing = std::numeric_limits<double>::quiet_NaN();
     const int variable = file_.define_variable(info.name, NC_DOUBLE, {trace_, moment_});
-    describe(variable, info.unit, info.meaning);
+    notes_.describe(variable, info.unit, info.meaning);
     file_.put_attribute(variable, "_FillValue", missing);
     file_.compress(variable);
     for (std::size_t i = 0; i < traces_.size(); ++i) {
@@ -146,7 +130,10 @@ class Writer {
   }
 
   const std::vector<Trace>& traces_;
+  const Study& study_;
+  const std::vector<std::string>& placed_;
   NetcdfFile& file_;
+  FileNotes notes_;
   const int trace_, moment_;
 };
 
@@ -168,7 +155,7 @@ void write_traces(const std::vector<Trace>& traces, const std::vector<std::strin
   ensure_trace_ending(path);
   OutputFile output(path);
   NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
-  Writer(traces, &file).write(labels, placed, study, provenance);
+  Writer(traces, study, placed, &file).write(labels, provenance);
   file.close();
   output.commit();
 }

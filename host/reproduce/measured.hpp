@@ -57,6 +57,14 @@ struct Measured {
     bool is_change_of_basin() const { return count_below > 1 && count_above > 1; }
   };
   std::map<std::string, std::vector<Jump>> jumps;  // by figure, ascending; empty: nothing jumps
+  // A picture of basins beside a figure's first jump: attractors that it shows, and those that the
+  // ensemble reaches at the same half backlash.
+  struct Basins {
+    std::string figure;
+    double b = 0.0;
+    std::size_t shown = 0, counted = 0;
+  };
+  std::vector<Basins> basins;
   // Greatest relative change of the energy in three periods, undamped and unforced, in contact.
   double drift_consistent = 0.0, drift_printed = 0.0;
 };

@@ -150,9 +150,16 @@ class Runs {
       jump.count_below = static_cast<std::size_t>(count[count.nearest(jump.below)]);
       jump.count_above = static_cast<std::size_t>(count[count.nearest(jump.above)]);
     }
-    sweep(figure + "-basins-below", basin_study(figure, jumps.front().below));
-    sweep(figure + "-basins-above", basin_study(figure, jumps.front().above));
+    const Measured::Jump& first = jumps.front();
+    find_basins(figure, "below", first.below, first.count_below);
+    find_basins(figure, "above", first.above, first.count_above);
     measured_.jumps.emplace(figure, std::move(jumps));
+  }
+
+  void find_basins(const std::string& figure, const char* side, double b, std::size_t counted) {
+    const SweepResult basins =
+        sweep(fmt::format("{}-basins-{}", figure, side), basin_study(figure, b));
+    measured_.basins.push_back({figure, b, basins.attractors.size(), counted});
   }
 
   // Which attractor each initial x1 and v1 leads to, the rest at zero.

@@ -20,7 +20,7 @@
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                             \
-  X(omega, "varpi", 0.8, 1e-4, 100.0, 0, "mesh frequency / varpi")                      \
+  X(omega, "varpi", 0.8, 1e-4, 100.0, 0, "mesh frequency")                              \
   X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                        \
   X(z, "1", 0.05, 0.0, 10.0, 0, "damping ratio")                                        \
   X(Fm, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                        \

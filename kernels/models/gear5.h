@@ -27,7 +27,7 @@
 // X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                                 \
-  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency / varpi")                          \
+  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency")                                  \
   X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                            \
   X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient of the teeth")                        \
   X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                            \

@@ -3,9 +3,9 @@
 #define SECTION_KIND orbit
 #define SECTION_DIMENSION "component"
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define SECTION_OUTPUTS(X)                                                      \
-  X(min, "1", "", "least value at phase 0 of each state, in the model's order") \
-  X(max, "1", "", "greatest value at phase 0 of each state, in the model's order")
+#define SECTION_OUTPUTS(X)                                                     \
+  X(min, "", "", "least value at phase 0 of each state, in the model's order") \
+  X(max, "", "", "greatest value at phase 0 of each state, in the model's order")
 
 enum { section_accumulators = 2 * PER_STATE };
 

@@ -296,14 +296,14 @@ TEST_F(BadCommandTest, WhatIsNoRegularFileIsRefusedByAllThatReadIt) {
     for (const std::string before_it :
          {"run -o out.nc ", "trace -o out.nc ", "floquet ", "model --study ", "plot -o out.png ",
           "export -q x1_rms -o out.csv ", "status ", "merge -o out.nc "}) {
-      expect_refused(before_it + file, {message}, "timeout 60");
+      expect_refused(before_it + file, {message}, "timeout 600");
     }
   }
   folder_.write("study.toml", kGood);
   const std::string message = "'pipe.nc.journal' is a pipe; a journal must be a regular file";
   for (const char* command : {"run study.toml -o pipe.nc", "run study.toml -o pipe.nc --restart",
                               "status pipe.nc", "status pipe.nc.journal"}) {
-    expect_refused(command, {message}, "timeout 60");
+    expect_refused(command, {message}, "timeout 600");
   }
 }
 
@@ -313,7 +313,7 @@ TEST_F(BadCommandTest, OutputsThatAreNoRegularFilesAreRefused) {
   const std::string long_name = std::string(300, 'a') + ".nc";
   for (const std::string command :
        {"run study.toml -o ", "trace study.toml -o ", "merge none -o "}) {
-    expect_refused(command + "pipe.nc", {"pipe.nc"}, "timeout 60");
+    expect_refused(command + "pipe.nc", {"pipe.nc"}, "timeout 600");
     expect_refused(command + "loop.nc", {"'loop.nc': Too many levels of symbolic links"});
     expect_refused(command + long_name, {"File name too long"});
   }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/process.hpp"
+#include "support/paused_run.hpp"
 #include "support/same_result.hpp"
 
 namespace gearsweep::testing {
@@ -40,11 +40,12 @@ class ClusterTest : public ::testing::Test {
     folder_.write("study.toml", kStudy);
   }
 
-  // The words of a shell.
-  static std::string launch(int ranks, const std::string& arguments) {
+  // The words of a shell. before: words that stand before the program.
+  static std::string launch(int ranks, const std::string& arguments,
+                            const std::string& before = "") {
     return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe "
            "-n " +
-           std::to_string(ranks) + " " + GEARSWEEP_BINARY + " run study.toml " + arguments;
+           std::to_string(ranks) + " " + before + GEARSWEEP_BINARY + " run study.toml " + arguments;
   }
 
   // Empty when all that the two results hold is the same to the bit.
@@ -73,34 +74,37 @@ TEST_F(ClusterTest, AChainPassesItsStatesOn) {
 }
 
 TEST_F(ClusterTest, ARankThatIsKilledEndsTheRunAndTheSameCommandContinues) {
-  const std::string longer = " --set integrate.settle=6000 --set integrate.stop=never --quiet";
-  // The youngest of the processes is not rank 0, which is started first.
-  const Outcome killed =
-      run_in(folder_, "sh -c '" + launch(2, "-o out.nc" + longer) +
-                          " & pid=$!; size() { stat -c %s out.nc.journal 2>/dev/null || echo 0; }; "
-                          "while kill -0 $pid && [ $(size) -lt 30000 ]; do sleep 0.02; done; "
-                          "kill -KILL $(pgrep -P $pid gearsweep | tail -n 1); wait $pid'");
+  const long writes = count_writes(folder_, "run study.toml -o whole.nc --quiet", ".journal");
+  // Rank 0 pauses with half of the tiles in its journal. The youngest of the processes is not rank
+  // 0, which is started first.
+  folder_.write(
+      "kill.sh",
+      launch(1, "-o out.nc --quiet", "env " + paused_in(".journal", writes / 2, "paused")) +
+          " : -n 1 " GEARSWEEP_BINARY " run study.toml -o out.nc --quiet & pid=$!\n" +
+          wait_for("paused") +
+          "\nkill -KILL $(pgrep -P $pid gearsweep | tail -n 1)\nwait $pid; status=$?; rm paused; "
+          "exit $status\n");
+  const Outcome killed = run_in(folder_, "sh kill.sh");
   EXPECT_NE(killed.status, 0);
   EXPECT_EQ(folder_.files().count("out.nc.journal"), 1U) << killed.err;
   EXPECT_EQ(folder_.files().count("out.nc"), 0U);
-  ASSERT_EQ(run_in(folder_, launch(2, "-o out.nc" + longer)).status, 0);
-  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc" + longer).status, 0);
+  ASSERT_EQ(run_in(folder_, launch(2, "-o out.nc --quiet")).status, 0);
   EXPECT_EQ(difference("out.nc", "whole.nc"), "");
 }
 
 TEST_F(ClusterTest, ARankWhoseDeviceFailsHandsItsTilesBackAndTheOthersGoOn) {
-  // Long enough that every rank has its share.
-  const std::string longer = " --set integrate.settle=6000 --set integrate.stop=never";
-  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet" + longer).status, 0);
+  ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet").status, 0);
   for (const char* const after : {"0", "2"}) {
+    // The other one waits with its first launch until then, and leaves something to do.
     const Outcome outcome = run_in(
-        folder_,
-        launch(1, "-o out.nc" + longer) +
-            " : -n 1 env LD_PRELOAD=" FAILING_OPENCL " FAILING_CALL=launch FAILING_AFTER=" + after +
-            " " GEARSWEEP_BINARY " run study.toml -o out.nc" + longer);
+        folder_, launch(1, "-o out.nc", "env LD_PRELOAD=" FAILING_OPENCL " AWAITED_FILE=failed ") +
+                     " : -n 1 env LD_PRELOAD=" FAILING_OPENCL
+                     " FAILING_CALL=launch FAILED_FILE=failed FAILING_AFTER=" +
+                     after + " " + GEARSWEEP_BINARY + " run study.toml -o out.nc");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("CL_OUT_OF_RESOURCES"));
     EXPECT_EQ(difference("out.nc", "whole.nc"), "") << after;
+    folder_.remove("failed");
   }
 }
 
@@ -121,7 +125,7 @@ TEST_F(ClusterTest, WhenRank0CannotStoreATileTheRunEndsForAll) {
                               " run study.toml -o out.nc --quiet" + samples + "\n");
   // Shared memory is files, too.
   const Outcome full = run_in(folder_,
-                              "timeout 100 env OMPI_ALLOW_RUN_AS_ROOT=1 "
+                              "timeout 600 env OMPI_ALLOW_RUN_AS_ROOT=1 "
                               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe --mca btl "
                               "self,tcp -n 3 sh run.sh");
   EXPECT_EQ(full.status, 1) << full.err;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "journal/database.hpp"
-#include "support/process.hpp"
+#include "support/paused_run.hpp"
 #include "support/same_result.hpp"
 
 namespace gearsweep::testing {
@@ -125,14 +125,10 @@ TEST_F(DevicesTest, StatusTellsHowFarARunIs) {
 }
 
 TEST_F(DevicesTest, RestartDoesNotTakeTheJournalOfARunningStudy) {
-  const Outcome second =
-      run_in(folder_,
-             std::string("sh -c '") + GEARSWEEP_BINARY +
-                 " run study.toml -o out.nc --quiet --set integrate.settle=20000 --set "
-                 "integrate.stop=never & pid=$!; while ! [ -s out.nc.journal ]; do sleep 0.02; "
-                 "done; " +
-                 GEARSWEEP_BINARY +
-                 " run study.toml -o out.nc --restart; status=$?; kill -KILL $pid; exit $status'");
+  const long writes = count_writes(folder_, "run study.toml -o whole.nc --quiet", ".journal");
+  PausedRun first(folder_, "run study.toml -o out.nc --quiet", ".journal", writes / 2);
+  ASSERT_TRUE(first.is_paused()) << first.said();
+  const Outcome second = gearsweep(folder_, "run study.toml -o out.nc --restart");
   EXPECT_EQ(second.status, 2);
   EXPECT_THAT(second.err, HasSubstr("in use by another run"));
 }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/process.hpp"
+#include "support/paused_run.hpp"
 #include "support/same_result.hpp"
 
 namespace gearsweep::testing {
@@ -67,15 +67,15 @@ class DiskTest : public ::testing::Test {
 
 TEST_F(DiskTest, ADiskThatFillsUpWhileTilesAreJournaledKeepsTheFinishedOnes) {
   // Something else takes the room that was there when the run began.
-  const std::optional<Outcome> outcome =
-      run_with_disk("size=40m",
-                    "{ until [ -e disk/out.nc.journal ]; do sleep 0.01; done; head -c 36M "
-                    "/dev/zero > disk/other; } &\n"
-                    "run -o disk/out.nc; echo status $?\n"
-                    "wait; ls disk\n"
-                    "rm disk/other\n"
-                    "run -o disk/out.nc; echo status $?\n"
-                    "ls disk; cp disk/out.nc out.nc\n");
+  const std::optional<Outcome> outcome = run_with_disk(
+      "size=40m", "env " + paused_in(".journal", 1, "paused") + GEARSWEEP_BINARY +
+                      " run study.toml --quiet -o disk/out.nc & pid=$!\n" + wait_for("paused") +
+                      "head -c 36M /dev/zero > disk/other; rm paused\n"
+                      "wait $pid; echo status $?\n"
+                      "ls disk\n"
+                      "rm disk/other\n"
+                      "run -o disk/out.nc; echo status $?\n"
+                      "ls disk; cp disk/out.nc out.nc\n");
   if (!outcome) GTEST_SKIP() << "no file system can be mounted here";
   EXPECT_EQ(outcome->out, "status 1\nother\nout.nc.journal\nstatus 0\nout.nc\n") << outcome->err;
   EXPECT_THAT(outcome->err, HasSubstr("disk/out.nc.journal': database or disk is full"));

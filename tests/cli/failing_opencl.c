@@ -1,12 +1,15 @@
 // Stands before the OpenCL library (LD_PRELOAD) and lets one device fail: the one that is used
-// first. FAILING_CALL names the call, FAILING_AFTER how often it still works there.
+// first. FAILING_CALL names the call, FAILING_AFTER how often it still works there; FAILED_FILE is
+// made when it fails. Launches of a process with AWAITED_FILE wait until there is such a file.
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 // Whether this call on this device's context or queue is to fail.
 static int fails(const char* call, const void* handle) {
@@ -20,7 +23,14 @@ static int fails(const char* call, const void* handle) {
   if (failing == NULL) failing = handle;
   const int result = failing == handle && calls++ >= atol(after);
   pthread_mutex_unlock(&mutex);
+  const char* file = getenv("FAILED_FILE");
+  if (result && file != NULL) close(open(file, O_WRONLY | O_CREAT, 0600));
   return result;
+}
+
+static void wait_for_file(void) {
+  const char* file = getenv("AWAITED_FILE");
+  while (file != NULL && access(file, F_OK) != 0) usleep(1000);
 }
 
 cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
@@ -28,6 +38,7 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
                               cl_uint waits, const cl_event* wait_list, cl_event* event) {
   cl_int (*next)(cl_command_queue, cl_kernel, cl_uint, const size_t*, const size_t*, const size_t*,
                  cl_uint, const cl_event*, cl_event*) = dlsym(RTLD_NEXT, "clEnqueueNDRangeKernel");
+  wait_for_file();
   if (fails("launch", queue)) return CL_OUT_OF_RESOURCES;
   return next(queue, kernel, dimensions, offset, global, local, waits, wait_list, event);
 }

@@ -55,7 +55,8 @@ class SignalsTest : public ::testing::Test {
   // The status, as a shell gives it, of a process that gets the signal until it ends; -1 when it
   // does not.
   static int status_after(pid_t process, int signal_number) {
-    for (int i = 0; i < 100; ++i) {
+    constexpr int kPatience = 3000;  // ten minutes: only what never ends takes longer
+    for (int i = 0; i < kPatience; ++i) {
       kill(process, signal_number);
       for (int j = 0; j < 20; ++j) {
         if (const std::optional<int> status = status_if_ended(process)) return *status;

@@ -7,6 +7,7 @@
 #include <latch>
 #include <memory>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 #include "model/error.hpp"
@@ -74,7 +75,7 @@ class EndlessEngine final : public NumberingEngine {
 class LocalCrewTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kMembers = 3, kPoints = 60;
-  static constexpr std::chrono::minutes kPatience{1};
+  static constexpr std::chrono::minutes kPatience{10};
 
   template <typename First>
   LocalCrew crew_with() {
@@ -148,6 +149,27 @@ TEST_F(LocalCrewTest, AMemberThatFailsIsLostAndItsTileCanBeGivenToAnother) {
     EXPECT_THROW(std::rethrow_exception(end.failure), RunError);
   }
   EXPECT_EQ(lost, 1U);
+}
+
+// Else the results of a fast crew would fill the memory while a slow disk stores the first.
+TEST_F(LocalCrewTest, AMemberIsIdleOnceTheEndOfItsTileIsHeard) {
+  std::latch one_at_work{1};
+  std::vector<std::unique_ptr<Engine>> engines;
+  engines.push_back(std::make_unique<NumberingEngine>(&one_at_work));
+  LocalCrew crew(plan_, std::move(engines));
+  crew.start(0, {});
+  std::optional<CrewReport> report = crew.wait(kPatience);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->kind, CrewReport::Kind::progress);
+  // The tile ends meanwhile.
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_EQ(crew.idle(), 0U);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  report = crew.wait(kPatience);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->kind, CrewReport::Kind::finished);
+  EXPECT_EQ(crew.idle(), 1U);
 }
 
 TEST_F(LocalCrewTest, ARunningTileStopsWhenAskedAndWhenTheCrewIsLeft) {

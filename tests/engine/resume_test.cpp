@@ -54,10 +54,11 @@ class Resume : public ::testing::Test {
     EXPECT_TRUE(std::filesystem::exists(journal_));
     EXPECT_FALSE(run_until(study, 24));
     EXPECT_GE(resumed_, 8U);
+    EXPECT_LE(resumed_, 16U);
     const std::optional<SweepResult> result = run_until(study, 10'000);
     ASSERT_TRUE(result);
     EXPECT_GE(resumed_, 24U);
-    EXPECT_LT(resumed_, study.points());
+    EXPECT_LE(resumed_, 32U);
     EXPECT_TRUE(journal_at_delivery_);
     EXPECT_FALSE(std::filesystem::exists(journal_));
     expect_same_bits(*result, expected);
@@ -68,15 +69,17 @@ class Resume : public ::testing::Test {
   bool journal_at_delivery_ = false;
 };
 
-// Chaotic points and, in the corner of the two larger masses, diverged ones: NaN survives too. What
-// is under way when a stop is asked for, a tile or two for each worker, may be finished; there are
-// far more points than that.
+// Chaotic points and, in the corner of the two larger masses, diverged ones: NaN survives too.
+//
+// However slowly progress is heard of, a run that is to stop is not at its end: each of the two
+// engines of a device has begun one tile of 4 at most whose end nobody has heard of. So when 24
+// points are told of, no more than 32 of the 60 are in the journal.
 const std::string kRest =
     "tile = 4\nsettle = 30\nrecord = 8\n[observe]\nquantities = ['x1_rms', 'dmf_max', "
     "'contact_class', 'poincare']\npoincare = ['x1', 'v1']\n";
 const std::string kStudy =
     "[model]\npreset = 'coarse'\nformulation = 'printed'\n[[axes]]\nname = 'omega'\nfrom = 0.4\n"
-    "to = 1.6\ncount = 24\n[[axes]]\nname = 'm1'\nvalues = [0.02, 0.03, 0.04, 0.35, 0.9]\n";
+    "to = 1.6\ncount = 12\n[[axes]]\nname = 'm1'\nvalues = [0.02, 0.03, 0.04, 0.35, 0.9]\n";
 
 TEST_F(Resume, GivesTheSameBits) { expect_resumes(kStudy + "[integrate]\n" + kRest); }
 

@@ -15,37 +15,15 @@
 namespace gearsweep {
 namespace {
 
-using gearsweep::testing::all_quantities;
-using gearsweep::testing::all_states;
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::random_result;
+using gearsweep::testing::study_of_all;
+using gearsweep::testing::sweepable;
+using gearsweep::testing::trace_of_all;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsSupersetOf;
 using ::testing::Pair;
-
-// What a model lets a study sweep.
-std::vector<std::string> sweepable(const Model& model) {
-  std::vector<std::string> names;
-  for (const ParameterInfo& info : model.parameters) names.push_back(info.name);
-  for (const ChannelInfo& info : model.states) names.push_back(info.name);
-  return names;
-}
-
-// Over one value of each axis, of all that a study can ask for.
-Study study_of_all(const Model& model, const std::vector<std::string>& axes) {
-  std::string toml = fmt::format("[model]\nname = '{}'\n", model.name);
-  for (const std::string& axis : axes) {
-    const int parameter = model.find_parameter(axis);
-    const double value =
-        parameter < 0 ? 0.5 : model.parameters[static_cast<std::size_t>(parameter)].default_value;
-    toml += fmt::format("[[axes]]\nname = '{}'\nvalues = [{}]\n", axis, value);
-  }
-  toml += "[initial]\nensemble = 2\n[integrate]\nrecord = 2\n";
-  toml += fmt::format("[observe]\nquantities = {}\npoincare = {}\n", all_quantities(model),
-                      all_states(model));
-  return read_study(toml, "test");
-}
 
 class FileNames : public gearsweep::testing::IoTest {
  protected:
@@ -133,16 +111,7 @@ TEST_F(FileNames, EveryParameterOfEveryModelStandsBesideTheTracesOfItsChannels) 
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Study study = study_of_all(model, {model.states.front().name});
-    Trace trace;
-    trace.setting = study.setting;
-    trace.period = 1.0;
-    trace.tau = {0.0, 1.0};
-    for (const auto& list : {model.states, model.signals, {{"contact", "1", "flank"}}}) {
-      for (const ChannelInfo& channel : list) {
-        trace.channels.push_back(channel);
-        trace.values.push_back({1.0, 2.0});
-      }
-    }
+    const Trace trace = trace_of_all(study);
     std::vector<std::string> parameters;
     for (const ParameterInfo& info : model.parameters) parameters.push_back(info.name);
     const std::string path = in_folder("trace.nc");

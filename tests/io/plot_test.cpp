@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <set>
 
 #include "io/example_result.hpp"
 #include "io/gnuplot.hpp"
@@ -19,6 +21,7 @@ using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
 using gearsweep::testing::spectrum_result;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -34,9 +37,9 @@ class PlotTest : public gearsweep::testing::IoTest {
   }
 
   // The script of a picture; drawing it must make gnuplot say nothing.
-  std::string script_of(PlotRequest request) const {
+  std::string script_of(PlotRequest request, const std::string& ending = ".png") const {
     request.script_path = in_folder("picture.gp");
-    EXPECT_THAT(drawn(request), StartsWith("\x89PNG"));
+    EXPECT_THAT(drawn(request, ending), AnyOf(StartsWith("\x89PNG"), HasSubstr("<svg")));
     const std::string said = in_folder("said.txt");
     const std::string command =
         "cd / && gnuplot '" + request.script_path + "' > '" + said + "' 2>&1";
@@ -51,6 +54,48 @@ TEST_F(PlotTest, TheEndingChoosesTheFormat) {
   EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".png"), StartsWith("\x89PNG"));
   EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".pdf"), StartsWith("%PDF"));
   EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".svg"), HasSubstr("<svg"));
+}
+
+// The locale of this process and of those that it starts, until the end of the scope.
+class Locale {
+ public:
+  explicit Locale(const char* name) {
+    if (const char* before = std::getenv("LC_ALL")) before_ = before;
+    setenv("LC_ALL", name, 1);
+  }
+  ~Locale() {
+    if (before_) {
+      setenv("LC_ALL", before_->c_str(), 1);
+    } else {
+      unsetenv("LC_ALL");
+    }
+  }
+  Locale(const Locale&) = delete;
+  Locale& operator=(const Locale&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+// One without UTF-8, one that every Debian has, and one that most have not, with a decimal comma
+// where it is there.
+TEST_F(PlotTest, ThePictureAndItsScriptDrawTheSameInEveryLocale) {
+  SweepResult result = example_result(7, 0);
+  result.study.title = "mit Reibung, größer";
+  const std::string first = write(result, "first.nc");
+  result.study.title = "ohne Dämpfung ζ";
+  const std::string second = write(result, "second.nc");
+  for (const std::string ending : {".png", ".svg"}) {
+    std::set<std::string> pictures;
+    for (const char* const name : {"C", "C.UTF-8", "de_DE.UTF-8"}) {
+      const Locale locale(name);
+      EXPECT_GT(script_of({{first, second}, "x1_rms", "", "", {}, {}, {}}, ending).size(), 0U);
+      pictures.insert(content(in_folder("picture" + ending)));
+      plot_files({{first, second}, "x1_rms", in_folder("own" + ending), "", {}, {}, {}});
+      pictures.insert(content(in_folder("own" + ending)));
+    }
+    EXPECT_EQ(pictures.size(), 1U) << ending;
+  }
 }
 
 TEST_F(PlotTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/result.hpp"
+#include "engine/trace.hpp"
 
 namespace gearsweep::testing {
 
@@ -25,6 +26,45 @@ inline std::string all_states(const Model& model) {
   std::vector<std::string> names;
   for (const ChannelInfo& state : model.states) names.push_back(state.name);
   return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
+}
+
+// What a model lets a study sweep.
+inline std::vector<std::string> sweepable(const Model& model) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& info : model.parameters) names.push_back(info.name);
+  for (const ChannelInfo& info : model.states) names.push_back(info.name);
+  return names;
+}
+
+// Over one value of each axis, of all that a study can ask for.
+inline Study study_of_all(const Model& model, const std::vector<std::string>& axes) {
+  std::string toml = fmt::format("[model]\nname = '{}'\n", model.name);
+  for (const std::string& axis : axes) {
+    const int parameter = model.find_parameter(axis);
+    const double value =
+        parameter < 0 ? 0.5 : model.parameters[static_cast<std::size_t>(parameter)].default_value;
+    toml += fmt::format("[[axes]]\nname = '{}'\nvalues = [{}]\n", axis, value);
+  }
+  toml += "[initial]\nensemble = 2\n[integrate]\nrecord = 2\n";
+  toml += fmt::format("[observe]\nquantities = {}\npoincare = {}\n", all_quantities(model),
+                      all_states(model));
+  return read_study(toml, "test");
+}
+
+// Two moments of every channel that a trace has.
+inline Trace trace_of_all(const Study& study) {
+  Trace trace;
+  trace.setting = study.setting;
+  trace.period = 1.0;
+  trace.tau = {0.0, 1.0};
+  for (const auto& list :
+       {study.model->states, study.model->signals, {{"contact", "1", "flank"}}}) {
+    for (const ChannelInfo& channel : list) {
+      trace.channels.push_back(channel);
+      trace.values.push_back({1.0, 2.0});
+    }
+  }
+  return trace;
 }
 
 // `attractors`: so many in the list of a study that has one.

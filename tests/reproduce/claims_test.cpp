@@ -2,17 +2,21 @@
 // them, and stops to hold when a number is changed.
 #include "reproduce/claims.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <numbers>
 
+#include "reproduce/report.hpp"
 #include "reproduce/runs.hpp"
 #include "study/builtin_studies.hpp"
 
 namespace gearsweep {
 namespace {
+
+using ::testing::HasSubstr;
 
 using Shape = std::function<double(double x)>;
 
@@ -146,6 +150,18 @@ TEST(Claims, AMissingRegimeOfContactHoldsInPart) {
   measured.maps["fig7"] = made_map(
       "fig7", {{"dmf_max", [](double) { return 0.22; }}, {"x1_rms", [](double b) { return b; }}});
   EXPECT_EQ(verdict_on(measured, 11, 0), Verdict::in_part);
+}
+
+// A reader who finds two colours in a picture and four in the table asks why.
+TEST(Report, SaysWhyAPictureShowsFewerAttractorsThanTheTableCounts) {
+  Measured measured = as_the_paper_says();
+  measured.jumps["fig7"] = {{0.4325, 0.435, 3, 4}};
+  measured.basins = {{"fig7", 0.4325, 2, 3}, {"fig7", 0.435, 2, 4}};
+  const std::string text = describe_jumps(measured);
+  EXPECT_THAT(text, HasSubstr("| 7 | 0.4325 | 0.4350 | 3 | 4 | change of basin |"));
+  EXPECT_THAT(text, HasSubstr("x1 and v1 vary"));
+  EXPECT_THAT(text, HasSubstr("figure 7, b = 0.4325: 2 in the picture, 3 in the table"));
+  EXPECT_THAT(text, HasSubstr("figure 7, b = 0.4350: 2 in the picture, 4 in the table"));
 }
 
 TEST(Figures, AreBuiltInForBothPresets) {

@@ -1,0 +1,61 @@
+// What every NetCDF file of this program says of itself and of its variables. Private to this
+// folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/netcdf_file.hpp"
+#include "io/result_file.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// 1 of a dimensionless unit in a unit of SI.
+struct SiUnit {
+  double scale = 1.0;
+  std::string name = "1";
+};
+
+// Writes the attributes of one file.
+class FileNotes {
+ public:
+  // varied: parameters that differ between the numbers of the file.
+  FileNotes(const Study& study, const std::vector<std::string>& varied, NetcdfFile* file);
+
+  // Study, program and, of a study with a [gear] table, its scales.
+  void put_provenance(const Provenance& provenance);
+
+  // `units`, `long_name` and, of a study with a [gear] table, `scale_to_SI` and `SI_units` where
+  // the unit has a dimension. Empty is the unit "1".
+  void describe(int variable, const std::string& unit, const std::string& meaning);
+
+  // A variable whose values stand along a dimension of channels: their unit where it is one, else
+  // "see LIST_units".
+  void describe(int variable, const std::vector<ChannelInfo>& channels, const std::string& list,
+                const std::string& meaning);
+
+  // Lists over a dimension of channels: LIST_units, LIST_long_name and, of a study with a [gear]
+  // table, LIST_scale_to_SI and LIST_SI_units.
+  void put_channels(const std::vector<ChannelInfo>& channels, const std::string& list,
+                    int dimension);
+
+  // A list of texts, as characters and not as NetCDF-4 strings: every reader knows those.
+  void put_texts(const std::string& variable, const std::string& meaning, int dimension,
+                 const std::vector<std::string>& texts);
+
+  // The names of the lists of put_channels().
+  std::vector<std::string> lists_of_channels(const std::string& list) const;
+
+ private:
+  SiUnit si_unit(const std::string& unit) const;
+
+  const Study& study_;
+  NetcdfFile& file_;
+  double damping_ = 0.0;  // the unit cm in N s/m; 0: none, or not the same everywhere
+};
+
+// Unit of dimensionless time: "1/varpi" of a gear, "1" of a model without scales.
+std::string time_unit(const Model& model);
+
+}  // namespace gearsweep

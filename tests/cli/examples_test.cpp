@@ -1,0 +1,134 @@
+// Examples are what people copy: each study that the README, the manual page or the program itself
+// offers runs in minutes, and its files are small.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <vector>
+
+#include "io/result_size.hpp"
+#include "plan/plan.hpp"
+#include "study/builtin_studies.hpp"
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+// As the forecast bounds it; the largest built-in study needs a third of it.
+constexpr double kMostBytes = 2e7;
+// A minute or two at 3e8 steps per second, which two cores make.
+constexpr double kMostSteps = 5e10;
+
+void expect_sensible(const Study& study, const std::string& where) {
+  EXPECT_LE(size_of_result(study, {}).file, kMostBytes) << where;
+  EXPECT_LE(Plan(study, 1024).total_work(), kMostSteps) << where;
+}
+
+std::string readme() { return read_all(GEARSWEEP_README); }
+
+// The fenced blocks of a language.
+std::vector<std::string> blocks_of(const std::string& text, const std::string& language) {
+  std::vector<std::string> blocks;
+  std::istringstream lines(text);
+  bool is_inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "```" + language) {
+      is_inside = true;
+      blocks.emplace_back();
+    } else if (line.starts_with("```")) {
+      is_inside = false;
+    } else if (is_inside) {
+      blocks.back() += line + "\n";
+    }
+  }
+  return blocks;
+}
+
+// The words of a command as a shell takes them, up to a comment or the next command.
+std::vector<std::string> words_of(const std::string& command) {
+  std::vector<std::string> words(1);
+  char quote = '\0';
+  for (const char letter : command) {
+    if (quote != '\0') {
+      if (letter == quote) quote = '\0';
+      if (quote != '\0') words.back() += letter;
+    } else if (letter == '\'' || letter == '"') {
+      quote = letter;
+    } else if (letter == '\n' || letter == '#' || letter == '&' || letter == '|') {
+      break;
+    } else if (letter != ' ') {
+      words.back() += letter;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  return words;
+}
+
+// "run coarse-map --set a=b": each run of a built-in study in a text, as a study.
+std::vector<Study> runs_in(std::string text) {
+  for (std::size_t at = 0; (at = text.find("\\\n", at)) != std::string::npos;) text.erase(at, 2);
+  const std::string command = "gearsweep run ";
+  std::vector<Study> studies;
+  for (std::size_t at = 0; (at = text.find(command, at)) != std::string::npos;) {
+    at += command.size();
+    const std::vector<std::string> words = words_of(text.substr(at));
+    const auto builtin = builtin_studies().find(words.front() + ".toml");
+    if (builtin == builtin_studies().end()) continue;
+    std::vector<std::string> overrides;
+    for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+      if (words[i] == "--set") overrides.push_back(words[i + 1]);
+    }
+    studies.push_back(read_study(builtin->second, words.front(), overrides));
+  }
+  return studies;
+}
+
+TEST(Examples, BuiltInStudiesAreSensible) {
+  for (const auto& [name, text] : builtin_studies()) expect_sensible(read_study(text, name), name);
+}
+
+TEST(Examples, StudiesOfTheReadmeAreSensible) {
+  const std::vector<std::string> studies = blocks_of(readme(), "toml");
+  ASSERT_FALSE(studies.empty());
+  for (const std::string& study : studies) expect_sensible(read_study(study, "README.md"), study);
+}
+
+TEST(Examples, CommandsOfTheReadmeAreSensible) {
+  const std::vector<Study> studies = runs_in(readme());
+  EXPECT_GT(studies.size(), 5U);
+  for (const Study& study : studies) expect_sensible(study, study.toml);
+}
+
+// The manual page holds the help of every command.
+TEST(Examples, CommandsOfTheManualAreSensible) {
+  const Folder folder;
+  const std::string manual = run_in(folder, GEARSWEEP_BINARY " manual | tr -d '\\\\'").out;
+  const std::vector<Study> studies = runs_in(manual);
+  EXPECT_GT(studies.size(), 2U);
+  for (const Study& study : studies) expect_sensible(study, study.toml);
+}
+
+// A cut of a map is at a value of one of its own axes.
+TEST(Examples, PlotsOfTheManualFitTheMapOfItsFirstExample) {
+  const Folder folder;
+  const std::string manual = run_in(folder, GEARSWEEP_BINARY " manual | tr -d '\\\\'").out;
+  const Study study = read_study(builtin_studies().at("coarse-map.toml"), "coarse-map");
+  std::vector<std::string> axes;
+  for (const Axis& axis : study.axes) axes.push_back(axis.name);
+  const std::string command = "gearsweep plot map.nc ";
+  std::size_t cuts = 0;
+  for (std::size_t at = 0; (at = manual.find(command, at)) != std::string::npos; ++at) {
+    const std::vector<std::string> words = words_of(manual.substr(at));
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+      if (words[i] != "--at") continue;
+      ++cuts;
+      EXPECT_THAT(axes, ::testing::Contains(words[i + 1].substr(0, words[i + 1].find('='))));
+    }
+  }
+  EXPECT_GT(cuts, 0U);
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
