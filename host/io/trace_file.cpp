@@ -18,6 +18,7 @@
 namespace gearsweep {
 namespace {
 
+constexpr const char* kTauUnit = "1/varpi";
 constexpr const char* kContent = "traces of gearsweep";
 constexpr std::size_t kMostTraces = 10'000;  // of a file; a picture takes far fewer
 
@@ -30,10 +31,14 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
   CsvText csv;
   csv.add_name("trace");
   for (const std::string& name : placed) {
-    csv.add_name(name_in_traces(name, traces.front().channels));
+    const auto parameter = static_cast<std::size_t>(study.model->find_parameter(name));
+    csv.add_name(name_in_traces(name, traces.front().channels),
+                 study.model->parameters[parameter].unit);
   }
-  csv.add_name("tau");
-  for (const ChannelInfo& channel : traces.front().channels) csv.add_name(channel.name);
+  csv.add_name("tau", kTauUnit);
+  for (const ChannelInfo& channel : traces.front().channels) {
+    csv.add_name(channel.name, channel.unit);
+  }
   csv.end_row();
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const Trace& trace = traces[i];
@@ -71,7 +76,7 @@ class Writer {
       write_numbers(name_in_traces(name, traces_.front().channels), info.unit, info.meaning,
                     [&](const Trace& trace) { return parameter_of(study, trace, name); });
     }
-    write_history({"tau", "1/varpi", "dimensionless time since the first moment"},
+    write_history({"tau", kTauUnit, "dimensionless time since the first moment"},
                   [](const Trace& trace) -> const std::vector<double>& { return trace.tau; });
     const std::vector<ChannelInfo>& channels = traces_.front().channels;
     for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -57,8 +57,8 @@ void read_maps(const std::string& path) {
   cut.quantity += ",status";
   attempt([&] { draw_maps(cut); });
   attempt([&] { draw_maps(request_for(path, "")); });
-  attempt([&] { export_map(path, last, path + ".csv"); });
-  attempt([&] { export_map(path, last, path + ".npy"); });
+  attempt([&] { export_maps(path, {last}, path + ".csv"); });
+  attempt([&] { export_maps(path, {last}, path + ".npy"); });
 }
 
 void read_all_traces(const std::string& path) {
