@@ -59,7 +59,8 @@ std::string what_is_lost(const std::string& path, const Study& study) {
     ensure_undamaged(path);
     if (is_trace_file(path)) return "traces";
     if (read_study(read_study_text(path), path).toml == study.toml) return "";
-    return fmt::format("the result of another study, '{}'", ResultFile(path).title());
+    const std::string title = ResultFile(path).title();
+    return "the result of another study" + (title.empty() ? "" : fmt::format(", '{}'", title));
   } catch (const std::exception&) {
     return "what is no whole result of 'gearsweep run'";
   }

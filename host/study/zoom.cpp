@@ -9,6 +9,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/toml_access.hpp"
 
 namespace gearsweep {
 namespace {
@@ -79,6 +80,9 @@ void apply_zoom(const std::string& zoom, toml::table* study) {
   const Stretch stretch =
       parse_stretch(equals == std::string::npos ? "" : zoom.substr(equals + 1), source);
   toml::table* axis = find_axis(name, source, study);
+  if (const toml::node* from = axis->get("from"); from && place_of(*from).starts_with("--zoom")) {
+    throw InputError(fmt::format("{}: axis '{}' is zoomed twice", source, name));
+  }
   const std::int64_t count = stretch.count.value_or(count_of(*axis));
   axis->erase("values");
   // Parsed, so that messages about the numbers name where they come from.

@@ -17,9 +17,9 @@ const char* const kStudy =
     "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 2.0\ncount = 5\n"
     "[[axes]]\nname = 'b'\nvalues = [0.1, 0.7, 1.5]\n";
 
-std::string refusal(const std::string& zoom) {
+std::string refusal(const std::vector<std::string>& zooms) {
   try {
-    read_study(kStudy, "s.toml", {}, {zoom});
+    read_study(kStudy, "s.toml", {}, zooms);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -65,19 +65,23 @@ TEST(Zoom, AChainThatBeginsElsewhereIsToldOf) {
 }
 
 TEST(Zoom, WhatIsNoStretchIsRefused) {
-  EXPECT_THAT(refusal("omga=1:2"), AllOf(HasSubstr("--zoom omga=1:2: the study has no axis 'omga'"),
-                                         HasSubstr("did you mean 'omega'?")));
-  EXPECT_THAT(refusal("mu=0:0.1"), HasSubstr("no axis 'mu'"));
-  EXPECT_THAT(refusal("omega=2:1"), HasSubstr("1 is not greater than 2"));
-  EXPECT_THAT(refusal("omega=1:1"), HasSubstr("1 is not greater than 1"));
-  EXPECT_THAT(refusal("omega=1:2:0"), HasSubstr("count = 0; at least 1 is needed"));
-  EXPECT_THAT(refusal("omega=1:2:-3"), HasSubstr("at least 1 is needed"));
-  EXPECT_THAT(refusal("omega=1:2:2000000"), HasSubstr("at most 1000000"));
-  EXPECT_THAT(refusal("omega=-1:2"), HasSubstr("--zoom omega=-1:2: from = -1 is out of range"));
+  EXPECT_THAT(refusal({"omega=1:2", "omega=1:3"}),
+              HasSubstr("--zoom omega=1:3: axis 'omega' is zoomed twice"));
+  EXPECT_THAT(refusal({"omga=1:2"}),
+              AllOf(HasSubstr("--zoom omga=1:2: the study has no axis 'omga'"),
+                    HasSubstr("did you mean 'omega'?")));
+  EXPECT_THAT(refusal({"mu=0:0.1"}), HasSubstr("no axis 'mu'"));
+  EXPECT_THAT(refusal({"omega=2:1"}), HasSubstr("1 is not greater than 2"));
+  EXPECT_THAT(refusal({"omega=1:1"}), HasSubstr("1 is not greater than 1"));
+  EXPECT_THAT(refusal({"omega=1:2:0"}), HasSubstr("count = 0; at least 1 is needed"));
+  EXPECT_THAT(refusal({"omega=1:2:-3"}), HasSubstr("at least 1 is needed"));
+  EXPECT_THAT(refusal({"omega=1:2:2000000"}), HasSubstr("at most 1000000"));
+  EXPECT_THAT(refusal({"omega=-1:2"}), HasSubstr("--zoom omega=-1:2: from = -1 is out of range"));
   for (const char* wrong :
        {"omega", "omega=", "omega=1", "omega=1:", "omega=1:2:3:4", "omega=a:b", "omega=1:2:x",
         "omega=nan:2", "omega=1:inf", "omega=1:2:1.5", "omega=1 :2"}) {
-    EXPECT_THAT(refusal(wrong), HasSubstr("expected AXIS=FROM:TO or AXIS=FROM:TO:COUNT")) << wrong;
+    EXPECT_THAT(refusal({wrong}), HasSubstr("expected AXIS=FROM:TO or AXIS=FROM:TO:COUNT"))
+        << wrong;
   }
 }
 
