@@ -59,7 +59,9 @@ struct Item {
 };
 
 constexpr Item kFiles[] = {
-    {"STUDY.toml", "A study. 'gearsweep studies NAME' prints a built-in one to start from."},
+    {"STUDY.toml",
+     "A study: gearsweep-study(5) has its keys, 'gearsweep studies NAME' prints one to start "
+     "from."},
     {"OUT.nc", "A result: NetCDF-4, one variable for each quantity, the study in its attributes."},
     {"OUT.nc.journal",
      "What an interrupted run has finished. The same command continues from there."},

@@ -35,7 +35,8 @@ TEST(Commands, RunPlotAndExportGoFromAStudyToPicturesAndTables) {
   EXPECT_THAT(read_all(folder / "map.png"), HasSubstr("PNG"));
   EXPECT_THAT(read_all(folder / "class.svg"), HasSubstr("<svg"));
   EXPECT_THAT(read_all(folder / "cut.pdf"), StartsWith("%PDF"));
-  EXPECT_THAT(read_all(folder / "dmf.csv"), StartsWith("omega [varpi],e0 [b_n],dmf_max [k0 b_n]\n"));
+  EXPECT_THAT(read_all(folder / "dmf.csv"),
+              StartsWith("omega [varpi],e0 [b_n],dmf_max [k0 b_n]\n"));
   EXPECT_THAT(read_all(folder / "dmf.npy"), StartsWith("\x93NUMPY"));
 }
 
@@ -183,8 +184,9 @@ TEST(Commands, EveryBuiltInStudyPrintsAsTomlThatReads) {
 TEST(Commands, EveryCommandHasHelpWithExamples) {
   const Folder folder;
   EXPECT_THAT(gearsweep(folder, "--version").out, StartsWith("gearsweep "));
-  for (const char* command : {"", "run", "trace", "plot", "export", "floquet", "reproduce",
-                              "studies", "model", "devices", "verify", "completion", "manual", "top", "help"}) {
+  for (const char* command :
+       {"", "run", "trace", "plot", "export", "floquet", "reproduce", "studies", "model", "devices",
+        "verify", "completion", "manual", "top", "help"}) {
     const Outcome help = gearsweep(folder, std::string(command) + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("gearsweep ")) << command;

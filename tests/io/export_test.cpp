@@ -80,9 +80,13 @@ TEST_F(ExportTest, CsvHasSeveralQuantitiesBesideEachOther) {
   export_maps(path, {}, out);
   EXPECT_EQ(content(out),
             "omega [varpi],status,x1_rms [b_n],contact_class\n0.5,0,0.1,0\n1,0,1.1,1\n");
-  EXPECT_THAT(refusal([&] { export_maps(path, {"x1_rms", "poincare"}, out); }),
+  EXPECT_THAT(refusal([&] {
+                export_maps(path, {"x1_rms", "poincare"}, out);
+              }),
               HasSubstr("-q x1_rms,poincare: poincare has one row for each sample"));
-  EXPECT_THAT(refusal([&] { export_maps(path, {"x1_rms", "x1_rms"}, out); }),
+  EXPECT_THAT(refusal([&] {
+                export_maps(path, {"x1_rms", "x1_rms"}, out);
+              }),
               HasSubstr("'x1_rms' is listed twice"));
 }
 
@@ -154,7 +158,9 @@ TEST_F(ExportTest, NpyHasAFieldForEachQuantity) {
   ASSERT_EQ(npy.numbers.size(), 12U * (2 + 1 + 10 + 1));
   EXPECT_EQ(npy.numbers[14 + 2], 1.1);
   EXPECT_EQ(npy.numbers[14 + 13], 1.0);
-  EXPECT_THAT(refusal([&] { export_maps(path, {"poincare:x1", "poincare:v1"}, out); }),
+  EXPECT_THAT(refusal([&] {
+                export_maps(path, {"poincare:x1", "poincare:v1"}, out);
+              }),
               HasSubstr("'poincare' is listed twice"));
 }
 

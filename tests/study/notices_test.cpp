@@ -29,7 +29,8 @@ TEST(Notices, AnAxisWinsOverTheCommandLine) {
   EXPECT_THAT(
       read_study(builtin_studies().at("table1-gear.toml"), "s.toml", {"gear.pinion_speed_rpm=3000"})
           .notices,
-      ElementsAre("--set gear.pinion_speed_rpm=3000: the axis 'omega' of the study wins"));
+      ElementsAre("--set gear.pinion_speed_rpm=3000: the axis 'omega' of the study wins over what "
+                  "follows from this"));
   EXPECT_THAT(read_study(kStudy, "s.toml", {"parameters.mu=0.3"}).notices, IsEmpty());
 }
 
