@@ -6,15 +6,18 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
 # Manual and completion come from the tool's own options, by the tool itself.
 set(pages ${CMAKE_CURRENT_BINARY_DIR}/pages)
 file(MAKE_DIRECTORY ${pages})
-add_custom_command(OUTPUT ${pages}/gearsweep.1 ${pages}/gearsweep.bash ${pages}/gearsweep.fish
+add_custom_command(OUTPUT ${pages}/gearsweep.1 ${pages}/gearsweep-study.5 ${pages}/gearsweep.bash
+                          ${pages}/gearsweep.fish
   COMMAND gearsweep manual > ${pages}/gearsweep.1
+  COMMAND gearsweep manual study > ${pages}/gearsweep-study.5
   COMMAND gearsweep completion bash > ${pages}/gearsweep.bash
   COMMAND gearsweep completion fish > ${pages}/gearsweep.fish
   DEPENDS gearsweep VERBATIM)
-add_custom_target(gearsweep_pages ALL DEPENDS ${pages}/gearsweep.1 ${pages}/gearsweep.bash
-                  ${pages}/gearsweep.fish)
+add_custom_target(gearsweep_pages ALL DEPENDS ${pages}/gearsweep.1 ${pages}/gearsweep-study.5
+                  ${pages}/gearsweep.bash ${pages}/gearsweep.fish)
 install(TARGETS gearsweep COMPONENT tool)
 install(FILES ${pages}/gearsweep.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+install(FILES ${pages}/gearsweep-study.5 DESTINATION ${CMAKE_INSTALL_MANDIR}/man5 COMPONENT tool)
 install(FILES ${pages}/gearsweep.bash RENAME gearsweep
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tool)
 install(FILES ${pages}/gearsweep.fish

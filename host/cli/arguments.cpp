@@ -116,6 +116,17 @@ CLI::Validator positive_number() {
       "");
 }
 
+CLI::Validator number_between(double least, double greatest) {
+  return CLI::Validator(
+      [least, greatest](const std::string& text) {
+        double value = 0.0;
+        const bool right = parse(text, &value) && value >= least && value <= greatest;
+        return right ? std::string()
+                     : fmt::format("'{}' is not a number from {} to {}", text, least, greatest);
+      },
+      "");
+}
+
 CLI::Option* add_choice(CLI::App* command, const std::string& name, std::string* value,
                         const std::vector<std::string>& choices, const std::string& description) {
   const auto check = [choices](const std::string& text) {
@@ -150,6 +161,14 @@ void add_set_option(CLI::App* command, std::vector<std::string>* overrides) {
       ->add_option("--set", *overrides, "Override a key of the study; may be given several times")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
+}
+
+std::string shell_quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char letter : text) {
+    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  }
+  return quoted + "'";
 }
 
 std::string describe_parse_error(const CLI::App& app, const CLI::ParseError& error) {

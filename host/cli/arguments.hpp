@@ -22,6 +22,7 @@ constexpr const char* kNumberValue = "N";
 constexpr const char* kShardValue = "K/N";
 constexpr const char* kDevicesValue = "DEVICES";  // one or more
 constexpr const char* kQuantityValue = "QUANTITY";
+constexpr const char* kZoomValue = "AXIS=FROM:TO[:COUNT],...";
 constexpr const char* kPointValue = "NAME=VALUE,...";
 
 // Digits, and a value in the range.
@@ -29,6 +30,9 @@ CLI::Validator whole_number(std::size_t least, std::size_t greatest = 1000000000
 
 // Finite and greater than zero.
 CLI::Validator positive_number();
+
+// Both ends included.
+CLI::Validator number_between(double least, double greatest);
 
 // An option whose value is one of `choices`.
 CLI::Option* add_choice(CLI::App* command, const std::string& name, std::string* value,
@@ -42,6 +46,9 @@ std::vector<DeviceChoice> chosen_devices(const std::string& text);
 
 // --set
 void add_set_option(CLI::App* command, std::vector<std::string>* overrides);
+
+// As a shell takes it back.
+std::string shell_quoted(const std::string& text);
 
 // What is wrong with the arguments, and what would be right.
 std::string describe_parse_error(const CLI::App& app, const CLI::ParseError& error);

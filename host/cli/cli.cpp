@@ -36,7 +36,9 @@ void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
                           "  gearsweep studies                          what is built in\n"
                           "  gearsweep run coarse-map -o map.nc --plot map.png\n"
                           "  gearsweep plot map.nc -q dmf_max -o dmf.png\n\n"
-                          "'gearsweep COMMAND --help' shows each command with examples.\n") +
+                          "'gearsweep COMMAND --help' shows each command with examples, 'gearsweep "
+                          "manual study'\n(installed: 'man gearsweep-study') every key of a "
+                          "study.\n") +
               fmt::format("Exit status: {}.", fmt::join(exit_statuses(), ", ")));
   add_run_command(app, signals, status);
   add_merge_command(app, status);
@@ -44,6 +46,7 @@ void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
   add_trace_command(app, signals, status);
   add_plot_command(app);
   add_export_command(app);
+  add_top_command(app);
   add_floquet_command(app);
   add_reproduce_command(app, signals, status);
   add_studies_command(app);
@@ -52,6 +55,7 @@ void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
   add_verify_command(app, signals, status);
   add_completion_command(app);
   add_manual_command(app);
+  add_help_command(app);
 }
 
 // The parser would only say that a command is missing.

@@ -28,6 +28,7 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_reproduce_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_plot_command(CLI::App* app);
 void add_export_command(CLI::App* app);
+void add_top_command(CLI::App* app);
 void add_floquet_command(CLI::App* app);
 void add_devices_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
@@ -35,5 +36,6 @@ void add_model_command(CLI::App* app);
 void add_verify_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_completion_command(CLI::App* app);
 void add_manual_command(CLI::App* app);
+void add_help_command(CLI::App* app);
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
+#include "cli/text_table.hpp"
 #include "opencl/device.hpp"
 
 namespace gearsweep {
@@ -44,15 +45,16 @@ void print_devices(const std::vector<DeviceInfo>& devices) {
 
 void print_studies(bool as_json) {
   nlohmann::json list = nlohmann::json::array();
+  TextTable rows;
   for (const std::string& name : builtin_study_names()) {
     const Study study = load_study(name, {});
     if (as_json) {
       list.push_back({{"name", name}, {"title", study.title}, {"points", study.points()}});
     } else {
-      answer("{:<16} {} ({} points)\n", name, study.title, study.points());
+      rows.add({name, fmt::format("{} ({} points)", study.title, study.points())});
     }
   }
-  if (as_json) answer("{}\n", list.dump(2));
+  answer("{}", as_json ? list.dump(2) + "\n" : rows.text(0));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/study_source.hpp"
+#include "cli/text_table.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 
@@ -53,54 +54,59 @@ std::string origin_of(const Study& study, std::size_t parameter) {
 }
 
 void print_models() {
-  for (const Model& model : models()) answer("{:<10} {}\n", model.name, model.summary);
-  answer("'gearsweep model NAME' shows one in full\n");
+  TextTable rows;
+  for (const Model& model : models()) rows.add({model.name, model.summary});
+  answer("{}'gearsweep model NAME' shows one in full\n", rows.text(0));
 }
 
 void print_parameters(const Study& study) {
   const Model& model = *study.model;
   answer("\nparameters (value, unit, allowed range, meaning; origin)\n");
+  TextTable parameters;
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
-    answer("  {:<12} {:<12.10g} {:<7} {:g} .. {:g}  {}; {}\n", info.name,
-           study.setting.parameters[i], info.unit, info.least, info.greatest, info.meaning,
-           origin_of(study, i));
+    parameters.add({info.name, fmt::format("{:.10g}", study.setting.parameters[i]), info.unit,
+                    fmt::format("{:g} .. {:g}", info.least, info.greatest),
+                    fmt::format("{}; {}", info.meaning, origin_of(study, i))});
   }
-  answer("\noptions\n");
+  answer("{}\noptions\n", parameters.text());
+  TextTable options;
   for (std::size_t i = 0; i < model.options.size(); ++i) {
     const OptionInfo& option = model.options[i];
     const auto chosen = static_cast<std::size_t>(study.setting.options[i]);
-    answer("  {:<12} {:<12} of {}: {}; {}\n", option.name, option.choices[chosen],
-           fmt::join(option.choices, ", "), option.meaning, study.option_origins[i]);
+    options.add({option.name, option.choices[chosen],
+                 fmt::format("of {}: {}; {}", fmt::join(option.choices, ", "), option.meaning,
+                             study.option_origins[i])});
   }
+  answer("{}", options.text());
 }
 
 void print_channels(const Model& model) {
   for (const auto& [title, channels] :
        {std::pair("states", &model.states), std::pair("signals", &model.signals)}) {
-    answer("\n{}\n", title);
-    for (const ChannelInfo& info : *channels) {
-      answer("  {:<12} {:<10} {}\n", info.name, info.unit, info.meaning);
-    }
+    TextTable rows;
+    for (const ChannelInfo& info : *channels) rows.add({info.name, info.unit, info.meaning});
+    answer("\n{}\n{}", title, rows.text());
   }
 }
 
 // Quantities that every channel has are listed once, by their suffix.
 void print_quantities(const Model& model) {
   answer("\nquantities\n");
-  for (const Observable& observable : observables()) {
-    for (const ObservableOutput& output : observable.outputs) {
-      const bool per_channel = observable.kind == ObservableKind::channel;
-      const std::string stem = per_channel ? "CHANNEL" : observable.name;
-      const std::string name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
-      answer("  {:<16} {}{}\n", name, output.meaning,
-             output.flags.empty() ? "" : fmt::format(" ({})", fmt::join(output.flags, ", ")));
+  TextTable rows;
+  const std::string& first = model.states.front().name;
+  const std::string of_first = model.states.front().meaning + ": ";
+  for (const Quantity& quantity : offered_quantities(model)) {
+    std::string name = quantity.name, meaning = quantity.meaning;
+    if (!quantity.channel.empty()) {
+      if (quantity.channel != first) continue;
+      name = "CHANNEL" + name.substr(first.size());
+      meaning = meaning.substr(of_first.size());
     }
+    if (!quantity.flags.empty()) meaning += fmt::format(" ({})", fmt::join(quantity.flags, ", "));
+    rows.add({name, meaning});
   }
-  answer(
-      "  {:<16} why the point ended; always there\nCHANNEL is a state or a signal, as in "
-      "{}_rms\n",
-      "status", model.states.front().name);
+  answer("{}CHANNEL is a state or a signal, as in {}_rms\n", rows.text(), first);
 }
 
 void print_model(const Study& study) {
@@ -119,10 +125,9 @@ void print_model(const Study& study) {
   }
   print_channels(model);
   print_quantities(model);
-  answer("\npresets\n");
-  for (const PresetInfo& preset : model.presets) {
-    answer("  {:<12} {}\n", preset.name, preset.meaning);
-  }
+  TextTable presets;
+  for (const PresetInfo& preset : model.presets) presets.add({preset.name, preset.meaning});
+  answer("\npresets\n{}", presets.text());
 }
 
 void print_model_as_json(const Study& study) {

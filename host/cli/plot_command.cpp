@@ -1,5 +1,7 @@
 // gearsweep plot, gearsweep export: maps and traces as pictures, maps as tables.
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -7,6 +9,7 @@
 #include "io/export.hpp"
 #include "io/plot.hpp"
 #include "model/error.hpp"
+#include "model/names.hpp"
 
 namespace gearsweep {
 namespace {
@@ -26,7 +29,7 @@ std::pair<std::string, double> parse_cut(const std::string& text) {
 }
 
 struct ExportArguments {
-  std::string result, quantity, output;
+  std::string result, quantities, output;
 };
 
 }  // namespace
@@ -86,25 +89,31 @@ void add_plot_command(CLI::App* app) {
 }
 
 void add_export_command(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("export", "Write a map of a result file as CSV or NPY");
+  CLI::App* command = app->add_subcommand("export", "Write maps of a result file as CSV or NPY");
   const auto arguments = std::make_shared<ExportArguments>();
   command->add_option("result", arguments->result, "A result file")
       ->type_name(kResultValue)
       ->required();
-  command->add_option("-q,--quantity", arguments->quantity, "What to write")
-      ->type_name(kQuantityValue)
-      ->required();
+  command
+      ->add_option("-q,--quantity", arguments->quantities,
+                   "What to write; several, NAME,NAME, stand beside each other (default: all but "
+                   "poincare, which has a row for each sample)")
+      ->type_name(kQuantityValue);
   command->add_option("-o,--output", arguments->output, "The table: .csv or .npy")
       ->type_name(kFileValue)
       ->required();
   command->footer(
       "Examples:\n"
       "  gearsweep export map.nc -q x1_rms -o rms.csv\n"
+      "  gearsweep export map.nc -q x1_rms,dmf_max -o both.csv\n"
+      "  gearsweep export map.nc -o all.csv\n"
       "  gearsweep export map.nc -q x1_rms -o rms.npy\n"
       "    then in Python: m = numpy.load('rms.npy'); m['omega'], m['x1_rms']");
   command->callback([arguments] {
     ensure_undamaged(arguments->result);
-    export_map(arguments->result, arguments->quantity, arguments->output);
+    std::vector<std::string> quantities;
+    if (!arguments->quantities.empty()) quantities = split(arguments->quantities, ',');
+    export_maps(arguments->result, quantities, arguments->output);
   });
 }
 

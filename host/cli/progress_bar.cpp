@@ -14,20 +14,14 @@ namespace {
 
 constexpr double kBarEvery = 0.1;    // seconds
 constexpr double kLineEvery = 10.0;  // seconds
-constexpr double kWarmingUp = 1.0;   // seconds in which kernels may still be built
+constexpr double kWarmingUp = 1.0;   // seconds in which there is nothing to say yet
 
-// "1240 points/s, 3 s left"; what a journal gave does not count as speed.
-std::string describe_speed(const SweepProgress& progress) {
-  const double computed = progress.share - progress.share_resumed;
-  if (computed <= 0.0 || progress.seconds < kWarmingUp) return "";
-  return fmt::format("{:.0f} points/s, {} left",
-                     computed * static_cast<double>(progress.points) / progress.seconds,
-                     format_duration(progress.seconds * (1.0 - progress.share) / computed));
+// "  1240 points/s, 3 s left"
+std::string describe(const std::optional<Pace>& pace) {
+  if (!pace) return "";
+  return fmt::format("  {:.0f} points/s, {} left", pace->points_per_second,
+                     format_duration(pace->seconds_left));
 }
-
-}  // namespace
-
-namespace {
 
 int terminal_columns() {
   winsize size{};
@@ -48,6 +42,7 @@ std::string format_duration(double seconds) {
 ProgressBar::ProgressBar() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::show(const SweepProgress& progress) {
+  pace_ = meter_.at(progress);
   const bool last = progress.points_done == progress.points;
   const double pause = on_terminal_ ? kBarEvery : kLineEvery;
   if (!last && progress.seconds - last_shown_ < pause) return;
@@ -70,14 +65,14 @@ void ProgressBar::show_bar(const SweepProgress& progress) {
   const int width = std::clamp(terminal_columns() - 46, 0, 30);
   const int full = static_cast<int>(progress.share * width);
   // The escape sequence clears what a longer line left behind.
-  tell("\r[{:=>{}}{:>{}}] {:5.1f} %  {}\033[K", "", full, "", width - full, 100.0 * progress.share,
-       describe_speed(progress));
+  tell("\r[{:=>{}}{:>{}}] {:5.1f} %{}\033[K", "", full, "", width - full, 100.0 * progress.share,
+       describe(pace_));
   bar_open_ = true;
 }
 
 void ProgressBar::show_line(const SweepProgress& progress) {
-  tell("{:5.1f} %  {} of {} points  {}\n", 100.0 * progress.share, progress.points_done,
-       progress.points, describe_speed(progress));
+  tell("{:5.1f} %  {} of {} points{}\n", 100.0 * progress.share, progress.points_done,
+       progress.points, describe(pace_));
 }
 
 }  // namespace gearsweep

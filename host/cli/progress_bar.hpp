@@ -2,6 +2,9 @@
 // folder.
 #pragma once
 
+#include <optional>
+
+#include "cli/pace.hpp"
 #include "distribute/sweep.hpp"
 
 namespace gearsweep {
@@ -20,6 +23,8 @@ class ProgressBar {
   bool on_terminal_;
   bool bar_open_ = false;
   double last_shown_ = -1e9;  // seconds
+  PaceMeter meter_;
+  std::optional<Pace> pace_;
 };
 
 // "0.4 s", "31 s", "4 min 10 s", "2 h 05 min".

@@ -10,6 +10,7 @@
 #include "cli/signal_watch.hpp"
 #include "distribute/cluster_worker.hpp"
 #include "model/error.hpp"
+#include "model/names.hpp"
 #include "model/version.hpp"
 
 namespace gearsweep {
@@ -31,8 +32,9 @@ class Dismissal {
 
 // What must be the same for processes to work together.
 std::string agreement(const RunArguments& arguments) {
-  return fmt::format("{}\n{}\n{}\n{}", arguments.study, arguments.output,
-                     fmt::join(arguments.overrides, "\n"), source_hash());
+  return fmt::format("{}\n{}\n{}\n{}\n{}", arguments.study, arguments.output,
+                     fmt::join(arguments.overrides, "\n"), fmt::join(arguments.zooms, "\n"),
+                     source_hash());
 }
 
 // What a rank does that is not 0. It leaves signals, which a launcher passes on to all, to rank 0.
@@ -77,6 +79,7 @@ int run(const RunArguments& arguments, SignalWatch* signals) {
 void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command = app->add_subcommand("run", "Compute the maps of a study");
   const auto arguments = std::make_shared<RunArguments>();
+  const auto zooms = std::make_shared<std::vector<std::string>>();
   command
       ->add_option("study", arguments->study,
                    "A study file, a built-in study, or a result file to compute again")
@@ -84,7 +87,7 @@ void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->required();
   command
       ->add_option("-o,--output", arguments->output,
-                   "The result file (default: the study's name with .nc)")
+                   "The result file (default: the study's name with .nc, of a zoom with -zoom.nc)")
       ->type_name(kFileValue)
       ->check([](const std::string& path) { return path.empty() ? "must not be empty" : ""; });
   CLI::Option* plot =
@@ -109,6 +112,12 @@ void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->type_name(kNumberValue)
       ->check(whole_number(1, 16));
   add_set_option(command, &arguments->overrides);
+  command
+      ->add_option("--zoom", *zooms,
+                   "Another stretch of the study's axes, with as many values as before or with "
+                   "COUNT; may be given several times")
+      ->type_name(kZoomValue)
+      ->allow_extra_args(false);
   command->add_flag("--restart", arguments->restart,
                     "Start afresh: discard what an interrupted run left in OUT.nc.journal");
   command->add_flag("--strict-device", arguments->strict_device,
@@ -125,6 +134,7 @@ void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep run mine.toml --set parameters.mu=0 --set axes.omega.count=100\n"
       "  gearsweep run mine.toml --set model.backlash=dynamic --set integrate.record=20\n"
       "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n"
+      "  gearsweep run map.nc --zoom omega=1.5:1.9,e0=0.3:0.5:200 -o detail.nc\n"
       "  gearsweep run mine.toml --device all       on every device of the machine\n"
       "  gearsweep run mine.toml --dry-run          what it would take; computes next to "
       "nothing\n\n"
@@ -132,7 +142,12 @@ void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
       "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
       "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"
       "and NaN; the exit status is 1 only when all points do.");
-  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
+  command->callback([arguments, zooms, signals, status] {
+    for (const std::string& several : *zooms) {
+      for (const std::string& zoom : split(several, ',')) arguments->zooms.push_back(zoom);
+    }
+    *status = run(*arguments, signals);
+  });
 }
 
 }  // namespace gearsweep

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/forecast_report.hpp"
 #include "cli/progress_bar.hpp"
@@ -14,9 +15,11 @@
 #include "cli/summary.hpp"
 #include "distribute/cluster.hpp"
 #include "distribute/shards.hpp"
+#include "io/damage.hpp"
 #include "io/plot.hpp"
 #include "io/result_file.hpp"
 #include "io/result_size.hpp"
+#include "io/trace_file.hpp"
 #include "journal/journal.hpp"
 #include "journal/notes.hpp"
 #include "model/error.hpp"
@@ -26,20 +29,50 @@
 namespace gearsweep {
 namespace {
 
-// The command as it would be typed again.
+// The command as it would be typed again, to go on where it was interrupted.
 std::string command_line(const RunArguments& arguments, const std::string& output) {
-  std::string line = fmt::format("gearsweep run '{}' -o '{}'", arguments.study, output);
+  std::string line =
+      fmt::format("gearsweep run {} -o {}", shell_quoted(arguments.study), shell_quoted(output));
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) line += fmt::format(" {} {}", option, shell_quoted(value));
+  };
+  const auto add_flag = [&](const char* option, bool is_given) {
+    if (is_given) line += fmt::format(" {}", option);
+  };
   if (!arguments.devices.empty()) line += fmt::format(" --device {}", arguments.devices);
   if (!arguments.shard.empty()) line += fmt::format(" --shard {}", arguments.shard);
-  for (const std::string& assignment : arguments.overrides) {
-    line += fmt::format(" --set '{}'", assignment);
-  }
+  for (const std::string& assignment : arguments.overrides) add("--set", assignment);
+  for (const std::string& zoom : arguments.zooms) add("--zoom", zoom);
+  add("--plot", arguments.plot);
+  add("-q", arguments.quantity);
+  add_flag("--strict-device", arguments.strict_device);
+  add_flag("--keep-journal", arguments.keep_journal);
+  add_flag("--quiet", arguments.quiet);
+  add_flag("--json", arguments.as_json);
   return line;
 }
 
+// What stands in the way of a result of this study; empty: nothing that would be missed.
+std::string what_is_lost(const std::string& path, const Study& study) {
+  if (!is_netcdf(path)) return "";
+  try {
+    ensure_undamaged(path);
+    if (is_trace_file(path)) return "traces";
+    if (read_study(read_study_text(path), path).toml == study.toml) return "";
+    const std::string title = ResultFile(path).title();
+    return "the result of another study" + (title.empty() ? "" : fmt::format(", '{}'", title));
+  } catch (const std::exception&) {
+    return "what is no whole result of 'gearsweep run'";
+  }
+}
+
+// Without -o the name of the study, of a zoom another one.
 std::string output_path(const RunArguments& arguments) {
   std::string path = arguments.output;
-  if (path.empty()) path = std::filesystem::path(arguments.study).stem().string() + ".nc";
+  if (path.empty()) {
+    path = std::filesystem::path(arguments.study).stem().string();
+    path += arguments.zooms.empty() ? ".nc" : "-zoom.nc";
+  }
   std::error_code error;
   if (std::filesystem::equivalent(path, arguments.study, error)) {
     throw InputError(
@@ -54,6 +87,17 @@ std::string output_path(const RunArguments& arguments) {
                     path));
   }
   return path;
+}
+
+// An earlier zoom must not be lost to a name that nobody gave; what was named is told of.
+void guard_replaced(const RunArguments& arguments, const Study& study, const std::string& output) {
+  if (!arguments.shard.empty() || arguments.dry_run) return;
+  const std::string lost = what_is_lost(output, study);
+  if (lost.empty()) return;
+  if (arguments.output.empty() && !arguments.zooms.empty()) {
+    throw InputError(fmt::format("{}: holds {}; give another output, -o OUT.nc", output, lost));
+  }
+  tell("gearsweep: warning: {} holds {}; this run will replace it\n", output, lost);
 }
 
 // A quantity to draw must be one that the study computes.
@@ -190,11 +234,12 @@ int run_study(const RunArguments& given, const std::vector<DeviceChoice>& device
   if (arguments.lanes) {
     arguments.overrides.push_back(fmt::format("integrate.lanes={}", *arguments.lanes));
   }
-  const Study study = load_study(arguments.study, arguments.overrides);
+  const Study study = load_study(arguments.study, arguments.overrides, arguments.zooms);
   const std::string output = output_path(arguments);
   ensure_writable(output);
   if (!arguments.quantity.empty()) check_quantity(study, arguments.quantity);
   if (!arguments.plot.empty()) ensure_plottable(arguments.plot);
+  guard_replaced(arguments, study, output);
   SweepOptions options = sweep_options(arguments, study, output);
   options.devices = devices;
   options.cluster = cluster;

@@ -17,6 +17,7 @@ struct RunArguments {
   std::string devices;
   std::optional<std::size_t> lanes;
   std::vector<std::string> overrides;
+  std::vector<std::string> zooms;  // "omega=1.5:1.9", one axis each
   bool restart = false;
   bool strict_device = false;
   bool keep_journal = false;

@@ -1,4 +1,5 @@
-// gearsweep completion, gearsweep manual: what the shell and man want to know of the commands.
+// gearsweep completion, gearsweep manual, gearsweep help: what the shell, man and users want to
+// know of the commands.
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,6 +9,7 @@
 #include "cli/completion.hpp"
 #include "cli/manual.hpp"
 #include "cli/standard_streams.hpp"
+#include "cli/study_manual.hpp"
 
 namespace gearsweep {
 
@@ -27,9 +29,33 @@ void add_completion_command(CLI::App* app) {
 }
 
 void add_manual_command(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("manual", "Print the manual page");
-  command->footer("Example: gearsweep manual | man -l -");
-  command->callback([app] { answer("{}", manual_page(command_table(*app))); });
+  CLI::App* command = app->add_subcommand("manual", "Print a manual page");
+  const auto page = std::make_shared<std::string>("gearsweep");
+  add_choice(command, "page", page.get(), {"gearsweep", "study"},
+             "gearsweep (the default): commands and options; study: the keys of a study");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep manual | man -l -\n"
+      "  gearsweep manual study | man -l -");
+  command->callback([app, page] {
+    answer("{}", *page == "study" ? study_manual_page() : manual_page(command_table(*app)));
+  });
+}
+
+void add_help_command(CLI::App* app) {
+  std::vector<std::string> commands;
+  for (const CLI::App* one : app->get_subcommands({})) commands.push_back(one->get_name());
+  CLI::App* command = app->add_subcommand("help", "Help on a command, as with --help");
+  const auto about = std::make_shared<std::string>();
+  add_choice(command, "command", about.get(), commands, "Which command");
+  command->footer("Example: gearsweep help run");
+  command->callback([app, about] {
+    const bool is_whole = about->empty();
+    const CLI::App* one = is_whole ? app : app->get_subcommand(*about);
+    const std::string name = is_whole ? app->get_name() : app->get_name() + " " + *about;
+    // app->help() would be the help of this command.
+    answer("{}", app->get_formatter()->make_help(one, name, CLI::AppFormatMode::Normal));
+  });
 }
 
 }  // namespace gearsweep

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/standard_streams.hpp"
 #include "io/damage.hpp"
 #include "io/result_file.hpp"
 #include "model/error.hpp"
@@ -50,18 +51,30 @@ const std::string& builtin_study_text(const std::string& name) {
   return found->second;
 }
 
-Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+namespace {
+
+Study read(const std::string& name_or_path, const std::vector<std::string>& overrides,
+           const std::vector<std::string>& zooms) {
   if (has_regular_file(name_or_path, "a study")) {
     ensure_undamaged(name_or_path);
     const std::string text =
         is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);
-    return read_study(text, name_or_path, overrides);
+    return read_study(text, name_or_path, overrides, zooms);
   }
   const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;
   if (!is_builtin && name_or_path.find_first_of("./") != std::string::npos) {
     throw InputError(fmt::format("{}: there is no such file", name_or_path));
   }
-  return read_study(builtin_study_text(name_or_path), name_or_path, overrides);
+  return read_study(builtin_study_text(name_or_path), name_or_path, overrides, zooms);
+}
+
+}  // namespace
+
+Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                 const std::vector<std::string>& zooms) {
+  const Study study = read(name_or_path, overrides, zooms);
+  for (const std::string& notice : study.notices) tell("gearsweep: warning: {}\n", notice);
+  return study;
 }
 
 }  // namespace gearsweep

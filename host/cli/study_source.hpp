@@ -15,7 +15,9 @@ std::vector<std::string> builtin_study_names();
 // TOML text of a built-in study. Throws InputError for an unknown name.
 const std::string& builtin_study_text(const std::string& name);
 
-// Throws InputError when there is neither such a file nor such a built-in study, or it is wrong.
-Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides);
+// Tells of what the study has twice. Throws InputError when there is neither such a file nor such a
+// built-in study, or it is wrong.
+Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                 const std::vector<std::string>& zooms = {});
 
 }  // namespace gearsweep

@@ -32,15 +32,15 @@ struct TraceArguments {
 };
 
 std::string command_line(const TraceArguments& arguments) {
-  std::string line = fmt::format("gearsweep trace '{}'", arguments.study);
-  for (const std::string& point : arguments.at) line += fmt::format(" --at '{}'", point);
+  std::string line = "gearsweep trace " + shell_quoted(arguments.study);
+  for (const std::string& point : arguments.at) line += " --at " + shell_quoted(point);
   if (arguments.settle) line += fmt::format(" --settle {}", *arguments.settle);
   if (arguments.record) line += fmt::format(" --record {}", *arguments.record);
   if (arguments.samples_per_period > 0) {
     line += fmt::format(" --samples-per-period {}", arguments.samples_per_period);
   }
-  for (const std::string& text : arguments.overrides) line += fmt::format(" --set '{}'", text);
-  return line + fmt::format(" -o '{}'", arguments.output);
+  for (const std::string& text : arguments.overrides) line += " --set " + shell_quoted(text);
+  return line + " -o " + shell_quoted(arguments.output);
 }
 
 // The nearest value of a swept axis; `value` must not lie beyond its ends.

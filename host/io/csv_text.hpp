@@ -12,9 +12,11 @@ namespace gearsweep {
 
 class CsvText {
  public:
-  void add_name(const std::string& name) {
+  // "omega [varpi]": units stand in the header itself, since a row or a comment of units is no
+  // number to a reader that is not told of it. Without a unit the name alone.
+  void add_name(const std::string& name, const std::string& unit = "") {
     start_field();
-    text_ += name;
+    add_text(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
   }
   // An empty field for what is not a number.
   void add_number(double number) {
@@ -31,6 +33,18 @@ class CsvText {
   void start_field() {
     if (!row_is_empty_) text_ += ',';
     row_is_empty_ = false;
+  }
+
+  // In quotes where a reader would take it for more than one field (RFC 4180).
+  void add_text(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+      text_ += text;
+      return;
+    }
+    text_ += '"';
+    for (const char letter : text)
+      text_ += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    text_ += '"';
   }
 
   std::string text_;

@@ -29,10 +29,14 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
   CsvText csv;
   csv.add_name("trace");
   for (const std::string& name : placed) {
-    csv.add_name(name_in_traces(name, traces.front().channels));
+    const auto parameter = static_cast<std::size_t>(study.model->find_parameter(name));
+    csv.add_name(name_in_traces(name, traces.front().channels),
+                 study.model->parameters[parameter].unit);
   }
-  csv.add_name("tau");
-  for (const ChannelInfo& channel : traces.front().channels) csv.add_name(channel.name);
+  csv.add_name("tau", time_unit(*study.model));
+  for (const ChannelInfo& channel : traces.front().channels) {
+    csv.add_name(channel.name, channel.unit);
+  }
   csv.end_row();
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const Trace& trace = traces[i];

@@ -12,7 +12,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kMostValues = 1'000'000;
+double most_values() { return find_key(study_table("axes"), "count")->greatest; }
 
 // Fills what the axis has from the parameter or state that it sweeps; its allowed range.
 std::pair<double, double> bind_axis(const Model& model, const toml::node& place, Axis* axis) {
@@ -74,9 +74,9 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
     fail_at(*count_node,
             fmt::format("axis '{}' has count = {}; at least 1 is needed", axis->name, *count));
   }
-  if (static_cast<std::size_t>(*count) > kMostValues) {
+  if (static_cast<double>(*count) > most_values()) {
     fail_at(*count_node, fmt::format("axis '{}' has count = {}; at most {} is possible", axis->name,
-                                     *count, kMostValues));
+                                     *count, most_values()));
   }
   if (*count > 1 && !(to > from)) {
     fail_at(place, fmt::format("axis '{}' goes from {} to {}; 'to' must be greater than 'from' "
@@ -91,12 +91,11 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
 }
 
 Axis read_axis(const toml::table& table, const Model& model) {
-  TableReader reader(&table, "[[axes]]");
+  TableReader reader(&table, study_table("axes"));
   Axis axis;
   axis.name = reader.text("name", "");
   if (axis.name.empty()) fail_at(table, "an axis needs a name = \"...\"");
-  axis.logarithmic = reader.choice("scale", 0, {"linear", "log"}) == 1;
-  for (const char* key : {"from", "to", "count", "values"}) reader.know(key);
+  axis.logarithmic = reader.choice("scale", 0) == 1;
   reader.refuse_unknown();
 
   const toml::node* name_node = reader.find("name");
@@ -112,12 +111,14 @@ Axis read_axis(const toml::table& table, const Model& model) {
       fail_at(*extra, fmt::format("axis '{}' has both values and {}", axis.name, key));
     }
   }
+  const toml::array* list = values->as_array();
+  if (list != nullptr && static_cast<double>(list->size()) > most_values()) {
+    fail_at(*values, fmt::format("axis '{}' has {} values; at most {} are possible", axis.name,
+                                 list->size(), most_values()));
+  }
   axis.values = reader.numbers("values", range.first, range.second);
   if (axis.values.empty()) {
     fail_at(*values, fmt::format("axis '{}' has no values; at least 1 is needed", axis.name));
-  }
-  if (axis.values.size() > kMostValues) {
-    fail_at(*values, fmt::format("axis '{}' has more than {} values", axis.name, kMostValues));
   }
   check_increasing(*values, axis);
   return axis;

@@ -29,7 +29,7 @@ class Parameters {
                       in_.has(origin) ? origin.name : "[gear]", name, value, info.least,
                       info.greatest, info.meaning, note));
     }
-    list_.push_back({std::string(name), value, std::move(note)});
+    list_.push_back({std::string(name), value, std::move(note), std::string(origin.name)});
   }
 
   std::vector<GearParameter> take() { return std::move(list_); }

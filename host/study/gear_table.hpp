@@ -17,6 +17,7 @@ struct GearParameter {
   std::string name;
   double value = 0.0;
   std::string note;
+  std::string key;  // of the table, that gives it
 };
 
 struct GearConversion {

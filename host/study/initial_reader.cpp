@@ -19,8 +19,8 @@ std::vector<std::string> axis_names(const Study& study) {
 void read_ensemble(TableReader* reader, Study* study) {
   const Model& model = *study->model;
   Initial& initial = study->initial;
-  initial.ensemble = reader->count("ensemble", 1, 1, 4096);
-  initial.seed = reader->count("seed", initial.seed, 0, 1'000'000'000);
+  initial.ensemble = reader->count("ensemble", initial.ensemble);
+  initial.seed = reader->count("seed", initial.seed);
   initial.spread.assign(model.states.size(), 1.0);
   const toml::node* spread = reader->find("spread");
   for (const char* key : {"seed", "spread"}) {
@@ -37,7 +37,7 @@ void read_ensemble(TableReader* reader, Study* study) {
   }
   if (spread == nullptr) return;
   if (!spread->is_table()) {
-    const double all = reader->number("spread", 1.0, 0.0, SWEEP_DIVERGED_BEYOND);
+    const double all = reader->number("spread", 1.0);
     initial.spread.assign(model.states.size(), all);
     return;
   }
@@ -54,10 +54,10 @@ std::vector<std::string> policy_names() { return {"fixed", "shifted", "forward",
 
 void read_initial(const toml::table* table, Study* study) {
   const Model& model = *study->model;
-  TableReader reader(table, "[initial]");
+  TableReader reader(table, study_table("initial"));
   Initial& initial = study->initial;
-  initial.policy = static_cast<InitialPolicy>(
-      reader.choice("policy", static_cast<std::size_t>(initial.policy), policy_names()));
+  initial.policy =
+      static_cast<InitialPolicy>(reader.choice("policy", static_cast<std::size_t>(initial.policy)));
   initial.state.assign(model.states.size(), 0.0);
   const toml::table* state = reader.table("state");
   if (state != nullptr && initial.policy != InitialPolicy::fixed) {

@@ -42,6 +42,7 @@ void add_offers(const Observable& observable, const ChannelInfo& channel, std::s
         per_channel ? fmt::format("{}: {}", channel.meaning, output.meaning) : output.meaning;
     quantity.flags = output.flags;
     quantity.dimension = observable.dimension;
+    if (per_channel) quantity.channel = channel.name;
     if (!observable.dimension.empty()) quantity.width = state_count;
     offers->push_back({quantity, {&observable, per_channel ? channel.name : "", i}});
   }
@@ -73,7 +74,7 @@ std::vector<Quantity> surveyed_quantities() {
   attractor.is_surveyed = true;
   Quantity count = attractor;
   count.name = "attractor_count";
-  count.meaning = "attractors that the initial states of the ensemble reached";
+  count.meaning = "attractors that the initial states of the ensemble reached; needs an ensemble";
   return {attractor, count};
 }
 
@@ -170,7 +171,7 @@ std::vector<Quantity> offered_quantities(const Model& model) {
   for (const Quantity& quantity : surveyed_quantities()) out.push_back(quantity);
   Quantity status;
   status.name = "status";
-  status.meaning = "why the point ended";
+  status.meaning = "why the point ended; always there";
   out.push_back(status);
   return out;
 }

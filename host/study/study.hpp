@@ -90,6 +90,9 @@ struct Study {
   Integrate integrate;
   Selection selection;
   std::string toml;  // the whole study as TOML, overrides included: reading it gives this study
+  // What whoever gave it may not expect, such as which of two values wins: one line each, with the
+  // place.
+  std::vector<std::string> notices;
 
   std::size_t points() const;
   // Whether points go on from their neighbours (policies forward and backward).
@@ -99,9 +102,10 @@ struct Study {
 
 // Reads a study file, the study in a result file (by its NetCDF attribute, see io), or a built-in
 // study by name is the cli's business; this reads TOML text. `source` names it in messages.
-// Each override is "path=value", as in "integrate.record=20" or "axes.omega.count=40".
-// Throws InputError.
+// Each override is "path=value", as in "integrate.record=20" or "axes.omega.count=40". Each zoom,
+// applied after these, is "axis=from:to" or "axis=from:to:count". Throws InputError.
 Study read_study(const std::string& text, const std::string& source,
-                 const std::vector<std::string>& overrides = {});
+                 const std::vector<std::string>& overrides = {},
+                 const std::vector<std::string>& zooms = {});
 
 }  // namespace gearsweep

@@ -1,5 +1,6 @@
 // read_study: TOML to a checked Study, from the outside in.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -11,9 +12,11 @@
 #include "study/gear_table.hpp"
 #include "study/initial_reader.hpp"
 #include "study/nesting.hpp"
+#include "study/notices.hpp"
 #include "study/overrides.hpp"
 #include "study/study.hpp"
 #include "study/toml_access.hpp"
+#include "study/zoom.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -101,7 +104,7 @@ void apply_preset(const PresetInfo& preset, Study* study) {
 }
 
 void read_model(const toml::table* table, Study* study) {
-  TableReader reader(table, "[model]");
+  TableReader reader(table, study_table("model"));
   const std::string name = reader.text("name", "gear5");
   study->model = find_model(name);
   if (study->model == nullptr) {
@@ -136,12 +139,13 @@ void read_model(const toml::table* table, Study* study) {
   reader.refuse_unknown();
 }
 
-void read_gear(const toml::table* gear, Study* study) {
-  if (gear == nullptr) return;
+// What the table gives.
+std::vector<GearParameter> read_gear(const toml::table* gear, Study* study) {
+  if (gear == nullptr) return {};
   if (study->model->name != "gear5") {
     fail_at(*gear, "a [gear] table belongs to model 'gear5'");
   }
-  const GearConversion conversion = convert_gear(*gear);
+  GearConversion conversion = convert_gear(*gear);
   study->scales = conversion.scales;
   study->gear_notes = conversion.notes;
   for (const GearParameter& parameter : conversion.parameters) {
@@ -149,45 +153,59 @@ void read_gear(const toml::table* gear, Study* study) {
     study->setting.parameters[index] = parameter.value;
     study->parameter_origins[index] = "[gear]: " + parameter.note;
   }
+  return std::move(conversion.parameters);
+}
+
+// A key that a table has, but not the study itself: a parameter without [parameters] before it, or
+// --set mu=0.1.
+void refuse_misplaced(const toml::table& root, const Model& model) {
+  const StudyTable& study = study_table("");
+  for (const auto& [key, node] : root) {
+    const std::string name(key.str());
+    if (find_key(study, name) != nullptr) continue;
+    const std::vector<std::string> paths =
+        paths_of_key(name, names_of(model.options), names_of(model.parameters));
+    if (paths.empty()) continue;
+    fail_at(node, fmt::format("unknown key '{}' in {}; did you mean '{}'?", name, study.heading,
+                              fmt::join(paths, "' or '")));
+  }
 }
 
 void read_integrate(const toml::table* table, Study* study) {
-  TableReader reader(table, "[integrate]");
+  TableReader reader(table, study_table("integrate"));
   Integrate& integrate = study->integrate;
-  integrate.fp64 = reader.choice("precision", 1, {"fp32", "fp64"}) == 1;
-  integrate.max_step = reader.number("max_step", study->model->max_step, 1e-6, 1.0);
-  integrate.steps_per_period = reader.count("steps_per_period", 0, 8, 65536);
+  integrate.fp64 = reader.choice("precision", 1) == 1;
+  integrate.max_step = reader.number("max_step", study->model->max_step);
+  integrate.steps_per_period = reader.count("steps_per_period", 0);
   if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
     fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");
   }
-  integrate.tolerance = reader.number("tolerance", 0.0, 1e-10, 0.1);
+  integrate.tolerance = reader.number("tolerance", 0.0);
   if (integrate.tolerance > 0.0 &&
       (reader.find("max_step") != nullptr || integrate.steps_per_period > 0)) {
     fail_at(*reader.find("tolerance"),
             "give tolerance, from which the step follows, or the step, not both");
   }
   integrate.events = reader.boolean("events", integrate.events);
-  integrate.settle = reader.count("settle", integrate.settle, 0, 100'000'000);
-  integrate.record = reader.count("record", integrate.record, 1, 10'000'000);
-  integrate.warm_up = reader.count("warm_up", integrate.warm_up, 0, 100'000'000);
-  integrate.extend = reader.count("extend", integrate.extend, 1, 1024);
-  integrate.stop = reader.choice("stop", 0, {"orbit", "never"}) == 0 ? Stop::orbit : Stop::never;
-  integrate.engine = reader.choice("engine", 0, {"opencl", "reference"}) == 0
-                         ? EngineKind::opencl
-                         : EngineKind::reference;
-  integrate.lanes = reader.count("lanes", 0, 0, 16);
+  integrate.settle = reader.count("settle", integrate.settle);
+  integrate.record = reader.count("record", integrate.record);
+  integrate.warm_up = reader.count("warm_up", integrate.warm_up);
+  integrate.extend = reader.count("extend", integrate.extend);
+  integrate.stop = reader.choice("stop", 0) == 0 ? Stop::orbit : Stop::never;
+  integrate.engine = reader.choice("engine", 0) == 0 ? EngineKind::opencl : EngineKind::reference;
+  integrate.lanes = reader.count("lanes", 0);
   if ((integrate.lanes & (integrate.lanes - 1)) != 0) {
     fail_at(*reader.find("lanes"), "lanes must be 1, 2, 4, 8 or 16 (0: the engine chooses)");
   }
-  integrate.tile = reader.count("tile", 0, 0, 100'000'000);
-  integrate.local_size = reader.count("local_size", 0, 0, 4096);
-  integrate.round = reader.count("round", 0, 0, 1'000'000);
+  integrate.tile = reader.count("tile", 0);
+  integrate.local_size = reader.count("local_size", 0);
+  integrate.round = reader.count("round", 0);
   integrate.contract = reader.boolean("contract", true);
   reader.refuse_unknown();
 }
 
 void read_observe(const toml::table* table, const toml::table& root, Study* study) {
-  TableReader reader(table, "[observe]");
+  TableReader reader(table, study_table("observe"));
   const std::string first_state = study->model->states.front().name;
   std::vector<std::string> quantities = reader.texts("quantities");
   std::vector<std::string> states = reader.texts("poincare");
@@ -198,7 +216,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   if (reader.find("poincare") == nullptr) states = {first_state};
   // What rounding leaves of a stable orbit's recurrence, with some room.
   const double rounding = study->integrate.fp64 ? 1e-6 : 1e-4;
-  const double tolerance = reader.number("period_tolerance", rounding, 1e-12, 0.1);
+  const double tolerance = reader.number("period_tolerance", rounding);
   reader.refuse_unknown();
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;
@@ -249,17 +267,18 @@ void check_size(const toml::table& root, const Study& study) {
 }  // namespace
 
 Study read_study(const std::string& text, const std::string& source,
-                 const std::vector<std::string>& overrides) {
+                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms) {
   toml::table root = parse(text, source);
   for (const std::string& assignment : overrides) apply_override(assignment, &root);
+  for (const std::string& zoom : zooms) apply_zoom(zoom, &root);
 
   Study study;
-  TableReader reader(&root, "the study");
+  TableReader reader(&root, study_table(""));
   study.title = reader.text("title", "");
   read_model(reader.table("model"), &study);
   const toml::table* parameters = reader.table("parameters");
-  read_gear(reader.table("gear"), &study);
-  for (const char* key : {"axes", "initial", "integrate", "observe"}) reader.know(key);
+  const std::vector<GearParameter> gear = read_gear(reader.table("gear"), &study);
+  refuse_misplaced(root, *study.model);
   reader.refuse_unknown();
 
   if (parameters != nullptr) {
@@ -273,6 +292,7 @@ Study read_study(const std::string& text, const std::string& source,
   read_observe(reader.table("observe"), root, &study);
   check_attractors(reader.table("observe"), study);
   check_size(root, study);
+  note_what_wins(root, gear, &study);
 
   std::ostringstream canonical;
   canonical << root << '\n';

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -18,13 +19,19 @@ std::string describe(const toml::node& node) {
   return out.str();
 }
 
+// In UTF-8 every byte but those that continue a character begins one.
+std::ptrdiff_t characters_of(const std::string& text) {
+  return std::count_if(text.begin(), text.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+}
+
 }  // namespace
 
 std::string place_of(const toml::node& node) {
   const toml::source_region& region = node.source();
   // Tables that an override made on its way have no place of their own.
   const std::string path = region.path ? *region.path : std::string("--set");
-  if (path.starts_with("--set")) return path;
+  if (path.starts_with("--")) return path;
   return fmt::format("{}:{}", path, region.begin.line);
 }
 
@@ -49,8 +56,21 @@ double read_number(const toml::node& node, const std::string& what, double least
   return value;
 }
 
+TableReader::TableReader(const toml::table* table, const StudyTable& declared)
+    : table_(table), declared_(&declared), name_(declared.heading) {
+  for (const StudyKey& key : declared.keys) {
+    if (!key.is_pattern) know(key.name);
+  }
+}
+
 TableReader::TableReader(const toml::table* table, std::string name)
     : table_(table), name_(std::move(name)) {}
+
+const StudyKey& TableReader::declared(const std::string& key) const {
+  const StudyKey* found = declared_ == nullptr ? nullptr : find_key(*declared_, key);
+  if (found == nullptr) throw std::logic_error(name_ + " declares no key " + key);
+  return *found;
+}
 
 const toml::node* TableReader::find(const std::string& key) {
   know(key);
@@ -64,6 +84,11 @@ const toml::table* TableReader::table(const std::string& key) {
   return node->as_table();
 }
 
+double TableReader::number(const std::string& key, double fallback) {
+  const StudyKey& range = declared(key);
+  return number(key, fallback, range.least, range.greatest);
+}
+
 double TableReader::number(const std::string& key, double fallback, double least, double greatest) {
   return optional_number(key, least, greatest).value_or(fallback);
 }
@@ -75,16 +100,14 @@ std::optional<double> TableReader::optional_number(const std::string& key, doubl
   return read_number(*node, key, least, greatest);
 }
 
-std::size_t TableReader::count(const std::string& key, std::size_t fallback, std::size_t least,
-                               std::size_t greatest) {
+std::size_t TableReader::count(const std::string& key, std::size_t fallback) {
+  const StudyKey& range = declared(key);
   const toml::node* node = find(key);
   if (node == nullptr) return fallback;
   if (!node->is_integer()) {
     fail_at(*node, fmt::format("{} must be a whole number, not {}", key, describe(*node)));
   }
-  const double value =
-      read_number(*node, key, static_cast<double>(least), static_cast<double>(greatest));
-  return static_cast<std::size_t>(value);
+  return static_cast<std::size_t>(read_number(*node, key, range.least, range.greatest));
 }
 
 bool TableReader::boolean(const std::string& key, bool fallback) {
@@ -100,7 +123,18 @@ std::string TableReader::text(const std::string& key, const std::string& fallbac
   if (!node->is_string()) {
     fail_at(*node, fmt::format("{} must be a string in quotes, not {}", key, describe(*node)));
   }
-  return node->as_string()->get();
+  const std::string& value = node->as_string()->get();
+  const StudyKey* limits = declared_ == nullptr ? nullptr : find_key(*declared_, key);
+  const double most = limits == nullptr ? 0.0 : limits->greatest;
+  const auto length = static_cast<double>(characters_of(value));
+  if (most > 0.0 && length > most) {
+    fail_at(*node, fmt::format("{} has {} characters; at most {} are possible", key, length, most));
+  }
+  return value;
+}
+
+std::size_t TableReader::choice(const std::string& key, std::size_t fallback) {
+  return choice(key, fallback, declared(key).choices);
 }
 
 std::size_t TableReader::choice(const std::string& key, std::size_t fallback,

@@ -2,6 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "study/selection.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
@@ -30,7 +35,8 @@ TEST(Commands, RunPlotAndExportGoFromAStudyToPicturesAndTables) {
   EXPECT_THAT(read_all(folder / "map.png"), HasSubstr("PNG"));
   EXPECT_THAT(read_all(folder / "class.svg"), HasSubstr("<svg"));
   EXPECT_THAT(read_all(folder / "cut.pdf"), StartsWith("%PDF"));
-  EXPECT_THAT(read_all(folder / "dmf.csv"), StartsWith("omega,e0,dmf_max\n"));
+  EXPECT_THAT(read_all(folder / "dmf.csv"),
+              StartsWith("omega [varpi],e0 [b_n],dmf_max [k0 b_n]\n"));
   EXPECT_THAT(read_all(folder / "dmf.npy"), StartsWith("\x93NUMPY"));
 }
 
@@ -120,6 +126,48 @@ TEST(Commands, AModelIsShownWithTheOriginOfEachValue) {
   EXPECT_THAT(gear.out, HasSubstr("me/mp = 0.350752 kg / 1 kg"));
 }
 
+// A name or the place of a channel in one, in the list of a model.
+std::set<std::string> listed_quantities(const std::string& text, const nlohmann::json& model) {
+  std::set<std::string> names;
+  std::istringstream lines(text.substr(text.find("\nquantities\n") + 12));
+  for (std::string line; std::getline(lines, line) && line.rfind("  ", 0) == 0;) {
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    if (name.rfind("CHANNEL", 0) != 0) {
+      names.insert(name);
+      continue;
+    }
+    for (const char* kind : {"states", "signals"}) {
+      if (!model.contains(kind)) continue;
+      for (const std::string channel : model.at(kind)) names.insert(channel + name.substr(7));
+    }
+  }
+  return names;
+}
+
+TEST(Commands, AModelListsEveryQuantityThatAStudyMayAskForAndNoOther) {
+  const Folder folder;
+  for (const Model& model : models()) {
+    const std::string show = "model " + model.name;
+    const nlohmann::json json = nlohmann::json::parse(gearsweep(folder, show + " --json").out);
+    std::set<std::string> offered;
+    for (const Quantity& quantity : offered_quantities(model)) offered.insert(quantity.name);
+    EXPECT_EQ(listed_quantities(gearsweep(folder, show).out, json), offered) << model.name;
+  }
+}
+
+TEST(Commands, ColumnsOfAListStandUnderEachOther) {
+  const Folder folder;
+  const std::string text = gearsweep(folder, "model gear5").out;
+  // Where the second word of a row begins.
+  const auto column = [&](const std::string& first) {
+    const std::size_t at = text.find("\n  " + first + " ") + 3 + first.size();
+    return text.find_first_not_of(' ', at) - (at - first.size());
+  };
+  EXPECT_EQ(column("contact_class"), column("lyapunov_max_per_period"));
+  EXPECT_EQ(column("x1"), column("v5"));
+  EXPECT_EQ(column("dmf"), column("friction_lever"));
+}
+
 TEST(Commands, EveryBuiltInStudyPrintsAsTomlThatReads) {
   const Folder folder;
   const Outcome list = gearsweep(folder, "studies");
@@ -136,8 +184,9 @@ TEST(Commands, EveryBuiltInStudyPrintsAsTomlThatReads) {
 TEST(Commands, EveryCommandHasHelpWithExamples) {
   const Folder folder;
   EXPECT_THAT(gearsweep(folder, "--version").out, StartsWith("gearsweep "));
-  for (const char* command : {"", "run", "trace", "plot", "export", "floquet", "reproduce",
-                              "studies", "model", "devices", "verify", "completion", "manual"}) {
+  for (const char* command :
+       {"", "run", "trace", "plot", "export", "floquet", "reproduce", "studies", "model", "devices",
+        "verify", "completion", "manual", "top", "help"}) {
     const Outcome help = gearsweep(folder, std::string(command) + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("gearsweep ")) << command;

@@ -124,6 +124,31 @@ TEST_F(DevicesTest, StatusTellsHowFarARunIs) {
   EXPECT_THAT(gearsweep(folder_, "status out.nc").out, HasSubstr("out.nc: finished"));
 }
 
+// As it stands there, by a shell: it ends as the interrupted one would have.
+TEST_F(DevicesTest, TheCommandOfStatusIsAllOfIt) {
+  folder_.write("it's.toml", read_all(folder_ / "study.toml"));
+  ASSERT_EQ(gearsweep(folder_,
+                      "run \"it's.toml\" -o map.nc --plot map.svg -q x1_rms --device 0 --lanes 2 "
+                      "--keep-journal --strict-device --quiet --set parameters.mu=0.1 --zoom "
+                      "omega=0.6:0.9")
+                .status,
+            0);
+  std::filesystem::remove(folder_ / "map.svg");
+  std::filesystem::remove(folder_ / "map.nc");
+  Database((folder_ / "map.nc.journal").string()).execute("DELETE FROM tile WHERE number > 2");
+  const std::string status = gearsweep(folder_, "status map.nc").out;
+  const std::string mark = "to continue: gearsweep ";
+  const std::string command = status.substr(status.find(mark) + mark.size());
+  EXPECT_EQ(command,
+            "run 'it'\\''s.toml' -o 'map.nc' --device 0 --set 'parameters.mu=0.1' --set "
+            "'integrate.lanes=2' --zoom 'omega=0.6:0.9' --plot 'map.svg' -q 'x1_rms' "
+            "--strict-device --keep-journal --quiet\n");
+  const Outcome continued = gearsweep(folder_, command.substr(0, command.size() - 1));
+  EXPECT_EQ(continued.status, 0) << continued.err;
+  EXPECT_THAT(read_all(folder_ / "map.svg"), HasSubstr("<svg"));
+  EXPECT_EQ(folder_.files().count("map.nc.journal"), 1U);
+}
+
 TEST_F(DevicesTest, RestartDoesNotTakeTheJournalOfARunningStudy) {
   const long writes = count_writes(folder_, "run study.toml -o whole.nc --quiet", ".journal");
   PausedRun first(folder_, "run study.toml -o out.nc --quiet", ".journal", writes / 2);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "study/study_keys.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
@@ -70,10 +71,51 @@ TEST(Manual, HasEveryCommandWithItsOptions) {
   }
 }
 
-// A line that begins with a dot is a request to roff: all of them are ours, none is from a text.
-TEST(Manual, OnlyRequestsBeginWithADot) {
+// As they stand on the page, in its order: a heading for each table, a tag for each key.
+std::vector<std::string> keys_on(const std::string& page) {
+  return found_in(page, "\n((?:\\.SS [^\n]+)|(?:\\.TP\n\\\\f[BI][^\\\\]+))");
+}
+
+TEST(Manual, OfStudiesHasEveryKeyThatTheReaderKnowsAndNoOther) {
   const Folder folder;
-  const std::string page = '\n' + gearsweep(folder, "manual").out;
+  std::vector<std::string> expected;
+  for (const StudyTable& table : study_tables()) {
+    expected.push_back(".SS " + (table.name.empty() ? "Before the first table" : table.heading));
+    for (const StudyKey& key : table.keys) {
+      expected.push_back(std::string(".TP\n\\f") + (key.is_pattern ? "I" : "B") + key.name);
+    }
+  }
+  const std::string page = gearsweep(folder, "manual study").out;
+  EXPECT_EQ(keys_on(page), expected);
+  EXPECT_THAT(page, HasSubstr("From 1 to 1024. Default: 16.\n")) << "of integrate.extend";
+  EXPECT_THAT(gearsweep(folder, "manual").out, HasSubstr("\n.BR gearsweep\\-study (5),\n"));
+  EXPECT_THAT(gearsweep(folder, "help").out, HasSubstr("manual study"));
+}
+
+TEST(Manual, ItsExampleIsAStudy) {
+  const Folder folder;
+  const std::string page = gearsweep(folder, "manual study").out;
+  const std::size_t begin = page.find(".nf\n.RS\n") + 8;
+  std::string example = page.substr(begin, page.find(".RE\n", begin) - begin);
+  example = std::regex_replace(example, std::regex("\\\\-"), "-");
+  folder.write("example.toml", std::regex_replace(example, std::regex("\\\\\\(aq"), "'"));
+  const Outcome outcome = gearsweep(folder, "model --study example.toml");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << example;
+}
+
+TEST(Manual, HelpOnACommandIsItsHelp) {
+  const Folder folder;
+  EXPECT_EQ(gearsweep(folder, "help run").out, gearsweep(folder, "run --help").out);
+  EXPECT_EQ(gearsweep(folder, "help").out, gearsweep(folder, "--help").out);
+  EXPECT_EQ(gearsweep(folder, "help rnu").status, 2);
+}
+
+// A line that begins with a dot is a request to roff: all of them are ours, none is from a text.
+class ManualPage : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ManualPage, OnlyRequestsBeginWithADot) {
+  const Folder folder;
+  const std::string page = '\n' + gearsweep(folder, GetParam()).out;
   for (const std::string& request : found_in(page, "\n([.'][^ \n]*)")) {
     EXPECT_THAT((std::vector<std::string>{".TH", ".SH", ".SS", ".PP", ".TP", ".br", ".nf", ".fi",
                                           ".RS", ".RE", ".BR"}),
@@ -81,6 +123,8 @@ TEST(Manual, OnlyRequestsBeginWithADot) {
   }
   EXPECT_THAT(page, Not(HasSubstr("\n\n"))) << "an empty line is space in any case";
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ManualPage, ::testing::Values("manual", "manual study"));
 
 class BashTest : public ::testing::Test {
  protected:

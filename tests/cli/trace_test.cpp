@@ -29,7 +29,7 @@ TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
   EXPECT_EQ(map.status, 0) << map.err;
   EXPECT_THAT(map.err, HasSubstr("omega=0.8, b=1: 32 moments of 4 periods after"));
   const std::string table = read_all(folder / "trace.csv");
-  EXPECT_THAT(table, StartsWith("trace,omega,b,tau,x1,x2,"));
+  EXPECT_THAT(table, StartsWith("trace,omega [varpi],b [b_n],tau [1/varpi],x1 [b_n],x2 [b_n],"));
   EXPECT_THAT(table, HasSubstr("\n2,1,0.5,0,"));
   const Outcome study =
       gearsweep(folder, "trace study.toml --at omega=0.71,b=0.9 --record 1 -o trace.nc");

@@ -5,6 +5,7 @@
 
 #include "fuzz/targets.hpp"
 #include "io/export.hpp"
+#include "io/peaks.hpp"
 #include "io/plot_sources.hpp"
 #include "io/result_file.hpp"
 #include "io/trace_file.hpp"
@@ -57,8 +58,13 @@ void read_maps(const std::string& path) {
   cut.quantity += ",status";
   attempt([&] { draw_maps(cut); });
   attempt([&] { draw_maps(request_for(path, "")); });
-  attempt([&] { export_map(path, last, path + ".csv"); });
-  attempt([&] { export_map(path, last, path + ".npy"); });
+  attempt([&] { export_maps(path, {last}, path + ".csv"); });
+  attempt([&] { export_maps(path, {last}, path + ".npy"); });
+  attempt([&] { export_maps(path, {}, path + ".csv"); });
+  attempt([&] {
+    const ResultMap map = file.read(last);
+    if (map.values.size() == map.points()) find_peaks(map, {});
+  });
 }
 
 void read_all_traces(const std::string& path) {

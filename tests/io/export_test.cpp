@@ -26,7 +26,7 @@ class ExportTest : public gearsweep::testing::IoTest {
   std::string exported(const SweepResult& result, const std::string& quantity,
                        const std::string& ending) const {
     const std::string out = in_folder("out" + ending);
-    export_map(write(result), quantity, out);
+    export_maps(write(result), {quantity}, out);
     return content(out);
   }
 };
@@ -35,7 +35,7 @@ TEST_F(ExportTest, CsvHasOneRowPerPointAndEmptyFieldsForMissing) {
   SweepResult result = example_result(2, 3);
   result.study.axes[0].values = {0.1, 1.0 / 3.0};
   EXPECT_EQ(exported(result, "x1_rms", ".csv"),
-            "omega,b,x1_rms\n"
+            "omega [varpi],b [b_n],x1_rms [b_n]\n"
             "0.1,0.3,0.1\n0.3333333333333333,0.3,1.1\n"
             "0.1,0.9,10.1\n0.3333333333333333,0.9,11.1\n"
             "0.1,1.5,20.1\n0.3333333333333333,1.5,\n");
@@ -45,14 +45,15 @@ TEST_F(ExportTest, CsvShowsClassesAsIntegers) {
   SweepResult result = example_result(4, 0);
   result.study.axes[0].values = {0.5, 1.0, 1.5, 2.0};
   EXPECT_EQ(exported(result, "contact_class", ".csv"),
-            "omega,contact_class\n0.5,0\n1,1\n1.5,2\n2,0\n");
+            "omega [varpi],contact_class\n0.5,0\n1,1\n1.5,2\n2,0\n");
 }
 
 TEST_F(ExportTest, CsvOfPoincareHasOneRowPerSample) {
   SweepResult result = example_result(2, 0);
   result.study.axes[0].values = {0.4, 2.0};
   const std::string csv = exported(result, "poincare", ".csv");
-  EXPECT_THAT(csv, StartsWith("omega,sample,poincare_x1,poincare_v1\n0.4,1,0,0.01\n"
+  EXPECT_THAT(csv, StartsWith("omega [varpi],sample,poincare_x1 [b_n],poincare_v1 [b_n varpi]\n"
+                              "0.4,1,0,0.01\n"
                               "0.4,2,0.001,0.011\n"));
   EXPECT_THAT(csv, HasSubstr("\n2,5,1.004,1.014\n"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 5);
@@ -63,11 +64,41 @@ TEST_F(ExportTest, CsvOfASpectrumHasAColumnPerExponent) {
   result.study.axes[0].values = {0.4, 2.0};
   result.values[1] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, kNaN};
   const std::string csv = exported(result, "lyapunov_spectrum", ".csv");
-  EXPECT_THAT(csv, StartsWith("omega,lyapunov_spectrum_1,lyapunov_spectrum_2,"));
-  EXPECT_THAT(csv, EndsWith(",lyapunov_spectrum_10\n0.4,1,2,3,4,5,6,7,8,9,10\n"
+  EXPECT_THAT(csv, StartsWith("omega [varpi],lyapunov_spectrum_1 [1/tau],lyapunov_spectrum_2 ["));
+  EXPECT_THAT(csv, EndsWith(",lyapunov_spectrum_10 [1/tau]\n0.4,1,2,3,4,5,6,7,8,9,10\n"
                             "2,11,12,13,14,15,16,17,18,19,\n"));
   EXPECT_EQ(exported(result, "lyapunov_spectrum:3", ".csv"),
-            "omega,lyapunov_spectrum_3\n0.4,3\n2,13\n");
+            "omega [varpi],lyapunov_spectrum_3 [1/tau]\n0.4,3\n2,13\n");
+}
+
+TEST_F(ExportTest, CsvHasSeveralQuantitiesBesideEachOther) {
+  SweepResult result = example_result(2, 0);
+  result.study.axes[0].values = {0.5, 1.0};
+  const std::string path = write(result), out = in_folder("out.csv");
+  export_maps(path, {"contact_class", "x1_rms"}, out);
+  EXPECT_EQ(content(out), "omega [varpi],contact_class,x1_rms [b_n]\n0.5,0,0.1\n1,1,1.1\n");
+  export_maps(path, {}, out);
+  EXPECT_EQ(content(out),
+            "omega [varpi],status,x1_rms [b_n],contact_class\n0.5,0,0.1,0\n1,0,1.1,1\n");
+  EXPECT_THAT(refusal([&] {
+                export_maps(path, {"x1_rms", "poincare"}, out);
+              }),
+              HasSubstr("-q x1_rms,poincare: poincare has one row for each sample"));
+  EXPECT_THAT(refusal([&] {
+                export_maps(path, {"x1_rms", "x1_rms"}, out);
+              }),
+              HasSubstr("'x1_rms' is listed twice"));
+}
+
+TEST_F(ExportTest, ReadersOfCsvTakeTheUnitsForPartOfTheNames) {
+  export_maps(write(example_result()), {}, in_folder("map.csv"));
+  const Spoken spoken = run_python(
+      "import sys, csv\n"
+      "rows = list(csv.DictReader(open(sys.argv[1])))\n"
+      "assert list(rows[0])[:2] == ['omega [varpi]', 'b [b_n]'], rows[0]\n"
+      "assert len(rows) == 12 and float(rows[11]['x1_rms [b_n]']) == 23.1\n",
+      in_folder("map.csv"));
+  EXPECT_EQ(spoken.status, 0) << spoken.text;
 }
 
 // The header's text and the numbers behind it.
@@ -118,10 +149,25 @@ TEST_F(ExportTest, NpyOfASpectrumHasAFieldOfExponents) {
   EXPECT_EQ(npy.numbers[11 * 12 + 2 + 9], result.values[1][11 * 10 + 9]);
 }
 
+TEST_F(ExportTest, NpyHasAFieldForEachQuantity) {
+  const std::string path = write(example_result()), out = in_folder("out.npy");
+  export_maps(path, {"x1_rms", "poincare", "contact_class"}, out);
+  const Npy npy = parse(content(out));
+  EXPECT_THAT(npy.header, HasSubstr("('x1_rms', '<f8'), ('poincare', '<f8', (2, 5)), "
+                                    "('contact_class', '<f8')], "));
+  ASSERT_EQ(npy.numbers.size(), 12U * (2 + 1 + 10 + 1));
+  EXPECT_EQ(npy.numbers[14 + 2], 1.1);
+  EXPECT_EQ(npy.numbers[14 + 13], 1.0);
+  EXPECT_THAT(refusal([&] {
+                export_maps(path, {"poincare:x1", "poincare:v1"}, out);
+              }),
+              HasSubstr("'poincare' is listed twice"));
+}
+
 TEST_F(ExportTest, NumPyOpensIt) {
   const std::string path = write(example_result());
-  export_map(path, "x1_rms", in_folder("map.npy"));
-  export_map(path, "poincare", in_folder("samples.npy"));
+  export_maps(path, {"x1_rms"}, in_folder("map.npy"));
+  export_maps(path, {"poincare"}, in_folder("samples.npy"));
   const Spoken map = run_python(
       "import sys, numpy as np\n"
       "m = np.load(sys.argv[1])\n"
@@ -135,7 +181,7 @@ TEST_F(ExportTest, NumPyOpensIt) {
       "assert np.load(sys.argv[1])['poincare'].shape == (3, 4, 2, 5)\n",
       in_folder("samples.npy"));
   EXPECT_EQ(samples.status, 0) << samples.text;
-  export_map(write(spectrum_result()), "lyapunov_spectrum", in_folder("spectrum.npy"));
+  export_maps(write(spectrum_result()), {"lyapunov_spectrum"}, in_folder("spectrum.npy"));
   const Spoken spectrum = run_python(
       "import sys, numpy as np\n"
       "s = np.load(sys.argv[1])['lyapunov_spectrum']\n"
@@ -146,11 +192,11 @@ TEST_F(ExportTest, NumPyOpensIt) {
 
 TEST_F(ExportTest, WhatCannotBeExportedIsRefusedAndLeavesNoFile) {
   const std::string path = write(example_result());
-  EXPECT_THAT(refusal([&] { export_map(path, "x1_rms", in_folder("out.txt")); }),
+  EXPECT_THAT(refusal([&] { export_maps(path, {"x1_rms"}, in_folder("out.txt")); }),
               AllOf(HasSubstr("out.txt"), HasSubstr(".csv or .npy")));
-  EXPECT_THAT(refusal([&] { export_map(path, "x1_rsm", in_folder("out.csv")); }),
+  EXPECT_THAT(refusal([&] { export_maps(path, {"x1_rsm"}, in_folder("out.csv")); }),
               HasSubstr("did you mean 'x1_rms'?"));
-  EXPECT_THAT(refusal([&] { export_map(path, "x1_rms", in_folder("missing/out.csv")); }),
+  EXPECT_THAT(refusal([&] { export_maps(path, {"x1_rms"}, in_folder("missing/out.csv")); }),
               HasSubstr("there is no folder"));
   EXPECT_EQ(files(), 1U);
 }

@@ -127,7 +127,7 @@ TEST_F(FileNames, EveryParameterOfEveryModelStandsBesideTheTracesOfItsChannels) 
     const std::vector<std::string> columns = split(header, ',');
     EXPECT_EQ(std::set<std::string>(columns.begin(), columns.end()).size(), columns.size());
     if (model.find_parameter("period") >= 0) {
-      EXPECT_THAT(columns, Contains("parameter_period"));
+      EXPECT_THAT(columns, Contains("parameter_period [1]"));
     }
   }
 }

@@ -72,7 +72,9 @@ TEST_F(TraceFile, IsATableToo) {
   std::ifstream in(path("t.csv"));
   std::ostringstream text;
   text << in.rdbuf();
-  EXPECT_EQ(text.str(), "trace,omega,tau,x1,dmf\n1,0.7,0,1,-0\n1,0.7,0.1,0.25,-0.001\n");
+  EXPECT_EQ(text.str(),
+            "trace,omega [varpi],tau [1/varpi],x1 [b_n],dmf [k0 "
+            "b_n]\n1,0.7,0,1,-0\n1,0.7,0.1,0.25,-0.001\n");
 }
 
 TEST_F(TraceFile, RefusesOtherFiles) {

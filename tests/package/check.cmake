@@ -28,8 +28,8 @@ if(NOT wants MATCHES "gnuplot-nox")
 endif()
 
 must(log dpkg-deb -x ${package} ${WORK}/root)
-foreach(file share/man/man1/gearsweep.1 share/bash-completion/completions/gearsweep
-        share/fish/vendor_completions.d/gearsweep.fish share/doc/gearsweep/copyright
+foreach(file share/man/man1/gearsweep.1 share/man/man5/gearsweep-study.5
+        share/bash-completion/completions/gearsweep share/fish/vendor_completions.d/gearsweep.fish share/doc/gearsweep/copyright
         share/doc/gearsweep/studies/coarse-map.toml)
   file(SIZE ${WORK}/root/usr/${file} size)
   if(size EQUAL 0)

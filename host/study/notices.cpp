@@ -1,0 +1,65 @@
+#include "study/notices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "study/toml_access.hpp"
+
+namespace gearsweep {
+namespace {
+
+bool is_override(const toml::node& node) { return place_of(node).starts_with("--set"); }
+
+bool is_swept(const Study& study, const std::string& name) {
+  return std::any_of(study.axes.begin(), study.axes.end(),
+                     [&](const Axis& axis) { return axis.name == name; });
+}
+
+// A point of a chain depends on all those before it.
+void note_moved_chain(const toml::table& root, Study* study) {
+  if (!study->is_chained()) return;
+  const Axis& axis = study->axes[study->initial.along];
+  const toml::node* from = (*root["axes"].as_array())[study->initial.along].as_table()->get("from");
+  if (from == nullptr || !place_of(*from).starts_with("--zoom")) return;
+  study->notices.push_back(fmt::format(
+      "{}: the points of this study go on from their neighbours along '{}', and their chain now "
+      "begins elsewhere: it may reach other motions",
+      place_of(*from), axis.name));
+}
+
+}  // namespace
+
+// What the command line or [parameters] gives beside an axis or the [gear] table. What a file gives
+// beside an axis is what it had before the axis, and no mistake.
+void note_what_wins(const toml::table& root, const std::vector<GearParameter>& gear, Study* study) {
+  const auto note = [&](const toml::node& loser, const std::string& name, const char* over = "") {
+    if (!is_override(loser) || !is_swept(*study, name)) return;
+    study->notices.push_back(
+        fmt::format("{}: the axis '{}' of the study wins{}", place_of(loser), name, over));
+  };
+  if (const toml::table* parameters = root["parameters"].as_table()) {
+    for (const auto& [key, node] : *parameters) {
+      const std::string name(key.str());
+      note(node, name);
+      const auto given = std::find_if(gear.begin(), gear.end(),
+                                      [&](const GearParameter& one) { return one.name == name; });
+      if (given == gear.end() || is_swept(*study, name)) continue;
+      study->notices.push_back(fmt::format(
+          "{}: {} = {} wins over {} of [gear], which gives {:.6g}", place_of(node), name,
+          study->setting.parameters[static_cast<std::size_t>(study->model->find_parameter(name))],
+          given->key, given->value));
+    }
+  }
+  for (const GearParameter& one : gear) {
+    const toml::node* node = root["gear"].as_table()->get(one.key);
+    if (node != nullptr) note(*node, one.name, " over what follows from this");
+  }
+  note_moved_chain(root, study);
+  if (const toml::table* state = root["initial"]["state"].as_table()) {
+    for (const auto& [key, node] : *state) note(node, std::string(key.str()));
+  }
+}
+
+}  // namespace gearsweep

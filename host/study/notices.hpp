@@ -1,0 +1,17 @@
+// What whoever gave a study may not expect of it, such as which of two values wins. Private to this
+// folder.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <vector>
+
+#include "study/gear_table.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// Adds to the study's notices. `root` is all of its text, `gear` what its [gear] table gives.
+void note_what_wins(const toml::table& root, const std::vector<GearParameter>& gear, Study* study);
+
+}  // namespace gearsweep

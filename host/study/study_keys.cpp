@@ -1,0 +1,225 @@
+#include "study/study_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "study/gear_keys.hpp"
+#include "study/initial_reader.hpp"
+#include "study/study.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+// "Numbers of teeth." of "numbers of teeth".
+std::string sentence(std::string_view words) {
+  std::string text(words);
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
+}
+
+StudyKey whole(const std::string& name, std::size_t fallback, double least, double greatest,
+               const std::string& meaning) {
+  return {name, "whole number", fmt::format("{}", fallback), meaning, least, greatest};
+}
+
+StudyKey one_of(const std::string& name, const std::vector<std::string>& choices,
+                const std::string& fallback, const std::string& meaning) {
+  return {name, "string", fallback, meaning, 0.0, 0.0, choices};
+}
+
+StudyKey truth(const std::string& name, bool fallback, const std::string& meaning) {
+  return {name, "true or false", fmt::format("{}", fallback), meaning};
+}
+
+StudyTable whole_study() {
+  const std::string table = "table";
+  return {
+      "",
+      "the study",
+      "What stands before the first table.",
+      {{"title", "string", "\"\"", "What the study is about; stands above pictures.", 0.0, 1000.0},
+       {"model", table, "", "Which system, and its options."},
+       {"parameters", table, "", "Values of parameters."},
+       {"gear", table, "", "Dimensions of a gear pair, from which parameters follow."},
+       {"axes", "one or two tables", "required", "What is swept; the first axis is x."},
+       {"initial", table, "", "Where points start."},
+       {"integrate", table, "", "How, and for how long, points are integrated."},
+       {"observe", table, "", "What becomes a map."}}};
+}
+
+StudyTable model_table() {
+  StudyKey option{"OPTION", "string", "the preset's",
+                  "An option of the model, as formulation, backlash and stiffness of gear5: "
+                  "'gearsweep model NAME' lists them with their choices."};
+  option.is_pattern = true;
+  return {"model",
+          "[model]",
+          "The preset's values come first, then those of [gear], then those of [parameters].",
+          {{"name", "string", "\"gear5\"", "The model: 'gearsweep model' lists them."},
+           {"preset", "string", "the model's first",
+            "Values to start from: 'gearsweep model NAME' lists them."},
+           option}};
+}
+
+StudyTable parameters_table() {
+  StudyKey parameter{"PARAMETER", "number", "the preset's",
+                     "A parameter of the model: 'gearsweep model NAME' lists them with unit, range "
+                     "and meaning. Parameters that continue as NAME_2, NAME_3 may be given as a "
+                     "list: kappa = [0.1, 0.02]."};
+  parameter.is_pattern = true;
+  return {
+      "parameters", "[parameters]", "An axis wins over a parameter of the same name.", {parameter}};
+}
+
+StudyTable gear_table() {
+  StudyTable table{"gear",
+                   "[gear]",
+                   "A gear pair in the units of a drawing, for the model gear5; the unit is in the "
+                   "name of the key. 'gearsweep model --study STUDY' shows how each parameter "
+                   "comes about. A value in [parameters] wins over what follows from here.",
+                   {}};
+  for (const GearKey& key : kGearKeys) {
+    table.keys.push_back({std::string(key.name), std::string(key.type), std::string(key.fallback),
+                          sentence(key.meaning), key.least, key.greatest});
+  }
+  return table;
+}
+
+StudyTable axes_table() {
+  const std::string number = "number";
+  return {"axes",
+          "[[axes]]",
+          "Each axis is a table of its own, [[axes]], with from, to and count, or with values.",
+          {{"name", "string", "required",
+            "A parameter of the model, or one of its states: then the initial value is swept."},
+           {"from", number, "", "The first value, within the range of what is swept."},
+           {"to", number, "from", "The last value; greater than from."},
+           {"count", "whole number", "", "How many values.", 1.0, 1e6},
+           one_of("scale", {"linear", "log"}, quoted("linear"), "How the values are spaced."),
+           {"values", "list of numbers", "",
+            "The values themselves, increasing; as many as count may be."}}};
+}
+
+StudyTable initial_table() {
+  const Initial initial;
+  const double beyond = SWEEP_DIVERGED_BEYOND;
+  return {"initial",
+          "[initial]",
+          "",
+          {one_of("policy", policy_names(), "\"shifted\" (preset paper: \"fixed\")",
+                  "Where a point starts: shifted: at its own static equilibrium; fixed: at state; "
+                  "forward, backward: where its neighbour along an axis has ended."),
+           {"state", "table", "0 for each state",
+            "Of policy fixed: the initial value of each state, {x1 = 0.2}."},
+           {"along", "string", "the first axis",
+            "Of policies forward and backward: the axis to go along."},
+           whole("ensemble", initial.ensemble, 1, 4096,
+                 "Trajectories of each point: the policy's start, and seeded random ones around "
+                 "it."),
+           whole("seed", initial.seed, 0, 1e9, "Of an ensemble: another seed, other starts."),
+           {"spread", "number or table", "1.0",
+            "Of an ensemble: how far the random starts reach to both sides, for all states or "
+            "state by state, {x1 = 2.0, v1 = 1.0}.",
+            0.0, beyond}}};
+}
+
+StudyTable integrate_table() {
+  const Integrate integrate;
+  return {
+      "integrate",
+      "[integrate]",
+      "A period is that of the forcing: of gears, the mesh period. lanes, tile, local_size and "
+      "round change how a study is computed and never what comes out.",
+      {one_of("precision", {"fp32", "fp64"}, quoted(integrate.fp64 ? "fp64" : "fp32"),
+              "Of all numbers on the device."),
+       {"max_step", "number", "the model's", "The longest step, in dimensionless time.", 1e-6, 1.0},
+       {"steps_per_period", "whole number", "", "Instead of max_step: at least so many steps.", 8.0,
+        65536.0},
+       {"tolerance", "number", "",
+        "Instead of max_step: a pilot run halves the step until sections and rms of periodic "
+        "points "
+        "agree to this.",
+        1e-10, 0.1},
+       truth("events", integrate.events, "Correct the steps in which teeth meet or part."),
+       whole("settle", integrate.settle, 0, 1e8, "Periods before recording."),
+       whole("record", integrate.record, 1, 1e7, "Periods recorded."),
+       whole("warm_up", integrate.warm_up, 0, 1e8,
+             "Last periods of settle that tangent vectors are turned in, for exponents."),
+       whole("extend", integrate.extend, 1, 1024,
+             "An undecided point goes on into windows of up to so many records."),
+       one_of("stop", {"orbit", "never"}, quoted("orbit"),
+              "orbit: a point that arrives on a periodic orbit stops there; never: it runs on to "
+              "the end."),
+       one_of("engine", {"opencl", "reference"}, quoted("opencl"),
+              "reference: a second opinion on the host, slow."),
+       whole("lanes", integrate.lanes, 0, 16,
+             "Points per work-item: 1, 2, 4, 8 or 16; 0: what suits the device."),
+       whole("tile", integrate.tile, 0, 1e8, "Points per launch; 0: what suits the device."),
+       whole("local_size", integrate.local_size, 0, 4096,
+             "Work-items per work-group; 0: what suits the device."),
+       whole("round", integrate.round, 0, 1e6, "Periods per launch; 0: what suits the device."),
+       truth("contract", integrate.contract, "Allow fused multiply-add.")}};
+}
+
+StudyTable observe_table() {
+  return {"observe",
+          "[observe]",
+          "",
+          {{"quantities", "list of strings", "the first state's rms, and poincare on one axis",
+            "What becomes a map: 'gearsweep model NAME' lists them. status is always there."},
+           {"poincare", "list of strings", "the first state",
+            "States sampled at phase 0 of each recorded period, for the quantity poincare."},
+           {"period_tolerance", "number", "1e-6",
+            "Two states at phase 0 are the same when they differ by no more than this, relative to "
+            "the range of the motion. Without it 1e-4 in fp32.",
+            1e-12, 0.1}}};
+}
+
+}  // namespace
+
+const std::vector<StudyTable>& study_tables() {
+  static const std::vector<StudyTable> tables = {
+      whole_study(), model_table(),   parameters_table(), gear_table(),
+      axes_table(),  initial_table(), integrate_table(),  observe_table()};
+  return tables;
+}
+
+const StudyTable& study_table(const std::string& name) {
+  const auto found = std::find_if(study_tables().begin(), study_tables().end(),
+                                  [&](const StudyTable& table) { return table.name == name; });
+  if (found == study_tables().end()) throw std::logic_error("no table " + name);
+  return *found;
+}
+
+const StudyKey* find_key(const StudyTable& table, const std::string& name) {
+  const auto found = std::find_if(table.keys.begin(), table.keys.end(), [&](const StudyKey& key) {
+    return key.name == name && !key.is_pattern;
+  });
+  return found == table.keys.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> paths_of_key(const std::string& name,
+                                      const std::vector<std::string>& options,
+                                      const std::vector<std::string>& parameters) {
+  std::vector<std::string> paths;
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const StudyTable& table : study_tables()) {
+    if (table.name.empty()) continue;
+    const bool is_key = find_key(table, name) != nullptr;
+    const bool is_of_model =
+        (table.name == "model" && has(options)) || (table.name == "parameters" && has(parameters));
+    if (!is_key && !is_of_model) continue;
+    paths.push_back(table.name + (table.name == "axes" ? ".AXIS." : ".") + name);
+  }
+  return paths;
+}
+
+}  // namespace gearsweep
