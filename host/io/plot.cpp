@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include "io/gnuplot.hpp"
 #include "io/output_file.hpp"
@@ -22,30 +24,10 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kScriptEnding = ".gp";
 
-std::string terminal_of(const std::string& output, const PlotScript& drawn) {
-  const bool large = drawn.for_column;
-  if (output.ends_with(".png")) {
-    return fmt::format(
-        "pngcairo size 1400,{:.0f} font 'DejaVu Sans,{}' linewidth {} background 'white'",
-        1400 * drawn.height, large ? 28 : 17, large ? 2.4 : 1.6);
-  }
-  if (output.ends_with(".svg")) {
-    return fmt::format("svg size 1000,{:.0f} font 'DejaVu Sans,{}' linewidth {} background 'white'",
-                       1000 * drawn.height, large ? 27 : 16, large ? 1.6 : 1.0);
-  }
-  if (output.ends_with(".pdf")) {
-    return fmt::format(
-        "pdfcairo size 8in,{:.3g}in font 'DejaVu Sans,{}' linewidth {} background 'white'",
-        8 * drawn.height, large ? 21 : 13, large ? 1.6 : 1.0);
-  }
-  throw InputError(
-      fmt::format("cannot draw '{}': its name must end in .png, .svg or .pdf", output));
-}
-
-PlotScript draw(const PlotRequest& request) {
+PlotScript draw(const Page& page, const PlotRequest& request) {
   const auto traces = std::count_if(request.paths.begin(), request.paths.end(), is_trace_file);
-  if (traces == 0) return draw_maps(request);
-  if (traces == std::ssize(request.paths)) return draw_traces(request);
+  if (traces == 0) return draw_maps(page, request);
+  if (traces == std::ssize(request.paths)) return draw_traces(page, request);
   // What is neither says so itself.
   for (const std::string& path : request.paths) {
     if (!is_trace_file(path)) ResultFile{path};
@@ -57,6 +39,7 @@ PlotScript draw(const PlotRequest& request) {
 bool is_whole(const std::string& file, const std::string& name) {
   const std::string mark = name.ends_with(".png")   ? "IEND"
                            : name.ends_with(".pdf") ? "%%EOF"
+                           : name.ends_with(".tex") ? "\\endgroup"
                                                     : "</svg>";
   std::ifstream in(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(in), {}};
@@ -66,40 +49,108 @@ bool is_whole(const std::string& file, const std::string& name) {
 
 // The lines before the picture's own: where its files are and where the picture goes. Whatever
 // their names and whoever starts gnuplot, they begin with '/' or './' (see plain_path()).
-std::string preamble(const fs::path& script, const std::string& output, const PlotScript& drawn) {
+std::string preamble(const fs::path& script, const std::string& output, const Page& page,
+                     const PlotScript& drawn) {
   const fs::path from_script = fs::absolute(output).lexically_relative(
       fs::absolute(script).lexically_normal().parent_path());
   return fmt::format(
-      "# Given to gnuplot, this draws the picture again.\n"
+      "# Given to gnuplot, this draws the picture again: gnuplot -c SCRIPT [PICTURE [DATA]]\n"
       "plain(path) = path[1:1] eq '/' ? path : './'.path\n"
       "script = plain(ARG0)\n"
       "do for [i = 1:strlen(script)] {{ if (script[i:i] eq '/') {{ folder = script[1:i] }} }}\n"
       "files = script[1:strlen(script) - 3]\n"
       "picture = ARGC > 0 ? plain(ARG1) : folder.{}\n"
-      "set encoding utf8\n"
-      "set terminal {}\n"
+      "data = ARGC > 1 ? plain(ARG2) : files.'.dat'\n"
+      "set encoding utf8\n{}{}"
       "set output picture\n",
-      quote(from_script.string()), terminal_of(output, drawn));
+      quote(from_script.string()), drawn.before, page.terminal(drawn.height));
 }
+
+// Where gnuplot draws, and what becomes of it.
+class Drawing {
+ public:
+  explicit Drawing(const std::string& path) : path_(path), output_(path) {
+    if (!path.ends_with(kTex)) return;
+    image_path_ = path.substr(0, path.size() - kTex.size()) + ".pdf";
+    ensure_safe_stem();
+    image_.emplace(image_path_);
+  }
+
+  // LaTeX's picture is drawn under its own name, since its text names the image.
+  std::string place() const {
+    if (!image_) return output_.temporary_path();
+    return (folder_.path() / fs::path(path_).filename()).string();
+  }
+
+  void commit() {
+    if (image_) {
+      const std::string drawn = place();
+      const std::string stem = drawn.substr(0, drawn.size() - kTex.size());
+      std::string text = content(drawn);
+      // As it is found beside the text, wherever it was drawn.
+      const std::string name = fs::path(stem).filename().string();
+      for (std::size_t at = 0; (at = text.find(stem, at)) != std::string::npos;) {
+        text.replace(at, stem.size(), name);
+        at += name.size();
+      }
+      fs::copy_file(stem + ".pdf", image_->temporary_path(), fs::copy_options::overwrite_existing);
+      std::ofstream(output_.temporary_path(), std::ios::binary) << text;
+      ensure_whole(image_->temporary_path(), image_path_);
+    }
+    ensure_whole(output_.temporary_path(), path_);
+    if (image_) image_->commit();
+    output_.commit();
+  }
+
+ private:
+  static constexpr std::string_view kTex = ".tex";
+
+  static std::string content(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  // The name of the image stands in LaTeX's text.
+  void ensure_safe_stem() const {
+    const std::string stem = fs::path(path_).stem().string();
+    const bool is_safe = std::all_of(stem.begin(), stem.end(), [](unsigned char letter) {
+      return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
+    });
+    if (is_safe && !stem.empty()) return;
+    throw InputError(fmt::format(
+        "cannot draw '{}': LaTeX includes it by its name, which may have letters, digits and - _ .",
+        path_));
+  }
+
+  static void ensure_whole(const std::string& file, const std::string& name) {
+    if (is_whole(file, name)) return;
+    throw RunError(fmt::format("gnuplot wrote no whole picture for '{}'; is the disk full?", name));
+  }
+
+  std::string path_, image_path_;
+  OutputFile output_;
+  std::optional<OutputFile> image_;
+  TemporaryFolder folder_;
+};
 
 }  // namespace
 
 void ensure_plottable(const std::string& output_path) {
-  terminal_of(output_path, {});
+  picture_format(output_path);
   ensure_writable(output_path);
   ensure_gnuplot();
 }
 
 void plot_files(const PlotRequest& request) {
-  terminal_of(request.output_path, {});
+  const Page page(request.style, picture_format(request.output_path));
   const bool keep_script = !request.script_path.empty();
   if (keep_script && !request.script_path.ends_with(kScriptEnding)) {
     throw InputError(
         fmt::format("cannot write the script '{}': its name must end in .gp", request.script_path));
   }
-  OutputFile output(request.output_path);
+  Drawing drawing(request.output_path);
   if (keep_script) ensure_writable(request.script_path);
-  const PlotScript drawn = draw(request);
+  const PlotScript drawn = draw(page, request);
 
   const TemporaryFolder folder;
   const fs::path script = keep_script ? fs::path(request.script_path) : folder.path() / "plot.gp";
@@ -107,14 +158,10 @@ void plot_files(const PlotRequest& request) {
   const std::string files = stem.substr(0, stem.size() - kScriptEnding.size());
   write_file(files + ".dat", drawn.data);
   if (!drawn.missing.empty()) write_file(files + "-missing.dat", drawn.missing);
-  write_file(script.string(), preamble(script, request.output_path, drawn) + drawn.text);
+  write_file(script.string(), preamble(script, request.output_path, page, drawn) + drawn.text);
 
-  run_gnuplot(script.string(), output.temporary_path());
-  if (!is_whole(output.temporary_path(), request.output_path)) {
-    throw RunError(fmt::format("gnuplot wrote no whole picture for '{}'; is the disk full?",
-                               request.output_path));
-  }
-  output.commit();
+  run_gnuplot(script.string(), drawing.place());
+  drawing.commit();
 }
 
 }  // namespace gearsweep

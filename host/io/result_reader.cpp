@@ -163,6 +163,25 @@ std::string ResultFile::study_text() const {
   return *study;
 }
 
+std::string ResultFile::settings_text() const {
+  return text_or_empty(*file_, NC_GLOBAL, "settings");
+}
+
+Scales ResultFile::scales() const {
+  const auto number = [&](const char* name) {
+    const std::vector<double> numbers = file_->number_attribute(NC_GLOBAL, name);
+    const bool is_scale =
+        numbers.size() == 1 && std::isfinite(numbers.front()) && numbers.front() > 0.0;
+    return is_scale ? numbers.front() : 0.0;
+  };
+  Scales scales;
+  scales.varpi = number("scale_varpi_rad_per_s");
+  scales.b_n = number("scale_b_n_m");
+  scales.k0 = number("scale_k0_N_per_m");
+  scales.rpm_per_omega = number("scale_rpm_per_omega");
+  return scales;
+}
+
 std::vector<std::string> ResultFile::poincare_states() const {
   std::vector<std::string> names;
   for (const ChannelInfo& state : read_states()) names.push_back(state.name);

@@ -231,6 +231,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   for (std::size_t i = 0; i < count; ++i) {
     StoredTrace stored;
     stored.title = file.text_attribute(NC_GLOBAL, "title").value_or("");
+    stored.settings = file.text_attribute(NC_GLOBAL, "settings").value_or("");
     stored.label = labels[i];
     stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
