@@ -86,7 +86,7 @@ std::string cut_remark(const ResultFile& file, const Cut& cut, bool is_si) {
   const ResultAxis& axis = file.axes()[cut.axis];
   double value = axis.values[cut.index];
   std::string unit = axis.unit;
-  const SiUnit si = is_si ? shown_si_unit(unit, file.scales()) : SiUnit{};
+  const ShownUnit si = is_si ? shown_unit(unit, file.scales()) : ShownUnit{};
   if (si.scale > 0.0) {
     value *= si.scale;
     unit = si.name;
@@ -122,7 +122,10 @@ Picture read_picture(const std::string& path, const std::string& quantity,
   picture.title = file.title();
   picture.settings = file.settings_text();
   tell_apart(file, cut, &picture.map);
-  if (request.style.is_si) convert_to_si(file.scales(), path, &picture.map);
+  if (request.style.is_si) {
+    ensure_scales(file.scales(), path);
+    convert_to_si(file.scales(), &picture.map);
+  }
   if (cut) picture.remark = cut_remark(file, *cut, request.style.is_si);
   return picture;
 }

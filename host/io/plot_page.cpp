@@ -63,12 +63,14 @@ std::string Page::text(std::string_view markup) const {
   if (is_latex()) return quote(latex_of(markup));
   std::string shown(markup);
   if (format_ != PictureFormat::kSvg) return quote(shown);
-  // A blank at the end of an element of SVG is none; one that does not break stays.
-  constexpr std::string_view kBlank = "\u00a0";
+  // Some viewers drop a blank at the ends of an element of SVG, so an empty letter stands there.
+  constexpr std::string_view kEmpty = "\u200b";
   for (std::size_t at = 0; (at = shown.find(' ', at)) != std::string::npos; ++at) {
     const bool is_before = at + 1 < shown.size() && shown[at + 1] == '{';
-    const bool is_after = at > 0 && shown[at - 1] == '}';
-    if (is_before || is_after) shown.replace(at, 1, kBlank);
+    const bool is_after = at > 1 && shown[at - 1] == '}' && shown[at - 2] != '\\';
+    if (is_before) shown.insert(at + 1, kEmpty);
+    if (is_after) shown.insert(at, kEmpty);
+    if (is_after) at += kEmpty.size();
   }
   return quote(shown);
 }

@@ -17,12 +17,13 @@
 namespace gearsweep {
 namespace {
 
-// Okabe and Ito's colours (2008), which the colour-blind tell apart too; black and white are kept
-// for what is no class of its own. The last is "wine" of Paul Tol's scheme "muted" (2021).
-constexpr std::array<const char*, 8> kDistinct = {"#56b4e9", "#e69f00", "#009e73", "#f0e442",
-                                                  "#0072b2", "#d55e00", "#cc79a7", "#882255"};
-constexpr const char *kOthersColour = "#5b3a1e", *kNoneColour = "#ffffff";
-constexpr const char *kQuasiPeriodicColour = "#b0b0b0", *kChaoticColour = "#4d4d4d";
+// Colours that the colour-blind tell apart, and of which the first four are also different shades
+// of grey: six of Okabe and Ito (2008), "light cyan" of Paul Tol's scheme "light" and "wine" of his
+// "muted" (2021). Black, grey and white are kept for what is no class of its own.
+constexpr std::array<const char*, 8> kDistinct = {"#99ddff", "#d55e00", "#0072b2", "#e69f00",
+                                                  "#009e73", "#f0e442", "#cc79a7", "#882255"};
+constexpr const char *kOthersColour = "#999933", *kNoneColour = "#ffffff";  // "olive" of "muted"
+constexpr const char *kQuasiPeriodicColour = "#919191", *kChaoticColour = "#3d3d3d";
 
 // Values beside the whole numbers of a map, for what is not periodic.
 constexpr double kUndecided = -1.0, kQuasiPeriodic = -2.0, kChaotic = -3.0;

@@ -169,6 +169,13 @@ bool is_si(const std::string& text) {
   return text == "SI";
 }
 
+// "viridis|plasma|..."
+std::string colormap_choices() {
+  std::vector<std::string> names = colormap_names();
+  std::erase_if(names, [](const std::string& name) { return name.ends_with("_r"); });
+  return fmt::format("{}", fmt::join(names, "|"));
+}
+
 StyleOption one(const std::string& name, const std::string& value, const std::string& meaning,
                 void (*set)(const std::string&, PlotStyle*)) {
   return {name, value, meaning, false,
@@ -235,11 +242,12 @@ const std::vector<StyleOption>& style_options() {
           [](const std::string& text, PlotStyle* style) { style->yrange = limits_in(text); }),
       one("range", "LO:HI", "Range of the colours, so that several pictures share a scale",
           [](const std::string& text, PlotStyle* style) { style->range = limits_in(text); }),
-      one("colormap", "NAME", fmt::format("Colours: {}", fmt::join(colormap_names(), ", ")),
+      one("colormap", colormap_choices(),
+          "Colours by names as in matplotlib, which end in _r for the other way round: viridis_r",
           set_colormap),
       one("log", "", "Logarithmic colours, or a logarithmic vertical axis",
           [](const std::string& text, PlotStyle* style) { style->is_log = flag_in(text); }),
-      {"contours", "N|LEVELS", "Contour lines in a map: how many, or their levels: 0.5,1,1.5", true,
+      {"contours", "LEVELS", "Contour lines in a map: how many, or their levels: 0.5,1,1.5", true,
        set_contours},
       one("units", "SI|model", "SI: rpm, N, um where the study has a [gear] table",
           [](const std::string& text, PlotStyle* style) { style->is_si = is_si(text); })};

@@ -10,6 +10,7 @@
 #include "io/plot_sources.hpp"
 #include "io/plot_text.hpp"
 #include "io/plot_trace.hpp"
+#include "io/si_units.hpp"
 #include "io/trace_file.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -85,7 +86,7 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
     velocity = trace.channels[1].name;
   }
   if (velocity.empty()) {
-    find_in({"", "", "", trace}, names.front());
+    find_in({"", "", "", {}, trace}, names.front());
     throw InputError(
         fmt::format("'{0}' has no velocity beside it; name two channels, as in {1}:{0}:{2}",
                     names.front(), kind.name, trace.channels.front().name));
@@ -121,10 +122,16 @@ struct Source {
   StoredTrace stored;
 };
 
-std::vector<Source> read_sources(const std::vector<std::string>& paths) {
+std::vector<Source> read_sources(const std::vector<std::string>& paths, bool is_si) {
   std::vector<Source> sources;
   for (const std::string& path : paths) {
-    for (StoredTrace& stored : read_traces(path)) sources.push_back({path, std::move(stored)});
+    for (StoredTrace& stored : read_traces(path)) {
+      if (is_si) {
+        ensure_scales(stored.scales, path);
+        convert_to_si(stored.scales, &stored.trace);
+      }
+      sources.push_back({path, std::move(stored)});
+    }
   }
   ensure_tellable(sources.size());
   return sources;
@@ -182,7 +189,7 @@ PlotScript draw_traces(const Page& page, const PlotRequest& request) {
   if (request.orders && kind.name != "spectrum") {
     throw InputError("--orders is for spectra (-q spectrum)");
   }
-  const std::vector<Source> sources = read_sources(request.paths);
+  const std::vector<Source> sources = read_sources(request.paths, request.style.is_si);
   const Trace& first = sources.front().stored.trace;
   const std::vector<std::string> channels = channel_names(kind, words, first);
   constexpr std::size_t kRecentPeriods = 10;

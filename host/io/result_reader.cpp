@@ -12,6 +12,7 @@
 
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
+#include "io/si_units.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 
@@ -167,20 +168,7 @@ std::string ResultFile::settings_text() const {
   return text_or_empty(*file_, NC_GLOBAL, "settings");
 }
 
-Scales ResultFile::scales() const {
-  const auto number = [&](const char* name) {
-    const std::vector<double> numbers = file_->number_attribute(NC_GLOBAL, name);
-    const bool is_scale =
-        numbers.size() == 1 && std::isfinite(numbers.front()) && numbers.front() > 0.0;
-    return is_scale ? numbers.front() : 0.0;
-  };
-  Scales scales;
-  scales.varpi = number("scale_varpi_rad_per_s");
-  scales.b_n = number("scale_b_n_m");
-  scales.k0 = number("scale_k0_N_per_m");
-  scales.rpm_per_omega = number("scale_rpm_per_omega");
-  return scales;
-}
+Scales ResultFile::scales() const { return read_scales(*file_); }
 
 std::vector<std::string> ResultFile::poincare_states() const {
   std::vector<std::string> names;

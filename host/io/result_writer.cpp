@@ -14,7 +14,6 @@
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
 #include "io/result_size.hpp"
-#include "io/si_units.hpp"
 #include "study/settings.hpp"
 #include "sweep_types.h"
 
@@ -22,6 +21,23 @@ namespace gearsweep {
 namespace {
 
 constexpr signed char kNoClass = -1;
+
+// The SI unit of a dimensionless unit; the scale is 0 where there is none.
+struct SiUnit {
+  double scale = 0.0;
+  std::string name;
+};
+
+SiUnit si_unit(const std::string& unit, const Scales& scales) {
+  if (!scales.known()) return {};
+  if (unit == "b_n") return {scales.b_n, "m"};
+  if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
+  if (unit == "varpi") return {scales.varpi, "rad/s"};
+  if (unit == "1/tau") return {scales.varpi, "1/s"};
+  if (unit == "k0") return {scales.k0, "N/m"};
+  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+  return {};
+}
 
 // Defines all of the file, then fills it.
 class Writer {

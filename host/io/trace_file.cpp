@@ -12,6 +12,7 @@
 #include "io/file_names.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/output_file.hpp"
+#include "io/si_units.hpp"
 #include "model/error.hpp"
 #include "study/settings.hpp"
 
@@ -233,6 +234,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
     stored.title = file.text_attribute(NC_GLOBAL, "title").value_or("");
     stored.settings = file.text_attribute(NC_GLOBAL, "settings").value_or("");
     stored.label = labels[i];
+    stored.scales = read_scales(file);
     stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
     if (!is_time(stored.trace.tau) || stored.trace.channels.empty() ||

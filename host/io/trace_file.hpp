@@ -31,6 +31,7 @@ struct StoredTrace {
   std::string title;     // of the study
   std::string settings;  // every value that the study resolved to, as TOML
   std::string label;
+  Scales scales;  // of a study with a [gear] table
   Trace trace;
 };
 

@@ -74,6 +74,29 @@ TEST_F(PlotTest, AnUnevenOrLogarithmicGridIsAnImageToo) {
               AllOf(HasSubstr("set logscale x"), HasSubstr("array=(4,3)")));
 }
 
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+// Where shapes of a vector format touch, viewers show seams; pixels of an image have none.
+TEST_F(PlotTest, NoMapAndNoColourBarIsMadeOfShapes) {
+  SweepResult even = example_result(), uneven = example_result();
+  for (double& value : even.values[0]) value = 0.7;
+  uneven.study.axes[0].values = {0.1, 1.0, 10.0, 100.0};
+  for (const SweepResult& result : {even, uneven}) {
+    for (const char* const quantity : {"x1_rms", "contact_class"}) {
+      const std::string picture = in_folder("picture.svg");
+      plot_files({{write(result)}, quantity, picture, "", {}, {}, {}});
+      const std::string svg = content(picture);
+      EXPECT_EQ(count_of("<image", svg), 2U) << quantity;
+      // The ground of what diverged and its box in the key.
+      EXPECT_LE(count_of("<polygon", svg), 2U) << quantity;
+    }
+  }
+}
+
 TEST_F(PlotTest, ClassesHaveNamesAtTheColourBar) {
   const std::string path = write(example_result());
   // Classes that do not occur take no room.
