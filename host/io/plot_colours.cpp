@@ -95,6 +95,11 @@ bool is_diverging(const std::string& name) {
   return map != nullptr && map->is_diverging;
 }
 
+std::pair<std::string, std::string> end_colours(const std::string& name) {
+  const std::vector<std::string> colours = colours_of(name);
+  return {colours.front(), colours.back()};
+}
+
 std::string palette_line(const std::string& name, double least, double greatest) {
   const std::vector<std::string> colours = colours_of(name);
   const bool has_middle = is_diverging(name) && least < 0.0 && greatest > 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gearsweep {
@@ -11,6 +12,9 @@ std::vector<std::string> colormap_names();
 
 // Whether its middle stands for zero.
 bool is_diverging(const std::string& name);
+
+// The colours of the least and of the greatest value.
+std::pair<std::string, std::string> end_colours(const std::string& name);
 
 // A "set palette" line. Of a diverging map over least < 0 < greatest the middle is at zero, and
 // either side has all of its shades, however small, so that weak chaos stands out.

@@ -57,12 +57,14 @@ std::vector<ContourPiece> contour_pieces(const ResultMap& map, double level) {
   return pieces;
 }
 
-std::vector<double> contour_levels(const Contours& contours, const ValueRange& range) {
+std::vector<double> contour_levels(const Contours& contours, const ValueRange& range, bool is_log) {
   if (contours.count == 0) return contours.levels;
   std::vector<double> levels;
   const auto parts = static_cast<double>(contours.count + 1);
   for (std::size_t i = 1; i <= contours.count; ++i) {
-    levels.push_back(range.least + static_cast<double>(i) / parts * (range.greatest - range.least));
+    const double share = static_cast<double>(i) / parts;
+    levels.push_back(is_log ? range.least * std::pow(range.greatest / range.least, share)
+                            : range.least + share * (range.greatest - range.least));
   }
   return levels;
 }

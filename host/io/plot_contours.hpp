@@ -16,7 +16,8 @@ struct ContourPiece {
 // the logarithm). None beside a point without a value.
 std::vector<ContourPiece> contour_pieces(const ResultMap& map, double level);
 
-// The levels that were asked for, or so many evenly within the range.
-std::vector<double> contour_levels(const Contours& contours, const ValueRange& range);
+// The levels that were asked for, or so many evenly within the range,
+// of logarithmic colours in the logarithm.
+std::vector<double> contour_levels(const Contours& contours, const ValueRange& range, bool is_log);
 
 }  // namespace gearsweep

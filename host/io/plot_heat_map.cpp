@@ -140,6 +140,7 @@ struct Colours {
     }
     return raster;
   }
+  std::pair<std::string, std::string> ends() const { return end_colours(name_); }
   Tics tics(const Page& page, double length) const {
     if (classes) return {classes->tics(page, "y2", false), classes->widest(page)};
     Tics out = tics_of(page, "y2", {range.least, range.greatest, is_log}, length, true);
@@ -156,15 +157,35 @@ std::string bar_label(const Page& page, const ResultMap& map) {
   return quantity_label(map.name, map.unit);
 }
 
+// Pointed ends of a bar: there are values beyond it.
+std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar, double length,
+                     double height) {
+  const auto [below, above] = colours.ends();
+  const auto triangle = [&](double foot, double tip, const std::string& colour) {
+    const auto at = [&](double x, double y) {
+      return fmt::format("screen {:.5f}, screen {:.5f}", x / page.width(), y / height);
+    };
+    return fmt::format(
+        "set object polygon from {0} to {1} to {2} to {0} fillstyle solid 1 border linecolor rgb "
+        "'#000000' fillcolor rgb '{3}'\n",
+        at(bar.left, foot), at(bar.right, foot), at(0.5 * (bar.left + bar.right), tip), colour);
+  };
+  return triangle(bar.bottom, bar.bottom - length, below) +
+         triangle(bar.top, bar.top + length, above);
+}
+
 // The bar is a plot of its own; its axes x1 and y1 go from 0 to 1.
-std::string draw_bar(const Page& page, const Colours& colours, const Frame& frame, double height,
+std::string draw_bar(const Page& page, const Colours& colours, const Frame& whole, double height,
                      const std::vector<std::string>& label, PlotScript* script) {
+  const double pointed = colours.range.clipped ? 0.8 * page.em() : 0.0;
+  const Frame frame{whole.left, whole.right, whole.bottom + pointed, whole.top - pointed};
   const Tics tics = colours.tics(page, frame.height());
   std::string text = "reset\nunset key\nunset colorbox\nset border linewidth 1\n" +
                      page.margins(frame, height) +
                      "set x2range [0:1]\nset xrange [0:1]\nset yrange [0:1]\nunset xtics\n"
                      "unset ytics\n" +
                      tics.lines + colours.palette();
+  if (colours.range.clipped) text += bar_ends(page, colours, frame, pointed, height);
   const double em = page.em();
   double beside = frame.right + tics.widest + em * (colours.classes ? 1.45 : 1.75);
   for (const std::string& line : label) {
@@ -190,7 +211,7 @@ std::string add_contours(const Page& page, const Colours& colours, const ResultM
   const Contours& contours = page.style().contours;
   if (!contours.any() || colours.classes) return "";
   std::vector<ContourPiece> pieces;
-  for (const double level : contour_levels(contours, colours.range)) {
+  for (const double level : contour_levels(contours, colours.range, colours.is_log)) {
     const std::vector<ContourPiece> own = contour_pieces(map, level);
     pieces.insert(pieces.end(), own.begin(), own.end());
   }

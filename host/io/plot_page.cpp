@@ -19,9 +19,16 @@ constexpr double kSvgPixelsPerInch = 96.0;
 // What gnuplot's lengths are in its own units: its letters in points of 1/96 inch, the diameter of
 // a point of size 1.
 constexpr double kLetterScale = 96.0 / 72.0, kPointDiameter = 6.0;
-constexpr double kRasterPerInch = 400.0;  // of dots
+constexpr double kRasterPerInch = 400.0;  // of dots, at most
+constexpr double kMostPixels = 1.2e6;     // of which dots make some 400 kB
 constexpr double kLine = 0.5;             // points that linewidth 1 is wide
 constexpr double kDot = 2.0;              // points across of pointsize dot
+
+// Pixels of dots per point.
+double raster_scale(const Frame& frame) {
+  return std::min(kRasterPerInch / kPointsPerInch,
+                  std::sqrt(kMostPixels / (frame.width() * frame.height())));
+}
 
 double points_of(double mm) { return mm / kMmPerInch * kPointsPerInch; }
 
@@ -112,17 +119,17 @@ std::string Page::terminal(double height) const {
 }
 
 std::pair<std::size_t, std::size_t> Page::raster_size(const Frame& frame) const {
-  const double scale = kRasterPerInch / kPointsPerInch;
+  const double scale = raster_scale(frame);
   return {static_cast<std::size_t>(std::max(2.0, std::round(frame.width() * scale))),
           static_cast<std::size_t>(std::max(2.0, std::round(frame.height() * scale)))};
 }
 
 std::string Page::raster_terminal(const Frame& frame) const {
   const auto [columns, rows] = raster_size(frame);
+  const double scale = raster_scale(frame);
   return fmt::format(
       "set terminal pngcairo size {},{} background 'white' linewidth {:.6g}\ndot = {:.6g}\n",
-      columns, rows, kLine * kRasterPerInch / kPointsPerInch,
-      kDot * kRasterPerInch / kPointsPerInch / kPointDiameter);
+      columns, rows, kLine * scale, kDot * scale / kPointDiameter);
 }
 
 std::string Page::margins(const Frame& frame, double height) const {
@@ -187,6 +194,7 @@ std::vector<Tic> even_tics(const Page& page, const AxisRange& range, double leng
                            bool is_upright) {
   constexpr double kMost = 8.0;
   const double span = range.greatest - range.least;
+  if (!(span > 0.0 && std::isfinite(span))) return {};
   const double unit = std::pow(10.0, std::floor(std::log10(span)) - 1.0);
   std::vector<Tic> coarser;
   for (const double factor : {50.0, 20.0, 10.0, 5.0, 2.0, 1.0}) {

@@ -265,7 +265,9 @@ void tell_classes_apart(const ResultMap* motion, const ResultMap* contact, Resul
     const std::vector<std::string> rest(words.begin() + 1, words.end());
     std::string name = fmt::format("attractor {}: {}", i, fmt::join(rest, " "));
     std::size_t points = 0, hit = 0;
-    for (std::size_t j = 0; contact != nullptr && j < map->values.size(); ++j) {
+    const std::size_t shared =
+        contact == nullptr ? 0 : std::min(map->values.size(), contact->values.size());
+    for (std::size_t j = 0; j < shared; ++j) {
       if (map->values[j] != static_cast<double>(i) || !std::isfinite(contact->values[j])) continue;
       ++points;
       if (contact->values[j] > 0.0) ++hit;

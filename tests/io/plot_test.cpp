@@ -354,6 +354,25 @@ TEST_F(PlotTest, ATextThatNobodyReadsIsCutShort) {
   EXPECT_LT(script_of({{path, other}, "x1_rms", "", "", {}, {}, {}}).size(), 20'000U);
 }
 
+// Who restyles a script draws other data with it.
+TEST_F(PlotTest, AKeptScriptTakesPictureAndData) {
+  script_of({{write(example_result())}, "x1_rms", "", "", {}, {}, {}});
+  fs::rename(in_folder("picture.dat"), in_folder("other.dat"));
+  const std::string command = "cd '" + folder_.string() + "' && gnuplot -c picture.gp again.png";
+  EXPECT_NE(std::system((command + " 2> said.txt").c_str()), 0);
+  EXPECT_EQ(std::system((command + " other.dat").c_str()), 0);
+  EXPECT_THAT(content(in_folder("again.png")), StartsWith("\x89PNG"));
+}
+
+TEST_F(PlotTest, ABarWithPointedEndsLeavesValuesOut) {
+  SweepResult result = example_result(50, 40);
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+              Not(HasSubstr("polygon")));
+  result.values[0][7] = 1e6;
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+              AllOf(HasSubstr("set object polygon"), HasSubstr("99.8 %")));
+}
+
 TEST_F(PlotTest, OddNamesOfFilesWork) {
   fs::create_directory(folder_ / "it's {here} ü");
   PlotRequest request;
