@@ -66,14 +66,30 @@ std::string preamble(const fs::path& script, const std::string& output, const Pa
       quote(from_script.string()), drawn.before, page.terminal(drawn.height));
 }
 
+constexpr std::string_view kTex = ".tex";
+
+// Of the image that LaTeX's picture includes; empty of other formats. Throws InputError where LaTeX
+// would take the name for more than a name.
+std::string image_of(const std::string& output) {
+  if (!output.ends_with(kTex)) return "";
+  const std::string stem = fs::path(output).stem().string();
+  const bool is_safe = std::all_of(stem.begin(), stem.end(), [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
+  });
+  if (!is_safe || stem.empty()) {
+    throw InputError(fmt::format(
+        "cannot draw '{}': LaTeX includes it by its name, which may have letters, digits and - _ .",
+        output));
+  }
+  return output.substr(0, output.size() - kTex.size()) + ".pdf";
+}
+
 // Where gnuplot draws, and what becomes of it.
 class Drawing {
  public:
-  explicit Drawing(const std::string& path) : path_(path), output_(path) {
-    if (!path.ends_with(kTex)) return;
-    image_path_ = path.substr(0, path.size() - kTex.size()) + ".pdf";
-    ensure_safe_stem();
-    image_.emplace(image_path_);
+  explicit Drawing(const std::string& path)
+      : path_(path), image_path_(image_of(path)), output_(path) {
+    if (!image_path_.empty()) image_.emplace(image_path_);
   }
 
   // LaTeX's picture is drawn under its own name, since its text names the image.
@@ -103,23 +119,9 @@ class Drawing {
   }
 
  private:
-  static constexpr std::string_view kTex = ".tex";
-
   static std::string content(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  // The name of the image stands in LaTeX's text.
-  void ensure_safe_stem() const {
-    const std::string stem = fs::path(path_).stem().string();
-    const bool is_safe = std::all_of(stem.begin(), stem.end(), [](unsigned char letter) {
-      return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
-    });
-    if (is_safe && !stem.empty()) return;
-    throw InputError(fmt::format(
-        "cannot draw '{}': LaTeX includes it by its name, which may have letters, digits and - _ .",
-        path_));
   }
 
   static void ensure_whole(const std::string& file, const std::string& name) {
@@ -137,6 +139,8 @@ class Drawing {
 
 void ensure_plottable(const std::string& output_path) {
   picture_format(output_path);
+  const std::string image = image_of(output_path);
+  if (!image.empty()) ensure_writable(image);
   ensure_writable(output_path);
   ensure_gnuplot();
 }

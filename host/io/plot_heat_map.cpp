@@ -266,7 +266,7 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
 
   PlotScript script;
   constexpr double kAspect = 0.75;
-  script.height = page.height_or(kAspect * page.width());
+  script.height = page.height_or(kAspect * page.width() + key_height(page, key));
   Frame frame;
   frame.bottom = key_height(page, key) + bottom_room(page, x);
   const double head = heading_height(page, heading);

@@ -104,7 +104,7 @@ std::string latex_of(std::string_view markup) {
 }
 
 double letters_width(std::string_view markup) {
-  constexpr double kScript = 0.7, kNarrow = 0.34, kWide = 0.92, kCapital = 0.7, kOther = 0.62;
+  constexpr double kScript = 0.7, kNarrow = 0.32, kWide = 0.9, kCapital = 0.68, kOther = 0.59;
   double width = 0.0, scale = 1.0;
   std::string scales;  // 's' where a group in small letters is open
   bool is_script = false;

@@ -28,16 +28,16 @@ constexpr const char *kQuasiPeriodicColour = "#919191", *kChaoticColour = "#3d3d
 // Values beside the whole numbers of a map, for what is not periodic.
 constexpr double kUndecided = -1.0, kQuasiPeriodic = -2.0, kChaotic = -3.0;
 
-// Of curves laid over one another: dark ones first, and dashes for print without colours.
+// Of curves laid over one another: dark and bright by turns, and dashes, for print without colours.
 struct LayerStyle {
   const char *colour, *dashes;
 };
 constexpr std::array<LayerStyle, 6> kLayers = {{{"#0072b2", "1"},
-                                                {"#d55e00", "(9,4)"},
+                                                {"#e69f00", "(9,4)"},
                                                 {"#009e73", "(5,3)"},
                                                 {"#000000", "(12,3,3,3)"},
                                                 {"#cc79a7", "(18,5)"},
-                                                {"#e69f00", "(2,2)"}}};
+                                                {"#d55e00", "(2,2)"}}};
 
 std::vector<double> finite(const std::vector<double>& values) {
   std::vector<double> out;
