@@ -33,11 +33,11 @@ struct LayerStyle {
   const char *colour, *dashes;
 };
 constexpr std::array<LayerStyle, 6> kLayers = {{{"#0072b2", "1"},
-                                                {"#e69f00", "(9,4)"},
-                                                {"#009e73", "(5,3)"},
-                                                {"#000000", "(12,3,3,3)"},
-                                                {"#cc79a7", "(18,5)"},
-                                                {"#d55e00", "(2,2)"}}};
+                                                {"#e69f00", "(10,7)"},
+                                                {"#009e73", "(5,6)"},
+                                                {"#000000", "(14,6,3,6)"},
+                                                {"#cc79a7", "(20,8)"},
+                                                {"#d55e00", "(2,5)"}}};
 
 std::vector<double> finite(const std::vector<double>& values) {
   std::vector<double> out;
@@ -151,20 +151,6 @@ std::vector<double> cell_edges(const ResultAxis& axis) {
   return edges;
 }
 
-bool is_even(const ResultAxis& axis) {
-  // gnuplot makes no image that is one pixel wide.
-  if (axis.logarithmic || axis.values.size() < 2) return false;
-  // Far less than a pixel, and more than the rounding of decimal values.
-  constexpr double kTolerance = 1e-2;
-  const double step =
-      (axis.values.back() - axis.values.front()) / static_cast<double>(axis.values.size() - 1);
-  for (std::size_t i = 0; i < axis.values.size(); ++i) {
-    const double even = axis.values.front() + static_cast<double>(i) * step;
-    if (std::abs(axis.values[i] - even) > kTolerance * step) return false;
-  }
-  return true;
-}
-
 void ensure_tellable(std::size_t layers) {
   if (layers <= kLayers.size()) return;
   throw InputError(
@@ -205,8 +191,10 @@ std::string ClassScale::tics(const Page& page, const std::string& axis, bool mar
   for (std::size_t i = 0; i < names.size(); ++i) {
     // gnuplot takes the label of a tic for a format of its number.
     std::string name;
-    for (const char letter : names[i]) name += letter == '%' ? "%%" : std::string(1, letter);
-    tics.push_back(fmt::format("{} {}", page.text(name), i));
+    for (const char letter : page.text(names[i])) {
+      name += letter == '%' ? "%%" : std::string(1, letter);
+    }
+    tics.push_back(fmt::format("{} {}", name, i));
   }
   return fmt::format(
       "set {0}range [-0.5:{1}-0.5]\nset {0}tics out nomirror scale {2} offset {3} ({4})\n", axis,

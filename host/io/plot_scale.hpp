@@ -16,9 +16,6 @@ inline constexpr const char* kMissingClassColour = "#000000";  // where classes 
 // Edges of the cells around the values of an axis, which go upwards: one more than values.
 std::vector<double> cell_edges(const ResultAxis& axis);
 
-// True when the values are so even on the axis's scale that an image shows them in their places.
-bool is_even(const ResultAxis& axis);
-
 // Throws InputError when so many curves could not be told apart.
 void ensure_tellable(std::size_t layers);
 // One of several curves that lie over one another: "#0072b2", its dashes, and both as "plot" takes

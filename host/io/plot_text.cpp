@@ -106,12 +106,6 @@ std::string name_markup(const std::string& name) {
 
 }  // namespace
 
-std::string quote_tic(std::string_view text) {
-  std::string format;
-  for (const char letter : text) format += letter == '%' ? "%%" : std::string(1, letter);
-  return quote(format);
-}
-
 std::string quote(std::string_view text) {
   std::string quoted = "\"";
   for (const char letter : text) {

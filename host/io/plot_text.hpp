@@ -13,9 +13,6 @@ namespace gearsweep {
 // or a variable.
 std::string quote(std::string_view text);
 
-// The same for the label of a tic, which gnuplot takes for a format of the tic's number.
-std::string quote_tic(std::string_view text);
-
 // At most so many bytes of a text, and "..." in place of the rest: anyone may have written it, and
 // gnuplot takes minutes over megabytes.
 inline constexpr std::size_t kLongestText = 500;

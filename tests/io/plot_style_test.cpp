@@ -181,6 +181,10 @@ TEST_F(PlotStyleTest, LatexIncludesAPictureBesideIt) {
   EXPECT_THAT(content(in_folder("picture.pdf")), StartsWith("%PDF"));
   EXPECT_THAT(refusal([&] { script_of({path}, "x1_rms", {}, "} \\input x.tex"); }),
               HasSubstr("LaTeX includes it by its name"));
+  result.study.selection.quantities[1].flags = {"100%", "%d", "{c}"};
+  script_of({write(result)}, "contact_class", {}, ".tex");
+  EXPECT_THAT(content(in_folder("picture.tex")),
+              AllOf(HasSubstr("100\\%}"), HasSubstr("\\%d}"), HasSubstr("\\{c\\}")));
   // A sweep asks before it begins.
   EXPECT_THAT(refusal([&] { ensure_plottable(in_folder("my map.tex")); }),
               HasSubstr("LaTeX includes it by its name"));
