@@ -25,7 +25,8 @@ struct Contours {
   bool any() const { return count > 0 || !levels.empty(); }
 };
 
-// Everything has a default; an empty title leaves the title out.
+// Everything has a default; an empty title leaves the title out. What does not concern a picture
+// (such as the colours of a curve) is left aside, so that one style serves many.
 struct PlotStyle {
   PictureSize size;  // in mm, or in pixels
   std::string font = "DejaVu Sans";
