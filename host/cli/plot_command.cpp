@@ -1,4 +1,7 @@
 // gearsweep plot, gearsweep export: maps and traces as pictures, maps as tables.
+#include <fmt/format.h>
+
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +31,45 @@ std::pair<std::string, double> parse_cut(const std::string& text) {
   throw InputError("--at " + text + ": expected AXIS=VALUE, as in b=1");
 }
 
+// The style options that are given, by their names, in the order of the command line's table.
+using StyleArguments = std::map<std::string, std::string>;
+
+void add_style_options(CLI::App* command, StyleArguments* given, std::string* file) {
+  command
+      ->add_option("--style", *file,
+                   "A TOML file whose keys are the options from --size on; the command line wins")
+      ->type_name(kFileValue);
+  for (const StyleOption& option : style_options()) {
+    const auto keep = [given, name = option.name](const std::string& text) {
+      (*given)[name] = text;
+    };
+    const std::string dashed = "--" + option.name;
+    if (option.value.empty()) {
+      command->add_flag_callback(
+          dashed, [keep] { keep("true"); }, option.meaning);
+    } else {
+      command->add_option_function<std::string>(dashed, keep, option.meaning)
+          ->type_name(option.value)
+          ->expected(1);
+    }
+  }
+}
+
+PlotStyle style_of(const StyleArguments& given, const std::string& file) {
+  PlotStyle style;
+  if (!file.empty()) read_style_file(file, &style);
+  for (const StyleOption& option : style_options()) {
+    const auto found = given.find(option.name);
+    if (found == given.end()) continue;
+    try {
+      option.set(option.is_list ? split(found->second, ',') : std::vector{found->second}, &style);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("--{}: {}", option.name, error.what()));
+    }
+  }
+  return style;
+}
+
 struct ExportArguments {
   std::string result, quantities, output;
 };
@@ -38,6 +80,8 @@ void add_plot_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("plot", "Draw maps of result files, or traces");
   const auto request = std::make_shared<PlotRequest>();
   const auto cut = std::make_shared<std::string>();
+  const auto style_file = std::make_shared<std::string>();
+  const auto style = std::make_shared<StyleArguments>();
   command
       ->add_option("file", request->paths,
                    "A result file or a file of traces; several are laid over one another (result "
@@ -52,12 +96,16 @@ void add_plot_command(CLI::App* app) {
           "default), phase, section, spectrum or force; time:v3, phase:x3, phase:x1:x3, "
           "spectrum:dmf pick channels (default: the first state; force: dmf)")
       ->type_name(kQuantityValue);
-  command->add_option("-o,--output", request->output_path, "The picture: .png, .svg or .pdf")
+  command
+      ->add_option("-o,--output", request->output_path,
+                   "The picture: .png, .svg, .pdf or .tex (LaTeX; with a .pdf beside it)")
       ->type_name(kFileValue)
       ->required();
   command
-      ->add_option("--script", request->script_path,
-                   "Keep the gnuplot script (FILE.gp) and its data (FILE.dat, replaced if there)")
+      ->add_option(
+          "--script", request->script_path,
+          "Keep the gnuplot script (FILE.gp) and its data (FILE.dat, replaced if there), to "
+          "restyle: gnuplot -c FILE.gp [PICTURE [DATA]]")
       ->type_name(kFileValue);
   command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis")
       ->type_name("AXIS=VALUE");
@@ -73,16 +121,20 @@ void add_plot_command(CLI::App* app) {
                    "Hann's window, without the mean, and shows the amplitudes of sines")
       ->type_name(kNumberValue)
       ->check(positive_number());
+  add_style_options(command, style.get(), style_file.get());
   command->footer(
       "Examples:\n"
       "  gearsweep plot map.nc -q contact_class -o class.png\n"
+      "  gearsweep plot map.nc -o figure.pdf --width 85mm --title '' --colormap cividis\n"
+      "  gearsweep plot map.nc -o figure.tex --style thesis.toml --range 0:2\n"
       "  gearsweep plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf\n"
       "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
       "  gearsweep plot map.nc -q x1_rms --at e0=0.3 -o cut.svg --script cut.gp\n"
       "  gearsweep plot trace.nc -q force -o force.png\n"
       "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png");
-  command->callback([request, cut] {
+  command->callback([request, cut, style, style_file] {
     if (!cut->empty()) request->at = parse_cut(*cut);
+    request->style = style_of(*style, *style_file);
     for (const std::string& path : request->paths) ensure_undamaged(path);
     plot_files(*request);
   });

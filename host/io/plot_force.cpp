@@ -37,8 +37,8 @@ struct FlankStyle {
   int flank;
   const char *name, *colour;
 };
-constexpr std::array<FlankStyle, 4> kFlanks = {{{1, "drive flank", "#dbe8f3"},
-                                                {0, "no contact", "#fff0c9"},
+constexpr std::array<FlankStyle, 4> kFlanks = {{{1, "drive flank", "#d3e4f1"},
+                                                {0, "no contact", "#ffffff"},
                                                 {-1, "back flank", "#e2b9d3"},
                                                 {2, "both flanks (wedged)", "#a9cfae"}}};
 
@@ -62,27 +62,17 @@ std::string filled(const std::string& colour) {
   return fmt::format("fillstyle solid 1 noborder linecolor rgb '{}'", colour);
 }
 
-// What the key says of the colours beside the curves.
-struct FlankKey {
-  std::vector<std::string> names;
-  std::string text;  // elements of "plot"
-
-  void add(const std::string& colour, const std::string& name) {
-    names.push_back(name);
-    text += fmt::format(
-        ", \\\n     keyentry with boxes fillstyle solid 1 border linecolor rgb '#999999' "
-        "fillcolor rgb '{}' title {}",
-        colour, quote(name));
-  }
-};
+void add_box(const std::string& colour, const std::string& name, std::vector<KeyEntry>* key) {
+  key->push_back({KeyEntry::Kind::kBox, colour, "1", name});
+}
 
 // Bands of one trace over the whole height.
-FlankKey add_bands(const Trace& trace, PlotScript* script) {
+std::vector<KeyEntry> add_bands(const Trace& trace, PlotScript* script) {
   const std::vector<Band> bands = bands_of(trace);
-  FlankKey key;
+  std::vector<KeyEntry> key;
   for (const FlankStyle& style : kFlanks) {
     if (add_boxes(bands, style.flank, 0.0, 1.0, filled(style.colour), script)) {
-      key.add(style.colour, style.name);
+      add_box(style.colour, style.name, &key);
     }
   }
   return key;
@@ -92,7 +82,7 @@ constexpr double kStrip = 0.045;  // of the height
 
 // A strip of each trace in its colour, the first at the top: nothing on the drive flank, a tint
 // without contact, full on the back flank, black on both.
-FlankKey add_strips(const TracePicture& picture, PlotScript* script) {
+std::vector<KeyEntry> add_strips(const TracePicture& picture, PlotScript* script) {
   bool any_gap = false, any_back = false, any_wedged = false;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const double bottom = kStrip * static_cast<double>(picture.layers.size() - 1 - i);
@@ -106,16 +96,16 @@ FlankKey add_strips(const TracePicture& picture, PlotScript* script) {
     any_back = add(-1, layer_colour(i)) || any_back;
     any_wedged = add(2, "#000000") || any_wedged;
   }
-  FlankKey key;
-  if (any_gap) key.add("#cccccc", "no contact");
-  if (any_back) key.add("#555555", "back flank");
-  if (any_wedged) key.add("#000000", "both flanks (wedged)");
+  std::vector<KeyEntry> key;
+  if (any_gap) add_box("#cccccc", "no contact", &key);
+  if (any_back) add_box("#555555", "back flank", &key);
+  if (any_wedged) add_box("#000000", "both flanks (wedged)", &key);
   return key;
 }
 
 }  // namespace
 
-PlotScript draw_force(const TracePicture& picture) {
+PlotScript draw_force(const Page& page, const TracePicture& picture) {
   const bool several = picture.layers.size() > 1;
   ValueRange range = padded_range(all_values(picture, picture.channel.name));
   if (several) {
@@ -123,13 +113,13 @@ PlotScript draw_force(const TracePicture& picture) {
     range.least -= (range.greatest - range.least) * part / (1.0 - part);
   }
   PlotScript script;
-  script.for_column = true;
-  const FlankKey key =
+  const std::vector<KeyEntry> flanks =
       several ? add_strips(picture, &script) : add_bands(picture.layers.front().trace, &script);
   add_histories(picture, &script);
-  script.text = trace_frame(picture, picture.channel.meaning, key.names) + time_axis(picture) +
-                channel_axis(picture, range) + "set y2range [0:1]\nset border front\nplot " +
-                script.text + key.text + "\n";
+  std::vector<KeyEntry> key = layer_entries(picture, KeyEntry::Kind::kLine);
+  key.insert(key.end(), flanks.begin(), flanks.end());
+  finish_trace(page, picture, picture.channel.meaning, key, time_axis(page, picture),
+               channel_axis(page, picture, range), "set border front\n", &script);
   return script;
 }
 

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/plot_names.hpp"
+#include "io/plot_panels.hpp"
 #include "io/plot_sources.hpp"
-#include "io/plot_stack.hpp"
 #include "io/plot_text.hpp"
 #include "io/result_file.hpp"
+#include "io/si_units.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 
@@ -66,6 +68,35 @@ MissingPoints find_missing(const ResultMap& map, const ResultMap& status) {
   return missing;
 }
 
+// With what else the file knows of its points.
+void tell_apart(const ResultFile& file, const std::optional<Cut>& cut, ResultMap* map) {
+  const auto read = [&](const std::string& name) -> std::optional<ResultMap> {
+    const std::vector<std::string>& names = file.quantities();
+    if (std::find(names.begin(), names.end(), name) == names.end()) return std::nullopt;
+    return file.read(name, cut);
+  };
+  std::optional<ResultMap> motion, contact;
+  if (map->name == "period") motion = read("motion_class");
+  if (map->name == "attractor") contact = read("contact_class");
+  tell_classes_apart(motion ? &*motion : nullptr, contact ? &*contact : nullptr, map);
+}
+
+// Markup "b = 0.7 (b_n)".
+std::string cut_remark(const ResultFile& file, const Cut& cut, bool is_si) {
+  const ResultAxis& axis = file.axes()[cut.axis];
+  double value = axis.values[cut.index];
+  std::string unit = axis.unit;
+  const ShownUnit si = is_si ? shown_unit(unit, file.scales()) : ShownUnit{};
+  if (si.scale > 0.0) {
+    value *= si.scale;
+    unit = si.name;
+  }
+  const std::string symbol = symbol_of(axis.name);
+  const std::string shown = unit.empty() || unit == "1" ? "" : fmt::format(" {}", typeset(unit));
+  return fmt::format("at {} = {:.6g}{}", symbol.empty() ? literal(axis.name) : symbol, value,
+                     shown);
+}
+
 // `request` names the cut.
 Picture read_picture(const std::string& path, const std::string& quantity,
                      const PlotRequest& request) {
@@ -89,11 +120,13 @@ Picture read_picture(const std::string& path, const std::string& quantity,
   }
   picture.missing = find_missing(picture.map, file.read("status", cut));
   picture.title = file.title();
-  if (cut) {
-    const ResultAxis& axis = file.axes()[cut->axis];
-    picture.remark = fmt::format("{} = {:.6g}", axis.name, axis.values[cut->index]);
-    if (!axis.unit.empty() && axis.unit != "1") picture.remark += " " + axis.unit;
+  picture.settings = file.settings_text();
+  tell_apart(file, cut, &picture.map);
+  if (request.style.is_si) {
+    ensure_scales(file.scales(), path);
+    convert_to_si(file.scales(), &picture.map);
   }
+  if (cut) picture.remark = cut_remark(file, *cut, request.style.is_si);
   return picture;
 }
 
@@ -118,28 +151,50 @@ void ensure_one_axis(const std::vector<Picture>& layers, const PlotRequest& requ
   }
 }
 
-// The studies by their titles, or where these do not tell them apart by their files.
-std::vector<std::string> names_of(const std::vector<Picture>& layers,
-                                  const std::vector<std::string>& paths) {
+std::vector<std::string> settings_of(const std::vector<Picture>& layers) {
+  std::vector<std::string> settings;
+  for (const Picture& layer : layers) settings.push_back(layer.settings);
+  return settings;
+}
+
+// Markup: what was asked for, or the studies by what differs between them, or by their titles, or
+// where these do not tell them apart by their files.
+std::vector<std::string> names_of(const std::vector<Picture>& layers, const PlotRequest& request) {
+  if (!request.style.legend.empty()) return given_legend(request.style, layers.size());
+  const auto each = [](const std::vector<std::string>& texts,
+                       std::string (*markup)(std::string_view)) {
+    std::vector<std::string> out;
+    for (const std::string& text : texts) out.push_back(markup(text));
+    return out;
+  };
   std::vector<std::string> titles, stems;
   for (const Picture& layer : layers) titles.push_back(layer.title);
-  for (const std::string& path : paths) {
+  for (const std::string& path : request.paths) {
     stems.push_back(std::filesystem::path(path).stem().string());
   }
-  return first_distinct({titles, stems, paths});
+  std::vector<std::string> settings;
+  for (const std::string& text :
+       differing_settings(settings_of(layers), layers.front().map.axes.front().name))
+    settings.push_back(settings_label(text));
+  return first_distinct(
+      {each(titles, literal), settings, each(stems, literal), each(request.paths, literal)});
 }
 
 }  // namespace
 
-PlotScript draw_maps(const PlotRequest& request) {
+PlotScript draw_maps(const Page& page, const PlotRequest& request) {
   if (request.periods || request.orders) {
     throw InputError("--periods and --orders are for traces, and these files hold maps");
   }
   const std::vector<std::string> quantities = split(request.quantity, ',');
-  if (quantities.size() == 1 && request.paths.size() == 1) {
-    const Picture picture = read_picture(request.paths.front(), request.quantity, request);
-    if (picture.map.axes.size() == 2) return draw_heat_map(picture);
-    return picture.map.is_poincare() ? draw_bifurcation(picture) : draw_curve(picture);
+  const bool is_one = quantities.size() == 1 && request.paths.size() == 1;
+  if (request.paths.size() == 1 && !request.style.legend.empty()) {
+    throw InputError("--legend names files that are laid over one another, and there is one");
+  }
+  if (is_one) {
+    Picture picture = read_picture(request.paths.front(), request.quantity, request);
+    if (picture.map.axes.size() == 2) return draw_heat_map(page, picture);
+    return draw_stack(page, {{{std::move(picture)}}, {""}});
   }
   ensure_tellable(request.paths.size());
   constexpr std::size_t kMostPanels = 8;
@@ -156,8 +211,8 @@ PlotScript draw_maps(const PlotRequest& request) {
     ensure_one_axis(layers, request);
     stack.panels.push_back(std::move(layers));
   }
-  stack.names = names_of(stack.panels.front(), request.paths);
-  return draw_stack(stack);
+  stack.names = names_of(stack.panels.front(), request);
+  return draw_stack(page, stack);
 }
 
 }  // namespace gearsweep

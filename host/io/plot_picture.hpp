@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/plot_page.hpp"
 #include "io/plot_scale.hpp"
 #include "io/result_file.hpp"
 
@@ -21,50 +22,71 @@ struct Picture {
   ResultMap map;
   MissingPoints missing;
   std::string title;
-  std::string remark;  // such as "b = 0.7"; may be empty
+  std::string remark;    // such as "b = 0.7"; may be empty
+  std::string settings;  // of the study, as TOML
 };
 
-// A script without the lines that choose the terminal, and the binary files that it reads as
-// files.'.dat' and files.'-missing.dat'.
+// A script without the lines that choose the terminal, and the binary files that it reads: `data`,
+// and files.'-missing.dat'.
 struct PlotScript {
+  std::string before;  // draws rasters of points, ahead of the picture
   std::string text, data, missing;
-  bool for_column = false;  // letters that are legible where the picture is 85 mm wide
-  double height = 0.75;     // of the picture, in widths
+  double height = 0.0;  // of the picture, in points
 };
 
-PlotScript draw_heat_map(const Picture& picture);
-// One curve for each part.
-PlotScript draw_curve(const Picture& picture);
-// Of the samples of one state.
-PlotScript draw_bifurcation(const Picture& picture);
+PlotScript draw_heat_map(const Page& page, const Picture& picture);
 
-// The curves without title, horizontal axis and key: range, label (markup) and the command "plot",
-// to which more may be added.
-void add_curve(const Picture& picture, const std::string& label, PlotScript* script);
-// What the key says of a map of several parts, as elements of "plot"; empty of one part.
-std::vector<std::string> part_entries(const ResultMap& map);
-// The samples of one state as dots, as an element of "plot".
-void add_dots(const ResultMap& map, const ValueRange& range, const std::string& colour,
-              PlotScript* script);
+// Markup of the lines above a picture: the title, and below it smaller, unless the picture is for
+// print, what is shown; then where. What is empty is left out.
+std::vector<std::string> heading_lines(const Page& page, const std::string& title,
+                                       const std::string& subtitle, const std::string& remark);
+double heading_height(const Page& page, const std::vector<std::string>& lines);
+// "set label" lines, above a frame.
+std::string draw_heading(const Page& page, const std::vector<std::string>& lines,
+                         const Frame& frame, double height);
 
-// Markup: the study's title, below it smaller what is shown and where; what is empty is left out.
-std::vector<std::string> title_lines(const std::string& title, const std::string& subtitle,
-                                     const std::string& remark, bool for_column);
-std::string set_title(const std::vector<std::string>& lines);
-// "set" lines of a key of these entries in large letters, below the picture in as many columns as
-// their length allows.
-std::string key_below(const std::vector<std::string>& entries);
+// What a line, dot or box stands for, at the foot of a picture.
+struct KeyEntry {
+  enum class Kind { kLine, kDot, kTriangle, kBox };
+  Kind kind = Kind::kLine;
+  std::string colour, dashes = "1";
+  std::string text;  // markup
+};
+double key_height(const Page& page, const std::vector<KeyEntry>& entries);
+std::string draw_key(const Page& page, const std::vector<KeyEntry>& entries, double height);
+
+struct PanelAxis {
+  std::vector<std::string> label;  // markup, in lines
+  AxisRange range;
+  const ClassScale* classes = nullptr;  // in place of numbers
+  bool has_numbers = true;
+};
+// What a frame needs on its left for numbers and label of an axis of this length.
+double left_room(const Page& page, const PanelAxis& y, double length);
+// The same below it.
+double bottom_room(const Page& page, const PanelAxis& x);
+// What it needs above and on its right, beside what stands there: for half of the last number.
+double edge_room(const Page& page);
+// "reset" and "set" lines: place, ranges, tics and labels. The axes x2 and y2 go from 0 to 1.
+std::string panel_lines(const Page& page, const Frame& frame, double height, const PanelAxis& x,
+                        const PanelAxis& y);
+// Throws InputError when the page leaves the frame no room.
+void ensure_room(const Frame& frame, const Page& page);
+// A light grid behind curves.
+std::string grid_lines();
+
+// In one line, or in two where that is longer than `length`.
+std::vector<std::string> label_lines(const Page& page, const std::string& markup, double length);
+
+// Limits of a style over an axis's own ends, from edge to edge of the cells. Throws InputError, by
+// the option's name, when they do not fit.
+AxisRange axis_range(const ResultAxis& axis, const Limits& limits, const std::string& option);
 // What the y axis is of: the map, or a sampled state.
 ChannelInfo shown_by(const Picture& picture);
 // What a picture shows, in words.
 std::string meaning_of(const Picture& picture);
-// "set" lines that all pictures of one map share: title, frame, key.
-std::string frame(const Picture& picture);
-// "set" lines of the label, range (to the cells' edges) and scale of an axis; letter: x or y.
-std::string axis_lines(char letter, const ResultAxis& axis);
 
 // Adds marks below a curve where there is no value: what follows "plot CURVE", and their places.
-// The key calls them by the picture's note.
 void add_missing_marks(const Picture& picture, const std::string& colour, PlotScript* script);
 
 // The records of numbers that are appended to the script's data next, as "plot" names them.

@@ -5,53 +5,60 @@
 #include <string>
 #include <vector>
 
+#include "io/plot_page.hpp"
 #include "io/result_file.hpp"
 
 namespace gearsweep {
 
 inline constexpr const char* kMissingColour = "#b3b3b3";
+inline constexpr const char* kMissingClassColour = "#000000";  // where classes are grey
 
 // Edges of the cells around the values of an axis, which go upwards: one more than values.
 std::vector<double> cell_edges(const ResultAxis& axis);
 
-// True when the values are so even on a linear scale that an image shows them in their places.
-bool is_even(const ResultAxis& axis);
-
 // Throws InputError when so many curves could not be told apart.
 void ensure_tellable(std::size_t layers);
-// One of several curves that lie over one another: "#0072b2", and as "plot" takes it with its
-// dashes.
+// One of several curves that lie over one another: "#0072b2", its dashes, and both as "plot" takes
+// them.
 std::string layer_colour(std::size_t index);
+std::string layer_dashes(std::size_t index);
 std::string layer_line(std::size_t index);
 
-// Colours from dark to bright that are perceptually uniform, as a "set palette" line.
-std::string sequential_palette();
-
-// The same for least < 0 < greatest: cool below zero, warm above it, white at zero. Either side has
-// all of its shades, however small, so that weak chaos stands out; the colour bar shows the scale.
-std::string diverging_palette(double least, double greatest);
-
-// The classes of a map, each with its colour; `values` are what the map holds for them.
+// The classes of a map, each with its colour; `values` are what the map holds for them, NaN stands
+// for all others.
 struct ClassScale {
   std::vector<double> values;
-  std::vector<std::string> names, colours;  // one more than values when the last is for all others
+  std::vector<std::string> names, colours;  // names: markup
 
   // The map's value as an index into the classes; NaN stays NaN, and so does a value of no class.
   double index_of(double value) const;
-  // "set" lines of a y axis with the classes' names.
-  std::string tics() const;
-  // "set" lines of a palette and a colour bar with one colour per class.
+  // A "set palette" line of one colour per class, and "set cbrange".
   std::string palette() const;
+  // "set" lines of tics with the classes' names at an axis "y" or "y2", whose range they set.
+  std::string tics(const Page& page, const std::string& axis, bool marks) const;
+  double widest(const Page& page) const;  // name, in points
 };
 
-// Classes with names, or the few whole numbers (such as periods) that are all a map holds, or
-// nearly all: those that hardly occur are then one class, "other".
+// Classes with names, of those that the map holds; or the few whole numbers (such as periods) that
+// are all a map holds, or nearly all: those beyond 8 are then one class. Zero, which stands for
+// none, comes last and without a colour.
 std::optional<ClassScale> class_scale(const ResultMap& map);
+
+// Values of classes that tell apart what a map of periods or attractors does not: with the kind of
+// motion, points without a period are chaotic, quasi-periodic or undecided; with the contact class,
+// attractors have impacts or not. Either may be missing.
+void tell_classes_apart(const ResultMap* motion, const ResultMap* contact, ResultMap* map);
 
 struct ValueRange {
   double least = 0.0, greatest = 1.0;
   bool clipped = false;
 };
+
+// Ends that were asked for in place of the range's own. Throws InputError when nothing is left
+// between them, or when a logarithmic range has no end above zero; `option`: its name, for
+// messages.
+ValueRange limited(const ValueRange& range, const Limits& limits, const std::string& option);
+ValueRange above_zero(const ValueRange& range, const std::vector<double>& values);
 
 // Never empty. Where a few outliers would take all contrast from the rest, it leaves out one value
 // in a thousand at either end, and is then `clipped`.

@@ -7,8 +7,8 @@
 namespace gearsweep {
 
 // Of result files. Throw what plot_files throws, as far as it lies in the files.
-PlotScript draw_maps(const PlotRequest& request);
+PlotScript draw_maps(const Page& page, const PlotRequest& request);
 // Of files of traces.
-PlotScript draw_traces(const PlotRequest& request);
+PlotScript draw_traces(const Page& page, const PlotRequest& request);
 
 }  // namespace gearsweep

@@ -12,8 +12,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char* kGrid = "set grid linetype 1 linewidth 0.6 linecolor rgb '#dddddd'\n";
-
 // The values at phase 0, over those of `across`.
 struct Section {
   std::vector<double> x, y;
@@ -46,23 +44,27 @@ void add_section(const TracePicture& picture, std::size_t layer, bool over_curve
   const std::string data = next_records(*script, section.x.size(), 2);
   if (few || over_curves) {
     script->text += fmt::format(
-        "{} using 1:2 with points pointtype 7 pointsize {} linecolor rgb '#000000' notitle, \\\n"
+        "{} using 1:2 with points pointtype 7 pointsize dot*{} linecolor rgb '#000000' notitle, "
+        "\\\n"
         "     ",
-        data, few ? 1.9 : 1.1);
+        data, few ? 1.5 : 0.9);
   }
   script->text += fmt::format(
-      "{} using 1:2 with points pointtype 7 pointsize {} linecolor rgb '{}' title {}", data,
-      few ? 1.3 : 0.5, layer_colour(layer), over_curves ? quote("") : key_title(picture, layer));
+      "{} using 1:2 with points pointtype 7 pointsize dot*{} linecolor rgb '{}' notitle", data,
+      few ? 1.1 : 0.4, layer_colour(layer));
   for (std::size_t i = 0; i < section.x.size(); ++i) {
     append_numbers({section.x[i], section.y[i]}, &script->data);
   }
 }
 
-std::string phase_axes(const TracePicture& picture, const ValueRange& x, const ValueRange& y) {
-  return fmt::format("set xlabel {}\nset xrange [{}:{}]\n",
-                     quote(label_of(picture.across.name, picture.across.unit)), x.least,
-                     x.greatest) +
-         channel_axis(picture, y);
+AxisRange shown_range(const ValueRange& range, const Limits& limits, const std::string& option) {
+  const ValueRange own = limited(range, limits, option);
+  return {own.least, own.greatest, false};
+}
+
+PanelAxis across_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
+  return {{quantity_label(picture.across.name, picture.across.unit)},
+          shown_range(range, page.style().xrange, "--xrange")};
 }
 
 // Of a section, but not so narrow that an orbit's rounding would fill it.
@@ -121,29 +123,50 @@ double last_period(const TracePicture& picture) {
   return std::ceil(last) - last < kNearly ? std::ceil(last) : last;
 }
 
-std::string trace_frame(const TracePicture& picture, const std::string& subtitle,
-                        const std::vector<std::string>& key) {
-  std::vector<std::string> entries;
-  for (const TraceLayer& layer : picture.layers) entries.push_back(layer.name);
-  if (entries.size() == 1) entries.clear();
-  entries.insert(entries.end(), key.begin(), key.end());
-  return set_title(title_lines(picture.title, subtitle, picture.remark, true)) +
-         "set border linewidth 1\nset tics out nomirror\n" + key_below(entries);
+std::vector<KeyEntry> layer_entries(const TracePicture& picture, KeyEntry::Kind kind) {
+  std::vector<KeyEntry> entries;
+  for (std::size_t i = 0; i < picture.layers.size() && picture.layers.size() > 1; ++i) {
+    entries.push_back({kind, layer_colour(i), layer_dashes(i), picture.layers[i].name});
+  }
+  return entries;
 }
 
-std::string time_axis(const TracePicture& picture) {
-  return fmt::format("set xlabel 'time [{} periods]'\nset xrange [0:{}]\n", picture.forcing,
-                     last_period(picture));
+PanelAxis time_axis(const Page& page, const TracePicture& picture) {
+  return {{fmt::format("time ({} periods)", picture.forcing)},
+          shown_range({0.0, last_period(picture)}, page.style().xrange, "--xrange")};
 }
 
-std::string channel_axis(const TracePicture& picture, const ValueRange& range) {
-  return fmt::format("set ylabel {}\nset yrange [{}:{}]\n",
-                     quote(label_of(picture.channel.name, picture.channel.unit)), range.least,
-                     range.greatest);
+PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
+  return {{quantity_label(picture.channel.name, picture.channel.unit)},
+          shown_range(range, page.style().yrange, "--yrange")};
 }
 
-std::string key_title(const TracePicture& picture, std::size_t layer) {
-  return quote(picture.layers.size() > 1 ? literal(picture.layers[layer].name) : "");
+void finish_trace(const Page& page, const TracePicture& picture, const std::string& subtitle,
+                  const std::vector<KeyEntry>& key, PanelAxis x, PanelAxis y,
+                  const std::string& lines, PlotScript* script) {
+  constexpr double kAspect = 0.7;
+  const double em = page.em();
+  const PlotStyle& style = page.style();
+  const auto label = [&](const std::optional<std::string>& given, const std::string& own,
+                         double length) {
+    return label_lines(page, given ? literal(*given) : own, length);
+  };
+  x.label = label(style.xlabel, x.label.front(), page.width());
+  script->height = page.height_or(kAspect * page.width() + key_height(page, key));
+  const std::vector<std::string> heading =
+      heading_lines(page, picture.title, subtitle, picture.remark);
+  Frame frame;
+  frame.bottom = key_height(page, key) + bottom_room(page, x);
+  frame.top =
+      script->height - (heading.empty() ? 0.7 * em : heading_height(page, heading) + 0.3 * em);
+  y.label = label(style.ylabel, y.label.front(), frame.height());
+  frame.left = left_room(page, y, frame.height());
+  frame.right = page.width() - edge_room(page);
+  ensure_room(frame, page);
+  script->text = "set multiplot\n" + panel_lines(page, frame, script->height, x, y) +
+                 draw_heading(page, heading, frame, script->height) +
+                 draw_key(page, key, script->height) + lines + "plot " + script->text +
+                 "\nunset multiplot\n";
 }
 
 void add_histories(const TracePicture& picture, PlotScript* script) {
@@ -151,57 +174,53 @@ void add_histories(const TracePicture& picture, PlotScript* script) {
     const TraceLayer& layer = picture.layers[i];
     const std::vector<double> time = periods_of(layer.trace);
     const std::vector<double>& values = values_of(layer.trace, picture.channel.name);
-    script->text += fmt::format("{}{} using 1:2 with lines linewidth 1.5 {} title {}",
-                                i == 0 ? "" : ", \\\n     ", next_records(*script, time.size(), 2),
-                                layer_line(i), key_title(picture, i));
+    script->text +=
+        fmt::format("{}{} using 1:2 with lines linewidth 2 {} notitle", i == 0 ? "" : ", \\\n     ",
+                    next_records(*script, time.size(), 2), layer_line(i));
     for (std::size_t moment = 0; moment < time.size(); ++moment) {
       append_numbers({time[moment], values[moment]}, &script->data);
     }
   }
 }
 
-PlotScript draw_time(const TracePicture& picture) {
+PlotScript draw_time(const Page& page, const TracePicture& picture) {
   const ValueRange range = padded_range(all_values(picture, picture.channel.name));
   PlotScript script;
-  script.for_column = true;
-  script.text = trace_frame(picture, picture.channel.meaning, {}) + time_axis(picture) +
-                channel_axis(picture, range) + kGrid + "plot ";
   add_histories(picture, &script);
-  script.text += "\n";
+  finish_trace(page, picture, picture.channel.meaning,
+               layer_entries(picture, KeyEntry::Kind::kLine), time_axis(page, picture),
+               channel_axis(page, picture, range), grid_lines(), &script);
   return script;
 }
 
-PlotScript draw_phase(const TracePicture& picture) {
-  PlotScript script;
-  script.for_column = true;
-  script.text = trace_frame(picture, pair_text(picture), {"phase 0"}) +
-                phase_axes(picture, padded_range(all_values(picture, picture.across.name)),
-                           padded_range(all_values(picture, picture.channel.name))) +
-                "plot ";
+PlotScript draw_phase(const Page& page, const TracePicture& picture) {
   constexpr double kManyTurns = 40.0;  // that would run together
-  const double width = last_period(picture) > kManyTurns ? 0.5 : 1.0;
+  const double width = last_period(picture) > kManyTurns ? 0.7 : 1.6;
+  PlotScript script;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const Trace& trace = picture.layers[i].trace;
     const std::vector<double>& x = values_of(trace, picture.across.name);
     const std::vector<double>& y = values_of(trace, picture.channel.name);
-    script.text +=
-        fmt::format("{} using 1:2 with lines linewidth {} {} title {}, \\\n     ",
-                    next_records(script, x.size(), 2), width, layer_line(i), key_title(picture, i));
+    script.text += fmt::format("{} using 1:2 with lines linewidth {} {} notitle, \\\n     ",
+                               next_records(script, x.size(), 2), width, layer_line(i));
     for (std::size_t moment = 0; moment < x.size(); ++moment) {
       append_numbers({x[moment], y[moment]}, &script.data);
     }
   }
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    if (i > 0) script.text += ", \\\n     ";
     add_section(picture, i, true, &script);
-    script.text += ", \\\n     ";
   }
-  script.text +=
-      "keyentry with points pointtype 7 pointsize 1.9 linecolor rgb '#000000' "
-      "title 'phase 0'\n";
+  std::vector<KeyEntry> key = layer_entries(picture, KeyEntry::Kind::kLine);
+  key.push_back({KeyEntry::Kind::kDot, "#000000", "1", "phase 0"});
+  finish_trace(page, picture, pair_text(picture), key,
+               across_axis(page, picture, padded_range(all_values(picture, picture.across.name))),
+               channel_axis(page, picture, padded_range(all_values(picture, picture.channel.name))),
+               "", &script);
   return script;
 }
 
-PlotScript draw_section(const TracePicture& picture) {
+PlotScript draw_section(const Page& page, const TracePicture& picture) {
   std::vector<double> x, y;
   for (const TraceLayer& layer : picture.layers) {
     const Section section = section_of(picture, layer.trace);
@@ -209,33 +228,31 @@ PlotScript draw_section(const TracePicture& picture) {
     y.insert(y.end(), section.y.begin(), section.y.end());
   }
   PlotScript script;
-  script.for_column = true;
-  script.text = trace_frame(picture, pair_text(picture) + ", at phase 0 of each period", {}) +
-                phase_axes(picture, section_range(x, all_values(picture, picture.across.name)),
-                           section_range(y, all_values(picture, picture.channel.name))) +
-                "plot ";
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     if (i > 0) script.text += ", \\\n     ";
     add_section(picture, i, false, &script);
   }
-  script.text += "\n";
+  finish_trace(
+      page, picture, pair_text(picture) + ", at phase 0 of each period",
+      layer_entries(picture, KeyEntry::Kind::kDot),
+      across_axis(page, picture, section_range(x, all_values(picture, picture.across.name))),
+      channel_axis(page, picture, section_range(y, all_values(picture, picture.channel.name))), "",
+      &script);
   return script;
 }
 
-PlotScript draw_spectrum(const TracePicture& picture) {
+PlotScript draw_spectrum(const Page& page, const TracePicture& picture) {
   constexpr double kShown = 100.0, kAbove = 5.0;  // dB
   constexpr double kLeast = 1e-300;               // of an amplitude that has a logarithm
   PlotScript script;
-  script.for_column = true;
-  std::string curves;
   double greatest = kLeast;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const Trace& trace = picture.layers[i].trace;
     const int channel = find_channel(trace, picture.channel.name);
     const Spectrum spectrum = amplitude_spectrum(trace, static_cast<std::size_t>(channel), 0);
-    curves += fmt::format(
-        "{}{} using 1:2 with lines linewidth 1.5 {} title {}", i == 0 ? "" : ", \\\n     ",
-        next_records(script, spectrum.amplitude.size(), 2), layer_line(i), key_title(picture, i));
+    script.text += fmt::format("{}{} using 1:2 with lines linewidth 1.6 {} notitle",
+                               i == 0 ? "" : ", \\\n     ",
+                               next_records(script, spectrum.amplitude.size(), 2), layer_line(i));
     for (std::size_t bin = 0; bin < spectrum.amplitude.size(); ++bin) {
       const double order = static_cast<double>(bin) * spectrum.order_step;
       const double amplitude = std::max(spectrum.amplitude[bin], kLeast);
@@ -243,15 +260,16 @@ PlotScript draw_spectrum(const TracePicture& picture) {
       if (order <= picture.orders) greatest = std::max(greatest, amplitude);
     }
   }
-  const std::string unit = picture.channel.unit == "1" ? "" : " " + picture.channel.unit;
-  script.text =
-      trace_frame(picture, "amplitudes: " + picture.channel.meaning + ", without its mean", {}) +
-      fmt::format(
-          "set xlabel 'order, frequency / {} frequency'\nset xrange [0:{}]\n"
-          "set ylabel {}\nset yrange [{}:{}]\n{}plot {}\n",
-          picture.forcing, picture.orders,
-          quote(fmt::format("{} [dB re 1{}]", literal(picture.channel.name), typeset(unit))),
-          decibels(greatest) + kAbove - kShown, decibels(greatest) + kAbove, kGrid, curves);
+  const std::string unit =
+      picture.channel.unit == "1" || picture.channel.unit.empty() ? "" : " " + picture.channel.unit;
+  const PanelAxis x = {{fmt::format("order (frequency / {} frequency)", picture.forcing)},
+                       shown_range({0.0, picture.orders}, page.style().xrange, "--xrange")};
+  const PanelAxis y = {
+      {fmt::format("{} (dB re 1{})", quantity_label(picture.channel.name, ""), typeset(unit))},
+      shown_range({decibels(greatest) + kAbove - kShown, decibels(greatest) + kAbove},
+                  page.style().yrange, "--yrange")};
+  finish_trace(page, picture, "amplitudes: " + picture.channel.meaning + ", without its mean",
+               layer_entries(picture, KeyEntry::Kind::kLine), x, y, grid_lines(), &script);
   return script;
 }
 

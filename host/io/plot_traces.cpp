@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <functional>
 
+#include "io/plot_names.hpp"
 #include "io/plot_sources.hpp"
 #include "io/plot_text.hpp"
 #include "io/plot_trace.hpp"
+#include "io/si_units.hpp"
 #include "io/trace_file.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 struct Kind {
   std::string name;
-  PlotScript (*draw)(const TracePicture&);
+  PlotScript (*draw)(const Page&, const TracePicture&);
   bool is_recent;  // shows the last periods only, unless more are asked for
   std::size_t channels;
 };
@@ -84,7 +86,7 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
     velocity = trace.channels[1].name;
   }
   if (velocity.empty()) {
-    find_in({"", "", trace}, names.front());
+    find_in({"", "", "", {}, trace}, names.front());
     throw InputError(
         fmt::format("'{0}' has no velocity beside it; name two channels, as in {1}:{0}:{2}",
                     names.front(), kind.name, trace.channels.front().name));
@@ -120,10 +122,16 @@ struct Source {
   StoredTrace stored;
 };
 
-std::vector<Source> read_sources(const std::vector<std::string>& paths) {
+std::vector<Source> read_sources(const std::vector<std::string>& paths, bool is_si) {
   std::vector<Source> sources;
   for (const std::string& path : paths) {
-    for (StoredTrace& stored : read_traces(path)) sources.push_back({path, std::move(stored)});
+    for (StoredTrace& stored : read_traces(path)) {
+      if (is_si) {
+        ensure_scales(stored.scales, path);
+        convert_to_si(stored.scales, &stored.trace);
+      }
+      sources.push_back({path, std::move(stored)});
+    }
   }
   ensure_tellable(sources.size());
   return sources;
@@ -138,21 +146,29 @@ std::string common(const std::vector<Source>& sources,
   return same ? first : "";
 }
 
-// The traces by their labels, or where these do not tell them apart by their files.
-std::vector<std::string> names_of(const std::vector<Source>& sources) {
-  std::vector<std::string> labels, stems, both;
+// Markup: what was asked for, or the traces by their labels, by what differs between their studies,
+// or where these do not tell them apart by their files.
+std::vector<std::string> names_of(const std::vector<Source>& sources, const PlotStyle& style) {
+  if (!style.legend.empty()) return given_legend(style, sources.size());
+  std::vector<std::string> labels, titles, settings, differences, stems, both;
   for (const Source& source : sources) {
-    labels.push_back(source.stored.label);
-    stems.push_back(std::filesystem::path(source.path).stem().string());
-    both.push_back(fmt::format("{}: {}", source.path, labels.back()));
+    labels.push_back(settings_label(source.stored.label));
+    titles.push_back(literal(source.stored.title));
+    settings.push_back(source.stored.settings);
+    stems.push_back(literal(std::filesystem::path(source.path).stem().string()));
+    both.push_back(fmt::format("{}: {}", literal(source.path), labels.back()));
   }
-  return first_distinct({labels, stems, both});
+  for (const std::string& text : differing_settings(settings, "")) {
+    differences.push_back(settings_label(text));
+  }
+  return first_distinct({labels, titles, differences, stems, both});
 }
 
+// Markup.
 std::string remark_of(const std::vector<Source>& sources, std::optional<std::size_t> shown) {
   const std::string label =
       common(sources, [](const Source& source) { return source.stored.label; });
-  std::string remark = label.empty() ? "" : "at " + label;
+  std::string remark = label.empty() ? "" : "at " + settings_label(label);
   const auto is_longer = [&](const Source& source) {
     return shown && whole_periods(source.stored.trace) > static_cast<double>(*shown);
   };
@@ -164,7 +180,7 @@ std::string remark_of(const std::vector<Source>& sources, std::optional<std::siz
 
 }  // namespace
 
-PlotScript draw_traces(const PlotRequest& request) {
+PlotScript draw_traces(const Page& page, const PlotRequest& request) {
   if (request.at) {
     throw InputError("--at cuts maps, and this file holds traces; 'gearsweep trace' takes --at");
   }
@@ -173,7 +189,7 @@ PlotScript draw_traces(const PlotRequest& request) {
   if (request.orders && kind.name != "spectrum") {
     throw InputError("--orders is for spectra (-q spectrum)");
   }
-  const std::vector<Source> sources = read_sources(request.paths);
+  const std::vector<Source> sources = read_sources(request.paths, request.style.is_si);
   const Trace& first = sources.front().stored.trace;
   const std::vector<std::string> channels = channel_names(kind, words, first);
   constexpr std::size_t kRecentPeriods = 10;
@@ -187,14 +203,14 @@ PlotScript draw_traces(const PlotRequest& request) {
   picture.remark = remark_of(sources, shown);
   picture.forcing = find_channel(first, "contact") < 0 ? "forcing" : "mesh";
   picture.orders = request.orders.value_or(picture.orders);
-  const std::vector<std::string> names = names_of(sources);
+  const std::vector<std::string> names = names_of(sources, request.style);
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const StoredTrace& stored = sources[i].stored;
     for (const std::string& name : channels) find_in(stored, name);
     if (kind.name == "force") find_in(stored, "contact");
     picture.layers.push_back({names[i], shown ? last_periods(stored.trace, *shown) : stored.trace});
   }
-  return kind.draw(picture);
+  return kind.draw(page, picture);
 }
 
 }  // namespace gearsweep

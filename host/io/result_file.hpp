@@ -76,6 +76,10 @@ class ResultFile {
   const std::string& path() const { return path_; }
   std::string title() const;
   std::string study_text() const;
+  // Every value that the study resolved to, as TOML; may be empty.
+  std::string settings_text() const;
+  // What one dimensionless unit is; unknown without a [gear] table.
+  Scales scales() const;
   const std::vector<ResultAxis>& axes() const { return axes_; }
   // In the file's order; `status` and, where it is there, `poincare` included.
   const std::vector<std::string>& quantities() const { return quantities_; }

@@ -12,6 +12,7 @@
 
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
+#include "io/si_units.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 
@@ -167,6 +168,12 @@ std::string ResultFile::study_text() const {
   if (!study) refuse_foreign(path_, "attribute 'study'");
   return *study;
 }
+
+std::string ResultFile::settings_text() const {
+  return text_or_empty(*file_, NC_GLOBAL, "settings");
+}
+
+Scales ResultFile::scales() const { return read_scales(*file_); }
 
 std::vector<std::string> ResultFile::poincare_states() const {
   std::vector<std::string> names;

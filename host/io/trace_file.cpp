@@ -12,6 +12,7 @@
 #include "io/file_notes.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/output_file.hpp"
+#include "io/si_units.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -222,7 +223,9 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   for (std::size_t i = 0; i < count; ++i) {
     StoredTrace stored;
     stored.title = file.text_attribute(NC_GLOBAL, "title").value_or("");
+    stored.settings = file.text_attribute(NC_GLOBAL, "settings").value_or("");
     stored.label = labels[i];
+    stored.scales = read_scales(file);
     stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
     if (!is_time(stored.trace.tau) || stored.trace.channels.empty() ||

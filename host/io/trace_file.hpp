@@ -28,8 +28,10 @@ bool is_trace_file(const std::string& path);
 
 // A trace as a file holds it; the setting is left empty.
 struct StoredTrace {
-  std::string title;  // of the study
+  std::string title;     // of the study
+  std::string settings;  // every value that the study resolved to, as TOML
   std::string label;
+  Scales scales;  // of a study with a [gear] table
   Trace trace;
 };
 

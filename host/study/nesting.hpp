@@ -1,4 +1,4 @@
-// A bound on how deep TOML text nests. Private to this folder.
+// A bound on how deep TOML text nests.
 #pragma once
 
 #include <cstddef>

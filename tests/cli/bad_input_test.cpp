@@ -275,6 +275,21 @@ TEST_F(BadCommandTest, NumbersMustBeNumbersInRange) {
   }
 }
 
+TEST_F(BadCommandTest, StylesOfPicturesSayWhatWouldBeRight) {
+  const std::string plot = "plot map.nc -o map.png ";
+  expect_refused(plot + "--size 85mm", {"--size: '85mm'", "as in 85x64mm"});
+  expect_refused(plot + "--width wide", {"--width: 'wide'", "as in 85mm"});
+  expect_refused(plot + "--font Sans,big", {"--font: 'Sans,big'", "Times New Roman,8"});
+  expect_refused(plot + "--range 2:1", {"--range: '2:1'", "the smaller"});
+  expect_refused(plot + "--xrange=-3", {"--xrange: '-3'", "LEAST:GREATEST"});
+  expect_refused(plot + "--colormap jet", {"--colormap: there is no colour map 'jet'", "viridis"});
+  expect_refused(plot + "--contours few", {"--contours: 'few'", "as in 6"});
+  expect_refused(plot + "--units miles", {"--units: 'miles'", "SI or model"});
+  expect_refused(plot + "--style none.toml", {"none.toml"});
+  folder_.write("thesis.toml", "width = '85mm'\nfnt = 'Sans,8'\n");
+  expect_refused(plot + "--style thesis.toml", {"thesis.toml:2: ", "did you mean 'font'?"});
+}
+
 TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {
   folder_.write("text.nc", "not a map");
   expect_refused("plot text.nc -o map.png", {"text.nc"});

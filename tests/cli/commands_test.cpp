@@ -12,6 +12,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -30,6 +31,15 @@ TEST(Commands, RunPlotAndExportGoFromAStudyToPicturesAndTables) {
   EXPECT_EQ(gearsweep(folder, "plot map.nc -q contact_class -o class.svg --script class.gp").status,
             0);
   EXPECT_EQ(gearsweep(folder, "plot map.nc -q x1_rms --at e0=0.3 -o cut.pdf").status, 0);
+  folder.write("thesis.toml", "width = '85mm'\ntitle = 'from the file'\ncolormap = 'cividis'\n");
+  const Outcome figure = gearsweep(folder,
+                                   "plot map.nc -q x1_rms --style thesis.toml --title '' --range "
+                                   "-1:2 -o figure.tex --script figure.gp");
+  EXPECT_EQ(figure.status, 0) << figure.err;
+  EXPECT_THAT(read_all(folder / "figure.gp"),
+              AllOf(HasSubstr("#00224e"), HasSubstr("size 3.3465in"), HasSubstr("[-1:2]"),
+                    Not(HasSubstr("from the file"))));
+  EXPECT_THAT(read_all(folder / "figure.pdf"), StartsWith("%PDF"));
   EXPECT_EQ(gearsweep(folder, "export map.nc -q dmf_max -o dmf.csv").status, 0);
   EXPECT_EQ(gearsweep(folder, "export map.nc -q dmf_max -o dmf.npy").status, 0);
   EXPECT_THAT(read_all(folder / "map.png"), HasSubstr("PNG"));
@@ -81,7 +91,7 @@ TEST(Commands, ATraceIsDrawnInEveryWayAndOverAnother) {
         gearsweep(folder, "plot trace.nc frictionless.nc --periods 4 -o two.svg -q " + picture);
     EXPECT_EQ(two.status, 0) << two.err;
     EXPECT_THAT(read_all(folder / "one.png"), HasSubstr("PNG"));
-    EXPECT_THAT(read_all(folder / "two.svg"), HasSubstr("frictionless"));
+    EXPECT_THAT(read_all(folder / "two.svg"), HasSubstr(" = 0.05"));
   }
 }
 
@@ -97,7 +107,7 @@ TEST(Commands, StudiesOverOneAxisAreStackedAndLaidOverOneAnother) {
   EXPECT_THAT(read_all(folder / "stack.pdf"), StartsWith("%PDF"));
   const Outcome both = gearsweep(folder, "plot line.nc frictionless.nc -q x1_rms -o both.svg");
   EXPECT_EQ(both.status, 0) << both.err;
-  EXPECT_THAT(read_all(folder / "both.svg"), HasSubstr("frictionless"));
+  EXPECT_THAT(read_all(folder / "both.svg"), AllOf(HasSubstr("μ"), HasSubstr(" = 0.05")));
 }
 
 TEST(Commands, WithoutOutputTheFileBearsTheNameOfTheStudy) {

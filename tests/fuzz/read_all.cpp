@@ -54,10 +54,10 @@ void read_maps(const std::string& path) {
   const ResultAxis& axis = file.axes().back();
   PlotRequest cut = request_for(path, last);
   cut.at = {axis.name, axis.values.front()};
-  attempt([&] { draw_maps(cut); });
+  attempt([&] { draw_maps(Page({}, PictureFormat::kPdf), cut); });
   cut.quantity += ",status";
-  attempt([&] { draw_maps(cut); });
-  attempt([&] { draw_maps(request_for(path, "")); });
+  attempt([&] { draw_maps(Page({}, PictureFormat::kPdf), cut); });
+  attempt([&] { draw_maps(Page({}, PictureFormat::kPdf), request_for(path, "")); });
   attempt([&] { export_maps(path, {last}, path + ".csv"); });
   attempt([&] { export_maps(path, {last}, path + ".npy"); });
   attempt([&] { export_maps(path, {}, path + ".csv"); });
@@ -70,7 +70,7 @@ void read_maps(const std::string& path) {
 void read_all_traces(const std::string& path) {
   read_traces(path);
   for (const char* kind : {"time", "phase", "section", "spectrum", "force"}) {
-    attempt([&] { draw_traces(request_for(path, kind)); });
+    attempt([&] { draw_traces(Page({}, PictureFormat::kPdf), request_for(path, kind)); });
   }
 }
 

@@ -74,14 +74,16 @@ class PlotTraceTest : public gearsweep::testing::IoTest {
 
 TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
   const std::string path = write_one();
-  EXPECT_THAT(script_of({path}, ""),
-              AllOf(HasSubstr("set ylabel \"x1 [b_{n}]\""), HasSubstr("time [mesh periods]"),
-                    HasSubstr("set xrange [0:10]"), HasSubstr("the last 10 periods"),
-                    HasSubstr("two gears"), HasSubstr("at omega=0.5")));
+  EXPECT_THAT(
+      script_of({path}, ""),
+      AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""), HasSubstr("time (mesh periods)"),
+            HasSubstr("set xrange [0:10]"), HasSubstr("the last 10 periods"),
+            HasSubstr("two gears"), HasSubstr("at {/:Italic ω} = 0.5")));
   EXPECT_EQ(data().size(), 2U * 10U * 16U);
   PlotRequest three = request({path}, "time:v1");
   three.periods = 3;
-  EXPECT_THAT(script_of(three), AllOf(HasSubstr("set xrange [0:3]"), HasSubstr("v1 [b_{n} ϖ]")));
+  EXPECT_THAT(script_of(three),
+              AllOf(HasSubstr("set xrange [0:3]"), HasSubstr("{/:Italic v}_{1}")));
   EXPECT_NEAR(data()[1], 1.0, 1e-12);  // cos of whole turns, to rounding
   three.periods = 30;
   EXPECT_THAT(script_of(three), AllOf(HasSubstr("set xrange [0:20]"), Not(HasSubstr("the last"))));
@@ -89,9 +91,10 @@ TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
 
 TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
   const std::string script = script_of({write_one()}, "phase");
-  EXPECT_THAT(script, AllOf(HasSubstr("set xlabel \"x1 [b_{n}]\""),
-                            HasSubstr("set ylabel \"v1 [b_{n} ϖ]\""), HasSubstr("record=(320)"),
-                            HasSubstr("record=(20)"), HasSubstr("title 'phase 0'")));
+  EXPECT_THAT(script,
+              AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""),
+                    HasSubstr("\"{/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\""),
+                    HasSubstr("record=(320)"), HasSubstr("record=(20)"), HasSubstr("\"phase 0\"")));
   // After the curve: sin and cos at phase 0, to rounding.
   const std::vector<double> numbers = data();
   for (std::size_t i = 640; i < numbers.size(); i += 2) {
@@ -100,7 +103,7 @@ TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
   }
   EXPECT_EQ(numbers.size(), 2U * (320U + 20U));
   EXPECT_THAT(script_of({write_one()}, "phase:dmf:x1"),
-              AllOf(HasSubstr("set xlabel \"dmf"), HasSubstr("set ylabel \"x1")));
+              AllOf(HasSubstr("\"meshing force ("), HasSubstr("\"{/:Italic x}_{1} (")));
 }
 
 // Moments of steps: the end of one and the start of the next are the same.
@@ -118,8 +121,9 @@ TEST_F(PlotTraceTest, ASectionTakesEachPeriodOnce) {
 TEST_F(PlotTraceTest, ASpectrumIsInDecibelsOverTheOrder) {
   PlotRequest spectrum = request({write_one()}, "spectrum:x1");
   EXPECT_THAT(script_of(spectrum),
-              AllOf(HasSubstr("set ylabel \"x1 [dB re 1 b_{n}]\""), HasSubstr("mesh frequency"),
-                    HasSubstr("set xrange [0:10]"), Not(HasSubstr("the last"))));
+              AllOf(HasSubstr("\"{/:Italic x}_{1} (dB re 1 {/:Italic b}_{n})\""),
+                    HasSubstr("mesh frequency"), HasSubstr("set xrange [0:10]"),
+                    Not(HasSubstr("the last"))));
   const std::vector<double> numbers = data();
   ASSERT_EQ(numbers.size(), 2U * (160U + 1U));
   EXPECT_NEAR(numbers[40], 1.0, 1e-12);  // rounding
@@ -140,8 +144,9 @@ TEST_F(PlotTraceTest, ForceShowsWhereBothFlanksTouch) {
 
 TEST_F(PlotTraceTest, ForceHasTheFlanksBehindIt) {
   const std::string one = script_of({write_one(2)}, "force");
-  EXPECT_THAT(one, AllOf(HasSubstr("dmf [k_{0} b_{n}]"), HasSubstr("\"drive flank\""),
-                         HasSubstr("\"no contact\""), Not(HasSubstr("back flank"))));
+  EXPECT_THAT(one, AllOf(HasSubstr("meshing force ({/:Italic k}_{0}{/:Italic b}_{n})"),
+                         HasSubstr("\"drive flank\""), HasSubstr("\"no contact\""),
+                         Not(HasSubstr("back flank"))));
   // The first band of the drive flank: from half a step after 0 to half a step after sin is last
   // above 0.1, moment 7 of 16; over the whole height.
   const std::vector<double> numbers = data();
@@ -156,14 +161,13 @@ TEST_F(PlotTraceTest, TracesOfOneFileOrOfSeveralLieOverOneAnother) {
   const std::string one = write("one.nc", {trace}, {"mu=0.1"});
   for (const char* const quantity : {"time", "phase", "section", "spectrum", "force"}) {
     EXPECT_THAT(script_of({two}, quantity),
-                AllOf(HasSubstr("title \"mu=0\""), HasSubstr("title \"mu=0.1\"")))
+                AllOf(HasSubstr("\"{/:Italic μ} = 0\""), HasSubstr("\"{/:Italic μ} = 0.1\"")))
         << quantity;
   }
   // The same label does not tell them apart, so the files do.
   const std::string other = write("other.nc", {trace}, {"mu=0.1"});
-  EXPECT_THAT(
-      script_of({one, other}, "time"),
-      AllOf(HasSubstr("title \"one\""), HasSubstr("title \"other\""), HasSubstr("at mu=0.1")));
+  EXPECT_THAT(script_of({one, other}, "time"), AllOf(HasSubstr("\"one\""), HasSubstr("\"other\""),
+                                                     HasSubstr("at {/:Italic μ} = 0.1")));
 }
 
 TEST_F(PlotTraceTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {

@@ -1,0 +1,60 @@
+// How a picture looks: what options of the command line and keys of a style file say.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gearsweep {
+
+struct PictureSize {
+  double width = 0.0;   // of the whole picture; 0: not given
+  double height = 0.0;  // 0: what suits the picture
+  bool in_pixels = false;
+};
+
+// Ends of an axis or of the colours; what is not given follows the values.
+struct Limits {
+  std::optional<double> least, greatest;
+};
+
+struct Contours {
+  std::size_t count = 0;  // so many levels between the ends of the colours
+  std::vector<double> levels;
+  bool any() const { return count > 0 || !levels.empty(); }
+};
+
+// Everything has a default; an empty title leaves the title out. What does not concern a picture
+// (such as the colours of a curve) is left aside, so that one style serves many.
+struct PlotStyle {
+  PictureSize size;  // in mm, or in pixels
+  std::string font = "DejaVu Sans";
+  double font_size = 0.0;  // in points; 0: 8 at print sizes up to 100 mm, else 9
+  std::optional<std::string> title, xlabel, ylabel, label;
+  std::vector<std::string> legend;
+  Limits xrange, yrange, range;
+  std::string colormap;  // one of colormap_names(); empty: what suits the map
+  bool is_log = false;
+  Contours contours;
+  bool is_si = false;
+};
+
+// An option of the command line, which is a key of style files too.
+struct StyleOption {
+  std::string name;     // "xrange"
+  std::string value;    // "LO:HI"; empty: a flag
+  std::string meaning;  // for help
+  bool is_list = false;
+  // Throws InputError with what would be right. A flag is given "true" or "false".
+  std::function<void(const std::vector<std::string>&, PlotStyle*)> set;
+};
+
+// In the order in which help shows them.
+const std::vector<StyleOption>& style_options();
+
+// Sets what the keys of a TOML file say. Throws InputError with file and line for an unknown key, a
+// wrong type or a wrong value.
+void read_style_file(const std::string& path, PlotStyle* style);
+
+}  // namespace gearsweep
