@@ -92,6 +92,14 @@ std::string describe(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
+CLI::Validator one_of(const std::vector<std::string>& choices) {
+  const auto check = [choices](const std::string& text) {
+    const bool right = std::find(choices.begin(), choices.end(), text) != choices.end();
+    return right ? std::string() : fmt::format("unknown '{}'{}", text, suggest_name(text, choices));
+  };
+  return {check, ""};
+}
+
 }  // namespace
 
 CLI::Validator whole_number(std::size_t least, std::size_t greatest) {
@@ -129,13 +137,9 @@ CLI::Validator number_between(double least, double greatest) {
 
 CLI::Option* add_choice(CLI::App* command, const std::string& name, std::string* value,
                         const std::vector<std::string>& choices, const std::string& description) {
-  const auto check = [choices](const std::string& text) {
-    const bool right = std::find(choices.begin(), choices.end(), text) != choices.end();
-    return right ? std::string() : fmt::format("unknown '{}'{}", text, suggest_name(text, choices));
-  };
   return command->add_option(name, *value, description)
       ->type_name(fmt::format("{}", fmt::join(choices, "|")))
-      ->check(CLI::Validator(check, ""));
+      ->check(one_of(choices));
 }
 
 void add_device_option(CLI::App* command, std::string* text, bool several) {
@@ -161,6 +165,18 @@ void add_set_option(CLI::App* command, std::vector<std::string>* overrides) {
       ->add_option("--set", *overrides, "Override a key of the study; may be given several times")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
+}
+
+void add_units_option(CLI::App* command, TableUnits* units) {
+  command
+      ->add_option_function<std::string>(
+          "--units",
+          [units](const std::string& text) {
+            *units = text == "SI" ? TableUnits::si : TableUnits::model;
+          },
+          "SI: rpm, N, um, s in a table, of a study with a [gear] table (default: model)")
+      ->type_name("SI|model")
+      ->check(one_of({"SI", "model"}));
 }
 
 std::string shell_quoted(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/table_units.hpp"
 #include "opencl/device.hpp"
 
 namespace gearsweep {
@@ -46,6 +47,9 @@ std::vector<DeviceChoice> chosen_devices(const std::string& text);
 
 // --set
 void add_set_option(CLI::App* command, std::vector<std::string>* overrides);
+
+// --units, of a command that writes tables.
+void add_units_option(CLI::App* command, TableUnits* units);
 
 // As a shell takes it back.
 std::string shell_quoted(const std::string& text);

@@ -72,6 +72,7 @@ PlotStyle style_of(const StyleArguments& given, const std::string& file) {
 
 struct ExportArguments {
   std::string result, quantities, output;
+  TableUnits units = TableUnits::model;
 };
 
 }  // namespace
@@ -154,6 +155,7 @@ void add_export_command(CLI::App* app) {
   command->add_option("-o,--output", arguments->output, "The table: .csv or .npy")
       ->type_name(kFileValue)
       ->required();
+  add_units_option(command, &arguments->units);
   command->footer(
       "Examples:\n"
       "  gearsweep export map.nc -q x1_rms -o rms.csv\n"
@@ -165,7 +167,7 @@ void add_export_command(CLI::App* app) {
     ensure_undamaged(arguments->result);
     std::vector<std::string> quantities;
     if (!arguments->quantities.empty()) quantities = split(arguments->quantities, ',');
-    export_maps(arguments->result, quantities, arguments->output);
+    export_maps(arguments->result, quantities, arguments->output, arguments->units);
   });
 }
 

@@ -28,6 +28,7 @@ struct TraceArguments {
   std::string device;
   std::optional<std::size_t> settle, record;
   std::size_t samples_per_period = 0;
+  TableUnits units = TableUnits::model;
   bool quiet = false;
 };
 
@@ -132,7 +133,7 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
   const Study whole = load(arguments);
   const bool is_map = is_netcdf(arguments.study);
   ensure_writable(arguments.output);
-  ensure_trace_ending(arguments.output);
+  ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
   options.stop = &signals->interrupted();
@@ -167,7 +168,7 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
     }
   }
   write_traces(traces, labels, placed_names, whole, arguments.output,
-               {command_line(arguments), version(), source_hash()});
+               {command_line(arguments), version(), source_hash()}, arguments.units);
   if (!arguments.quiet) tell("{}\n", arguments.output);
   return kDone;
 }
@@ -210,6 +211,7 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
                    "every integration step)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, std::size_t{1} << 20U));
+  add_units_option(command, &arguments->units);
   add_device_option(command, &arguments->device, false);
   add_set_option(command, &arguments->overrides);
   command->add_flag("--quiet", arguments->quiet, "No summary");

@@ -10,6 +10,7 @@
 #include "io/csv_text.hpp"
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
+#include "io/si_units.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -134,7 +135,7 @@ std::vector<std::string> all_quantities(const ResultFile& file) {
 }  // namespace
 
 void export_maps(const std::string& result_path, const std::vector<std::string>& quantities,
-                 const std::string& out) {
+                 const std::string& out, TableUnits units) {
   const bool is_csv = out.ends_with(".csv");
   if (!is_csv && !out.ends_with(".npy")) {
     throw InputError(fmt::format("cannot export to '{}': its name must end in .csv or .npy", out));
@@ -152,6 +153,9 @@ void export_maps(const std::string& result_path, const std::vector<std::string>&
   std::vector<ResultMap> maps;
   for (const std::string& quantity : quantities.empty() ? all_quantities(file) : quantities) {
     maps.push_back(file.read(quantity));
+    if (units == TableUnits::model) continue;
+    ensure_scales(file.scales(), result_path);
+    convert_to_si(file.scales(), &maps.back());
   }
   if (maps.empty()) throw InputError(fmt::format("'{}' has no maps", result_path));
   write_file(out, is_csv ? csv_of(maps) : npy_of(maps));

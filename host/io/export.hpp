@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "io/table_units.hpp"
+
 namespace gearsweep {
 
 // Writes quantities of a result file, with its axes, whole or not at all. The end of `out` decides:
@@ -17,8 +19,9 @@ namespace gearsweep {
 //         quantities; `poincare` is a field of shape (state, sample), a quantity of n numbers one
 //         of shape (n,). np.load(out)["omega"].
 // quantities: each as for ResultFile::read; none: all but poincare. Throws InputError for a name,
-// ending or place that will not do, RunError when the disk fails.
+// ending or place that will not do, or units that the file does not have; RunError when the disk
+// fails.
 void export_maps(const std::string& result_path, const std::vector<std::string>& quantities,
-                 const std::string& out);
+                 const std::string& out, TableUnits units = TableUnits::model);
 
 }  // namespace gearsweep

@@ -54,26 +54,19 @@ void FileNotes::put_provenance(const Provenance& provenance) {
   put("scale_rpm_per_omega", scales.rpm_per_omega);
 }
 
-SiUnit FileNotes::si_unit(const std::string& unit) const {
-  const Scales& scales = study_.scales;
-  if (!scales.known()) return {};
-  if (unit == "b_n") return {scales.b_n, "m"};
-  if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
-  if (unit == "varpi") return {scales.varpi, "rad/s"};
-  if (unit == "1/varpi") return {1.0 / scales.varpi, "s"};
-  if (unit == "1/tau") return {scales.varpi, "1/s"};
-  if (unit == "k0") return {scales.k0, "N/m"};
-  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+SiUnit FileNotes::si_of(const std::string& unit) const {
+  if (!study_.scales.known()) return {1.0, "1"};
   if (unit == "cm" && damping_ > 0.0) return {damping_, "N s/m"};
   if (unit == "degree") return {std::numbers::pi / 180.0, "rad"};
   if (unit == "rad") return {1.0, "rad"};
-  return {};
+  const SiUnit si = si_unit(unit, study_.scales);
+  return si.scale > 0.0 ? si : SiUnit{1.0, "1"};
 }
 
 void FileNotes::describe(int variable, const std::string& unit, const std::string& meaning) {
   file_.put_attribute(variable, "units", unit.empty() ? "1" : unit);
   file_.put_attribute(variable, "long_name", meaning);
-  const SiUnit si = si_unit(unit);
+  const SiUnit si = si_of(unit);
   if (si.name == "1") return;
   file_.put_attribute(variable, "scale_to_SI", si.scale);
   file_.put_attribute(variable, "SI_units", si.name);
@@ -94,7 +87,7 @@ void FileNotes::put_channels(const std::vector<ChannelInfo>& channels, const std
   for (const ChannelInfo& channel : channels) {
     units.push_back(channel.unit);
     meanings.push_back(channel.meaning);
-    const SiUnit si = si_unit(channel.unit);
+    const SiUnit si = si_of(channel.unit);
     scales.push_back(si.scale);
     si_units.push_back(si.name);
   }

@@ -7,15 +7,10 @@
 
 #include "io/netcdf_file.hpp"
 #include "io/result_file.hpp"
+#include "io/si_units.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
-
-// 1 of a dimensionless unit in a unit of SI.
-struct SiUnit {
-  double scale = 1.0;
-  std::string name = "1";
-};
 
 // Writes the attributes of one file.
 class FileNotes {
@@ -48,7 +43,7 @@ class FileNotes {
   std::vector<std::string> lists_of_channels(const std::string& list) const;
 
  private:
-  SiUnit si_unit(const std::string& unit) const;
+  SiUnit si_of(const std::string& unit) const;  // the unit 1 where it has no dimension
 
   const Study& study_;
   NetcdfFile& file_;

@@ -86,7 +86,7 @@ std::string cut_remark(const ResultFile& file, const Cut& cut, bool is_si) {
   const ResultAxis& axis = file.axes()[cut.axis];
   double value = axis.values[cut.index];
   std::string unit = axis.unit;
-  const ShownUnit si = is_si ? shown_unit(unit, file.scales()) : ShownUnit{};
+  const SiUnit si = is_si ? shown_unit(unit, file.scales()) : SiUnit{};
   if (si.scale > 0.0) {
     value *= si.scale;
     unit = si.name;

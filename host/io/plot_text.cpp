@@ -190,6 +190,8 @@ std::string axis_label(const ResultAxis& axis) {
   if (axis.meaning.empty() || axis.meaning.size() > kLongest) {
     return (symbol.empty() ? words_of(axis.name) : symbol) + unit_markup(axis.unit);
   }
+  // The pinion's speed has no symbol of its own.
+  if (axis.unit == "rpm") return typeset(axis.meaning) + unit_markup(axis.unit);
   // A ratio of frequencies is written as one: "mesh frequency ω/ϖ". Files of earlier versions have
   // the quotient in the meaning, too.
   if (axis.unit == "varpi" && !symbol.empty()) {

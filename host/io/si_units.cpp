@@ -9,16 +9,25 @@
 
 namespace gearsweep {
 
-ShownUnit shown_unit(const std::string& unit, const Scales& scales) {
+SiUnit si_unit(const std::string& unit, const Scales& scales) {
   if (!scales.known()) return {};
-  if (unit == "b_n") return {1e6 * scales.b_n, "µm"};
-  if (unit == "b_n varpi") return {1e3 * scales.b_n * scales.varpi, "mm/s"};
-  if (unit == "k0") return {1e-6 * scales.k0, "N/µm"};
-  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+  if (unit == "b_n") return {scales.b_n, "m"};
+  if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
+  if (unit == "varpi") return {scales.varpi, "rad/s"};
+  if (unit == "1/varpi") return {1.0 / scales.varpi, "s"};
   if (unit == "1/tau") return {scales.varpi, "1/s"};
-  if (unit != "varpi") return {};
-  return scales.rpm_per_omega > 0.0 ? ShownUnit{scales.rpm_per_omega, "rpm"}
-                                    : ShownUnit{scales.varpi, "rad/s"};
+  if (unit == "k0") return {scales.k0, "N/m"};
+  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+  return {};
+}
+
+SiUnit shown_unit(const std::string& unit, const Scales& scales) {
+  const SiUnit si = si_unit(unit, scales);
+  if (si.name == "m") return {1e6 * si.scale, "µm"};
+  if (si.name == "m/s") return {1e3 * si.scale, "mm/s"};
+  if (si.name == "N/m") return {1e-6 * si.scale, "N/µm"};
+  if (si.name == "rad/s" && scales.rpm_per_omega > 0.0) return {scales.rpm_per_omega, "rpm"};
+  return si;
 }
 
 Scales read_scales(const NetcdfFile& file) {
@@ -44,7 +53,7 @@ void ensure_scales(const Scales& scales, const std::string& path) {
 
 void convert_to_si(const Scales& scales, Trace* trace) {
   for (std::size_t i = 0; i < trace->channels.size(); ++i) {
-    const ShownUnit si = shown_unit(trace->channels[i].unit, scales);
+    const SiUnit si = shown_unit(trace->channels[i].unit, scales);
     if (si.scale <= 0.0) continue;
     for (double& value : trace->values[i]) value *= si.scale;
     trace->channels[i].unit = si.name;
@@ -53,19 +62,16 @@ void convert_to_si(const Scales& scales, Trace* trace) {
 
 void convert_to_si(const Scales& scales, ResultMap* map) {
   for (ResultAxis& axis : map->axes) {
-    const ShownUnit si = shown_unit(axis.unit, scales);
+    const SiUnit si = shown_unit(axis.unit, scales);
     if (si.scale <= 0.0) continue;
     for (double& value : axis.values) value *= si.scale;
-    if (si.name == "rpm") {
-      axis.meaning = "pinion speed";
-      axis.name.clear();
-    }
+    if (si.name == "rpm") axis.meaning = "pinion speed";
     axis.unit = si.name;
   }
   // The samples of each part of each point stand beside each other.
   const std::size_t parts = map->part_count();
   for (std::size_t part = 0; part < parts; ++part) {
-    const ShownUnit si = shown_unit(map->parts.empty() ? map->unit : map->parts[part].unit, scales);
+    const SiUnit si = shown_unit(map->parts.empty() ? map->unit : map->parts[part].unit, scales);
     if (si.scale <= 0.0) continue;
     for (std::size_t point = 0; point < map->points(); ++point) {
       double* first = map->values.data() + (point * parts + part) * map->samples;
@@ -73,7 +79,7 @@ void convert_to_si(const Scales& scales, ResultMap* map) {
     }
     if (!map->parts.empty()) map->parts[part].unit = si.name;
   }
-  const ShownUnit own = shown_unit(map->unit, scales);
+  const SiUnit own = shown_unit(map->unit, scales);
   if (own.scale > 0.0) map->unit = own.name;
 }
 

@@ -25,27 +25,42 @@ double parameter_of(const Study& study, const Trace& trace, const std::string& n
   return trace.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
 }
 
+// Of a unit in a table: what its numbers are multiplied by, and what it is called.
+SiUnit unit_in_table(const std::string& unit, const Study& study, TableUnits units) {
+  if (units == TableUnits::model) return {1.0, unit};
+  const SiUnit si = shown_unit(unit, study.scales);
+  return si.scale > 0.0 ? si : SiUnit{1.0, unit};
+}
+
 std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::string>& placed,
-                   const Study& study) {
+                   const Study& study, TableUnits units) {
+  const auto unit_of = [&](const std::string& unit) { return unit_in_table(unit, study, units); };
   CsvText csv;
   csv.add_name("trace");
+  std::vector<SiUnit> placed_units, channel_units;
   for (const std::string& name : placed) {
     const auto parameter = static_cast<std::size_t>(study.model->find_parameter(name));
-    csv.add_name(name_in_traces(name, traces.front().channels),
-                 study.model->parameters[parameter].unit);
+    placed_units.push_back(unit_of(study.model->parameters[parameter].unit));
+    csv.add_name(name_in_traces(name, traces.front().channels), placed_units.back().name);
   }
-  csv.add_name("tau", time_unit(*study.model));
+  const SiUnit time = unit_of(time_unit(*study.model));
+  csv.add_name("tau", time.name);
   for (const ChannelInfo& channel : traces.front().channels) {
-    csv.add_name(channel.name, channel.unit);
+    channel_units.push_back(unit_of(channel.unit));
+    csv.add_name(channel.name, channel_units.back().name);
   }
   csv.end_row();
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const Trace& trace = traces[i];
     for (std::size_t moment = 0; moment < trace.tau.size(); ++moment) {
       csv.add_number(static_cast<double>(i + 1));
-      for (const std::string& name : placed) csv.add_number(parameter_of(study, trace, name));
-      csv.add_number(trace.tau[moment]);
-      for (const std::vector<double>& values : trace.values) csv.add_number(values[moment]);
+      for (std::size_t j = 0; j < placed.size(); ++j) {
+        csv.add_number(placed_units[j].scale * parameter_of(study, trace, placed[j]));
+      }
+      csv.add_number(time.scale * trace.tau[moment]);
+      for (std::size_t j = 0; j < trace.values.size(); ++j) {
+        csv.add_number(channel_units[j].scale * trace.values[j][moment]);
+      }
       csv.end_row();
     }
   }
@@ -144,20 +159,30 @@ class Writer {
 
 }  // namespace
 
-void ensure_trace_ending(const std::string& path) {
-  if (path.ends_with(".nc") || path.ends_with(".csv")) return;
-  throw InputError(
-      fmt::format("cannot write traces to '{}': its name must end in .nc or .csv", path));
+void ensure_trace_file(const std::string& path, const Study& study, TableUnits units) {
+  const bool is_table = path.ends_with(".csv");
+  if (!is_table && !path.ends_with(".nc")) {
+    throw InputError(
+        fmt::format("cannot write traces to '{}': its name must end in .nc or .csv", path));
+  }
+  if (units == TableUnits::model) return;
+  if (!is_table) {
+    throw InputError(fmt::format(
+        "--units SI is for tables: '{}' will have scale_to_SI beside each variable", path));
+  }
+  if (!study.scales.known()) {
+    throw InputError("--units SI: the study has no [gear] table, which gives the scales");
+  }
 }
 
 void write_traces(const std::vector<Trace>& traces, const std::vector<std::string>& labels,
                   const std::vector<std::string>& placed, const Study& study,
-                  const std::string& path, const Provenance& provenance) {
+                  const std::string& path, const Provenance& provenance, TableUnits units) {
+  ensure_trace_file(path, study, units);
   if (path.ends_with(".csv")) {
-    write_file(path, csv_of(traces, placed, study));
+    write_file(path, csv_of(traces, placed, study, units));
     return;
   }
-  ensure_trace_ending(path);
   OutputFile output(path);
   NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
   Writer(traces, study, placed, &file).write(labels, provenance);

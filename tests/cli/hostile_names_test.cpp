@@ -58,7 +58,8 @@ TEST(Names, OfAnAxisAndAQuantityMayBeTheSame) {
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(gearsweep(folder, "export " + model + ".nc -q period -o " + model + ".csv").status,
               0);
-    EXPECT_THAT(read_all(folder / (model + ".csv")), HasSubstr("parameter_period,period\n1,"));
+    EXPECT_THAT(read_all(folder / (model + ".csv")),
+                HasSubstr("parameter_period [1],period [1]\n1,"));
     const Outcome trace =
         gearsweep(folder, "trace " + model + ".nc --at period=2 -o " + model + "-trace.nc");
     EXPECT_EQ(trace.status, 0) << trace.err;

@@ -90,6 +90,19 @@ TEST_F(ExportTest, CsvHasSeveralQuantitiesBesideEachOther) {
               HasSubstr("'x1_rms' is listed twice"));
 }
 
+TEST_F(ExportTest, NumbersAreInUnitsOfSiWhereTheStudyHasScales) {
+  SweepResult result = example_result(2, 0);
+  result.study.axes[0].values = {0.5, 1.0};
+  const std::string out = in_folder("out.csv");
+  EXPECT_THAT(refusal([&] { export_maps(write(result), {"x1_rms"}, out, TableUnits::si); }),
+              HasSubstr("a study with a [gear] table has them"));
+  result.values[0] = {0.25, 2.0};
+  result.study.scales = {0x1p12, 0x1p-16, 0x1p28, 1500.0};
+  export_maps(write(result), {"x1_rms", "contact_class"}, out, TableUnits::si);
+  EXPECT_EQ(content(out),
+            "omega [rpm],x1_rms [µm],contact_class\n750,3.814697265625,0\n1500,30.517578125,1\n");
+}
+
 TEST_F(ExportTest, ReadersOfCsvTakeTheUnitsForPartOfTheNames) {
   export_maps(write(example_result()), {}, in_folder("map.csv"));
   const Spoken spoken = run_python(

@@ -77,12 +77,28 @@ TEST_F(TraceFile, IsATableToo) {
             "b_n]\n1,0.7,0,1,-0\n1,0.7,0.1,0.25,-0.001\n");
 }
 
+// Scales of powers of two, which keep all digits; 1500 rpm make one omega.
+TEST_F(TraceFile, IsATableInUnitsOfSi) {
+  Study study = gear_study();
+  EXPECT_THROW(ensure_trace_file("t.csv", study, TableUnits::si), InputError);
+  study.scales = {0x1p12, 0x1p-16, 0x1p28, 1500.0};
+  EXPECT_THROW(ensure_trace_file("t.nc", study, TableUnits::si), InputError);
+  write_traces({made_trace(study, 2)}, {"omega=0.5"}, {"omega"}, study, path("t.csv"), {},
+               TableUnits::si);
+  std::ifstream in(path("t.csv"));
+  std::ostringstream text;
+  text << in.rdbuf();
+  EXPECT_EQ(text.str(),
+            "trace,omega [rpm],tau [s],x1 [µm],dmf [N]\n1,1050,0,15.2587890625,-0\n"
+            "1,1050,2.44140625e-05,3.814697265625,-4.096\n");
+}
+
 TEST_F(TraceFile, RefusesOtherFiles) {
   EXPECT_FALSE(is_trace_file(path("nothing.nc")));
   std::ofstream(path("text.nc")) << "no NetCDF";
   EXPECT_FALSE(is_trace_file(path("text.nc")));
   EXPECT_THROW(read_traces(path("text.nc")), InputError);
-  EXPECT_THROW(ensure_trace_ending("trace.txt"), InputError);
+  EXPECT_THROW(ensure_trace_file("trace.txt", gear_study(), TableUnits::model), InputError);
 }
 
 }  // namespace
