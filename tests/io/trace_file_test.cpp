@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "model/error.hpp"
 
@@ -39,6 +38,10 @@ class TraceFile : public ::testing::Test {
   }
   ~TraceFile() override { std::filesystem::remove_all(folder_); }
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string content(const std::string& name) const {
+    std::ifstream in(path(name));
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
 
  private:
   std::string folder_;
@@ -69,10 +72,7 @@ TEST_F(TraceFile, GivesBackWhatWasWritten) {
 TEST_F(TraceFile, IsATableToo) {
   const Study study = gear_study();
   write_traces({made_trace(study, 2)}, {"omega=0.5"}, {"omega"}, study, path("t.csv"), {});
-  std::ifstream in(path("t.csv"));
-  std::ostringstream text;
-  text << in.rdbuf();
-  EXPECT_EQ(text.str(),
+  EXPECT_EQ(content("t.csv"),
             "trace,omega [varpi],tau [1/varpi],x1 [b_n],dmf [k0 "
             "b_n]\n1,0.7,0,1,-0\n1,0.7,0.1,0.25,-0.001\n");
 }
@@ -85,10 +85,7 @@ TEST_F(TraceFile, IsATableInUnitsOfSi) {
   EXPECT_THROW(ensure_trace_file("t.nc", study, TableUnits::si), InputError);
   write_traces({made_trace(study, 2)}, {"omega=0.5"}, {"omega"}, study, path("t.csv"), {},
                TableUnits::si);
-  std::ifstream in(path("t.csv"));
-  std::ostringstream text;
-  text << in.rdbuf();
-  EXPECT_EQ(text.str(),
+  EXPECT_EQ(content("t.csv"),
             "trace,omega [rpm],tau [s],x1 [µm],dmf [N]\n1,1050,0,15.2587890625,-0\n"
             "1,1050,2.44140625e-05,3.814697265625,-4.096\n");
 }
