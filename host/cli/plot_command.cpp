@@ -94,8 +94,9 @@ void add_plot_command(CLI::App* app) {
           "-q,--quantity", request->quantity,
           "What to draw. Of maps (default: the file's first): poincare:v1 picks a sampled state; "
           "over one axis several, NAME,NAME, stand above one another. Of traces: time (the "
-          "default), phase, section, spectrum or force; time:v3, phase:x3, phase:x1:x3, "
-          "spectrum:dmf pick channels (default: the first state; force: dmf)")
+          "default), phase, section, spectrum, force or portrait (four of them in one picture); "
+          "time:v3, phase:x3, phase:x1:x3, spectrum:dmf, portrait:x3 pick channels (default: the "
+          "first state; force: dmf)")
       ->type_name(kQuantityValue);
   command
       ->add_option("-o,--output", request->output_path,
@@ -113,7 +114,8 @@ void add_plot_command(CLI::App* app) {
   command
       ->add_option("--periods", request->periods,
                    "Of traces, at most so many last periods (default: 10 in time and force, else "
-                   "all; a spectrum separates subharmonics best over a multiple of their period)")
+                   "all; of a portrait those of its histories; a spectrum separates subharmonics "
+                   "best over a multiple of their period)")
       ->type_name(kNumberValue)
       ->check(whole_number(1));
   command
@@ -132,6 +134,7 @@ void add_plot_command(CLI::App* app) {
       "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
       "  gearsweep plot map.nc -q x1_rms --at e0=0.3 -o cut.svg --script cut.gp\n"
       "  gearsweep plot trace.nc -q force -o force.png\n"
+      "  gearsweep plot trace.nc -q portrait:x3 -o portrait.pdf --width 170mm\n"
       "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png");
   command->callback([request, cut, style, style_file] {
     if (!cut->empty()) request->at = parse_cut(*cut);

@@ -150,7 +150,7 @@ void ensure_plottable(const std::string& output_path) {
 }
 
 void plot_files(const PlotRequest& request) {
-  const Page page(request.style, picture_format(request.output_path));
+  const Page page(request.style, picture_format(request.output_path), usual_width(request));
   const bool keep_script = !request.script_path.empty();
   if (keep_script && !request.script_path.ends_with(kScriptEnding)) {
     throw InputError(

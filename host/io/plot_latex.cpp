@@ -133,7 +133,8 @@ double letters_width(std::string_view markup) {
     const char first = letter.front();
     const bool is_narrow =
         std::string_view("ijl.,:;'|! ()[]tfr").find(first) != std::string_view::npos;
-    const bool is_wide = std::string_view("mwMW").find(first) != std::string_view::npos;
+    const bool is_wide =
+        letter == "−" || std::string_view("mwMW").find(first) != std::string_view::npos;
     width += scale * (is_narrow                      ? kNarrow
                       : is_wide                      ? kWide
                       : first >= 'A' && first <= 'Z' ? kCapital

@@ -14,7 +14,6 @@ namespace gearsweep {
 namespace {
 
 constexpr double kPointsPerInch = 72.0, kMmPerInch = 25.4;
-constexpr double kDefaultMm = 120.0;  // the width that a picture is made for without --size
 constexpr double kSvgPixelsPerInch = 96.0;
 // What gnuplot's lengths are in its own units: its letters in points of 1/96 inch, the diameter of
 // a point of size 1.
@@ -43,9 +42,10 @@ PictureFormat picture_format(const std::string& output_path) {
       fmt::format("cannot draw '{}': its name must end in .png, .svg, .pdf or .tex", output_path));
 }
 
-Page::Page(const PlotStyle& style, PictureFormat format) : style_(style), format_(format) {
+Page::Page(const PlotStyle& style, PictureFormat format, double usual_mm)
+    : style_(style), format_(format) {
   const PictureSize& size = style.size;
-  width_ = points_of(kDefaultMm);
+  width_ = points_of(usual_mm);
   if (size.width > 0.0 && !size.in_pixels) {
     width_ = points_of(size.width);
     height_ = points_of(size.height);
@@ -56,7 +56,7 @@ Page::Page(const PlotStyle& style, PictureFormat format) : style_(style), format
     }
     // So many pixels of the picture that is drawn without a size.
     dots_per_inch_ =
-        format == PictureFormat::kPng ? size.width / (kDefaultMm / kMmPerInch) : kSvgPixelsPerInch;
+        format == PictureFormat::kPng ? size.width / (usual_mm / kMmPerInch) : kSvgPixelsPerInch;
     width_ = size.width / dots_per_inch_ * kPointsPerInch;
     height_ = size.height / dots_per_inch_ * kPointsPerInch;
   }
@@ -64,6 +64,19 @@ Page::Page(const PlotStyle& style, PictureFormat format) : style_(style), format
   em_ = style.font_size > 0.0          ? style.font_size
         : width_ <= points_of(kNarrow) ? kSmallLetters
                                        : kLetters;
+}
+
+Page Page::with_other_axes(bool x, bool y) const {
+  Page page = *this;
+  if (x) {
+    page.style_.xlabel.reset();
+    page.style_.xrange = {};
+  }
+  if (y) {
+    page.style_.ylabel.reset();
+    page.style_.yrange = {};
+  }
+  return page;
 }
 
 std::string Page::text(std::string_view markup) const {

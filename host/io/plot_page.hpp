@@ -23,10 +23,17 @@ struct Frame {
   double height() const { return top - bottom; }
 };
 
+// The width that a picture is made for without a size, in mm.
+inline constexpr double kUsualWidth = 120.0;
+
 class Page {
  public:
-  // Throws InputError when the style does not fit the format.
-  Page(const PlotStyle& style, PictureFormat format);
+  // usual_mm: the width that the picture is made for without a size. Throws InputError when the
+  // style does not fit the format.
+  Page(const PlotStyle& style, PictureFormat format, double usual_mm = kUsualWidth);
+
+  // For a panel whose axes are not those that the style's limits and labels of x, y speak of.
+  Page with_other_axes(bool x, bool y) const;
 
   const PlotStyle& style() const { return style_; }
   double width() const { return width_; }

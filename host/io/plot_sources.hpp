@@ -10,5 +10,7 @@ namespace gearsweep {
 PlotScript draw_maps(const Page& page, const PlotRequest& request);
 // Of files of traces.
 PlotScript draw_traces(const Page& page, const PlotRequest& request);
+// The width that this picture is made for without a size, in mm.
+double usual_width(const PlotRequest& request);
 
 }  // namespace gearsweep

@@ -186,7 +186,12 @@ std::string unit_markup(const std::string& unit) {
 
 std::string axis_label(const ResultAxis& axis) {
   constexpr std::size_t kLongest = 45;
+  constexpr std::string_view kInitial = "initial ";
   const std::string symbol = symbol_of(axis.name);
+  // With its words "initial velocity of x1" an initial v1 would name two states.
+  if (axis.meaning.starts_with(kInitial) && !symbol.empty()) {
+    return fmt::format("{}{}{}", kInitial, symbol, unit_markup(axis.unit));
+  }
   if (axis.meaning.empty() || axis.meaning.size() > kLongest) {
     return (symbol.empty() ? words_of(axis.name) : symbol) + unit_markup(axis.unit);
   }

@@ -18,19 +18,22 @@
 namespace gearsweep {
 namespace {
 
+using PanelMaker = TracePanel (*)(const Page&, const TracePicture&, PlotScript*);
+
 struct Kind {
   std::string name;
-  PlotScript (*draw)(const Page&, const TracePicture&);
-  bool is_recent;  // shows the last periods only, unless more are asked for
+  PanelMaker panel;  // null of a portrait, which has several
+  bool is_recent;    // shows the last periods only, unless more are asked for
   std::size_t channels;
 };
 
+constexpr std::string_view kPortrait = "portrait";
+
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> kKinds = {{"time", draw_time, true, 1},
-                                           {"phase", draw_phase, false, 2},
-                                           {"section", draw_section, false, 2},
-                                           {"spectrum", draw_spectrum, false, 1},
-                                           {"force", draw_force, true, 1}};
+  static const std::vector<Kind> kKinds = {
+      {"time", time_panel, true, 1},        {"phase", phase_panel, false, 2},
+      {"section", section_panel, false, 2}, {"spectrum", spectrum_panel, false, 1},
+      {"force", force_panel, true, 1},      {std::string(kPortrait), nullptr, false, 2}};
   return kKinds;
 }
 
@@ -92,29 +95,6 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
                     names.front(), kind.name, trace.channels.front().name));
   }
   return {names.front(), velocity};
-}
-
-// Far less than a step, far more than the rounding of tau.
-constexpr double kInstant = 1e-6;  // of a period
-
-double whole_periods(const Trace& trace) {
-  if (trace.tau.empty()) return 0.0;
-  return std::ceil(trace.tau.back() / trace.period - kInstant);
-}
-
-Trace last_periods(const Trace& trace, std::size_t periods) {
-  const double from = whole_periods(trace) - static_cast<double>(periods);
-  if (from <= 0.0) return trace;
-  const auto first =
-      std::lower_bound(trace.tau.begin(), trace.tau.end(), (from - kInstant) * trace.period) -
-      trace.tau.begin();
-  Trace last = trace;
-  last.tau.erase(last.tau.begin(), last.tau.begin() + first);
-  for (double& tau : last.tau) tau -= from * trace.period;
-  for (std::vector<double>& values : last.values) {
-    values.erase(values.begin(), values.begin() + first);
-  }
-  return last;
 }
 
 struct Source {
@@ -180,23 +160,28 @@ std::string remark_of(const std::vector<Source>& sources, std::optional<std::siz
 
 }  // namespace
 
+double usual_width(const PlotRequest& request) {
+  constexpr double kTwoColumns = 170.0;
+  return split(request.quantity, ':').front() == kPortrait ? kTwoColumns : kUsualWidth;
+}
+
 PlotScript draw_traces(const Page& page, const PlotRequest& request) {
   if (request.at) {
     throw InputError("--at cuts maps, and this file holds traces; 'gearsweep trace' takes --at");
   }
   const std::vector<std::string> words = split(request.quantity, ':');
   const Kind& kind = find_kind(words);
-  if (request.orders && kind.name != "spectrum") {
-    throw InputError("--orders is for spectra (-q spectrum)");
+  if (request.orders && kind.name != "spectrum" && kind.name != kPortrait) {
+    throw InputError("--orders is for spectra (-q spectrum or portrait)");
   }
   const std::vector<Source> sources = read_sources(request.paths, request.style.is_si);
   const Trace& first = sources.front().stored.trace;
   const std::vector<std::string> channels = channel_names(kind, words, first);
-  constexpr std::size_t kRecentPeriods = 10;
-  std::optional<std::size_t> shown = request.periods;
-  if (!shown && kind.is_recent) shown = kRecentPeriods;
-
   TracePicture picture;
+  picture.recent = request.periods.value_or(picture.recent);
+  std::optional<std::size_t> shown = request.periods;
+  if (kind.is_recent) shown = picture.recent;
+  if (kind.name == kPortrait) shown.reset();  // all of it, but for the histories
   picture.across = find_in(sources.front().stored, channels.front());
   picture.channel = find_in(sources.front().stored, channels.back());
   picture.title = common(sources, [](const Source& source) { return source.stored.title; });
@@ -210,7 +195,12 @@ PlotScript draw_traces(const Page& page, const PlotRequest& request) {
     if (kind.name == "force") find_in(stored, "contact");
     picture.layers.push_back({names[i], shown ? last_periods(stored.trace, *shown) : stored.trace});
   }
-  return kind.draw(page, picture);
+  PlotScript script;
+  const std::vector<TracePanel> panels = kind.panel == nullptr
+                                             ? portrait_panels(page, picture, &script)
+                                             : std::vector{kind.panel(page, picture, &script)};
+  lay_out(page, picture, panels, &script);
+  return script;
 }
 
 }  // namespace gearsweep

@@ -121,6 +121,12 @@ TEST(Examples, CommandsOfTheReadmeAreSensible) {
   for (const Study& study : studies) expect_sensible(study, study.toml);
 }
 
+TEST(Examples, CommandsOfTheGalleryAreSensible) {
+  const std::vector<Study> studies = runs_in(read_all(GEARSWEEP_GALLERY));
+  EXPECT_GT(studies.size(), 5U);
+  for (const Study& study : studies) expect_sensible(study, study.toml);
+}
+
 // The manual page holds the help of every command.
 TEST(Examples, CommandsOfTheManualAreSensible) {
   const Folder folder;

@@ -69,7 +69,7 @@ void read_maps(const std::string& path) {
 
 void read_all_traces(const std::string& path) {
   read_traces(path);
-  for (const char* kind : {"time", "phase", "section", "spectrum", "force"}) {
+  for (const char* kind : {"time", "phase", "section", "spectrum", "force", "portrait"}) {
     attempt([&] { draw_traces(Page({}, PictureFormat::kPdf), request_for(path, kind)); });
   }
 }

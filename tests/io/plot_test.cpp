@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
+using gearsweep::testing::make_axis;
 using gearsweep::testing::spectrum_result;
 using ::testing::AllOf;
 using ::testing::AnyOf;
@@ -105,6 +106,16 @@ TEST_F(PlotTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {
                             HasSubstr("\"mesh frequency {/:Italic ω}/{/:Italic ϖ}\""),
                             HasSubstr("\"rms of {/:Italic x}_{1} ({/:Italic b}_{n})\""),
                             HasSubstr("diverged at 1 of 12 points")));
+}
+
+TEST_F(PlotTest, AnInitialStateIsCalledByItsSymbol) {
+  SweepResult result = example_result();
+  result.study.axes[0] =
+      make_axis("x1", "b_n", "initial torsional mesh displacement", -1.0, 4.0, 4);
+  result.study.axes[1] = make_axis("v1", "b_n varpi", "initial velocity of x1", -1.5, 1.5, 3);
+  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+              AllOf(HasSubstr("\"initial {/:Italic x}_{1} ({/:Italic b}_{n})\""),
+                    HasSubstr("\"initial {/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\"")));
 }
 
 // Boxes that only touch would show bright seams in vector formats.

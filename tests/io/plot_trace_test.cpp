@@ -155,11 +155,70 @@ TEST_F(PlotTraceTest, ForceHasTheFlanksBehindIt) {
   EXPECT_EQ(numbers[5], 1.0);
 }
 
+// How often a text holds another.
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
+
+TEST_F(PlotTraceTest, APortraitHasHistoryPhaseForceAndSpectrum) {
+  const std::string script = script_of({write_one()}, "portrait");
+  EXPECT_EQ(count(script, "\nplot "), 4U);
+  EXPECT_THAT(script,
+              AllOf(HasSubstr("(a) "), HasSubstr("time history"), HasSubstr("phase portrait"),
+                    HasSubstr("\"phase 0\""), HasSubstr("\"drive flank\""),
+                    HasSubstr("meshing force ("), HasSubstr("(dB re 1 "), HasSubstr("(d) ")));
+  // The histories are of the last 10 periods; phase portrait and spectrum are of all 20.
+  EXPECT_EQ(count(script, "set xrange [0:10]"), 3U);  // the spectrum's orders, too
+  EXPECT_EQ(count(script, "record=(160)"), 2U);
+  EXPECT_THAT(script, AllOf(HasSubstr("record=(320)"), HasSubstr("record=(161)"),
+                            Not(HasSubstr("the last"))));
+  PlotRequest chosen = request({write_one()}, "portrait:x1:dmf");
+  chosen.periods = 3;
+  chosen.orders = 4.0;
+  const std::string other = script_of(chosen);
+  EXPECT_EQ(count(other, "set xrange [0:3]"), 2U);
+  EXPECT_EQ(count(other, "set xrange [0:4]"), 1U);
+  EXPECT_EQ(count(other, "meshing force ("), 2U);  // over x1, and as the force
+}
+
+// They are of four different pairs of axes.
+TEST_F(PlotTraceTest, APortraitsLimitsAndLabelsAreTheHistorys) {
+  PlotRequest limited = request({write_one()}, "portrait");
+  limited.style.xrange = {2.0, 4.0};
+  limited.style.yrange = {-5.0, 5.0};
+  limited.style.xlabel = "turns";
+  limited.style.ylabel = "way";
+  const std::string script = script_of(limited);
+  EXPECT_EQ(count(script, "set xrange [2:4]"), 2U);  // the force's, too
+  EXPECT_EQ(count(script, "\"turns\""), 2U);
+  EXPECT_EQ(count(script, "set yrange [-5:5]"), 1U);
+  EXPECT_EQ(count(script, "\"way\""), 1U);
+}
+
+TEST_F(PlotTraceTest, APortraitForPrintCallsItsPanelsByLetters) {
+  PlotRequest print = request({write_one()}, "portrait");
+  print.style.size.width = 170.0;
+  EXPECT_THAT(script_of(print), AllOf(HasSubstr("\"(d)\""), Not(HasSubstr("time history"))));
+  print.style.size = {170.0, 20.0};
+  EXPECT_THAT(refusal([&] { plot_files(print); }), HasSubstr("no room"));
+}
+
+TEST_F(PlotTraceTest, APortraitWithoutFlanksHasASectionInTheirPlace) {
+  Trace free = made_trace(study_, 20, 16);
+  free.channels.resize(2);
+  free.values.resize(2);
+  const std::string script = script_of({write("free.nc", {free}, {""})}, "portrait");
+  EXPECT_EQ(count(script, "\nplot "), 4U);
+  EXPECT_THAT(script, AllOf(HasSubstr("section at phase 0"), Not(HasSubstr("flank"))));
+}
+
 TEST_F(PlotTraceTest, TracesOfOneFileOrOfSeveralLieOverOneAnother) {
   const Trace trace = made_trace(study_, 4, 16);
   const std::string two = write("two.nc", {trace, trace}, {"mu=0", "mu=0.1"});
   const std::string one = write("one.nc", {trace}, {"mu=0.1"});
-  for (const char* const quantity : {"time", "phase", "section", "spectrum", "force"}) {
+  for (const char* const quantity : {"time", "phase", "section", "spectrum", "force", "portrait"}) {
     EXPECT_THAT(script_of({two}, quantity),
                 AllOf(HasSubstr("\"{/:Italic μ} = 0\""), HasSubstr("\"{/:Italic μ} = 0.1\"")))
         << quantity;
@@ -176,6 +235,7 @@ TEST_F(PlotTraceTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
   EXPECT_THAT(refused({path}, "time:dfm"), HasSubstr("did you mean 'dmf'?"));
   EXPECT_THAT(refused({path}, "time:x1:v1"), HasSubstr("one channel"));
   EXPECT_THAT(refused({path}, "phase:dmf"), HasSubstr("phase:dmf:x1"));
+  EXPECT_THAT(refused({path}, "portrait:dmf"), HasSubstr("portrait:dmf:x1"));
   EXPECT_THAT(refused({path}, "phase:x2"), HasSubstr("no channel 'x2'"));
   EXPECT_THAT(refused({write("short.nc", {made_trace(study_, 1, 16)}, {""}), path}, "phase:x1:x2"),
               HasSubstr("no channel 'x2'"));
