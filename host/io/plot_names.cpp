@@ -35,7 +35,8 @@ std::vector<std::string> differing_settings(const std::vector<std::string>& toml
   for (const std::string& text : toml) settings.push_back(settings_in(text));
   std::vector<std::string> names(toml.size());
   std::size_t differing = 0;
-  for (const auto& [key, value] : settings.front()) {
+  for (const auto& setting : settings.front()) {
+    const std::string &key = setting.first, &value = setting.second;
     const bool tells = key.starts_with("[parameters]") || key.starts_with("[model]");
     const std::string name = key.substr(key.find(']') + 1);
     const bool same = std::all_of(settings.begin(), settings.end(), [&](const auto& other) {

@@ -13,7 +13,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char *kOnlyPart = "#0072b2", *kFirstPart = "#d55e00", *kOtherParts = "#56b4e9";
+constexpr const char *kFirstPart = "#d55e00", *kOtherParts = "#56b4e9";
 
 // The values of all studies' axes.
 ResultAxis whole_axis(const std::vector<Picture>& layers) {
