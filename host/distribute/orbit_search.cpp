@@ -95,14 +95,15 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
   if (!OrbitPursuit(plan_, tile_, engine_).find(all, after_round)) return false;
   for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
     OrbitAttempt& attempt = attempts[i];
+    const std::size_t position = attempt.position;
     // The longer it takes, the less it costs to wait.
-    next_try_[attempt.position] = settled_ + settled_ / 2;
+    next_try_[position] = settled_ + settled_ / 2;
     if (attempt.verdict == NewtonVerdict::unstable) {
-      hopeless_[attempt.position] |= 1U << (attempt.length - 1);
+      hopeless_[position] |= 1U << (attempt.length - 1);
     } else if (attempt.verdict == NewtonVerdict::found) {
       const OrbitMap map = {attempt.newton.state, attempt.derivative, attempt.newton.ranges,
                             plan_.study().model->angles, plan_.study().selection.period_tolerance};
-      candidates_[attempt.position] = std::unique_ptr<Candidate>(
+      candidates_[position] = std::unique_ptr<Candidate>(
           new Candidate{std::move(attempt), settled_, OrbitConvergence(map)});
     }
   });

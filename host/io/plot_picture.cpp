@@ -96,7 +96,8 @@ std::string draw_key(const Page& page, const std::vector<KeyEntry>& entries, dou
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const KeyEntry& entry = entries[i];
     const auto column = static_cast<double>(i % grid.columns);
-    const auto row = static_cast<double>(grid.rows - 1 - i / grid.columns);
+    const std::size_t above = grid.rows - 1 - i / grid.columns;
+    const auto row = static_cast<double>(above);
     const double x = left + column * grid.column;
     const double y = em * (0.2 + kKeyLine * (row + 0.5));
     const double right = x + em * kSymbol;

@@ -184,10 +184,10 @@ StudyTable observe_table() {
 }  // namespace
 
 const std::vector<StudyTable>& study_tables() {
-  static const std::vector<StudyTable> tables = {
+  static const std::vector<StudyTable> kTables = {
       whole_study(), model_table(),   parameters_table(), gear_table(),
       axes_table(),  initial_table(), integrate_table(),  observe_table()};
-  return tables;
+  return kTables;
 }
 
 const StudyTable& study_table(const std::string& name) {
