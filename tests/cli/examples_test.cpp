@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-#include "io/plot_style.hpp"
-#include "io/result_size.hpp"
 #include "plan/plan.hpp"
+#include "plot/style.hpp"
+#include "result/result_size.hpp"
 #include "study/builtin_studies.hpp"
 #include "support/process.hpp"
 
