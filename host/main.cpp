@@ -1,12 +1,62 @@
+// gearsweep, told in the order of its steps: from a study to the file of its maps. Arguments,
+// reports and all other commands are in cli/.
 #include <cstdio>
 #include <cstdlib>
 
 #include "cli/cli.hpp"
+#include "cli/run_output.hpp"
+#include "cli/run_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "sweep/run_context.hpp"
+
+namespace gearsweep {
+namespace {
+
+int run_study(const RunRequest& request) {
+  // 1. Read the study: model, parameters, axes, what to observe.
+  const Study study = requested_study(request);
+
+  // 2. See that its maps can be written, before anything is computed.
+  const RunOutput output(request, study);
+  RunReport report(request, output);
+  SweepOptions options = output.sweep_options();
+  report.watch(&options);
+  if (request.dry_run) return report.forecast(forecast_sweep(study, options));
+  if (request.restart) output.discard_journal();
+
+  // 3. Choose the integration step: as given, or as a pilot run finds for a tolerance.
+  const std::optional<SteppedStudy> stepped = choose_step(study, options);
+  if (!stepped) return report.interrupted();
+  RunContext run(*stepped, options);
+
+  // 4. Find the engines: one or two on each device, with the kernels built for this study.
+  run.find_engines();
+
+  // 5. Plan: points, their phase grids, and tiles that keep the engines busy and fit the machine.
+  run.plan_tiles();
+
+  // 6. Open the journal, which may have tiles of an interrupted run.
+  run.open_journal();
+
+  // 7. Compute the tiles that it does not have; each is journaled when it is finished.
+  if (!run.compute_tiles()) return report.interrupted();
+  if (options.shard.count > 0) return report.shard_done();
+
+  // 8. Assemble the maps.
+  const SweepResult maps = run.assemble_maps();
+
+  // 9. Write the file; then nothing needs the journal any more.
+  output.write(maps);
+  run.close_journal();
+  return report.finished(maps);
+}
+
+}  // namespace
+}  // namespace gearsweep
 
 int main(int argc, char** argv) {
   if (!gearsweep::open_standard_streams()) return EXIT_FAILURE;
-  const int status = gearsweep::run_cli(argc, argv);
+  const int status = gearsweep::run_cli(argc, argv, gearsweep::run_study);
   if (status != 1) return status;
   // A NetCDF file that could not be written to its end crashes the HDF5 library on its way out.
   std::fflush(nullptr);

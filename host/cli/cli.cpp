@@ -29,7 +29,7 @@ std::vector<std::string> exit_statuses() {
   return texts;
 }
 
-void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
+void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* status) {
   app->set_version_flag("--version", "gearsweep " + version());
   app->require_subcommand(1);
   app->footer(std::string("A first map:\n"
@@ -40,7 +40,7 @@ void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
                           "manual study'\n(installed: 'man gearsweep-study') every key of a "
                           "study.\n") +
               fmt::format("Exit status: {}.", fmt::join(exit_statuses(), ", ")));
-  add_run_command(app, signals, status);
+  add_run_command(app, run, signals, status);
   add_merge_command(app, status);
   add_status_command(app);
   add_trace_command(app, signals, status);
@@ -69,13 +69,13 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 }
 
 // Runs the command that the arguments name; its exit status.
-int dispatch(int argc, char** argv, SignalWatch* signals) {
+int dispatch(int argc, char** argv, const Run& run, SignalWatch* signals) {
   CLI::App app(
       "gearsweep: maps of gear dynamics and non-smooth oscillators from massively parallel "
       "parameter sweeps",
       "gearsweep");
   int status = kDone;
-  add_commands(&app, signals, &status);
+  add_commands(&app, run, signals, &status);
   refuse_unknown_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -92,11 +92,11 @@ int dispatch(int argc, char** argv, SignalWatch* signals) {
 
 }  // namespace
 
-int run_cli(int argc, char** argv) {
+int run_cli(int argc, char** argv, const Run& run) {
   try {
     KernelCache kernels;
     SignalWatch signals([&kernels] { kernels.remove(); });
-    const int status = dispatch(argc, argv, &signals);
+    const int status = dispatch(argc, argv, run, &signals);
     flush_answers();
     return status;
   } catch (const InputError& error) {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace gearsweep {
+#include "cli/run_request.hpp"
 
-class SignalWatch;
+namespace gearsweep {
 
 enum ExitStatus { kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130 };
 
@@ -21,7 +21,7 @@ inline std::vector<std::pair<int, std::string>> exit_meanings() {
           {kInterrupted, "interrupted"}};
 }
 
-void add_run_command(CLI::App* app, SignalWatch* signals, int* status);
+void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* status);
 void add_merge_command(CLI::App* app, int* status);
 void add_status_command(CLI::App* app);
 void add_trace_command(CLI::App* app, SignalWatch* signals, int* status);

@@ -11,7 +11,7 @@
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "result/result_file.hpp"
-#include "sweep/shard_run.hpp"
+#include "sweep/shard_merge.hpp"
 
 namespace gearsweep {
 namespace {

@@ -6,8 +6,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/run_study.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/study_source.hpp"
+#include "cli/run_report.hpp"
+#include "cli/run_request.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
@@ -31,18 +33,17 @@ class Dismissal {
 };
 
 // What must be the same for processes to work together.
-std::string agreement(const RunArguments& arguments) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}", arguments.study, arguments.output,
-                     fmt::join(arguments.overrides, "\n"), fmt::join(arguments.zooms, "\n"),
+std::string agreement(const RunRequest& request) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}", request.study, request.output,
+                     fmt::join(request.overrides, "\n"), fmt::join(request.zooms, "\n"),
                      source_hash());
 }
 
 // What a rank does that is not 0. It leaves signals, which a launcher passes on to all, to rank 0.
-int serve(const RunArguments& arguments, Cluster* cluster) {
+int serve(const RunRequest& request, Cluster* cluster) {
   try {
     serve_cluster(
-        cluster, [&] { return share_of_devices(chosen_devices(arguments.devices), *cluster); },
-        warn);
+        cluster, [&] { return share_of_devices(chosen_devices(request.devices), *cluster); }, warn);
     return kDone;
   } catch (const std::exception& error) {
     // Rank 0 may wait for its tiles.
@@ -52,17 +53,20 @@ int serve(const RunArguments& arguments, Cluster* cluster) {
   return kFailed;
 }
 
-int run(const RunArguments& arguments, SignalWatch* signals) {
+// Runs with the other processes of an MPI launcher, if there are any; all but the first only
+// compute tiles.
+int run_together(RunRequest request, const Run& run) {
   // Shards know nothing of each other, whatever has started them.
   const std::unique_ptr<Cluster> cluster =
-      arguments.shard.empty() ? Cluster::join() : std::unique_ptr<Cluster>();
+      request.shard.empty() ? Cluster::join() : std::unique_ptr<Cluster>();
   if (!cluster) {
-    return run_study(arguments, chosen_devices(arguments.devices), nullptr, signals);
+    request.chosen_devices = chosen_devices(request.devices);
+    return run(request);
   }
-  const bool all_agree = cluster->all_say(agreement(arguments));
+  const bool all_agree = cluster->all_say(agreement(request));
   if (cluster->rank() > 0) {
-    signals->set(OnSignal::nothing);
-    return all_agree ? serve(arguments, cluster.get()) : kWrongInput;
+    request.signals->set(OnSignal::nothing);
+    return all_agree ? serve(request, cluster.get()) : kWrongInput;
   }
   if (!all_agree) {
     throw InputError(
@@ -70,64 +74,70 @@ int run(const RunArguments& arguments, SignalWatch* signals) {
         "all the same, or --shard K/N for processes that do not work together");
   }
   const Dismissal dismissal(cluster.get());
-  return run_study(arguments, share_of_devices(chosen_devices(arguments.devices), *cluster),
-                   cluster.get(), signals);
+  request.cluster = cluster.get();
+  request.chosen_devices = share_of_devices(chosen_devices(request.devices), *cluster);
+  return run(request);
 }
 
 }  // namespace
 
-void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
+Study requested_study(const RunRequest& request) {
+  return load_study(request.study, request.overrides, request.zooms);
+}
+
+void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* status) {
   CLI::App* command = app->add_subcommand("run", "Compute the maps of a study");
-  const auto arguments = std::make_shared<RunArguments>();
+  const auto request = std::make_shared<RunRequest>();
+  const auto lanes = std::make_shared<std::optional<std::size_t>>();
   const auto zooms = std::make_shared<std::vector<std::string>>();
   command
-      ->add_option("study", arguments->study,
+      ->add_option("study", request->study,
                    "A study file, a built-in study, or a result file to compute again")
       ->type_name(kStudyValue)
       ->required();
   command
-      ->add_option("-o,--output", arguments->output,
+      ->add_option("-o,--output", request->output,
                    "The result file (default: the study's name with .nc, of a zoom with -zoom.nc)")
       ->type_name(kFileValue)
       ->check([](const std::string& path) { return path.empty() ? "must not be empty" : ""; });
   CLI::Option* plot =
-      command->add_option("--plot", arguments->plot, "Also draw a picture: .png, .svg or .pdf")
+      command->add_option("--plot", request->plot, "Also draw a picture: .png, .svg or .pdf")
           ->type_name(kFileValue);
   command
       ->add_option(
-          "-q,--quantity", arguments->quantity,
+          "-q,--quantity", request->quantity,
           "The quantity to draw (default: on one axis the samples, if there are any, else the "
           "study's first)")
       ->type_name(kQuantityValue)
       ->needs(plot);
-  add_device_option(command, &arguments->devices, true);
+  add_device_option(command, &request->devices, true);
   command
-      ->add_option("--shard", arguments->shard,
+      ->add_option("--shard", request->shard,
                    "K/N: compute only the K-th of N parts, for 'gearsweep merge' to put together")
       ->type_name(kShardValue)
       ->excludes(plot);
   command
-      ->add_option("--lanes", arguments->lanes,
+      ->add_option("--lanes", *lanes,
                    "Points per work-item: 1, 2, 4, 8 or 16 (default: what suits the device)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 16));
-  add_set_option(command, &arguments->overrides);
+  add_set_option(command, &request->overrides);
   command
       ->add_option("--zoom", *zooms,
                    "Another stretch of the study's axes, with as many values as before or with "
                    "COUNT; may be given several times")
       ->type_name(kZoomValue)
       ->allow_extra_args(false);
-  command->add_flag("--restart", arguments->restart,
+  command->add_flag("--restart", request->restart,
                     "Start afresh: discard what an interrupted run left in OUT.nc.journal");
-  command->add_flag("--strict-device", arguments->strict_device,
+  command->add_flag("--strict-device", request->strict_device,
                     "Continue an interrupted run only on the same devices and drivers");
-  command->add_flag("--keep-journal", arguments->keep_journal,
+  command->add_flag("--keep-journal", request->keep_journal,
                     "Keep OUT.nc.journal when the result is written");
-  command->add_flag("--dry-run", arguments->dry_run,
+  command->add_flag("--dry-run", request->dry_run,
                     "Only say what the run would take: time, memory, disk; writes nothing");
-  command->add_flag("--quiet", arguments->quiet, "No progress and no summary");
-  command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
+  command->add_flag("--quiet", request->quiet, "No progress and no summary");
+  command->add_flag("--json", request->as_json, "Print the summary as JSON");
   command->footer(
       "Examples:\n"
       "  gearsweep run coarse-map -o map.nc --plot map.png\n"
@@ -142,11 +152,13 @@ void add_run_command(CLI::App* app, SignalWatch* signals, int* status) {
       "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
       "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"
       "and NaN; the exit status is 1 only when all points do.");
-  command->callback([arguments, zooms, signals, status] {
+  command->callback([request, lanes, zooms, run, signals, status] {
+    if (*lanes) request->overrides.push_back(fmt::format("integrate.lanes={}", **lanes));
     for (const std::string& several : *zooms) {
-      for (const std::string& zoom : split(several, ',')) arguments->zooms.push_back(zoom);
+      for (const std::string& zoom : split(several, ',')) request->zooms.push_back(zoom);
     }
-    *status = run(*arguments, signals);
+    request->signals = signals;
+    *status = run_together(*request, run);
   });
 }
 

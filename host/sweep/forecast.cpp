@@ -4,8 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "sweep/pilot.hpp"
-#include "sweep/preparation.hpp"
+#include "sweep/run_context.hpp"
 #include "tile/subset.hpp"
 #include "tile/tile_run.hpp"
 #include "workers/cluster.hpp"
@@ -73,15 +72,14 @@ Pace best_pace(const Plan& plan, Engine* engine, const std::atomic<bool>* stop) 
 }
 
 // Sets the time that the study will take, and what is said of the sample.
-void measure_time(const Study& study, const Preparation& ready, const SweepOptions& options,
+void measure_time(const Study& study, const RunContext& run, const SweepOptions& options,
                   Forecast* forecast) {
   double rate = 0.0;  // shares of the study per second, on all engines together
   forecast->has_whole_sample = true;
-  for (const std::unique_ptr<Engine>& engine : ready.engines) {
+  for (const std::unique_ptr<Engine>& engine : run.engines()) {
     // Enough points that those on orbits of one length fill a launch.
     constexpr std::size_t kFillings = 16;
-    const std::size_t wanted =
-        std::min(kFillings * engine->least_tile(), ready.plan->tile_points());
+    const std::size_t wanted = std::min(kFillings * engine->least_tile(), run.plan().tile_points());
     const Study sample = sample_of(study, wanted);
     const Plan plan(sample, sample.points());
     const Pace pace = best_pace(plan, engine.get(), options.stop);
@@ -99,22 +97,20 @@ void measure_time(const Study& study, const Preparation& ready, const SweepOptio
 }  // namespace
 
 std::optional<Forecast> forecast_sweep(const Study& study, const SweepOptions& options) {
-  Study settled = study;
+  const std::optional<SteppedStudy> stepped = choose_step(study, options);
+  if (!stepped) return std::nullopt;
+  RunContext run(*stepped, options);
+  run.find_engines();
+  run.plan_tiles();
   Forecast forecast;
-  if (study.integrate.tolerance > 0.0) {
-    const std::optional<PilotRun> pilot = find_step(study, options);
-    if (!pilot) return std::nullopt;
-    settled = pilot->study;
-    forecast.pilot = pilot->findings;
-  }
-  const Preparation ready = prepare_sweep(settled, options);
-  forecast.needs = ready.needs;
+  forecast.pilot = stepped->pilot;
+  forecast.estimate = run.estimate();
   forecast.points = study.points();
   forecast.trajectories = study.trajectories();
-  forecast.tile_points = ready.plan->tile_points();
-  for (const Stage& stage : ready.plan->stages()) forecast.tiles += stage.tiles.size();
-  forecast.steps = ready.plan->total_work();
-  measure_time(settled, ready, options, &forecast);
+  forecast.tile_points = run.plan().tile_points();
+  for (const Stage& stage : run.plan().stages()) forecast.tiles += stage.tiles.size();
+  forecast.steps = run.plan().total_work();
+  measure_time(stepped->study, run, options, &forecast);
   if (options.stop != nullptr && *options.stop) return std::nullopt;
   return forecast;
 }

@@ -14,7 +14,7 @@ struct Forecast {
   std::size_t sample = 0;         // points that were run to measure that
   bool has_whole_sample = false;  // they were run to their end, not only for a moment
   std::optional<PilotFindings> pilot;
-  StudyNeeds needs;
+  ResourceEstimate estimate;
 };
 
 // Runs a thin sample of the study for a second or two on each device; of a study with a tolerance,

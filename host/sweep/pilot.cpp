@@ -140,8 +140,9 @@ std::vector<double> thin(const std::vector<double>& values, std::size_t count) {
   return out;
 }
 
-std::optional<PilotRun> find_step(const Study& study, const SweepOptions& options) {
+std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& options) {
   const double tolerance = study.integrate.tolerance;
+  if (tolerance == 0.0) return SteppedStudy{study, std::nullopt};
   const Study pilot = pilot_study(study);
   std::optional<SweepResult> coarse = run_with_step(pilot, kLongestStep, options);
   if (!coarse) return std::nullopt;
@@ -153,9 +154,9 @@ std::optional<PilotRun> find_step(const Study& study, const SweepOptions& option
     if (found.size() >= kFewestPoints) {
       error = quantile(found, kShare);
       if (error <= tolerance) {
-        PilotRun run{study, {step, error, found.size()}};
-        run.study.integrate.max_step = step;
-        return run;
+        SteppedStudy stepped{study, PilotFindings{step, error, found.size()}};
+        stepped.study.integrate.max_step = step;
+        return stepped;
       }
     }
     coarse = std::move(fine);

@@ -1,4 +1,4 @@
-// A pilot run that finds the step for integrate.tolerance.
+// The choice of the integration step: a pilot run finds it for integrate.tolerance.
 //
 // Points of a coarse sub-grid are computed with steps of 0.2, 0.1, 0.05, ... Where a point arrives
 // on a periodic orbit of the same period with two steps in a row, their sections and the rms of the
@@ -16,13 +16,15 @@
 
 namespace gearsweep {
 
-// The study with the step found as its max_step, and what the pilot found. Nothing when stopped.
-// Throws InputError when no step does, or no point tells.
-struct PilotRun {
+// A study whose integration step is known.
+struct SteppedStudy {
   Study study;
-  PilotFindings findings;
+  std::optional<PilotFindings> pilot;  // nothing where the study gives its step itself
 };
-std::optional<PilotRun> find_step(const Study& study, const SweepOptions& options);
+
+// The study as it is, or, where it gives a tolerance, with the step that a pilot run finds as its
+// max_step. Nothing when stopped. Throws InputError when no step does, or no point tells.
+std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& options);
 
 // At most `count` of the values, spread evenly, both ends among them.
 std::vector<double> thin(const std::vector<double>& values, std::size_t count);

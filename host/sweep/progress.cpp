@@ -6,11 +6,11 @@
 
 namespace gearsweep {
 
-Progress::Progress(const Plan& plan, const Shard& shard, const SweepOptions& options)
+Progress::Progress(const Plan& plan, const SweepOptions& options)
     : options_(options), start_(std::chrono::steady_clock::now()) {
   const std::vector<const Tile*> tiles = tiles_of(plan);
   for (std::size_t number = 0; number < tiles.size(); ++number) {
-    if (!shard.has(number)) continue;
+    if (!options.shard.has(number)) continue;
     total_ += tiles[number]->work;
     progress_.points += tiles[number]->points.size();
   }

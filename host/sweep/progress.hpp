@@ -6,13 +6,12 @@
 
 #include "plan/plan.hpp"
 #include "sweep/sweep_options.hpp"
-#include "workers/shard.hpp"
 
 namespace gearsweep {
 
 class Progress {
  public:
-  Progress(const Plan& plan, const Shard& shard, const SweepOptions& options);
+  Progress(const Plan& plan, const SweepOptions& options);
 
   void begin_tile(std::size_t number, const Tile& tile);
   void add_steps(std::size_t number, double steps);

@@ -78,96 +78,99 @@ void take_greatest(const TileMemory& tile, TileMemory* most) {
   most->host = std::max(most->host, tile.host);
 }
 
-StudyNeeds needs_of(const Study& study, const DeliveryNeeds& delivery,
-                    const std::string& journal_path, std::size_t tiles) {
-  StudyNeeds needs;
-  needs.program = kProgram;
-  needs.maps = memory_of_maps(study, tiles);
-  needs.delivery = delivery.memory;
-  needs.result = delivery.file;
-  needs.memory_left = available_memory();
+ResourceEstimate estimate_of(const Study& study, const DeliveryEstimate& delivery,
+                             const std::string& journal_path, std::size_t tiles) {
+  ResourceEstimate estimate;
+  estimate.program = kProgram;
+  estimate.maps = memory_of_maps(study, tiles);
+  estimate.delivery = delivery.memory;
+  estimate.result = delivery.file;
+  estimate.memory_left = available_memory();
   if (!journal_path.empty()) {
-    needs.journal = journal_size(study, tiles);
-    needs.disk_left = available_disk(folder_of(journal_path));
-    needs.journal_there = size_of_file(journal_path);
+    estimate.journal = journal_size(study, tiles);
+    estimate.disk_left = available_disk(folder_of(journal_path));
+    estimate.journal_there = size_of_file(journal_path);
   }
-  return needs;
+  return estimate;
 }
 
 }  // namespace
 
-StudyNeeds needs_of_study(const Study& study, const DeliveryNeeds& delivery,
-                          const std::string& journal_path) {
-  return needs_of(study, delivery, journal_path, least_tiles(study));
+ResourceEstimate estimate_of_study(const Study& study, const DeliveryEstimate& delivery,
+                                   const std::string& journal_path) {
+  return estimate_of(study, delivery, journal_path, least_tiles(study));
 }
 
-StudyNeeds needs_of_plan(const Plan& plan, const std::vector<std::unique_ptr<Engine>>& engines,
-                         const DeliveryNeeds& delivery, const std::string& journal_path) {
+ResourceEstimate estimate_of_plan(const Plan& plan,
+                                  const std::vector<std::unique_ptr<Engine>>& engines,
+                                  const DeliveryEstimate& delivery,
+                                  const std::string& journal_path) {
   std::size_t tiles = 0;
   for (const Stage& stage : plan.stages()) tiles += stage.tiles.size();
-  StudyNeeds needs = needs_of(plan.study(), delivery, journal_path, tiles);
+  ResourceEstimate estimate = estimate_of(plan.study(), delivery, journal_path, tiles);
   // One that is finished waits for the disk while the next ones are computed.
-  needs.tiles = static_cast<double>(plan.tile_points()) * answer_bytes(plan.study());
+  estimate.tiles = static_cast<double>(plan.tile_points()) * answer_bytes(plan.study());
   for (const std::unique_ptr<Engine>& engine : engines) {
-    DeviceNeeds device = {engine->info().device, {}, engine->memory()};
+    DeviceEstimate device = {engine->info().device, {}, engine->memory()};
     for (const Stage& stage : plan.stages()) {
       for (const Tile& tile : stage.tiles) {
         take_greatest(engine->tile_memory(plan, tile), &device.tile);
       }
     }
-    needs.tiles += device.tile.host + (device.memory.is_host ? device.tile.device : 0.0);
+    estimate.tiles += device.tile.host + (device.memory.is_host ? device.tile.device : 0.0);
     // Engines on one device, or on parts of it, share its memory.
     const auto same =
-        std::find_if(needs.devices.begin(), needs.devices.end(),
-                     [&](const DeviceNeeds& other) { return other.name == device.name; });
-    if (same == needs.devices.end()) {
-      needs.devices.push_back(std::move(device));
+        std::find_if(estimate.devices.begin(), estimate.devices.end(),
+                     [&](const DeviceEstimate& other) { return other.name == device.name; });
+    if (same == estimate.devices.end()) {
+      estimate.devices.push_back(std::move(device));
     } else {
       same->tile.device += device.tile.device;
       same->tile.buffer = std::max(same->tile.buffer, device.tile.buffer);
     }
   }
-  return needs;
+  return estimate;
 }
 
-void refuse_too_large(const StudyNeeds& needs, const std::string& journal_path) {
-  if (needs.memory_left && needs.memory() > *needs.memory_left) {
+void refuse_too_large(const ResourceEstimate& estimate, const std::string& journal_path) {
+  if (estimate.memory_left && estimate.memory() > *estimate.memory_left) {
     throw InputError(fmt::format(
         "the study needs up to {} of memory ({} of it for its maps and samples), and {} are "
         "available; take fewer points (axes.NAME.count), fewer quantities, sample fewer states "
         "(observe.poincare) or periods (integrate.record), or cut it in several studies",
-        format_bytes(needs.memory()), format_bytes(needs.maps), format_bytes(*needs.memory_left)));
+        format_bytes(estimate.memory()), format_bytes(estimate.maps),
+        format_bytes(*estimate.memory_left)));
   }
-  if (needs.disk_left && needs.disk() > *needs.disk_left) {
+  if (estimate.disk_left && estimate.disk() > *estimate.disk_left) {
     const std::string folder = folder_of(journal_path);
     const std::string files =
-        needs.journal_there > 0.0
+        estimate.journal_there > 0.0
             ? fmt::format("the journal '{}' may grow by {}", journal_path,
-                          format_bytes(needs.disk()))
+                          format_bytes(estimate.disk()))
             : fmt::format(
                   "the study needs up to {} of disk ({} for its journal while it runs, {} "
                   "for the result)",
-                  format_bytes(needs.disk()), format_bytes(needs.journal),
-                  format_bytes(needs.result));
+                  format_bytes(estimate.disk()), format_bytes(estimate.journal),
+                  format_bytes(estimate.result));
     throw InputError(
         fmt::format("{}, and '{}' has {}; make room there, write elsewhere (-o), take fewer points "
                     "or quantities, or sample fewer states or periods",
-                    files, folder.empty() ? "." : folder, format_bytes(*needs.disk_left)));
+                    files, folder.empty() ? "." : folder, format_bytes(*estimate.disk_left)));
   }
 }
 
-double strain_of_tile(const StudyNeeds& needs) {
-  double strain = 0.0;
-  for (const DeviceNeeds& device : needs.devices) {
-    strain = std::max({strain, device.tile.device / (kShareOfDevice * device.memory.all),
-                       device.tile.buffer / device.memory.one_buffer});
+double tile_memory_share(const ResourceEstimate& estimate) {
+  double share = 0.0;
+  for (const DeviceEstimate& device : estimate.devices) {
+    share = std::max({share, device.tile.device / (kShareOfDevice * device.memory.all),
+                      device.tile.buffer / device.memory.one_buffer});
   }
-  if (needs.memory_left) {
-    const double left = *needs.memory_left - (needs.memory() - needs.tiles);
+  if (estimate.memory_left) {
+    const double left = *estimate.memory_left - (estimate.memory() - estimate.tiles);
     // Without room for the maps themselves, smaller tiles do not help.
-    if (left > 0.0) strain = std::max(strain, needs.tiles / left);
+    if (left > 0.0) share = std::max(share, estimate.tiles / left);
   }
-  return strain;
+  return share;
 }
 
 std::string format_bytes(double bytes) {

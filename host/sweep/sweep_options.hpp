@@ -11,6 +11,7 @@
 #include "engine/result.hpp"
 #include "engine/trouble.hpp"
 #include "sweep/resource_estimate.hpp"
+#include "workers/shard.hpp"
 
 namespace gearsweep {
 
@@ -27,6 +28,7 @@ struct SweepProgress {
 
 struct SweepOptions {
   std::vector<DeviceChoice> devices;  // that share the tiles; empty: the default one
+  Shard shard;                        // the whole sweep, or one part of it
   // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
   // same sweep that is already there is continued.
   std::string journal_path;
@@ -42,7 +44,7 @@ struct SweepOptions {
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
   // Puts the finished maps in a safe place; the journal is removed once it returns.
   std::function<void(const SweepResult&)> deliver;
-  DeliveryNeeds delivery;  // what that will take; a study that does not fit is refused
+  DeliveryEstimate delivery;  // what that will take; a study that does not fit is refused
 };
 
 }  // namespace gearsweep

@@ -6,16 +6,15 @@
 
 namespace gearsweep {
 
-TileLoop::TileLoop(const Plan& plan, const Shard& shard, const SweepOptions& options, Crew* crew,
+TileLoop::TileLoop(const Plan& plan, const SweepOptions& options, WorkerPool* workers,
                    Journal* journal, Assembly* assembly)
     : plan_(plan),
-      shard_(shard),
       options_(options),
       tiles_(tiles_of(plan)),
-      crew_(crew),
+      workers_(workers),
       journal_(journal),
       assembly_(assembly),
-      progress_(plan, shard, options) {}
+      progress_(plan, options) {}
 
 bool TileLoop::run() {
   std::size_t first = 0;
@@ -24,8 +23,8 @@ bool TileLoop::run() {
     while (!waiting_.empty() || !running_.empty()) {
       stop_if_asked();
       start_tiles();
-      if (running_.empty() && crew_->size() == 0 && !crew_->may_grow()) break;
-      if (std::optional<CrewReport> report = crew_->wait(std::chrono::milliseconds(100))) {
+      if (running_.empty() && workers_->size() == 0 && !workers_->may_grow()) break;
+      if (std::optional<WorkerReport> report = workers_->wait(std::chrono::milliseconds(100))) {
         share_time();
         handle(std::move(*report));
       }
@@ -39,7 +38,7 @@ bool TileLoop::run() {
 
 void TileLoop::take_from_journal(std::size_t first, std::size_t count) {
   for (std::size_t number = first; number < first + count; ++number) {
-    if (!shard_.has(number)) continue;
+    if (!options_.shard.has(number)) continue;
     std::optional<TileResult> result;
     if (journal_ != nullptr) result = journal_->find(number);
     if (result) {
@@ -54,12 +53,12 @@ void TileLoop::take_from_journal(std::size_t first, std::size_t count) {
 void TileLoop::stop_if_asked() {
   if (is_stopping_ || options_.stop == nullptr || !*options_.stop) return;
   is_stopping_ = true;
-  crew_->stop();
+  workers_->stop();
   waiting_.clear();
 }
 
 void TileLoop::start_tiles() {
-  while (!waiting_.empty() && crew_->idle() > 0) {
+  while (!waiting_.empty() && workers_->idle() > 0) {
     const std::size_t number = waiting_.front();
     waiting_.pop_front();
     progress_.begin_tile(number, *tiles_[number]);
@@ -67,30 +66,30 @@ void TileLoop::start_tiles() {
     if (plan_.study().is_chained()) initial = assembly_->initial_states(plan_, *tiles_[number]);
     share_time();
     running_[number] = 0.0;
-    crew_->start(number, std::move(initial));
+    workers_->start(number, std::move(initial));
   }
 }
 
-void TileLoop::handle(CrewReport report) {
+void TileLoop::handle(WorkerReport report) {
   switch (report.kind) {
-    case CrewReport::Kind::progress:
+    case WorkerReport::Kind::progress:
       progress_.add_steps(report.tile, report.steps);
       return;
-    case CrewReport::Kind::more_work:
+    case WorkerReport::Kind::more_work:
       progress_.add_work(report.tile, report.steps);
       return;
-    case CrewReport::Kind::finished:
+    case WorkerReport::Kind::finished:
       set_time(&report);
       // Nobody need wait for the disk.
       if (!is_stopping_) start_tiles();
       if (journal_ != nullptr) journal_->store(report.tile, report.result);
       add(report.tile, report.result, false);
       return;
-    case CrewReport::Kind::stopped:
+    case WorkerReport::Kind::stopped:
       running_.erase(report.tile);
       progress_.drop_tile(report.tile);
       return;
-    case CrewReport::Kind::lost:
+    case WorkerReport::Kind::lost:
       running_.erase(report.tile);
       hand_back(report);
       return;
@@ -106,8 +105,8 @@ void TileLoop::share_time() {
   for (auto& [number, seconds] : running_) seconds += passed / static_cast<double>(running_.size());
 }
 
-// In kernels for the same part of the tile's time as its member says.
-void TileLoop::set_time(CrewReport* report) {
+// In kernels for the same part of the tile's time as its worker says.
+void TileLoop::set_time(WorkerReport* report) {
   std::vector<double>& effort = report->result.effort;
   const double seconds = running_.at(report->tile);
   running_.erase(report->tile);
@@ -115,11 +114,11 @@ void TileLoop::set_time(CrewReport* report) {
   effort[kSeconds] = seconds;
 }
 
-void TileLoop::hand_back(const CrewReport& report) {
+void TileLoop::hand_back(const WorkerReport& report) {
   progress_.drop_tile(report.tile);
   failure_ = report.failure;
   if (!is_stopping_) waiting_.push_front(report.tile);
-  if (is_stopping_ || crew_->size() == 0 || !options_.on_trouble) return;
+  if (is_stopping_ || workers_->size() == 0 || !options_.on_trouble) return;
   try {
     std::rethrow_exception(report.failure);
   } catch (const std::exception& error) {

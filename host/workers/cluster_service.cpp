@@ -19,9 +19,9 @@ class Job {
   Job(const ClusterJob& job, const std::vector<DeviceChoice>& devices, const Trouble& on_trouble)
       : study_(study_of(job)),
         plan_(study_, job.tile_points),
-        crew_(plan_, make_engines(study_, devices, on_trouble)) {}
+        workers_(plan_, make_engines(study_, devices, on_trouble)) {}
 
-  LocalCrew& crew() { return crew_; }
+  ThreadWorkers& workers() { return workers_; }
 
  private:
   static Study study_of(const ClusterJob& job) {
@@ -32,7 +32,7 @@ class Job {
 
   const Study study_;
   const Plan plan_;
-  LocalCrew crew_;
+  ThreadWorkers workers_;
 };
 
 // Nothing when this process has no device that works.
@@ -48,11 +48,11 @@ std::unique_ptr<Job> begin_job(const ClusterJob& job,
 }
 
 // MPI counts bytes by int.
-std::vector<std::byte> pack_to_fit(const CrewReport& report) {
+std::vector<std::byte> pack_to_fit(const WorkerReport& report) {
   std::vector<std::byte> bytes = pack(report);
   if (bytes.size() <= std::numeric_limits<int>::max()) return bytes;
   const RunError error("the answers of a tile take more than 2 GB; give a smaller integrate.tile");
-  return pack({CrewReport::Kind::lost, report.tile, 0.0, {}, std::make_exception_ptr(error)});
+  return pack({WorkerReport::Kind::lost, report.tile, 0.0, {}, std::make_exception_ptr(error)});
 }
 
 }  // namespace
@@ -79,19 +79,19 @@ void serve_cluster(Cluster* cluster, const std::function<std::vector<DeviceChoic
       if (message->kind == kEnd) return;
       if (message->kind == kJob) {
         job = begin_job(unpack_job(message->bytes), devices, tell);
-        const std::uint64_t members = job ? job->crew().size() : 0;
-        cluster->send(0, kMembers, Packer().add(members).take());
+        const std::uint64_t workers = job ? job->workers().size() : 0;
+        cluster->send(0, kWorkers, Packer().add(workers).take());
       } else if (message->kind == kTile) {
         Unpacker in(message->bytes);
         const std::size_t tile = in.integer();
-        job->crew().start(tile, in.sequence<std::vector<double>>());
+        job->workers().start(tile, in.sequence<std::vector<double>>());
       } else if (message->kind == kStop && job) {
-        job->crew().stop();
+        job->workers().stop();
       }
     }
     if (!job) {
       std::this_thread::sleep_for(kNap);
-    } else if (const std::optional<CrewReport> report = job->crew().wait(kNap)) {
+    } else if (const std::optional<WorkerReport> report = job->workers().wait(kNap)) {
       cluster->send(0, kReport, pack_to_fit(*report));
     }
   }

@@ -1,4 +1,4 @@
-// A crew of this process: one thread for each engine.
+// The workers of this process: one thread for each engine.
 #pragma once
 
 #include <condition_variable>
@@ -11,19 +11,19 @@
 
 namespace gearsweep {
 
-class LocalCrew final : public Crew {
+class ThreadWorkers final : public WorkerPool {
  public:
-  // The plan outlives the crew. One engine at least.
-  LocalCrew(const Plan& plan, std::vector<std::unique_ptr<Engine>> engines);
+  // The plan outlives the pool. One engine at least.
+  ThreadWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> engines);
   // Stops what is running.
-  ~LocalCrew() override;
-  LocalCrew(const LocalCrew&) = delete;
-  LocalCrew& operator=(const LocalCrew&) = delete;
+  ~ThreadWorkers() override;
+  ThreadWorkers(const ThreadWorkers&) = delete;
+  ThreadWorkers& operator=(const ThreadWorkers&) = delete;
 
   std::size_t size() const override;
   std::size_t idle() const override;
   void start(std::size_t tile, std::vector<double> initial) override;
-  std::optional<CrewReport> wait(std::chrono::milliseconds patience) override;
+  std::optional<WorkerReport> wait(std::chrono::milliseconds patience) override;
   void stop() override;
 
  private:
@@ -32,9 +32,9 @@ class LocalCrew final : public Crew {
     std::vector<double> initial;
   };
   void serve(Engine* engine);
-  CrewReport compute(const Task& task, Engine* engine);
+  WorkerReport compute(const Task& task, Engine* engine);
   std::optional<Task> next_task();
-  void report(CrewReport report);
+  void report(WorkerReport report);
 
   const Plan& plan_;
   const std::vector<const Tile*> tiles_;
@@ -43,7 +43,7 @@ class LocalCrew final : public Crew {
   std::condition_variable has_task_, has_report_;
   // Guarded by the mutex:
   std::deque<Task> tasks_;
-  std::deque<CrewReport> reports_;
+  std::deque<WorkerReport> reports_;
   std::size_t size_ = 0, busy_ = 0;
   bool stops_ = false;   // running tiles stop
   bool closes_ = false;  // no more tasks

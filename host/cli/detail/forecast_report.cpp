@@ -30,7 +30,7 @@ nlohmann::json known_as_json(const std::optional<double>& bytes) {
 }  // namespace
 
 std::string describe_forecast(const Forecast& forecast, const std::string& output) {
-  const StudyNeeds& needs = forecast.needs;
+  const ResourceEstimate& estimate = forecast.estimate;
   std::string text = fmt::format("{}: {} points", output, forecast.points);
   if (forecast.trajectories > forecast.points) {
     text += fmt::format(", {} trajectories", forecast.trajectories);
@@ -44,22 +44,22 @@ std::string describe_forecast(const Forecast& forecast, const std::string& outpu
       "time    {}about {} for the tiles: {:.2g} steps planned, {} points were run to tell\n",
       forecast.has_whole_sample ? "" : "up to ", format_duration(forecast.seconds), forecast.steps,
       forecast.sample);
-  text +=
-      fmt::format("memory  up to {}{}\n", format_bytes(needs.memory()), out_of(needs.memory_left));
-  for (const DeviceNeeds& device : needs.devices) {
+  text += fmt::format("memory  up to {}{}\n", format_bytes(estimate.memory()),
+                      out_of(estimate.memory_left));
+  for (const DeviceEstimate& device : estimate.devices) {
     if (device.tile.device == 0.0) continue;
     text += fmt::format("device  {}: buffers up to {} of {}, each up to {} of {}\n", device.name,
                         format_bytes(device.tile.device), format_bytes(device.memory.all),
                         format_bytes(device.tile.buffer), format_bytes(device.memory.one_buffer));
   }
-  text +=
-      fmt::format("disk    up to {} for the result, {} for the journal while it runs{}\n",
-                  format_bytes(needs.result), format_bytes(needs.journal), out_of(needs.disk_left));
+  text += fmt::format("disk    up to {} for the result, {} for the journal while it runs{}\n",
+                      format_bytes(estimate.result), format_bytes(estimate.journal),
+                      out_of(estimate.disk_left));
   return text;
 }
 
 std::string forecast_as_json(const Forecast& forecast) {
-  const StudyNeeds& needs = forecast.needs;
+  const ResourceEstimate& estimate = forecast.estimate;
   nlohmann::json json = {{"points", forecast.points},
                          {"trajectories", forecast.trajectories},
                          {"tiles", forecast.tiles},
@@ -68,15 +68,15 @@ std::string forecast_as_json(const Forecast& forecast) {
                          {"seconds", forecast.seconds},
                          {"sample_points", forecast.sample},
                          {"sample_is_whole", forecast.has_whole_sample},
-                         {"memory_bytes", whole(needs.memory())},
-                         {"memory_bytes_of_program", whole(needs.program)},
-                         {"memory_bytes_left", known_as_json(needs.memory_left)},
-                         {"result_bytes", whole(needs.result)},
-                         {"journal_bytes", whole(needs.journal)},
-                         {"disk_bytes_left", known_as_json(needs.disk_left)}};
+                         {"memory_bytes", whole(estimate.memory())},
+                         {"memory_bytes_of_program", whole(estimate.program)},
+                         {"memory_bytes_left", known_as_json(estimate.memory_left)},
+                         {"result_bytes", whole(estimate.result)},
+                         {"journal_bytes", whole(estimate.journal)},
+                         {"disk_bytes_left", known_as_json(estimate.disk_left)}};
   if (forecast.pilot) json["max_step"] = forecast.pilot->step;
   json["devices"] = nlohmann::json::array();
-  for (const DeviceNeeds& device : needs.devices) {
+  for (const DeviceEstimate& device : estimate.devices) {
     json["devices"].push_back(
         {{"name", device.name},
          {"tile_bytes", whole(device.tile.device)},

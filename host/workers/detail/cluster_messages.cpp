@@ -29,7 +29,7 @@ ClusterJob unpack_job(const std::vector<std::byte>& bytes) {
   return job;
 }
 
-std::vector<std::byte> pack(const CrewReport& report) {
+std::vector<std::byte> pack(const WorkerReport& report) {
   const TileResult& result = report.result;
   return Packer()
       .add(static_cast<std::uint64_t>(report.kind))
@@ -45,10 +45,10 @@ std::vector<std::byte> pack(const CrewReport& report) {
       .take();
 }
 
-CrewReport unpack_report(const std::vector<std::byte>& bytes) {
+WorkerReport unpack_report(const std::vector<std::byte>& bytes) {
   Unpacker in(bytes);
-  CrewReport report;
-  report.kind = static_cast<CrewReport::Kind>(in.integer());
+  WorkerReport report;
+  report.kind = static_cast<WorkerReport::Kind>(in.integer());
   report.tile = in.integer();
   report.steps = in.number();
   const auto message = in.sequence<std::string>();

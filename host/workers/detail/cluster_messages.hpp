@@ -8,11 +8,11 @@ namespace gearsweep {
 
 enum ClusterMessageKind {
   kJob,      // from rank 0: a ClusterJob
-  kTile,     // from rank 0: its number, its initial states (CrewTask of Crew::start)
+  kTile,     // from rank 0: its number, its initial states (WorkerTask of WorkerPool::start)
   kStop,     // from rank 0: running tiles stop after their round
   kEnd,      // from rank 0: nothing more will come
-  kMembers,  // to rank 0: how many members there are
-  kReport    // to rank 0: a CrewReport
+  kWorkers,  // to rank 0: how many workers there are
+  kReport    // to rank 0: a WorkerReport
 };
 
 struct ClusterJob {
@@ -25,7 +25,7 @@ std::vector<std::byte> pack(const ClusterJob& job);
 ClusterJob unpack_job(const std::vector<std::byte>& bytes);
 
 // A failure travels as its message.
-std::vector<std::byte> pack(const CrewReport& report);
-CrewReport unpack_report(const std::vector<std::byte>& bytes);
+std::vector<std::byte> pack(const WorkerReport& report);
+WorkerReport unpack_report(const std::vector<std::byte>& bytes);
 
 }  // namespace gearsweep

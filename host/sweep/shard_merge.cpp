@@ -1,4 +1,4 @@
-#include "sweep/shard_run.hpp"
+#include "sweep/shard_merge.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,31 +10,17 @@
 
 #include "model/error.hpp"
 #include "sweep/assembly.hpp"
-#include "sweep/pilot.hpp"
-#include "sweep/setup.hpp"
-#include "sweep/tile_loop.hpp"
+#include "sweep/run_context.hpp"
 #include "tile/subset.hpp"
 
 namespace gearsweep {
 namespace {
 
-std::string pack(const PilotFindings& pilot) {
-  return fmt::format("{} {} {}", pilot.step, pilot.error, pilot.points);
-}
-
+// From the note that a run keeps.
 PilotFindings unpack_pilot(const std::string& text) {
   PilotFindings pilot;
   std::istringstream(text) >> pilot.step >> pilot.error >> pilot.points;
   return pilot;
-}
-
-// The study with the steps that its pilot finds, which the options keep a note of.
-std::optional<Study> with_known_steps(const Study& study, SweepOptions* options) {
-  if (study.integrate.tolerance == 0.0) return study;
-  const std::optional<PilotRun> pilot = find_step(study, *options);
-  if (!pilot) return std::nullopt;
-  options->notes[notes::kPilot] = pack(pilot->findings);
-  return pilot->study;
 }
 
 // Journals of shards, by number, of which the first is the measure for the others.
@@ -139,21 +125,6 @@ class ShardJournals {
 };
 
 }  // namespace
-
-bool run_shard(const Study& study, const Shard& shard, const SweepOptions& options) {
-  if (study.is_chained()) {
-    throw InputError(
-        "--shard: initial.policy makes points start where their neighbours end, so the shards "
-        "would need each other; start it under mpirun or srun instead");
-  }
-  SweepOptions own = options;
-  const std::optional<Study> with_steps = with_known_steps(study, &own);
-  if (!with_steps) return false;
-  Setup setup(*with_steps, shard, own);
-  Assembly assembly(*with_steps);
-  TileLoop loop(*setup.plan, shard, own, setup.crew.get(), setup.journal_or_null(), &assembly);
-  return loop.run();
-}
 
 SweepResult merge_shards(const std::vector<std::string>& journals) {
   const ShardJournals shards(journals);

@@ -1,4 +1,4 @@
-#include "sweep/preparation.hpp"
+#include "sweep/tile_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 
 #include "model/error.hpp"
 #include "workers/cluster.hpp"
-#include "workers/make_engine.hpp"
 
 namespace gearsweep {
 namespace {
@@ -53,60 +52,55 @@ std::size_t quick_tile_size(const Plan& plan, std::size_t least) {
   return std::max(static_cast<std::size_t>(quick), std::min(size, least));
 }
 
-InputError does_not_fit(const StudyNeeds& needs, const std::string& what) {
+InputError does_not_fit(const ResourceEstimate& estimate, const std::string& what) {
   std::string devices;
-  for (const DeviceNeeds& device : needs.devices) {
+  for (const DeviceEstimate& device : estimate.devices) {
     devices +=
         fmt::format("\n  {}: {} of {}, in one buffer {} of {}", device.name,
                     format_bytes(device.tile.device), format_bytes(device.memory.all),
                     format_bytes(device.tile.buffer), format_bytes(device.memory.one_buffer));
   }
   return InputError(fmt::format("{}; beside them, they need {} of the machine's memory:{}", what,
-                                format_bytes(needs.tiles), devices));
+                                format_bytes(estimate.tiles), devices));
 }
 
 }  // namespace
 
-Preparation prepare_sweep(const Study& study, const SweepOptions& options, const Shard& shard) {
-  // Before the engines, which take a moment, and the plan, which is as large as the study.
-  refuse_too_large(needs_of_study(study, options.delivery, options.journal_path),
-                   options.journal_path);
-  Preparation ready;
-  ready.engines = make_engines(study, options.devices, options.on_trouble);
+Plan plan_that_fits(const Study& study, const Engines& engines, const SweepOptions& options) {
   const auto processes =
       static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
-  ready.plan.emplace(study, tile_size(study, ready.engines, shard, processes));
-  std::size_t points =
-      quick_tile_size(*ready.plan, shard.count > 0 ? 1 : least_tile(ready.engines));
+  Plan plan(study, tile_size(study, engines, options.shard, processes));
+  std::size_t points = quick_tile_size(plan, options.shard.count > 0 ? 1 : least_tile(engines));
   points = std::min(points, study.trajectories());
   while (true) {
-    if (ready.plan->tile_points() != points) ready.plan->cut(points);
-    ready.needs = needs_of_plan(*ready.plan, ready.engines, options.delivery, options.journal_path);
-    const double strain = strain_of_tile(ready.needs);
-    if (strain <= 1.0) break;
+    if (plan.tile_points() != points) plan.cut(points);
+    const ResourceEstimate estimate =
+        estimate_of_plan(plan, engines, options.delivery, options.journal_path);
+    const double share = tile_memory_share(estimate);
+    if (share <= 1.0) return plan;
     if (points == 1) {
-      throw does_not_fit(ready.needs,
+      throw does_not_fit(estimate,
                          "a tile of a single point does not fit the devices: sample fewer states "
                          "(observe.poincare) or periods (integrate.record)");
     }
     // A little less than in proportion: tables of phase grids and spare lanes stay.
     constexpr double kMargin = 0.9;
-    const double fitting = kMargin * static_cast<double>(points) / strain;
+    const double fitting = kMargin * static_cast<double>(points) / share;
     points = std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, points - 1);
   }
-  refuse_too_large(ready.needs, options.journal_path);
-  return ready;
 }
 
 Plan plan_as_kept(const Study& study, std::size_t tile_points, const Engines& engines,
                   const SweepOptions& options) {
   Plan plan(study, tile_points);
-  const StudyNeeds needs = needs_of_plan(plan, engines, options.delivery, options.journal_path);
-  if (strain_of_tile(needs) > 1.0) {
-    throw does_not_fit(needs, fmt::format("'{}' was begun with tiles of {} points, which do not "
-                                          "fit here: continue on another device, or start afresh "
-                                          "(--restart)",
-                                          options.journal_path, tile_points));
+  const ResourceEstimate estimate =
+      estimate_of_plan(plan, engines, options.delivery, options.journal_path);
+  if (tile_memory_share(estimate) > 1.0) {
+    throw does_not_fit(estimate,
+                       fmt::format("'{}' was begun with tiles of {} points, which do not "
+                                   "fit here: continue on another device, or start afresh "
+                                   "(--restart)",
+                                   options.journal_path, tile_points));
   }
   return plan;
 }

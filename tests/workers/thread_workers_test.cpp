@@ -1,4 +1,6 @@
-// A crew of engines that compute nothing: who gets which tile, who fails, who stops.
+// Workers with engines that compute nothing: who gets which tile, who fails, who stops.
+#include "workers/thread_workers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,13 +12,12 @@
 
 #include "model/error.hpp"
 #include "sweep_types.h"
-#include "workers/thread_workers.hpp"
 
 namespace gearsweep::testing {
 namespace {
 
-// Every output of a point is its number in the plan. The first tile waits until every member of the
-// crew has one, so that all are at work at once.
+// Every output of a point is its number in the plan. The first tile waits until every worker
+// has one, so that all are at work at once.
 class NumberingEngine : public Engine {
  public:
   explicit NumberingEngine(std::latch* all_at_work) : all_at_work_(all_at_work) {}
@@ -71,45 +72,45 @@ class EndlessEngine final : public NumberingEngine {
   }
 };
 
-class LocalCrewTest : public ::testing::Test {
+class ThreadWorkersTest : public ::testing::Test {
  protected:
-  static constexpr std::size_t kMembers = 3, kPoints = 60;
+  static constexpr std::size_t kWorkers = 3, kPoints = 60;
   static constexpr std::chrono::minutes kPatience{10};
 
   template <typename First>
-  LocalCrew crew_with() {
+  ThreadWorkers workers_with() {
     std::vector<std::unique_ptr<Engine>> engines;
     engines.push_back(std::make_unique<First>(&all_at_work_));
-    while (engines.size() < kMembers) {
+    while (engines.size() < kWorkers) {
       engines.push_back(std::make_unique<NumberingEngine>(&all_at_work_));
     }
     return {plan_, std::move(engines)};
   }
 
-  // Hands out all tiles, and again those of members that fail; what is not a tile's end is left
+  // Hands out all tiles, and again those of workers that fail; what is not a tile's end is left
   // out.
-  std::vector<CrewReport> ends_of_all_tiles(LocalCrew* crew) {
+  std::vector<WorkerReport> ends_of_all_tiles(ThreadWorkers* workers) {
     std::vector<std::size_t> waiting(tiles_of(plan_).size());
     std::iota(waiting.begin(), waiting.end(), std::size_t{0});
     std::size_t left = waiting.size();
-    std::vector<CrewReport> ends;
+    std::vector<WorkerReport> ends;
     while (left > 0) {
-      for (; !waiting.empty() && crew->idle() > 0; waiting.pop_back()) {
-        crew->start(waiting.back(), {});
+      for (; !waiting.empty() && workers->idle() > 0; waiting.pop_back()) {
+        workers->start(waiting.back(), {});
       }
-      std::optional<CrewReport> report = crew->wait(kPatience);
-      if (!report) throw std::logic_error("the crew says nothing any more");
-      if (report->kind == CrewReport::Kind::lost) waiting.push_back(report->tile);
-      if (report->kind == CrewReport::Kind::finished) --left;
-      if (report->kind != CrewReport::Kind::progress) ends.push_back(*std::move(report));
+      std::optional<WorkerReport> report = workers->wait(kPatience);
+      if (!report) throw std::logic_error("the workers say nothing any more");
+      if (report->kind == WorkerReport::Kind::lost) waiting.push_back(report->tile);
+      if (report->kind == WorkerReport::Kind::finished) --left;
+      if (report->kind != WorkerReport::Kind::progress) ends.push_back(*std::move(report));
     }
     return ends;
   }
 
   // Every point of the plan is in one finished tile.
-  void expect_all_points(const std::vector<CrewReport>& ends) {
+  void expect_all_points(const std::vector<WorkerReport>& ends) {
     std::vector<double> numbers, expected(kPoints);
-    for (const CrewReport& end : ends) {
+    for (const WorkerReport& end : ends) {
       const auto points = static_cast<std::ptrdiff_t>(end.result.status.size());
       const auto first = end.result.outputs.begin();
       numbers.insert(numbers.end(), first,
@@ -125,69 +126,69 @@ class LocalCrewTest : public ::testing::Test {
       "[observe]\nquantities = ['x1_rms']\n",
       "test");
   const Plan plan_{study_, 2};
-  std::latch all_at_work_{kMembers};
+  std::latch all_at_work_{kWorkers};
 };
 
-TEST_F(LocalCrewTest, EveryMemberWorksAndEveryTileIsComputedOnce) {
-  LocalCrew crew = crew_with<NumberingEngine>();
-  expect_all_points(ends_of_all_tiles(&crew));
-  EXPECT_EQ(crew.size(), kMembers);
-  EXPECT_EQ(crew.idle(), kMembers);
+TEST_F(ThreadWorkersTest, EveryMemberWorksAndEveryTileIsComputedOnce) {
+  ThreadWorkers workers = workers_with<NumberingEngine>();
+  expect_all_points(ends_of_all_tiles(&workers));
+  EXPECT_EQ(workers.size(), kWorkers);
+  EXPECT_EQ(workers.idle(), kWorkers);
 }
 
-TEST_F(LocalCrewTest, AMemberThatFailsIsLostAndItsTileCanBeGivenToAnother) {
-  LocalCrew crew = crew_with<BrokenEngine>();
-  const std::vector<CrewReport> ends = ends_of_all_tiles(&crew);
+TEST_F(ThreadWorkersTest, AMemberThatFailsIsLostAndItsTileCanBeGivenToAnother) {
+  ThreadWorkers workers = workers_with<BrokenEngine>();
+  const std::vector<WorkerReport> ends = ends_of_all_tiles(&workers);
   expect_all_points(ends);
-  EXPECT_EQ(crew.size(), kMembers - 1);
-  EXPECT_EQ(crew.idle(), kMembers - 1);
+  EXPECT_EQ(workers.size(), kWorkers - 1);
+  EXPECT_EQ(workers.idle(), kWorkers - 1);
   std::size_t lost = 0;
-  for (const CrewReport& end : ends) {
-    if (end.kind != CrewReport::Kind::lost) continue;
+  for (const WorkerReport& end : ends) {
+    if (end.kind != WorkerReport::Kind::lost) continue;
     ++lost;
     EXPECT_THROW(std::rethrow_exception(end.failure), RunError);
   }
   EXPECT_EQ(lost, 1U);
 }
 
-// Else the results of a fast crew would fill the memory while a slow disk stores the first.
-TEST_F(LocalCrewTest, AMemberIsIdleOnceTheEndOfItsTileIsHeard) {
+// Else the results of fast workers would fill the memory while a slow disk stores the first.
+TEST_F(ThreadWorkersTest, AMemberIsIdleOnceTheEndOfItsTileIsHeard) {
   std::latch one_at_work{1};
   std::vector<std::unique_ptr<Engine>> engines;
   engines.push_back(std::make_unique<NumberingEngine>(&one_at_work));
-  LocalCrew crew(plan_, std::move(engines));
-  crew.start(0, {});
-  std::optional<CrewReport> report = crew.wait(kPatience);
+  ThreadWorkers workers(plan_, std::move(engines));
+  workers.start(0, {});
+  std::optional<WorkerReport> report = workers.wait(kPatience);
   ASSERT_TRUE(report);
-  EXPECT_EQ(report->kind, CrewReport::Kind::progress);
+  EXPECT_EQ(report->kind, WorkerReport::Kind::progress);
   // The tile ends meanwhile.
   for (int i = 0; i < 200; ++i) {
-    EXPECT_EQ(crew.idle(), 0U);
+    EXPECT_EQ(workers.idle(), 0U);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  report = crew.wait(kPatience);
+  report = workers.wait(kPatience);
   ASSERT_TRUE(report);
-  EXPECT_EQ(report->kind, CrewReport::Kind::finished);
-  EXPECT_EQ(crew.idle(), 1U);
+  EXPECT_EQ(report->kind, WorkerReport::Kind::finished);
+  EXPECT_EQ(workers.idle(), 1U);
 }
 
-TEST_F(LocalCrewTest, ARunningTileStopsWhenAskedAndWhenTheCrewIsLeft) {
+TEST_F(ThreadWorkersTest, ARunningTileStopsWhenAskedAndWhenThePoolIsLeft) {
   for (const bool asks : {true, false}) {
     std::latch one_at_work{1};
     std::vector<std::unique_ptr<Engine>> engines;
     engines.push_back(std::make_unique<EndlessEngine>(&one_at_work));
-    LocalCrew crew(plan_, std::move(engines));
-    crew.start(0, {});
+    ThreadWorkers workers(plan_, std::move(engines));
+    workers.start(0, {});
     one_at_work.wait();
     if (!asks) continue;  // its end is the test: it would wait for ever
-    crew.stop();
-    std::optional<CrewReport> report;
+    workers.stop();
+    std::optional<WorkerReport> report;
     do {
-      report = crew.wait(kPatience);
+      report = workers.wait(kPatience);
       ASSERT_TRUE(report);
-    } while (report->kind == CrewReport::Kind::progress);
-    EXPECT_EQ(report->kind, CrewReport::Kind::stopped);
-    EXPECT_EQ(crew.idle(), 1U);
+    } while (report->kind == WorkerReport::Kind::progress);
+    EXPECT_EQ(report->kind, WorkerReport::Kind::stopped);
+    EXPECT_EQ(workers.idle(), 1U);
   }
 }
 

@@ -1,0 +1,139 @@
+#include "sweep/run_context.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/error.hpp"
+#include "model/version.hpp"
+#include "sweep/tile_loop.hpp"
+#include "workers/cluster_workers.hpp"
+#include "workers/make_engine.hpp"
+
+namespace gearsweep {
+namespace {
+
+// What the engines say of themselves, each thing once.
+EngineInfo describe(const Engines& engines) {
+  const auto joined = [&](std::string EngineInfo::*field) {
+    std::set<std::string> distinct;
+    for (const std::unique_ptr<Engine>& engine : engines) distinct.insert(engine->info().*field);
+    return fmt::format("{}", fmt::join(distinct, "; "));
+  };
+  return {joined(&EngineInfo::device), joined(&EngineInfo::driver), joined(&EngineInfo::macros)};
+}
+
+std::unique_ptr<WorkerPool> start_workers(const Plan& plan, Engines engines, Cluster* cluster) {
+  if (cluster == nullptr) return std::make_unique<ThreadWorkers>(plan, std::move(engines));
+  return std::make_unique<ClusterWorkers>(plan, std::move(engines), cluster);
+}
+
+Identity machine_of(const EngineInfo& info) {
+  return {{notes::kDevice, info.device},
+          {notes::kDriver, info.driver},
+          {notes::kBuildOptions, info.macros}};
+}
+
+// A note of several values with one more, unless it is there.
+std::string with_value(const std::string& note, const std::string& value) {
+  constexpr const char* kBetween = "; then ";
+  if (note.empty()) return value;
+  const bool is_there =
+      (kBetween + note + kBetween).find(kBetween + value + kBetween) != std::string::npos;
+  return is_there ? note : note + kBetween + value;
+}
+
+std::size_t points_of(const Plan& plan, const Shard& shard) {
+  const std::vector<const Tile*> tiles = tiles_of(plan);
+  std::size_t points = 0;
+  for (std::size_t number = 0; number < tiles.size(); ++number) {
+    if (shard.has(number)) points += tiles[number]->points.size();
+  }
+  return points;
+}
+
+// As a note of a journal.
+std::string pack(const PilotFindings& pilot) {
+  return fmt::format("{} {} {}", pilot.step, pilot.error, pilot.points);
+}
+
+}  // namespace
+
+Identity identity_of(const Study& study, const Shard& shard) {
+  Identity identity = {{notes::kStudy, study.toml},
+                       {"kernels and formulas", source_hash()},
+                       {notes::kStep, fmt::format("{}", study.integrate.max_step)}};
+  if (shard.count > 0) {
+    identity.emplace_back(notes::kShard, fmt::format("{}/{}", shard.number, shard.count));
+  }
+  return identity;
+}
+
+RunContext::RunContext(const SteppedStudy& stepped, const SweepOptions& options)
+    : stepped_(stepped), study_(stepped.study), options_(options) {
+  if (options.shard.count > 0 && study_.is_chained()) {
+    throw InputError(
+        "--shard: initial.policy makes points start where their neighbours end, so the shards "
+        "would need each other; start it under mpirun or srun instead");
+  }
+}
+
+void RunContext::find_engines() {
+  // Before the engines, which take a moment, and the plan, which is as large as the study.
+  refuse_too_large(estimate_of_study(study_, options_.delivery, options_.journal_path),
+                   options_.journal_path);
+  engines_ = make_engines(study_, options_.devices, options_.on_trouble);
+  info_ = describe(engines_);
+}
+
+void RunContext::plan_tiles() {
+  plan_.emplace(plan_that_fits(study_, engines_, options_));
+  estimate_ = estimate_of_plan(*plan_, engines_, options_.delivery, options_.journal_path);
+  refuse_too_large(estimate_, options_.journal_path);
+}
+
+void RunContext::open_journal() {
+  if (options_.journal_path.empty()) return;
+  const Identity machine = machine_of(info_);
+  Identity identity = identity_of(study_, options_.shard);
+  if (options_.strict_device) identity.insert(identity.end(), machine.begin(), machine.end());
+  journal_.emplace(options_.journal_path, identity);
+  // A run that goes on keeps the cut, whatever devices it has now.
+  const std::string kept = journal_->note(notes::kTilePoints);
+  const std::size_t tile_points = kept.empty() ? plan_->tile_points() : read_count(kept, 1);
+  if (plan_->tile_points() != tile_points) {
+    plan_.emplace(plan_as_kept(study_, tile_points, engines_, options_));
+  }
+  std::map<std::string, std::string> all = options_.notes;
+  all[notes::kTilePoints] = std::to_string(tile_points);
+  all[notes::kPoints] = std::to_string(points_of(*plan_, options_.shard));
+  if (stepped_.pilot) all[notes::kPilot] = pack(*stepped_.pilot);
+  for (const auto& [name, value] : machine) all[name] = with_value(journal_->note(name), value);
+  journal_->keep(all);
+}
+
+bool RunContext::compute_tiles() {
+  const std::unique_ptr<WorkerPool> workers =
+      start_workers(*plan_, std::move(engines_), options_.cluster);
+  Journal* journal = journal_ ? &*journal_ : nullptr;
+  assembly_.emplace(study_);
+  if (TileLoop(*plan_, options_, workers.get(), journal, &*assembly_).run()) return true;
+  if (journal != nullptr && journal->finished_tiles() == 0) journal->remove();
+  return false;
+}
+
+SweepResult RunContext::assemble_maps() {
+  SweepResult result = assembly_->take();
+  result.engine.driver = info_.driver;
+  result.engine.macros = info_.macros;
+  result.pilot = stepped_.pilot;
+  return result;
+}
+
+void RunContext::close_journal() {
+  if (journal_ && !options_.keep_journal) journal_->remove();
+}
+
+}  // namespace gearsweep
