@@ -102,12 +102,8 @@ struct Colours {
   Colours(const Page& page, const ResultMap& map) : classes(class_scale(map)) {
     if (classes) return;
     const PlotStyle& style = page.style();
-    range = colour_range(map.values);
     is_log = style.is_log;
-    if (is_log && !(style.range.least && *style.range.least > 0.0)) {
-      range = above_zero(range, map.values);
-    }
-    range = limited(range, style.range, "--range");
+    range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
     const bool has_both_signs = range.least < 0.0 && range.greatest > 0.0;
     name_ = !style.colormap.empty()                              ? style.colormap
             : map.name.starts_with("lyapunov") && has_both_signs ? "signed"

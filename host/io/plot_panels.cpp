@@ -46,12 +46,9 @@ std::optional<ClassScale> classes_of(const std::vector<Picture>& layers) {
 AxisRange value_range(const Page& page, const std::vector<Picture>& layers, bool is_first) {
   const PlotStyle& style = page.style();
   const std::vector<double> values = all_values(layers);
-  ValueRange range = padded_range(values);
   const bool is_log = style.is_log && !layers.front().map.is_poincare();
-  if (is_log && !(is_first && style.yrange.least && *style.yrange.least > 0.0)) {
-    range = above_zero(range, values);
-  }
-  if (is_first) range = limited(range, style.yrange, "--yrange");
+  const ValueRange range = scale_range(padded_range(values), values,
+                                       is_first ? style.yrange : Limits{}, is_log, "--yrange");
   return {range.least, range.greatest, is_log};
 }
 

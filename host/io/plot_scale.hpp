@@ -55,10 +55,13 @@ struct ValueRange {
 };
 
 // Ends that were asked for in place of the range's own. Throws InputError when nothing is left
-// between them, or when a logarithmic range has no end above zero; `option`: its name, for
-// messages.
+// between them; `option`: its name, for messages.
 ValueRange limited(const ValueRange& range, const Limits& limits, const std::string& option);
-ValueRange above_zero(const ValueRange& range, const std::vector<double>& values);
+
+// The same of the range of `values`, with all ends above zero when it is logarithmic. Throws
+// InputError when those that were asked for are not, or no value is.
+ValueRange scale_range(const ValueRange& range, const std::vector<double>& values,
+                       const Limits& limits, bool is_log, const std::string& option);
 
 // Never empty. Where a few outliers would take all contrast from the rest, it leaves out one value
 // in a thousand at either end, and is then `clipped`.
