@@ -203,7 +203,7 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
   PanelAxis x{label_lines(page, x_markup, page.width()),
               axis_range(axis, page.style().xrange, "--xrange")};
   const double foot = key_height(page, key) + bottom_room(page, x);
-  const double head = heading.empty() ? 0.7 * em : heading_height(page, heading) + 0.3 * em;
+  const double head = head_room(page, heading);
 
   PlotScript script;
   script.height = page.height_or(foot + head + (count - 1.0) * gap +

@@ -147,6 +147,10 @@ ValueRange above_zero(const ValueRange& range, const std::vector<double>& values
 
 }  // namespace
 
+double between(double from, double to, double share, bool is_log) {
+  return is_log ? from * std::pow(to / from, share) : from + share * (to - from);
+}
+
 std::vector<double> cell_edges(const ResultAxis& axis) {
   std::vector<double> values = axis.values;
   const bool logarithmic = axis.logarithmic;

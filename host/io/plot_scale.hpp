@@ -13,6 +13,9 @@ namespace gearsweep {
 inline constexpr const char* kMissingColour = "#b3b3b3";
 inline constexpr const char* kMissingClassColour = "#000000";  // where classes are grey
 
+// The place on a scale at this share of the way; ends of a logarithmic one are above zero.
+double between(double from, double to, double share, bool is_log);
+
 // Edges of the cells around the values of an axis, which go upwards: one more than values.
 std::vector<double> cell_edges(const ResultAxis& axis);
 
