@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <exception>
 #include <sstream>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
@@ -68,6 +71,23 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+// As the parser takes them, the last one first. "--title=" gives an empty text; the parser would
+// take the next word for it.
+std::vector<std::string> arguments_of(int argc, char** argv) {
+  std::vector<std::string> arguments;
+  bool are_options = true;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    are_options = are_options && word != "--";
+    const bool is_empty = are_options && word.starts_with("--") && word.ends_with('=');
+    if (is_empty) word.pop_back();
+    arguments.push_back(std::move(word));
+    if (is_empty) arguments.emplace_back();
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
 // Runs the command that the arguments name; its exit status.
 int dispatch(int argc, char** argv, const Run& run, SignalWatch* signals) {
   CLI::App app(
@@ -78,7 +98,7 @@ int dispatch(int argc, char** argv, const Run& run, SignalWatch* signals) {
   add_commands(&app, run, signals, &status);
   refuse_unknown_command(app, argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments_of(argc, argv));
   } catch (const CLI::ParseError& error) {
     // The parser's own codes tell help (0) from errors, which are all wrong input to us.
     if (error.get_exit_code() != 0) throw InputError(describe_parse_error(app, error));

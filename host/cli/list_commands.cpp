@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
@@ -28,7 +29,7 @@ void print_devices_as_json(const std::vector<DeviceInfo>& devices) {
                     {"lanes_fp64", device.lanes_fp64},
                     {"lanes_fp32", device.lanes_fp32}});
   }
-  answer("{}\n", list.dump(2));
+  answer("{}", json_text(list));
 }
 
 void print_devices(const std::vector<DeviceInfo>& devices) {
@@ -54,7 +55,7 @@ void print_studies(bool as_json) {
       rows.add({name, fmt::format("{} ({} points)", study.title, study.points())});
     }
   }
-  answer("{}", as_json ? list.dump(2) + "\n" : rows.text(0));
+  answer("{}", as_json ? json_text(list) : rows.text(0));
 }
 
 }  // namespace

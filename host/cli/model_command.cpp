@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
@@ -152,7 +153,7 @@ void print_model_as_json(const Study& study) {
   for (const Quantity& quantity : offered_quantities(model)) {
     json["quantities"].push_back(quantity.name);
   }
-  answer("{}\n", json.dump(2));
+  answer("{}", json_text(json));
 }
 
 }  // namespace

@@ -27,6 +27,21 @@ bool open_standard_streams() {
   return true;
 }
 
+std::string printable(std::string text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_control =
+        (byte(i) < 0x20U && text[i] != '\n' && text[i] != '\t') || byte(i) == 0x7fU;
+    // U+0080 to U+009F, in UTF-8: some terminals obey these, too.
+    const bool begins_control = byte(i) == 0xc2U && byte(i + 1) >= 0x80U && byte(i + 1) < 0xa0U;
+    if (begins_control) text.erase(i, 1);
+    if (is_control || begins_control) text[i] = '?';
+  }
+  return text;
+}
+
 void answer_text(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) < text.size()) fail_to_answer();
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -23,14 +24,18 @@ void tell_text(std::string_view text);
 // Whether a short text would be taken at once.
 bool is_heard();
 
+// What a terminal only shows. A control character may be an order to it, and names and texts in
+// files are a stranger's choice: each but newline and tab becomes '?'.
+std::string printable(std::string text);
+
 template <class... Values>
 void answer(fmt::format_string<Values...> format, Values&&... values) {
-  answer_text(fmt::format(format, std::forward<Values>(values)...));
+  answer_text(printable(fmt::format(format, std::forward<Values>(values)...)));
 }
 
 template <class... Values>
 void tell(fmt::format_string<Values...> format, Values&&... values) {
-  tell_text(fmt::format(format, std::forward<Values>(values)...));
+  tell_text(printable(fmt::format(format, std::forward<Values>(values)...)));
 }
 
 }  // namespace gearsweep

@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/standard_streams.hpp"
 #include "journal/journal.hpp"
@@ -75,13 +76,12 @@ void show(const std::string& output, bool with_json) {
   const std::string journal = output.ends_with(".journal") ? output : output + ".journal";
   if (has_regular_file(journal, "a journal")) {
     const JournalStatus status = Journal::status(journal);
-    answer("{}", with_json ? as_json(output, status).dump(2) + "\n" : describe(output, status));
+    answer("{}", with_json ? json_text(as_json(output, status)) : describe(output, status));
   } else if (has_regular_file(output, "a result")) {
     ensure_undamaged(output);
     const ResultFile whole(output);  // throws when it is none
-    answer("{}", with_json
-                     ? nlohmann::json{{"output", output}, {"state", "finished"}}.dump(2) + "\n"
-                     : fmt::format("{}: finished\n", output));
+    answer("{}", with_json ? json_text({{"output", output}, {"state", "finished"}})
+                           : fmt::format("{}: finished\n", output));
   } else {
     throw InputError(fmt::format(
         "{0}: there is neither this result nor {0}.journal of a run that is to write it", output));

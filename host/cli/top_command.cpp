@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -111,17 +112,15 @@ void run(const TopArguments& arguments) {
   const std::vector<std::string> names = names_of_axes(file);
   const std::vector<Peak> peaks = find_peaks(map, arguments.search);
   if (arguments.as_json) {
-    answer("{}\n", as_json(map, names, peaks).dump(2));
+    answer("{}", json_text(as_json(map, names, peaks)));
   } else if (peaks.empty()) {
     answer("{} of {} has no value at any point\n", map.name, arguments.result);
   } else {
     answer("{}", as_text(arguments, map, names, peaks));
   }
   if (!peaks.empty() && peaks.size() < arguments.search.count) {
-    tell(
-        "gearsweep: there are no more than {} that are so far apart; a smaller --apart may find "
-        "more\n",
-        peaks.size());
+    tell("gearsweep: only {} {} so far apart; a smaller --apart may find more\n", peaks.size(),
+         peaks.size() == 1 ? "peak lies" : "peaks lie");
   }
 }
 

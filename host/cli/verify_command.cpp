@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/signal_watch.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -132,7 +133,7 @@ int run(const VerifyArguments& arguments, SignalWatch* signals) {
     nlohmann::json json = {{"device", title}, {"verdict", verdict_of(all)}};
     json["checks"] = nlohmann::json::array();
     for (const Timed& timed : all) json["checks"].push_back(as_json(timed));
-    answer("{}\n", json.dump(2));
+    answer("{}", json_text(json));
   } else {
     answer("{}\n", verdict_of(all));
   }

@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -34,11 +33,16 @@ struct Length {
   std::string unit;
 };
 
-std::optional<Length> length_in(const std::string& text, const std::string& fallback) {
+// "mm" of "85mm"; may be empty.
+std::string unit_in(const std::string& text) {
   std::size_t end = text.size();
   while (end > 0 && std::isalpha(static_cast<unsigned char>(text[end - 1])) != 0) --end;
-  const std::optional<double> value = number_in(text.substr(0, end));
-  std::string unit = text.substr(end);
+  return text.substr(end);
+}
+
+std::optional<Length> length_in(const std::string& text, const std::string& fallback) {
+  std::string unit = unit_in(text);
+  const std::optional<double> value = number_in(text.substr(0, text.size() - unit.size()));
   if (unit.empty()) unit = fallback;
   if (!value || *value <= 0.0) return std::nullopt;
   if (unit == "cm") return Length{10.0 * *value, "mm"};
@@ -56,22 +60,21 @@ void ensure_sensible(const Length& length, const std::string& text) {
 }
 
 void set_size(const std::string& text, PlotStyle* style) {
-  const std::size_t cross = text.find('x');
-  const auto refuse = [&]() -> Length {
+  // The last one but for that of "px".
+  const std::size_t cross = text.find_last_of('x', text.size() - unit_in(text).size());
+  std::optional<Length> width, height;
+  if (cross != std::string::npos) {
+    const std::string high = text.substr(cross + 1), unit = unit_in(high);
+    height = length_in(high, "px");
+    width = length_in(text.substr(0, cross), unit.empty() ? "px" : unit);
+  }
+  if (!width || !height || width->unit != height->unit) {
     throw InputError(fmt::format(
         "'{}' is no size; give width x height in mm, cm, in or px, as in 85x64mm", text));
-  };
-  if (cross == std::string::npos) refuse();
-  const Length height = length_in(text.substr(cross + 1), "px").value_or(Length{});
-  if (height.unit.empty()) refuse();
-  std::size_t end = text.size();
-  while (end > 0 && std::isalpha(static_cast<unsigned char>(text[end - 1])) != 0) --end;
-  const std::string unit = end < text.size() ? text.substr(end) : "px";
-  const Length width = length_in(text.substr(0, cross), unit).value_or(Length{});
-  if (width.unit != height.unit) refuse();
-  ensure_sensible(width, text);
-  ensure_sensible(height, text);
-  style->size = {width.value, height.value, width.unit == "px"};
+  }
+  ensure_sensible(*width, text);
+  ensure_sensible(*height, text);
+  style->size = {width->value, height->value, width->unit == "px"};
 }
 
 void set_width(const std::string& text, PlotStyle* style) {
@@ -137,23 +140,25 @@ void set_colormap(const std::string& text, PlotStyle* style) {
 
 void set_contours(const std::vector<std::string>& texts, PlotStyle* style) {
   constexpr std::size_t kMost = 50;
+  const auto refuse = [&] {
+    throw InputError(fmt::format(
+        "'{}' are no contours; give how many (at most {}), as in 6, or their levels, as in "
+        "0.5,1,1.5 (a whole number as the only level: 2,)",
+        fmt::join(texts, ","), kMost));
+  };
   Contours contours;
   for (const std::string& text : texts) {
     if (text.empty() && texts.size() > 1) continue;  // "2," is one level
     const std::optional<double> value = number_in(text);
-    if (!value || texts.size() > kMost) {
-      throw InputError(fmt::format(
-          "'{}' are no contours; give how many (at most {}), as in 6, or their levels, as in "
-          "0.5,1,1.5 (a whole number as the only level: 2,)",
-          fmt::join(texts, ","), kMost));
-    }
+    if (!value) refuse();
     contours.levels.push_back(*value);
   }
-  const bool is_count = texts.size() == 1 && contours.levels[0] >= 1.0 &&
-                        contours.levels[0] <= static_cast<double>(kMost) &&
-                        contours.levels[0] == std::round(contours.levels[0]);
+  if (contours.levels.empty() || contours.levels.size() > kMost) refuse();
+  const double only = contours.levels.front();
+  const bool is_count = texts.size() == 1 && only >= 1.0 && only <= static_cast<double>(kMost) &&
+                        only == std::round(only);
   if (is_count) {
-    contours.count = static_cast<std::size_t>(contours.levels[0]);
+    contours.count = static_cast<std::size_t>(only);
     contours.levels.clear();
   }
   style->contours = contours;
@@ -214,6 +219,7 @@ std::vector<std::string> texts_of(const toml::node& node, const StyleOption& opt
   if (const toml::array* array = node.as_array(); array != nullptr && option.is_list) {
     for (const toml::node& element : *array) add(element);
     if (texts.empty()) refuse();
+    if (texts.size() == 1 && option.may_count) texts.emplace_back();  // as "2,": a list of one
   } else {
     add(node);
   }
@@ -250,7 +256,7 @@ const std::vector<StyleOption>& style_options() {
       one("log", "", "Logarithmic colours, or a logarithmic vertical axis",
           [](const std::string& text, PlotStyle* style) { style->is_log = flag_in(text); }),
       {"contours", "LEVELS", "Contour lines in a map: how many, or their levels: 0.5,1,1.5", true,
-       set_contours},
+       set_contours, true},
       one("units", "SI|model", "SI: rpm, N, um where the study has a [gear] table",
           [](const std::string& text, PlotStyle* style) { style->is_si = is_si(text); })};
   return kOptions;
@@ -258,18 +264,21 @@ const std::vector<StyleOption>& style_options() {
 
 void read_style_file(const std::string& path, PlotStyle* style) {
   has_regular_file(path, "a style file");
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream content;
-  content << in.rdbuf();
-  if (!in) throw InputError(fmt::format("cannot read the style file '{}'", path));
   constexpr std::size_t kMostBytes = 100'000;
-  if (content.str().size() > kMostBytes) {
+  std::string content(kMostBytes + 1, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (!in.is_open() || in.bad()) {
+    throw InputError(fmt::format("cannot read the style file '{}'", path));
+  }
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  if (content.size() > kMostBytes) {
     throw InputError(fmt::format("'{}' is too large for a style file", path));
   }
-  refuse_deep_keys(content.str(), path);
+  refuse_deep_keys(content, path);
   toml::table table;
   try {
-    table = toml::parse(content.str(), path);
+    table = toml::parse(content, path);
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));

@@ -61,17 +61,30 @@ std::string csv_of(const std::vector<ResultMap>& maps) {
 
 std::string stem_of(const std::string& quantity) { return quantity.substr(0, quantity.find(':')); }
 
+// A string of Python: another program may have chosen the name.
+std::string python_quoted(const std::string& name) {
+  std::string quoted = "'";
+  for (const char letter : name) {
+    if (letter == '\'' || letter == '\\') quoted += '\\';
+    quoted += letter;
+  }
+  return quoted + "'";
+}
+
 std::string npy_header(const std::vector<ResultMap>& maps) {
   const char* real = std::endian::native == std::endian::little ? "<f8" : ">f8";
   std::string fields;
   const std::vector<ResultAxis>& axes = maps.front().axes;
-  for (const ResultAxis& axis : axes) fields += fmt::format("('{}', '{}'), ", axis.name, real);
+  for (const ResultAxis& axis : axes) {
+    fields += fmt::format("({}, '{}'), ", python_quoted(axis.name), real);
+  }
   for (const ResultMap& map : maps) {
     std::string part_shape;
     if (!map.parts.empty()) part_shape = fmt::format(", ({},)", map.parts.size());
     if (map.is_poincare()) part_shape = fmt::format(", ({}, {})", map.parts.size(), map.samples);
     const char* separator = &map == &maps.back() ? "" : ", ";
-    fields += fmt::format("('{}', '{}'{}){}", stem_of(map.name), real, part_shape, separator);
+    fields += fmt::format("({}, '{}'{}){}", python_quoted(stem_of(map.name)), real, part_shape,
+                          separator);
   }
   std::string shape;
   for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {

@@ -40,6 +40,8 @@ TEST(Commands, RunPlotAndExportGoFromAStudyToPicturesAndTables) {
               AllOf(HasSubstr("#00224e"), HasSubstr("size 3.3465in"), HasSubstr("[-1:2]"),
                     Not(HasSubstr("from the file"))));
   EXPECT_THAT(read_all(folder / "figure.pdf"), StartsWith("%PDF"));
+  const Outcome untitled = gearsweep(folder, "plot map.nc --title='' -o no.svg");
+  EXPECT_EQ(untitled.status, 0) << untitled.err;
   EXPECT_EQ(gearsweep(folder, "export map.nc -q dmf_max -o dmf.csv").status, 0);
   EXPECT_EQ(gearsweep(folder, "export map.nc -q dmf_max -o dmf.npy").status, 0);
   EXPECT_THAT(read_all(folder / "map.png"), HasSubstr("PNG"));

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "cli/standard_streams.hpp"
 #include "support/process.hpp"
 #include "support/same_result.hpp"
 
@@ -151,6 +152,26 @@ TEST_F(StreamsTest, ATerminalThatIsGoneIsNotWorthARun) {
   EXPECT_EQ(run("run study.toml -o out.nc", "2>&9").status, 0);
   close(9);
   EXPECT_EQ(difference(), "");
+}
+
+TEST_F(StreamsTest, JsonIsUtf8WhateverTheNameOfTheFile) {
+  const Outcome run = gearsweep(folder_, "run study.toml --quiet --json -o '\xff.nc'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("\"\xef\xbf\xbd.nc\""));
+  EXPECT_EQ(gearsweep(folder_, "status --json '\xff.nc'").status, 0);
+}
+
+TEST_F(StreamsTest, ATextOfAFileGivesTheTerminalNoOrders) {
+  folder_.write("red.toml", "title = \"\\u001b[31mred\"\n" + std::string(kStudy));
+  ASSERT_EQ(gearsweep(folder_, "run red.toml -o out.nc --quiet").status, 0);
+  EXPECT_THAT(gearsweep(folder_, "run study.toml -o out.nc --quiet").err,
+              HasSubstr("the result of another study, '?[31mred'"));
+}
+
+TEST(Printable, LettersStayAndOrdersDoNot) {
+  const std::string letters = "größer\n\tω ≥ 0, \xff";
+  EXPECT_EQ(printable(letters), letters);
+  EXPECT_EQ(printable("\x1b[2J\r\x07\x7f\xc2\x9b" + std::string(1, '\0')), "?[2J?????");
 }
 
 }  // namespace

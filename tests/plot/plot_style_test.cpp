@@ -67,6 +67,7 @@ TEST_F(PlotStyleTest, SizeIsThatOfThePrint) {
   EXPECT_THAT(map_script("width", {"170mm"}),
               AllOf(HasSubstr("pngcairo size 2008,"), HasSubstr("font 'DejaVu Sans,9'")));
   EXPECT_THAT(map_script("size", {"800x600"}), HasSubstr("size 800,600"));
+  EXPECT_THAT(map_script("size", {"800pxx600px"}), HasSubstr("size 800,600"));
   const std::string path = write(example_result());
   EXPECT_THAT(script_of({path}, "x1_rms", style_with("width", {"85"}), ".pdf"),
               HasSubstr("pdfcairo size 3.3465in,"));
@@ -143,6 +144,13 @@ TEST_F(PlotStyleTest, LogarithmicColoursAndAxes) {
   const std::string line = write(example_result(7, 0));
   EXPECT_THAT(script_of({line}, "x1_rms", style_with("log", {"true"})),
               HasSubstr("set logscale y\n"));
+  for (const auto& [name, path] : {std::pair("range", write(example_result(), "map.nc")),
+                                   std::pair("yrange", write(example_result(7, 0), "line.nc"))}) {
+    PlotStyle style = style_with(name, {"0:2"});
+    set("log", {"true"}, &style);
+    EXPECT_THAT(refusal([&] { script_of({path}, "x1_rms", style); }),
+                HasSubstr(std::string("--") + name + ": with --log its ends must be above 0"));
+  }
   SweepResult result = example_result();
   for (double& value : result.values[0]) value = -1.0;
   EXPECT_THAT(refusal([&] { script_of({write(result)}, "x1_rms", style_with("log", {"true"})); }),
@@ -154,6 +162,7 @@ TEST_F(PlotStyleTest, ContoursAreLinesBetweenThePoints) {
   EXPECT_THAT(map_script("contours", {"5.1"}), HasSubstr("with vectors nohead"));
   EXPECT_THAT(map_script("contours", {"99"}), Not(HasSubstr("with vectors")));
   EXPECT_THAT(refused("contours", {"many"}), HasSubstr("give how many"));
+  EXPECT_THAT(refused("contours", {"", ""}), HasSubstr("',' are no contours"));
 }
 
 TEST_F(PlotStyleTest, UnitsOfAGearAreRpmAndNewton) {
@@ -205,6 +214,19 @@ TEST_F(PlotStyleTest, AFileHasTheSameKeys) {
   EXPECT_EQ(style.range.greatest, 2.0);
 }
 
+// 2 says how many, [2] which.
+TEST_F(PlotStyleTest, AListOfOneContourIsALevel) {
+  const auto contours = [&](const std::string& toml) {
+    std::ofstream(in_folder("thesis.toml")) << toml;
+    PlotStyle style;
+    read_style_file(in_folder("thesis.toml"), &style);
+    return style.contours;
+  };
+  EXPECT_EQ(contours("contours = 2\n").count, 2U);
+  EXPECT_THAT(contours("contours = [2]\n").levels, ::testing::ElementsAre(2.0));
+  EXPECT_EQ(contours("contours = [2]\n").count, 0U);
+}
+
 TEST_F(PlotStyleTest, AWrongFileIsToldByItsLine) {
   EXPECT_THAT(file_refused("\nwdith = '85mm'\n"),
               AllOf(HasSubstr("thesis.toml:2: "), HasSubstr("did you mean 'width'?")));
@@ -213,6 +235,7 @@ TEST_F(PlotStyleTest, AWrongFileIsToldByItsLine) {
   EXPECT_THAT(file_refused("legend = []\n"), HasSubstr("must be a list"));
   EXPECT_THAT(file_refused("width = '85 ells'\n"), HasSubstr("thesis.toml:1: width: '85 ells'"));
   EXPECT_THAT(file_refused("width = \n"), HasSubstr("thesis.toml:1: "));
+  EXPECT_THAT(file_refused(std::string(100'001, '\n')), HasSubstr("too large for a style file"));
   PlotStyle style;
   EXPECT_THAT(refusal([&] { read_style_file(in_folder("none.toml"), &style); }),
               HasSubstr("none.toml"));

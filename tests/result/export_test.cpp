@@ -203,6 +203,18 @@ TEST_F(ExportTest, NumPyOpensIt) {
   EXPECT_EQ(spectrum.status, 0) << spectrum.text;
 }
 
+// As another program may call it; the header is a literal of Python.
+TEST_F(ExportTest, NumPyTakesEveryNameForAName) {
+  SweepResult result = example_result();
+  result.study.axes[0].name = "it's'), ('x";
+  export_maps(write(result), {"x1_rms"}, in_folder("map.npy"));
+  const Spoken spoken = run_python(
+      "import sys, numpy as np\n"
+      "assert np.load(sys.argv[1]).dtype.names == (\"it's'), ('x\", 'b', 'x1_rms')\n",
+      in_folder("map.npy"));
+  EXPECT_EQ(spoken.status, 0) << spoken.text;
+}
+
 TEST_F(ExportTest, WhatCannotBeExportedIsRefusedAndLeavesNoFile) {
   const std::string path = write(example_result());
   EXPECT_THAT(refusal([&] { export_maps(path, {"x1_rms"}, in_folder("out.txt")); }),

@@ -1,19 +1,21 @@
 // What the table of keys says is what the reader does: it is what the manual page tells.
 #include "study/study_keys.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "model/error.hpp"
+#include "study/refusal.hpp"
 #include "study/settings.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 namespace {
 
+using gearsweep::testing::refusal;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -37,15 +39,6 @@ std::string study_with(const StudyTable& table, const std::string& key, const st
   if (table.name == "axes") return without(kAxis) + line;
   if (table.name == "gear") return without(kGear) + line + kAxis;
   return table.heading + "\n" + line + kAxis;
-}
-
-std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    read_study(text, "s.toml", overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // All that the keys of a study decide, in words.
@@ -108,23 +101,31 @@ TEST(StudyKeys, ADefaultIsWhatAStudyHasWithoutTheKey) {
   }
 }
 
+// A value of a key, as TOML, in a study where nothing else refuses it.
+std::string study_with_number(const StudyTable& table, const StudyKey& key, double value) {
+  const bool is_whole = key.type == "whole number";
+  const std::string text =
+      is_whole ? fmt::format("{}", static_cast<long long>(value)) : fmt::format("{}", value);
+  std::string study = study_with(table, key.name, text);
+  if (key.name == "seed") study = kAxis + ("[initial]\nensemble = 4\nseed = " + text);
+  if (key.name == "mesh_stiffness_N_per_m") study.erase(study.find("face_width_mm"), 21);
+  return study;
+}
+
 TEST(StudyKeys, RangesEndWhereTheTableSays) {
   for (const StudyTable& table : study_tables()) {
     for (const StudyKey& key : table.keys) {
       if (key.type != "whole number" && key.type != "number") continue;
       if (key.least == 0.0 && key.greatest == 0.0) continue;
-      const bool is_whole = key.type == "whole number";
-      const double beyond = is_whole ? key.greatest + 1.0 : key.greatest * 1.01;
-      const std::string text =
-          is_whole ? std::to_string(static_cast<long long>(beyond)) : std::to_string(beyond);
-      std::string study = study_with(table, key.name, text);
-      if (key.name == "seed") study += "[initial]\nensemble = 4\n";
-      if (key.name == "seed")
-        study = std::string(kAxis) + "[initial]\nensemble = 4\nseed = " + text;
-      if (key.name == "mesh_stiffness_N_per_m") study.erase(study.find("face_width_mm"), 21);
-      EXPECT_THAT(refusal(study),
-                  ::testing::AnyOf(HasSubstr("out of range"), HasSubstr("is possible")))
-          << table.heading << " " << key.name;
+      const auto step = [&](double end) {
+        return key.type == "whole number" ? 1.0 : end > 0.0 ? 0.01 * end : 0.01;
+      };
+      for (const double value : {key.least - step(key.least), key.greatest + step(key.greatest)}) {
+        EXPECT_THAT(refusal(study_with_number(table, key, value)),
+                    ::testing::AnyOf(HasSubstr("out of range"), HasSubstr("is possible"),
+                                     HasSubstr("is needed")))
+            << table.heading << " " << key.name << " = " << value;
+      }
     }
   }
 }

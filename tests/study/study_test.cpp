@@ -4,12 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/error.hpp"
+#include "study/refusal.hpp"
 #include "study/settings.hpp"
 
 namespace gearsweep {
 namespace {
 
+using gearsweep::testing::refusal;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -25,15 +26,6 @@ std::string origin(const Study& study, const std::string& name) {
 
 int option(const Study& study, const std::string& name) {
   return study.setting.options[static_cast<std::size_t>(study.model->find_option(name))];
-}
-
-std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    read_study(text, "s.toml", overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Study, GivenParametersOverrideThePreset) {

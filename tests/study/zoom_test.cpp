@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/error.hpp"
+#include "study/refusal.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -17,13 +17,8 @@ const char* const kStudy =
     "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 2.0\ncount = 5\n"
     "[[axes]]\nname = 'b'\nvalues = [0.1, 0.7, 1.5]\n";
 
-std::string refusal(const std::vector<std::string>& zooms) {
-  try {
-    read_study(kStudy, "s.toml", {}, zooms);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const std::vector<std::string>& zooms, const std::string& study = kStudy) {
+  return gearsweep::testing::refusal(study, {}, zooms);
 }
 
 TEST(Zoom, AnAxisKeepsItsCount) {
@@ -42,6 +37,15 @@ TEST(Zoom, AListOfValuesBecomesAStretch) {
 TEST(Zoom, ACountMayBeGivenAndTheStretchMayBeOutside) {
   const Study study = read_study(kStudy, "s.toml", {}, {"omega=2:3:3"});
   EXPECT_THAT(study.axes[0].values, ElementsAre(2.0, 2.5, 3.0));
+}
+
+// One value in its place would be a map that nobody asked for.
+TEST(Zoom, AnAxisWithoutACountOrWithAWrongOneIsRefusedAsEver) {
+  const std::string axis = "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 2.0\n";
+  EXPECT_THAT(refusal({"omega=1:2"}, axis), HasSubstr("axis 'omega' needs from, to and count"));
+  EXPECT_THAT(refusal({"omega=1:2"}, axis + "count = 'x'\n"),
+              HasSubstr("s.toml:5: axis 'omega': count must be"));
+  EXPECT_EQ(read_study(axis + "count = 'x'\n", "s.toml", {}, {"omega=1:2:3"}).points(), 3U);
 }
 
 TEST(Zoom, ALogarithmicAxisStaysOne) {

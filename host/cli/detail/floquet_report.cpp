@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/detail/digits.hpp"
+#include "cli/detail/json_text.hpp"
 
 namespace gearsweep {
 namespace {
@@ -162,7 +163,7 @@ std::string floquet_as_json(const FloquetFindings& findings) {
       json["branches"].push_back(entry);
     }
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace gearsweep

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/progress_bar.hpp"
 
 namespace gearsweep {
@@ -84,7 +85,7 @@ std::string forecast_as_json(const Forecast& forecast) {
          {"memory_bytes", limit_as_json(device.memory.all)},
          {"memory_bytes_of_one_buffer", limit_as_json(device.memory.one_buffer)}});
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace gearsweep

@@ -65,8 +65,8 @@ void ProgressBar::show_bar(const SweepProgress& progress) {
   const int width = std::clamp(terminal_columns() - 46, 0, 30);
   const int full = static_cast<int>(progress.share * width);
   // The escape sequence clears what a longer line left behind.
-  tell("\r[{:=>{}}{:>{}}] {:5.1f} %{}\033[K", "", full, "", width - full, 100.0 * progress.share,
-       describe(pace_));
+  tell_text(fmt::format("\r[{:=>{}}{:>{}}] {:5.1f} %{}\033[K", "", full, "", width - full,
+                        100.0 * progress.share, describe(pace_)));
   bar_open_ = true;
 }
 

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/attractor_report.hpp"
+#include "cli/detail/json_text.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/standard_streams.hpp"
 #include "sweep_types.h"
@@ -213,13 +214,13 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
                      {"points", result.pilot->points}};
   }
   json["device"] = result.engine.device;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string shard_as_json(const std::string& shard, const std::string& journal,
                           std::size_t points) {
   const nlohmann::json json = {{"shard", shard}, {"journal", journal}, {"points", points}};
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 int status_of(const SweepResult& result) {

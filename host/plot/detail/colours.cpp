@@ -61,22 +61,22 @@ constexpr Colormap kColormaps[] = {
      "#fbbd89 #f7ab74 #f39b60 #f08a4b #e0733c #d15b2c #c2441c #6b1d08"},
 };
 
-const Colormap* find(const std::string& name) {
+constexpr std::string_view kReversed = "_r";
+
+// Of a map or of its reverse; nullptr when there is none.
+const Colormap* find(std::string_view name) {
+  if (name.ends_with(kReversed)) name.remove_suffix(kReversed.size());
   for (const Colormap& map : kColormaps) {
     if (name == map.name) return &map;
   }
   return nullptr;
 }
 
-constexpr std::string_view kReversed = "_r";
-
 std::vector<std::string> colours_of(const std::string& name) {
-  const bool is_reversed = name.ends_with(kReversed);
-  const std::string stem = is_reversed ? name.substr(0, name.size() - kReversed.size()) : name;
-  const Colormap* map = find(stem);
+  const Colormap* map = find(name);
   if (map == nullptr) throw std::logic_error("no colour map " + name);
   std::vector<std::string> colours = split_words(map->colours);
-  if (is_reversed) std::reverse(colours.begin(), colours.end());
+  if (name.ends_with(kReversed)) std::reverse(colours.begin(), colours.end());
   return colours;
 }
 
@@ -90,8 +90,7 @@ std::vector<std::string> colormap_names() {
 }
 
 bool is_diverging(const std::string& name) {
-  const bool is_reversed = name.ends_with(kReversed);
-  const Colormap* map = find(is_reversed ? name.substr(0, name.size() - kReversed.size()) : name);
+  const Colormap* map = find(name);
   return map != nullptr && map->is_diverging;
 }
 

@@ -7,9 +7,8 @@
 namespace gearsweep {
 namespace {
 
-double between(const ResultAxis& axis, std::size_t index, double share) {
-  const double from = axis.values[index], to = axis.values[index + 1];
-  return axis.logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
+double place_on(const ResultAxis& axis, std::size_t index, double share) {
+  return between(axis.values[index], axis.values[index + 1], share, axis.logarithmic);
 }
 
 }  // namespace
@@ -49,8 +48,8 @@ std::vector<ContourPiece> contour_pieces(const ResultMap& map, double level) {
           cuts[count++] = {a.u + share * (b.u - a.u), a.v + share * (b.v - a.v)};
         }
         if (count != 2) continue;
-        pieces.push_back({between(x, ix, cuts[0].first), between(y, iy, cuts[0].second),
-                          between(x, ix, cuts[1].first), between(y, iy, cuts[1].second)});
+        pieces.push_back({place_on(x, ix, cuts[0].first), place_on(y, iy, cuts[0].second),
+                          place_on(x, ix, cuts[1].first), place_on(y, iy, cuts[1].second)});
       }
     }
   }
@@ -63,8 +62,7 @@ std::vector<double> contour_levels(const Contours& contours, const ValueRange& r
   const auto parts = static_cast<double>(contours.count + 1);
   for (std::size_t i = 1; i <= contours.count; ++i) {
     const double share = static_cast<double>(i) / parts;
-    levels.push_back(is_log ? range.least * std::pow(range.greatest / range.least, share)
-                            : range.least + share * (range.greatest - range.least));
+    levels.push_back(between(range.least, range.greatest, share, is_log));
   }
   return levels;
 }

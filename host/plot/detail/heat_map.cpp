@@ -25,9 +25,7 @@ std::vector<std::ptrdiff_t> cells_at(const ResultAxis& axis, const AxisRange& ra
   std::vector<std::ptrdiff_t> cells;
   for (std::size_t i = 0; i < pixels; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(pixels);
-    const double place = range.logarithmic
-                             ? range.least * std::pow(range.greatest / range.least, share)
-                             : range.least + share * (range.greatest - range.least);
+    const double place = between(range.least, range.greatest, share, range.logarithmic);
     const auto above = std::upper_bound(edges.begin(), edges.end(), place);
     const bool is_inside = above != edges.begin() && above != edges.end();
     cells.push_back(is_inside ? above - edges.begin() - 1 : -1);
@@ -102,12 +100,8 @@ struct Colours {
   Colours(const Page& page, const ResultMap& map) : classes(class_scale(map)) {
     if (classes) return;
     const PlotStyle& style = page.style();
-    range = colour_range(map.values);
     is_log = style.is_log;
-    if (is_log && !(style.range.least && *style.range.least > 0.0)) {
-      range = above_zero(range, map.values);
-    }
-    range = limited(range, style.range, "--range");
+    range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
     const bool has_both_signs = range.least < 0.0 && range.greatest > 0.0;
     name_ = !style.colormap.empty()                              ? style.colormap
             : map.name.starts_with("lyapunov") && has_both_signs ? "signed"
@@ -133,9 +127,8 @@ struct Colours {
     raster.rows = std::max<std::size_t>(raster.rows, 2);
     for (std::size_t i = 0; i < raster.rows; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(raster.rows);
-      const double value = classes  ? std::floor(share * static_cast<double>(classes->names.size()))
-                           : is_log ? range.least * std::pow(range.greatest / range.least, share)
-                                    : range.least + share * (range.greatest - range.least);
+      const double value = classes ? std::floor(share * static_cast<double>(classes->names.size()))
+                                   : between(range.least, range.greatest, share, is_log);
       raster.values.insert(raster.values.end(), 2, value);
     }
     return raster;
@@ -269,8 +262,7 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
   script.height = page.height_or(kAspect * page.width() + key_height(page, key));
   Frame frame;
   frame.bottom = key_height(page, key) + bottom_room(page, x);
-  const double head = heading_height(page, heading);
-  frame.top = script.height - (heading.empty() ? 0.7 * em : head + 0.3 * em);
+  frame.top = script.height - head_room(page, heading);
   y.label = label_lines(page, y.label.empty() ? "" : y.label.front(), frame.height());
   const std::vector<std::string> label = label_lines(page, bar_label(page, map), frame.height());
   frame.left = left_room(page, y, frame.height());

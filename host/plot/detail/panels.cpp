@@ -46,12 +46,9 @@ std::optional<ClassScale> classes_of(const std::vector<Picture>& layers) {
 AxisRange value_range(const Page& page, const std::vector<Picture>& layers, bool is_first) {
   const PlotStyle& style = page.style();
   const std::vector<double> values = all_values(layers);
-  ValueRange range = padded_range(values);
   const bool is_log = style.is_log && !layers.front().map.is_poincare();
-  if (is_log && !(is_first && style.yrange.least && *style.yrange.least > 0.0)) {
-    range = above_zero(range, values);
-  }
-  if (is_first) range = limited(range, style.yrange, "--yrange");
+  const ValueRange range = scale_range(padded_range(values), values,
+                                       is_first ? style.yrange : Limits{}, is_log, "--yrange");
   return {range.least, range.greatest, is_log};
 }
 
@@ -206,7 +203,7 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
   PanelAxis x{label_lines(page, x_markup, page.width()),
               axis_range(axis, page.style().xrange, "--xrange")};
   const double foot = key_height(page, key) + bottom_room(page, x);
-  const double head = heading.empty() ? 0.7 * em : heading_height(page, heading) + 0.3 * em;
+  const double head = head_room(page, heading);
 
   PlotScript script;
   script.height = page.height_or(foot + head + (count - 1.0) * gap +

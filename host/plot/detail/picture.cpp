@@ -43,6 +43,10 @@ double heading_height(const Page& page, const std::vector<std::string>& lines) {
   return lines.empty() ? 0.0 : page.em() * (height + 0.3);
 }
 
+double head_room(const Page& page, const std::vector<std::string>& lines) {
+  return lines.empty() ? 0.7 * page.em() : heading_height(page, lines) + 0.3 * page.em();
+}
+
 std::string draw_heading(const Page& page, const std::vector<std::string>& lines,
                          const Frame& frame, double height) {
   std::string text;

@@ -41,6 +41,8 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture);
 std::vector<std::string> heading_lines(const Page& page, const std::string& title,
                                        const std::string& subtitle, const std::string& remark);
 double heading_height(const Page& page, const std::vector<std::string>& lines);
+// What they need between a frame and the page's top edge, a margin included.
+double head_room(const Page& page, const std::vector<std::string>& lines);
 // "set label" lines, above a frame.
 std::string draw_heading(const Page& page, const std::vector<std::string>& lines,
                          const Frame& frame, double height);

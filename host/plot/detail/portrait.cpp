@@ -92,7 +92,7 @@ void lay_out(const Page& page, const TracePicture& picture, const std::vector<Tr
                     is_alone ? panels.front().subtitle : picture.across.meaning, picture.remark);
   script->height = page.height_or(kAspect * page.width() + key_height(page, key));
   const double foot = key_height(page, key);
-  const double head = heading.empty() ? 0.7 * em : heading_height(page, heading) + 0.3 * em;
+  const double head = head_room(page, heading);
 
   Grid grid;
   grid.columns = is_alone ? 1 : 2;

@@ -132,7 +132,24 @@ ValueRange not_empty(const ValueRange& range) {
   return {range.least - half, range.least + half, false};
 }
 
+// From the least value that has a logarithm.
+ValueRange above_zero(const ValueRange& range, const std::vector<double>& values) {
+  if (range.least > 0.0) return range;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double value : values) {
+    if (value > 0.0) least = std::min(least, value);
+  }
+  if (!(least < range.greatest)) {
+    throw InputError("--log: no value is greater than 0, so none has a logarithm");
+  }
+  return {least, range.greatest, range.clipped};
+}
+
 }  // namespace
+
+double between(double from, double to, double share, bool is_log) {
+  return is_log ? from * std::pow(to / from, share) : from + share * (to - from);
+}
 
 std::vector<double> cell_edges(const ResultAxis& axis) {
   std::vector<double> values = axis.values;
@@ -275,16 +292,14 @@ ValueRange limited(const ValueRange& range, const Limits& limits, const std::str
                                option, range.least, range.greatest));
 }
 
-ValueRange above_zero(const ValueRange& range, const std::vector<double>& values) {
-  if (range.least > 0.0) return range;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double value : values) {
-    if (value > 0.0) least = std::min(least, value);
+ValueRange scale_range(const ValueRange& range, const std::vector<double>& values,
+                       const Limits& limits, bool is_log, const std::string& option) {
+  if (!is_log) return limited(range, limits, option);
+  for (const std::optional<double>& end : {limits.least, limits.greatest}) {
+    if (!end || *end > 0.0) continue;
+    throw InputError(fmt::format("{}: with --log its ends must be above 0, not {}", option, *end));
   }
-  if (!(least < range.greatest)) {
-    throw InputError("--log: no value is greater than 0, so none has a logarithm");
-  }
-  return {least, range.greatest, range.clipped};
+  return limited(limits.least ? range : above_zero(range, values), limits, option);
 }
 
 ValueRange colour_range(const std::vector<double>& values) {

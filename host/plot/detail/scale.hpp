@@ -13,6 +13,9 @@ namespace gearsweep {
 inline constexpr const char* kMissingColour = "#b3b3b3";
 inline constexpr const char* kMissingClassColour = "#000000";  // where classes are grey
 
+// The place on a scale at this share of the way; ends of a logarithmic one are above zero.
+double between(double from, double to, double share, bool is_log);
+
 // Edges of the cells around the values of an axis, which go upwards: one more than values.
 std::vector<double> cell_edges(const ResultAxis& axis);
 
@@ -55,10 +58,13 @@ struct ValueRange {
 };
 
 // Ends that were asked for in place of the range's own. Throws InputError when nothing is left
-// between them, or when a logarithmic range has no end above zero; `option`: its name, for
-// messages.
+// between them; `option`: its name, for messages.
 ValueRange limited(const ValueRange& range, const Limits& limits, const std::string& option);
-ValueRange above_zero(const ValueRange& range, const std::vector<double>& values);
+
+// The same of the range of `values`, with all ends above zero when it is logarithmic. Throws
+// InputError when those that were asked for are not, or no value is.
+ValueRange scale_range(const ValueRange& range, const std::vector<double>& values,
+                       const Limits& limits, bool is_log, const std::string& option);
 
 // Never empty. Where a few outliers would take all contrast from the rest, it leaves out one value
 // in a thousand at either end, and is then `clipped`.

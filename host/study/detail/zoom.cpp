@@ -63,12 +63,12 @@ toml::table* find_axis(const std::string& name, const std::string& source, toml:
       fmt::format("{}: the study has no axis '{}'{}", source, name, suggest_name(name, names)));
 }
 
-// 1 where neither says, so that the reader judges the axis.
-std::int64_t count_of(const toml::table& axis) {
-  if (const toml::array* values = axis["values"].as_array()) {
-    return static_cast<std::int64_t>(values->size());
-  }
-  return axis["count"].value_or(std::int64_t{1});
+// Gives the axis a key. Parsed, so that messages about the number name where it comes from.
+template <class Number>
+void set_number(const std::string& key, Number value, const std::string& source,
+                toml::table* axis) {
+  toml::table given = toml::parse(fmt::format("{} = {}", key, value), source);
+  axis->insert_or_assign(key, std::move(*given.get(key)));
 }
 
 }  // namespace
@@ -83,12 +83,15 @@ void apply_zoom(const std::string& zoom, toml::table* study) {
   if (const toml::node* from = axis->get("from"); from && place_of(*from).starts_with("--zoom")) {
     throw InputError(fmt::format("{}: axis '{}' is zoomed twice", source, name));
   }
-  const std::int64_t count = stretch.count.value_or(count_of(*axis));
+  std::optional<std::int64_t> count = stretch.count;
+  if (const toml::array* values = (*axis)["values"].as_array(); values != nullptr && !count) {
+    count = static_cast<std::int64_t>(values->size());
+  }
   axis->erase("values");
-  // Parsed, so that messages about the numbers name where they come from.
-  toml::table given = toml::parse(
-      fmt::format("from = {}\nto = {}\ncount = {}", stretch.from, stretch.to, count), source);
-  for (auto&& [key, node] : given) axis->insert_or_assign(key, std::move(node));
+  set_number("from", stretch.from, source, axis);
+  set_number("to", stretch.to, source, axis);
+  // Otherwise the axis keeps its own, and the reader judges that.
+  if (count) set_number("count", *count, source, axis);
 }
 
 }  // namespace gearsweep

@@ -1,0 +1,23 @@
+// What a study that is refused is told.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/error.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep::testing {
+
+// Of a file s.toml; empty when the study is accepted.
+inline std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {},
+                           const std::vector<std::string>& zooms = {}) {
+  try {
+    read_study(text, "s.toml", overrides, zooms);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace gearsweep::testing
