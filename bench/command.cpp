@@ -12,8 +12,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/output_file.hpp"
 #include "model/error.hpp"
+#include "result/output_file.hpp"
 
 namespace gearsweep::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "opencl/cl.hpp"
+#include "opencl/detail/cl.hpp"
 
 namespace gearsweep::bench {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "distribute/assembly.hpp"
-#include "distribute/sweep.hpp"
 #include "plan/plan.hpp"
+#include "sweep/assembly.hpp"
+#include "sweep/sweep.hpp"
 
 namespace gearsweep::bench {
 namespace {

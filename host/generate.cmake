@@ -40,7 +40,7 @@ function(gearsweep_embed output function header base)
 endfunction()
 
 file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS ${KERNELS}/*.h ${KERNELS}/*.cl)
-gearsweep_embed(${GENERATED}/kernel_sources.cpp kernel_sources opencl/kernel_sources.hpp ${KERNELS}
+gearsweep_embed(${GENERATED}/kernel_sources.cpp kernel_sources opencl/detail/kernel_sources.hpp ${KERNELS}
                 ${kernel_files})
 set(GEARSWEEP_KERNEL_SOURCES ${GENERATED}/kernel_sources.cpp)
 

@@ -36,21 +36,15 @@ install(DIRECTORY studies DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 add_library(gearsweep_library INTERFACE)
 add_library(gearsweep::gearsweep ALIAS gearsweep_library)
 set_target_properties(gearsweep_library PROPERTIES EXPORT_NAME gearsweep)
-target_link_libraries(gearsweep_library INTERFACE gearsweep_distribute gearsweep_io
-                      gearsweep_opencl gearsweep_reference)
-
-set(library_folders model study plan engine opencl reference journal distribute io)
+set(library_folders model study plan engine opencl reference tile journal orbits attractors workers
+                    sweep result plot)
+# A folder's detail/ is not for users of the library.
 foreach(folder ${library_folders})
   list(APPEND library_targets gearsweep_${folder})
   file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.hpp)
-  foreach(header ${headers})
-    # A header says so in its first comment when it is not for users of the library.
-    file(STRINGS ${header} private REGEX "Private to this")
-    if(NOT private)
-      install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearsweep/${folder})
-    endif()
-  endforeach()
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearsweep/${folder})
 endforeach()
+target_link_libraries(gearsweep_library INTERFACE ${library_targets})
 install(FILES ${PROJECT_SOURCE_DIR}/kernels/sweep_types.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearsweep)
 

@@ -8,10 +8,10 @@
 #include <sstream>
 #include <system_error>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/kernel_cache.hpp"
-#include "cli/signal_watch.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/kernel_cache.hpp"
+#include "cli/detail/signal_watch.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"

@@ -1,5 +1,5 @@
 // The commands, each added to the parser by its own file. A command runs when the parser calls it
-// back and leaves its exit status in `status`. Private to this folder.
+// back and leaves its exit status in `status`.
 #pragma once
 
 #include <CLI/CLI.hpp>

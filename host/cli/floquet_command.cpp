@@ -6,15 +6,15 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/floquet_report.hpp"
-#include "cli/place.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/floquet_report.hpp"
+#include "cli/detail/place.hpp"
+#include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/study_source.hpp"
-#include "distribute/sweep.hpp"
 #include "model/error.hpp"
 #include "plan/plan.hpp"
+#include "sweep/sweep.hpp"
 
 namespace gearsweep {
 namespace {

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/summary.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/summary.hpp"
-#include "distribute/shards.hpp"
-#include "io/result_file.hpp"
 #include "model/error.hpp"
 #include "model/version.hpp"
+#include "result/result_file.hpp"
+#include "sweep/shard_run.hpp"
 
 namespace gearsweep {
 namespace {

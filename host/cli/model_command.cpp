@@ -5,11 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/study_source.hpp"
+#include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/study_source.hpp"
-#include "cli/text_table.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 

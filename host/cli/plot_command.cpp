@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "io/damage.hpp"
-#include "io/export.hpp"
-#include "io/plot.hpp"
+#include "cli/detail/arguments.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "plot/plot.hpp"
+#include "result/damage.hpp"
+#include "result/export.hpp"
 
 namespace gearsweep {
 namespace {

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/progress_bar.hpp"
-#include "cli/signal_watch.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/progress_bar.hpp"
+#include "cli/detail/signal_watch.hpp"
 #include "cli/standard_streams.hpp"
 #include "reproduce/reproduce.hpp"
 

@@ -4,14 +4,14 @@
 
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/run_study.hpp"
-#include "cli/signal_watch.hpp"
-#include "distribute/cluster_worker.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/run_study.hpp"
+#include "cli/detail/signal_watch.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
+#include "workers/cluster_service.hpp"
 
 namespace gearsweep {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/completion.hpp"
-#include "cli/manual.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/completion.hpp"
+#include "cli/detail/manual.hpp"
+#include "cli/detail/study_manual.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/study_manual.hpp"
 
 namespace gearsweep {
 

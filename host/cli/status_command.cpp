@@ -5,16 +5,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/progress_bar.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/progress_bar.hpp"
 #include "cli/standard_streams.hpp"
-#include "io/damage.hpp"
-#include "io/result_file.hpp"
 #include "journal/journal.hpp"
 #include "journal/notes.hpp"
 #include "model/error.hpp"
 #include "model/regular_file.hpp"
+#include "result/damage.hpp"
+#include "result/result_file.hpp"
 
 namespace gearsweep {
 namespace {

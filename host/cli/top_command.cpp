@@ -5,14 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/text_table.hpp"
-#include "io/damage.hpp"
-#include "io/peaks.hpp"
-#include "io/result_file.hpp"
 #include "model/error.hpp"
+#include "result/damage.hpp"
+#include "result/peaks.hpp"
+#include "result/result_file.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {

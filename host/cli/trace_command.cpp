@@ -5,18 +5,18 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/place.hpp"
-#include "cli/signal_watch.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/place.hpp"
+#include "cli/detail/signal_watch.hpp"
+#include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/study_source.hpp"
-#include "distribute/trace_run.hpp"
-#include "io/trace_file.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
 #include "plan/plan.hpp"
+#include "result/trace_file.hpp"
+#include "sweep/trace_run.hpp"
 
 namespace gearsweep {
 namespace {

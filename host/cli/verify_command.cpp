@@ -5,14 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/signal_watch.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/signal_watch.hpp"
 #include "cli/standard_streams.hpp"
-#include "distribute/sweep.hpp"
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "opencl/device.hpp"
+#include "sweep/sweep.hpp"
 #include "verify/verify.hpp"
 
 namespace gearsweep {

@@ -1,5 +1,5 @@
 // What an engine offers to the search for the periodic orbits that points settle on
-// (distribute/orbit_search.hpp). States are [point of the tile][state], at phase 0.
+// (tile/detail/orbit_search.hpp). States are [point of the tile][state], at phase 0.
 #pragma once
 
 #include <cstddef>

@@ -27,7 +27,7 @@ struct Attractor {
   std::size_t trajectories = 0;  // that reached it
 };
 
-// How integrate.tolerance was met (distribute/pilot.hpp).
+// How integrate.tolerance was met (sweep/pilot.hpp).
 struct PilotFindings {
   double step = 0.0;       // max_step, in dimensionless time
   double error = 0.0;      // relative, of sections and rms at 95 % of the points

@@ -11,8 +11,8 @@
 #include <system_error>
 #include <vector>
 
-#include "journal/database.hpp"
-#include "journal/file_lock.hpp"
+#include "journal/detail/database.hpp"
+#include "journal/detail/file_lock.hpp"
 #include "model/checksum.hpp"
 #include "model/error.hpp"
 #include "model/regular_file.hpp"

@@ -8,7 +8,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
-#include "opencl/cl.hpp"
+#include "opencl/detail/cl.hpp"
 #include "opencl/pocl_cache.hpp"
 
 namespace gearsweep {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/device_choice.hpp"
+
 namespace gearsweep {
 
 struct DeviceInfo {
@@ -15,12 +17,6 @@ struct DeviceInfo {
   std::size_t lanes_fp64 = 1, lanes_fp32 = 1;  // points per work-item that suit the device
   double memory = 0.0, largest_buffer = 0.0;   // bytes
   bool shares_host_memory = false;             // its memory is that of the machine
-};
-
-// A device of list_devices(), or an equal part of its compute units.
-struct DeviceChoice {
-  std::size_t number = 0;
-  std::size_t part = 0, parts = 1;
 };
 
 // All devices of all platforms, CPUs and GPUs; the order gives their numbers. Empty when there is

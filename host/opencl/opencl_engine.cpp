@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "model/error.hpp"
-#include "opencl/cl.hpp"
+#include "opencl/detail/cl.hpp"
+#include "opencl/detail/launcher.hpp"
+#include "opencl/detail/orbit_kernels.hpp"
+#include "opencl/detail/tile_buffers.hpp"
+#include "opencl/detail/tile_memory.hpp"
 #include "opencl/device.hpp"
-#include "opencl/launcher.hpp"
-#include "opencl/orbit_kernels.hpp"
-#include "opencl/tile_buffers.hpp"
-#include "opencl/tile_memory.hpp"
 
 namespace gearsweep {
 namespace {

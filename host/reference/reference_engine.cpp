@@ -7,9 +7,9 @@
 #include <mutex>
 #include <thread>
 
-#include "reference/lyapunov_meters.hpp"
-#include "reference/meters.hpp"
-#include "reference/trajectory.hpp"
+#include "reference/detail/lyapunov_meters.hpp"
+#include "reference/detail/meters.hpp"
+#include "reference/detail/trajectory.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {

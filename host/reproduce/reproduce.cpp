@@ -4,12 +4,12 @@
 
 #include <filesystem>
 
-#include "io/output_file.hpp"
-#include "io/plot.hpp"
 #include "model/error.hpp"
-#include "reproduce/pictures.hpp"
-#include "reproduce/report.hpp"
-#include "reproduce/runs.hpp"
+#include "plot/plot.hpp"
+#include "reproduce/detail/pictures.hpp"
+#include "reproduce/detail/report.hpp"
+#include "reproduce/detail/runs.hpp"
+#include "result/output_file.hpp"
 
 namespace gearsweep {
 namespace {

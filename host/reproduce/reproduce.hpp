@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "opencl/device.hpp"
+#include "engine/device_choice.hpp"
 
 namespace gearsweep {
 

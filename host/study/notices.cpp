@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "study/toml_access.hpp"
+#include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
 namespace {

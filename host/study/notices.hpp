@@ -1,12 +1,11 @@
-// What whoever gave a study may not expect of it, such as which of two values wins. Private to this
-// folder.
+// What whoever gave a study may not expect of it, such as which of two values wins.
 #pragma once
 
 #include <toml++/toml.h>
 
 #include <vector>
 
-#include "study/gear_table.hpp"
+#include "study/detail/gear_table.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {

@@ -24,7 +24,7 @@ struct Quantity {
   std::string name, unit, meaning;
   std::vector<std::string> flags;  // class names when the value is a class
   std::size_t output = 0;          // index among the outputs of all observers, in their order
-  bool is_surveyed = false;        // not an output, but found from the whole map (distribute/)
+  bool is_surveyed = false;        // not an output, but found from the whole map (attractors/)
   std::size_t width = 1;           // numbers for each point, next to each other among the outputs
   std::string dimension;           // the name of what they stand along; empty when width = 1
   std::string channel;             // the state or signal that it looks at; empty: none

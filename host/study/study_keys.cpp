@@ -6,8 +6,8 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "study/gear_keys.hpp"
-#include "study/initial_reader.hpp"
+#include "study/detail/gear_keys.hpp"
+#include "study/detail/initial_reader.hpp"
 #include "study/study.hpp"
 #include "sweep_types.h"
 

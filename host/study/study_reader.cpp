@@ -8,15 +8,15 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
-#include "study/axis_reader.hpp"
-#include "study/gear_table.hpp"
-#include "study/initial_reader.hpp"
+#include "study/detail/axis_reader.hpp"
+#include "study/detail/gear_table.hpp"
+#include "study/detail/initial_reader.hpp"
+#include "study/detail/overrides.hpp"
+#include "study/detail/toml_access.hpp"
+#include "study/detail/zoom.hpp"
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
-#include "study/overrides.hpp"
 #include "study/study.hpp"
-#include "study/toml_access.hpp"
-#include "study/zoom.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {

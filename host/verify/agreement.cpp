@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "io/output_file.hpp"
-#include "io/result_file.hpp"
 #include "model/version.hpp"
 #include "plan/plan.hpp"
-#include "verify/check_list.hpp"
-#include "verify/host_stepper.hpp"
+#include "result/output_file.hpp"
+#include "result/result_file.hpp"
+#include "verify/detail/check_list.hpp"
+#include "verify/detail/host_stepper.hpp"
 
 namespace gearsweep {
 namespace {

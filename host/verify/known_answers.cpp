@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "model/error.hpp"
+#include "orbits/floquet.hpp"
 #include "plan/plan.hpp"
-#include "reference/floquet.hpp"
-#include "verify/check_list.hpp"
-#include "verify/exact_answers.hpp"
-#include "verify/published_exponents.hpp"
-#include "verify/reference_rows.hpp"
+#include "verify/detail/check_list.hpp"
+#include "verify/detail/exact_answers.hpp"
+#include "verify/detail/published_exponents.hpp"
+#include "verify/detail/reference_rows.hpp"
 
 namespace gearsweep {
 namespace {

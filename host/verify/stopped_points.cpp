@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "verify/check_list.hpp"
+#include "verify/detail/check_list.hpp"
 
 namespace gearsweep {
 namespace {

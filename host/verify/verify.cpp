@@ -1,7 +1,7 @@
 #include "verify/verify.hpp"
 
 #include "model/error.hpp"
-#include "verify/check_list.hpp"
+#include "verify/detail/check_list.hpp"
 
 namespace gearsweep {
 

@@ -1,7 +1,7 @@
 // Largest Lyapunov exponent (natural logarithm, per dimensionless time) over the recorded periods,
 // and the standard error of the estimate from the spread of its means over 16 blocks of periods.
 // The phase's zero exponent is not counted. The host adds to the error of a periodic motion what
-// the steps' length and the distance from the orbit make (host/distribute/exponent_error.hpp).
+// the steps' length and the distance from the orbit make (host/tile/detail/exponent_error.hpp).
 
 #define LYAPUNOV_MAX_KIND tangent
 #define LYAPUNOV_MAX_TANGENTS 1

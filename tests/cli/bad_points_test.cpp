@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/result_file.hpp"
+#include "result/result_file.hpp"
 #include "support/process.hpp"
 #include "sweep_types.h"
 

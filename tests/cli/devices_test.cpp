@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "journal/database.hpp"
+#include "journal/detail/database.hpp"
 #include "support/paused_run.hpp"
 #include "support/same_result.hpp"
 

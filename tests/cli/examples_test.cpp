@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/page.hpp"
-#include "io/plot_style.hpp"
-#include "io/result_size.hpp"
 #include "plan/plan.hpp"
+#include "plot/style.hpp"
+#include "result/result_size.hpp"
 #include "study/builtin_studies.hpp"
 #include "support/process.hpp"
 

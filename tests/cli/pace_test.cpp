@@ -1,5 +1,5 @@
 // The time left is told when it is known, and not before. No clock: each report bears its time.
-#include "cli/pace.hpp"
+#include "cli/detail/pace.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "cli/page.hpp"
-#include "io/python.hpp"
+#include "result/python.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "distribute/sweep.hpp"
 #include "study/study.hpp"
+#include "sweep/sweep.hpp"
 
 int main() {
   const gearsweep::Study study = gearsweep::read_study(R"(

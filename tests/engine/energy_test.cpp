@@ -7,7 +7,7 @@
 
 #include "engine/outside_gear5.hpp"
 #include "plan/plan.hpp"
-#include "reference/trajectory.hpp"
+#include "reference/detail/trajectory.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "support/text.hpp"

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "plan/plan.hpp"
-#include "reference/trajectory.hpp"
+#include "reference/detail/trajectory.hpp"
 #include "support/bits.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "support/text.hpp"
-#include "verify/exact_answers.hpp"
+#include "verify/detail/exact_answers.hpp"
 
 namespace gearsweep::testing {
 namespace {

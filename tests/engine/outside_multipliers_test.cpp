@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/outside_gear5.hpp"
-#include "reference/example_orbits.hpp"
+#include "orbits/example_orbits.hpp"
 
 namespace gearsweep::testing {
 namespace {

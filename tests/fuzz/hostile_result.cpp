@@ -14,7 +14,7 @@
 
 #include "fuzz/read_all.hpp"
 #include "fuzz/targets.hpp"
-#include "io/output_file.hpp"
+#include "result/output_file.hpp"
 
 namespace gearsweep::testing {
 namespace {

@@ -4,12 +4,12 @@
 #include <stdexcept>
 
 #include "fuzz/targets.hpp"
-#include "io/export.hpp"
-#include "io/peaks.hpp"
-#include "io/plot_sources.hpp"
-#include "io/result_file.hpp"
-#include "io/trace_file.hpp"
 #include "model/error.hpp"
+#include "plot/detail/sources.hpp"
+#include "result/export.hpp"
+#include "result/peaks.hpp"
+#include "result/result_file.hpp"
+#include "result/trace_file.hpp"
 
 namespace gearsweep::testing {
 namespace {

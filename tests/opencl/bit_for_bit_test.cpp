@@ -9,7 +9,7 @@
 #include "plan/plan.hpp"
 #include "study/study.hpp"
 #include "support/bits.hpp"
-#include "verify/host_stepper.hpp"
+#include "verify/detail/host_stepper.hpp"
 
 namespace gearsweep::testing {
 namespace {

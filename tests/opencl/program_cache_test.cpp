@@ -1,5 +1,5 @@
 // Programs kept on disk: what is found again, what is not, and what a spoilt file does.
-#include "opencl/program_cache.hpp"
+#include "opencl/detail/program_cache.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "model/error.hpp"
+#include "opencl/detail/program.hpp"
 #include "opencl/device.hpp"
-#include "opencl/program.hpp"
 #include "support/bits.hpp"
 #include "support/run.hpp"
 

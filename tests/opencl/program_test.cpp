@@ -1,12 +1,12 @@
 // Kernel programs: put together, built, and what is said when that fails.
-#include "opencl/program.hpp"
+#include "opencl/detail/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "model/error.hpp"
+#include "opencl/detail/kernel_sources.hpp"
 #include "opencl/device.hpp"
-#include "opencl/kernel_sources.hpp"
 #include "opencl/opencl_engine.hpp"
 
 namespace gearsweep::testing {

@@ -1,5 +1,5 @@
 // How a tile's points lie in the lanes of work-items, and how numbers are packed.
-#include "opencl/tile_buffers.hpp"
+#include "opencl/detail/tile_buffers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

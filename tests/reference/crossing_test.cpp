@@ -1,5 +1,5 @@
 // What a step misses at a crossing, where it is known in closed form.
-#include "reference/crossing.hpp"
+#include "reference/detail/crossing.hpp"
 
 #include <gtest/gtest.h>
 

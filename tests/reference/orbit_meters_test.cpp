@@ -1,6 +1,6 @@
 // The reference engine's period, settling and kind of motion: on sections whose answer is plain, on
 // published motions, and beside the kernel's.
-#include "reference/orbit_meters.hpp"
+#include "reference/detail/orbit_meters.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "opencl/opencl_engine.hpp"
-#include "reference/zero_one_meter.hpp"
+#include "reference/detail/zero_one_meter.hpp"
 #include "support/run.hpp"
 
 namespace gearsweep::testing {

@@ -1,5 +1,5 @@
 // The reference engine's 0-1 test for chaos on series that its authors and others published.
-#include "reference/zero_one_meter.hpp"
+#include "reference/detail/zero_one_meter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The rules behind the verdicts, on maps made by hand: what the paper says holds in one set of
 // them, and stops to hold when a number is changed.
-#include "reproduce/claims.hpp"
+#include "reproduce/detail/claims.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <functional>
 #include <numbers>
 
-#include "reproduce/report.hpp"
-#include "reproduce/runs.hpp"
+#include "reproduce/detail/report.hpp"
+#include "reproduce/detail/runs.hpp"
 #include "study/builtin_studies.hpp"
 
 namespace gearsweep {

@@ -1,5 +1,5 @@
 // What `reproduce` reads out of maps and traces, on ones whose answers are plain.
-#include "reproduce/measured.hpp"
+#include "reproduce/detail/measured.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A [gear] table against the paper's Table 1, ISO 6336-1 and an unequal pair worked out elsewhere.
-#include "study/gear_table.hpp"
+#include "study/detail/gear_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

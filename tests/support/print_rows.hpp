@@ -3,8 +3,8 @@
 
 #include <ostream>
 
-#include "verify/published_exponents.hpp"
-#include "verify/reference_rows.hpp"
+#include "verify/detail/published_exponents.hpp"
+#include "verify/detail/reference_rows.hpp"
 
 namespace gearsweep {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "distribute/sweep.hpp"
 #include "study/study.hpp"
+#include "sweep/sweep.hpp"
 
 namespace gearsweep::testing {
 

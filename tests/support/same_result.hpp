@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/result_file.hpp"
+#include "result/result_file.hpp"
 
 namespace gearsweep::testing {
 

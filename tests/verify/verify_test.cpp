@@ -10,8 +10,8 @@
 #include <map>
 #include <ostream>
 
-#include "distribute/sweep.hpp"
 #include "model/error.hpp"
+#include "sweep/sweep.hpp"
 
 namespace gearsweep {
 

@@ -1,0 +1,261 @@
+#include "attractors/attractor_census.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kSameOrbit = 1e-3;
+constexpr double kSameOrbitFp32 = 1e-2;
+constexpr double kSameExtent = 0.25;
+constexpr double kSameBranch = 0.05;
+constexpr double kLeastScale = 1e-3;
+
+bool is_periodic(const Specimen& specimen) { return specimen.motion == MOTION_periodic; }
+
+double greatest_number(const Specimen& specimen) {
+  double greatest = 0.0;
+  for (const double value : specimen.box) greatest = std::max(greatest, std::abs(value));
+  return greatest;
+}
+
+double greatest_difference(const Specimen& a, const Specimen& b) {
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < a.box.size(); ++i) {
+    greatest = std::max(greatest, std::abs(a.box[i] - b.box[i]));
+  }
+  return greatest;
+}
+
+// Whether two trajectories with the same parameters reached the same attractor: `least` is what
+// boxes may always differ by.
+bool same_attractor(const Specimen& a, const Specimen& b, double least) {
+  if (is_periodic(a) != is_periodic(b)) return false;
+  const std::size_t states = a.box.size() / 2;
+  for (std::size_t i = 0; i < a.box.size(); ++i) {
+    const std::size_t state = i % states;
+    double allowed = least;
+    if (!is_periodic(a)) {
+      const double extent =
+          std::max(a.box[states + state] - a.box[state], b.box[states + state] - b.box[state]);
+      allowed = std::max(allowed, kSameExtent * extent);
+    }
+    // Written so that a number that is none never agrees.
+    if (!(std::abs(a.box[i] - b.box[i]) <= allowed)) return false;
+  }
+  return true;
+}
+
+// Sets that grow together (disjoint sets with path halving).
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  // The first of both stands for all.
+  void join(std::size_t a, std::size_t b) {
+    const std::size_t first = find(a);
+    const std::size_t second = find(b);
+    parent_[std::max(first, second)] = std::min(first, second);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// A map's parameter values: points that differ in initial states alone are one site.
+class Sites {
+ public:
+  explicit Sites(const Study& study) : nx_(study.axes[0].values.size()) {
+    if (!study.axes[0].is_state) columns_ = nx_;
+    if (study.axes.size() > 1 && !study.axes[1].is_state) rows_ = study.axes[1].values.size();
+  }
+  std::size_t count() const { return columns_ * rows_; }
+  std::size_t of_point(std::size_t point) const {
+    const std::size_t column = columns_ > 1 ? point % nx_ : 0;
+    const std::size_t row = rows_ > 1 ? point / nx_ : 0;
+    return row * columns_ + column;
+  }
+  // Those at the next value of each parameter.
+  std::vector<std::size_t> after(std::size_t site) const {
+    std::vector<std::size_t> next;
+    if (site % columns_ + 1 < columns_) next.push_back(site + 1);
+    if (site / columns_ + 1 < rows_) next.push_back(site + columns_);
+    return next;
+  }
+
+ private:
+  std::size_t nx_, columns_ = 1, rows_ = 1;
+};
+
+// Clusters of trajectories: each is known by the first trajectory that came to it.
+struct Clusters {
+  std::vector<std::size_t> first;                 // [cluster] trajectory
+  std::vector<std::vector<std::size_t>> of_site;  // [site] clusters
+  std::vector<std::size_t> of_trajectory;         // cluster, or npos
+};
+constexpr std::size_t npos = static_cast<std::size_t>(-1);
+
+Clusters cluster(const Study& study, const Sites& sites, const std::vector<Specimen>& specimens) {
+  Clusters clusters;
+  clusters.of_site.resize(sites.count());
+  clusters.of_trajectory.assign(specimens.size(), npos);
+  std::vector<double> scale(sites.count(), kLeastScale);
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    double& greatest = scale[sites.of_point(i % study.points())];
+    greatest = std::max(greatest, greatest_number(specimens[i]));
+  }
+  const double tolerance = study.integrate.fp64 ? kSameOrbit : kSameOrbitFp32;
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    if (!specimens[i].is_known) continue;
+    const std::size_t site = sites.of_point(i % study.points());
+    std::vector<std::size_t>& here = clusters.of_site[site];
+    const auto known = std::find_if(here.begin(), here.end(), [&](std::size_t other) {
+      return same_attractor(specimens[clusters.first[other]], specimens[i],
+                            tolerance * scale[site]);
+    });
+    if (known != here.end()) {
+      clusters.of_trajectory[i] = *known;
+      continue;
+    }
+    here.push_back(clusters.first.size());
+    clusters.of_trajectory[i] = clusters.first.size();
+    clusters.first.push_back(i);
+  }
+  return clusters;
+}
+
+// The nearest attractor of its kind among `others`; npos when there is none.
+std::size_t nearest(const std::vector<Specimen>& specimens, const Clusters& clusters,
+                    std::size_t cluster, const std::vector<std::size_t>& others) {
+  const Specimen& own = specimens[clusters.first[cluster]];
+  std::size_t best = npos;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t other : others) {
+    const Specimen& candidate = specimens[clusters.first[other]];
+    if (is_periodic(own) != is_periodic(candidate)) continue;
+    if (is_periodic(own) && own.period != candidate.period) continue;
+    const double difference = greatest_difference(own, candidate);
+    if (difference < least) {
+      least = difference;
+      best = other;
+    }
+  }
+  return best;
+}
+
+// Joins the clusters that are one attractor, followed from one parameter value to the next.
+Sets follow(const Sites& sites, const std::vector<Specimen>& specimens, const Clusters& clusters) {
+  double scale = 0.0;
+  for (const std::size_t i : clusters.first) scale = std::max(scale, greatest_number(specimens[i]));
+  Sets branches(clusters.first.size());
+  for (std::size_t site = 0; site < sites.count(); ++site) {
+    for (const std::size_t next : sites.after(site)) {
+      for (const std::size_t own : clusters.of_site[site]) {
+        const std::size_t other = nearest(specimens, clusters, own, clusters.of_site[next]);
+        if (other == npos) continue;
+        if (nearest(specimens, clusters, other, clusters.of_site[site]) != own) continue;
+        const double difference =
+            greatest_difference(specimens[clusters.first[own]], specimens[clusters.first[other]]);
+        if (difference <= kSameBranch * scale) branches.join(own, other);
+      }
+    }
+  }
+  return branches;
+}
+
+// Clusters that are one attractor, by the first of them.
+struct Branch {
+  std::size_t cluster;
+  Attractor attractor;
+};
+
+template <class Value>
+Value most_frequent(const std::map<Value, std::size_t>& counts) {
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+Attractor describe(const std::vector<Specimen>& specimens,
+                   const std::vector<std::size_t>& trajectories) {
+  std::map<std::size_t, std::size_t> motions;
+  std::map<double, std::size_t> periods;
+  Attractor attractor;
+  attractor.peak = specimens[trajectories.front()].peak;
+  for (const std::size_t i : trajectories) {
+    const Specimen& specimen = specimens[i];
+    ++motions[specimen.motion];
+    ++periods[specimen.period];
+    attractor.rms += specimen.rms;
+    attractor.exponent += specimen.exponent;
+    attractor.peak = std::max(attractor.peak, specimen.peak);
+  }
+  attractor.trajectories = trajectories.size();
+  const auto count = static_cast<double>(trajectories.size());
+  attractor.rms /= count;
+  attractor.exponent /= count;
+  attractor.motion = most_frequent(motions);
+  attractor.period = most_frequent(periods);
+  return attractor;
+}
+
+}  // namespace
+
+AttractorList find_attractors(const Study& study, const std::vector<Specimen>& specimens) {
+  const Sites sites(study);
+  const Clusters clusters = cluster(study, sites, specimens);
+  Sets branches = follow(sites, specimens, clusters);
+
+  std::map<std::size_t, std::vector<std::size_t>> members;  // of each branch, by its first cluster
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    if (clusters.of_trajectory[i] == npos) continue;
+    members[branches.find(clusters.of_trajectory[i])].push_back(i);
+  }
+  std::vector<Branch> order;
+  for (const auto& [first, trajectories] : members) {
+    order.push_back({first, describe(specimens, trajectories)});
+  }
+  const auto box = [&](const Branch& branch) -> const std::vector<double>& {
+    return specimens[clusters.first[branch.cluster]].box;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](const Branch& a, const Branch& b) {
+    const auto kind = [](const Attractor& attractor) {
+      return std::make_pair(attractor.motion != MOTION_periodic, attractor.period);
+    };
+    if (kind(a.attractor) != kind(b.attractor)) return kind(a.attractor) < kind(b.attractor);
+    return box(a) < box(b);
+  });
+
+  AttractorList list;
+  std::map<std::size_t, std::size_t> numbers;  // of each branch
+  for (const Branch& branch : order) {
+    list.attractors.push_back(branch.attractor);
+    numbers[branch.cluster] = list.attractors.size();
+  }
+  list.number.assign(specimens.size(), 0);
+  std::vector<std::set<std::size_t>> reached(study.points());
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    const std::size_t cluster = clusters.of_trajectory[i];
+    if (cluster == npos) continue;
+    list.number[i] = numbers[branches.find(cluster)];
+    reached[i % study.points()].insert(cluster);
+  }
+  for (const std::set<std::size_t>& clusters_here : reached) {
+    list.count.push_back(clusters_here.size());
+  }
+  return list;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,60 @@
+// What the commands' arguments share: names of the values that they take, options that several
+// commands have, checks that say what would be right.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "opencl/device.hpp"
+#include "result/table_units.hpp"
+
+namespace gearsweep {
+
+// Type names of values. Help and the manual show them; the shells' completion goes by them.
+constexpr const char* kStudyValue = "STUDY";     // a study file, a built-in study or a result file
+constexpr const char* kBuiltinValue = "NAME";    // a built-in study
+constexpr const char* kModelValue = "MODEL";     // a model
+constexpr const char* kResultValue = "FILE.nc";  // a result file or a file of traces
+constexpr const char* kFileValue = "FILE";       // a file to write
+constexpr const char* kFolderValue = "FOLDER";   // a folder to write
+constexpr const char* kNumberValue = "N";
+constexpr const char* kShardValue = "K/N";
+constexpr const char* kDevicesValue = "DEVICES";  // one or more
+constexpr const char* kQuantityValue = "QUANTITY";
+constexpr const char* kZoomValue = "AXIS=FROM:TO[:COUNT],...";
+constexpr const char* kPointValue = "NAME=VALUE,...";
+
+// Digits, and a value in the range.
+CLI::Validator whole_number(std::size_t least, std::size_t greatest = 1000000000);
+
+// Finite and greater than zero.
+CLI::Validator positive_number();
+
+// Both ends included.
+CLI::Validator number_between(double least, double greatest);
+
+// An option whose value is one of `choices`.
+CLI::Option* add_choice(CLI::App* command, const std::string& name, std::string* value,
+                        const std::vector<std::string>& choices, const std::string& description);
+
+// --device, of a command that uses one or several.
+void add_device_option(CLI::App* command, std::string* text, bool several);
+
+// What parse_devices() makes of it; nothing for an empty text. Throws InputError.
+std::vector<DeviceChoice> chosen_devices(const std::string& text);
+
+// --set
+void add_set_option(CLI::App* command, std::vector<std::string>* overrides);
+
+// --units, of a command that writes tables.
+void add_units_option(CLI::App* command, TableUnits* units);
+
+// As a shell takes it back.
+std::string shell_quoted(const std::string& text);
+
+// What is wrong with the arguments, and what would be right.
+std::string describe_parse_error(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace gearsweep

@@ -1,0 +1,168 @@
+#include "cli/detail/floquet_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/detail/digits.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The bifurcations of all branches by the parameter's value.
+std::vector<LocatedBifurcation> sorted_bifurcations(const FloquetFindings& findings) {
+  std::vector<LocatedBifurcation> all;
+  for (const Branch& branch : findings.branches) {
+    all.insert(all.end(), branch.bifurcations.begin(), branch.bifurcations.end());
+  }
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.parameter < b.parameter; });
+  return all;
+}
+
+// A crossing at +1 is a fold or a branching; one orbit does not tell which.
+std::string nearest_name(const Nearest& nearest) {
+  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind);
+  return "fold or symmetry breaking";
+}
+
+std::string describe_multipliers(const FloquetFindings& findings) {
+  std::string text = "multipliers (modulus, real and imaginary part; the digits that hold)\n";
+  const Orbit& orbit = findings.orbit;
+  for (Eigen::Index i = 0; i < orbit.multipliers.size(); ++i) {
+    const std::complex<double>& m = orbit.multipliers[i];
+    const double error = findings.error.multipliers[i];
+    text += fmt::format("  {:<14} {} {}{}i\n", with_digits(std::abs(m), error),
+                        with_digits(m.real(), error), m.imag() < 0.0 ? "-" : "+",
+                        with_digits(std::fabs(m.imag()), error));
+  }
+  if (findings.error.grazing) {
+    text += fmt::format(
+        "the motion grazes a limit of the backlash: it turns {:.1g} from it, nearer than it is "
+        "known,\n"
+        "and multipliers change like the root of that: few digits hold\n",
+        orbit.graze.distance);
+  } else if (!std::isfinite(findings.error.state)) {
+    text +=
+        "steps of twice the length find no such orbit, so no digit is sure: give more --steps\n";
+  }
+  return text;
+}
+
+// "modulus 0.97, 0.03 inside the unit circle".
+std::string describe_margin(const Nearest& nearest, double error) {
+  const std::string modulus = with_digits(std::abs(nearest.multiplier), error);
+  if (modulus == "?") return "no digit of its modulus holds";
+  const double margin = std::fabs(nearest.margin);
+  const std::string distance = with_digits(margin, std::max(error, 5e-4 * margin));
+  if (distance.find_first_of("123456789") == std::string::npos) {
+    return fmt::format("modulus {}: on the unit circle as far as digits hold", modulus);
+  }
+  return fmt::format("modulus {}, {} {} the unit circle", modulus, distance,
+                     nearest.margin >= 0.0 ? "inside" : "outside");
+}
+
+std::string describe_orbit(const FloquetFindings& findings) {
+  std::string text;
+  const Orbit& orbit = findings.orbit;
+  const Model& model = *findings.study.model;
+  std::vector<std::string> place;
+  for (const Axis& axis : findings.study.axes) {
+    place.push_back(fmt::format("{} = {:.10g}", axis.name, axis.values.front()));
+  }
+  text += fmt::format("{} at {}\n", model.name, fmt::join(place, ", "));
+  text +=
+      fmt::format("orbit of period {} ({}), T = {:.10g}\n", orbit.period,
+                  orbit.stable() ? "stable"
+                                 : fmt::format("unstable, {} of {} multipliers outside",
+                                               orbit.unstable_count(), orbit.multipliers.size()),
+                  static_cast<double>(orbit.period) * findings.map.period());
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    text +=
+        fmt::format("  {:<4} {}\n", model.states[i].name,
+                    with_digits(orbit.state[static_cast<Eigen::Index>(i)], findings.error.state));
+  }
+  text += describe_multipliers(findings);
+  const Nearest nearest = nearest_bifurcation(orbit);
+  text += fmt::format("nearest bifurcation: {} ({})\n", nearest_name(nearest),
+                      describe_margin(nearest, findings.error.multipliers.maxCoeff()));
+  return text;
+}
+
+std::string describe_branches(const FloquetFindings& findings) {
+  std::string text;
+  if (!findings.range) return text;
+  const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
+  text += fmt::format("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
+  for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
+    text += fmt::format("  {:<18} {} = {}{}{}\n", name_of(found.kind), name,
+                        std::isfinite(found.error) ? with_digits(found.parameter, found.error)
+                                                   : fmt::format("about {:.3g}", found.parameter),
+                        found.born_of > 0
+                            ? fmt::format(" (this branch begins, out of period {})", found.born_of)
+                            : "",
+                        found.grazing ? " (the motion grazes a limit of the backlash)" : "");
+  }
+  for (const Branch& branch : findings.branches) {
+    text += fmt::format("  {} orbits; {}\n", branch.orbits.size(), branch.ended);
+  }
+  return text;
+}
+
+nlohmann::json json_of(const Orbit& orbit) {
+  nlohmann::json json = {{"period", orbit.period}, {"stable", orbit.stable()}};
+  json["state"] = std::vector<double>(orbit.state.begin(), orbit.state.end());
+  for (const std::complex<double>& m : orbit.multipliers) {
+    json["multipliers"].push_back({{"re", m.real()}, {"im", m.imag()}, {"abs", std::abs(m)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string describe_floquet(const FloquetFindings& findings) {
+  return describe_orbit(findings) + describe_branches(findings);
+}
+
+std::string floquet_as_json(const FloquetFindings& findings) {
+  const Model& model = *findings.study.model;
+  nlohmann::json json = json_of(findings.orbit);
+  json["grazing"] = findings.error.grazing;
+  json["state_error"] = findings.error.state;
+  for (std::size_t i = 0; i < json["multipliers"].size(); ++i) {
+    json["multipliers"][i]["error"] = findings.error.multipliers[static_cast<Eigen::Index>(i)];
+  }
+  for (const ChannelInfo& state : model.states) json["states"].push_back(state.name);
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    json["parameters"][model.parameters[i].name] = findings.study.setting.parameters[i];
+  }
+  const Nearest nearest = nearest_bifurcation(findings.orbit);
+  json["nearest"] = {{"kind", nearest_name(nearest)}, {"margin", nearest.margin}};
+  if (findings.range) {
+    json["along"] = model.parameters[findings.range->parameter].name;
+    json["bifurcations"] = nlohmann::json::array();
+    for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
+      nlohmann::json entry = json_of(found.orbit);
+      entry["kind"] = name_of(found.kind);
+      entry["value"] = found.parameter;
+      entry["value_error"] = found.error;
+      entry["grazing"] = found.grazing;
+      entry["born_of"] = found.born_of;
+      json["bifurcations"].push_back(entry);
+    }
+    for (const Branch& branch : findings.branches) {
+      nlohmann::json entry = {{"ended", branch.ended}};
+      for (const BranchOrbit& member : branch.orbits) {
+        entry["orbits"].push_back(json_of(member.orbit));
+        entry["orbits"].back()["value"] = member.parameter;
+      }
+      json["branches"].push_back(entry);
+    }
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,233 @@
+#include "cli/detail/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/detail/attractor_report.hpp"
+#include "cli/detail/progress_bar.hpp"
+#include "cli/standard_streams.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+struct Count {
+  std::string name;
+  std::size_t points;
+};
+
+std::vector<Count> count_statuses(const SweepResult& result) {
+  std::vector<Count> counts;
+  const auto add = [&](const char* name, int code) {
+    const auto points = std::count(result.status.begin(), result.status.end(), code);
+    if (points > 0) counts.push_back({name, static_cast<std::size_t>(points)});
+  };
+#define ADD_STATUS(name, code, meaning) add(#name, code);
+  SWEEP_STATUSES(ADD_STATUS)
+#undef ADD_STATUS
+  return counts;
+}
+
+std::vector<Count> count_classes(const Quantity& quantity, const std::vector<double>& map) {
+  std::vector<Count> counts;
+  for (std::size_t i = 0; i < quantity.flags.size(); ++i) {
+    const auto points = std::count(map.begin(), map.end(), static_cast<double>(i));
+    counts.push_back({quantity.flags[i], static_cast<std::size_t>(points)});
+  }
+  return counts;
+}
+
+std::string describe_counts(const std::vector<Count>& counts) {
+  std::string text;
+  for (const Count& count : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.name, count.points);
+  }
+  return text;
+}
+
+// The map of a quantity; nullptr when the study has it not.
+const std::vector<double>* find_map(const SweepResult& result, const std::string& name) {
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    if (result.study.selection.quantities[i].name == name) return &result.values[i];
+  }
+  return nullptr;
+}
+
+// How many points had a negative backlash while recording, as far as the study tells.
+std::size_t count_wedged(const SweepResult& result) {
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    if (result.study.selection.quantities[i].name != "contact_class") continue;
+    for (const Count& count :
+         count_classes(result.study.selection.quantities[i], result.values[i])) {
+      if (count.name == "wedged") return count.points;
+    }
+  }
+  const std::vector<double>* backlash = find_map(result, "backlash_min");
+  if (backlash == nullptr) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(*backlash, [](double least) { return least < 0.0; }));
+}
+
+// A set of points, and what to call it.
+struct Group {
+  std::string name;
+  std::function<bool(std::size_t point)> has;
+};
+
+// The kinds of motion: by motion_class, else by period.
+std::vector<Group> motion_groups(const SweepResult& result) {
+  std::vector<Group> groups;
+  const std::vector<double>* period = find_map(result, "period");
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const Quantity& quantity = result.study.selection.quantities[i];
+    if (quantity.name != "motion_class") continue;
+    const std::vector<double>& map = result.values[i];
+    for (std::size_t flag = 0; flag < quantity.flags.size(); ++flag) {
+      groups.push_back({quantity.flags[flag], [&map, flag](std::size_t point) {
+                          return map[point] == static_cast<double>(flag);
+                        }});
+    }
+    return groups;
+  }
+  if (period == nullptr) return {};
+  return {{"period 0", [period](std::size_t point) { return (*period)[point] == 0.0; }},
+          {"period > 0", [period](std::size_t point) { return (*period)[point] > 0.0; }}};
+}
+
+// What the largest Lyapunov exponent and the 0-1 test say, as far as the study has them. An
+// exponent has a sign when it differs from zero by more than three of its errors.
+std::vector<Group> verdict_groups(const SweepResult& result) {
+  std::vector<Group> groups;
+  const std::vector<double>* exponent = find_map(result, "lyapunov_max");
+  const std::vector<double>* error = find_map(result, "lyapunov_max_error");
+  const std::vector<double>* zero_one = find_map(result, "zero_one");
+  if (exponent != nullptr) {
+    const auto sign = [exponent, error](std::size_t point) {
+      const double margin = error == nullptr ? 0.0 : 3.0 * (*error)[point];
+      const double value = (*exponent)[point];
+      return std::abs(value) > margin ? std::copysign(1.0, value) : 0.0;
+    };
+    groups.push_back({"exponent < 0", [sign](std::size_t point) { return sign(point) < 0.0; }});
+    groups.push_back({"= 0", [sign](std::size_t point) { return sign(point) == 0.0; }});
+    groups.push_back({"> 0", [sign](std::size_t point) { return sign(point) > 0.0; }});
+  }
+  if (zero_one != nullptr) {
+    groups.push_back(
+        {"0-1 test < 0.5", [zero_one](std::size_t point) { return (*zero_one)[point] < 0.5; }});
+    groups.push_back(
+        {">= 0.5", [zero_one](std::size_t point) { return (*zero_one)[point] >= 0.5; }});
+  }
+  return groups;
+}
+
+// How the kinds of motion agree with other verdicts: one row for each kind; empty when the study
+// has only one of the two.
+std::string describe_agreement(const SweepResult& result) {
+  const std::vector<Group> rows = motion_groups(result);
+  const std::vector<Group> columns = verdict_groups(result);
+  if (rows.empty() || columns.empty()) return "";
+  std::string text = fmt::format("{:16}", "points");
+  for (const Group& column : columns) text += fmt::format("  {:>14}", column.name);
+  text += '\n';
+  for (const Group& row : rows) {
+    text += fmt::format("  {:14}", row.name);
+    for (const Group& column : columns) {
+      std::size_t count = 0;
+      for (std::size_t point = 0; point < result.status.size(); ++point) {
+        const bool counts = result.status[point] == STATUS_ok;
+        count += counts && row.has(point) && column.has(point) ? 1 : 0;
+      }
+      text += fmt::format("  {:>14}", count);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+nlohmann::json counts_as_json(const std::vector<Count>& counts) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const Count& count : counts) json[count.name] = count.points;
+  return json;
+}
+
+}  // namespace
+
+std::string describe_run(const SweepResult& result, const std::string& path) {
+  std::string text =
+      fmt::format("{} points: {}\n", result.status.size(), describe_counts(count_statuses(result)));
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const Quantity& quantity = result.study.selection.quantities[i];
+    if (quantity.flags.empty()) continue;
+    text += fmt::format("{}: {}\n", quantity.name,
+                        describe_counts(count_classes(quantity, result.values[i])));
+  }
+  if (const std::size_t wedged = count_wedged(result); wedged > 0) {
+    text += fmt::format("{} of {} points are wedged: a negative backlash, both flanks at once\n",
+                        wedged, result.status.size());
+  }
+  if (result.stopped > 0) {
+    text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
+                        result.stopped, result.study.trajectories());
+  }
+  if (result.pilot) {
+    text += fmt::format("steps of at most {}: {} periodic points of a pilot run agree to {:.2g}\n",
+                        result.pilot->step, result.pilot->points, result.pilot->error);
+  }
+  text += describe_attractors(result);
+  text += describe_agreement(result);
+  text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
+  if (result.steps > 0.0) {
+    text += fmt::format(", {:.3g} steps, {:.1f} M steps/s", result.steps,
+                        result.steps / result.seconds / 1e6);
+  }
+  if (result.kernel_seconds > 0.0) {
+    text += fmt::format(", {:.0f} % in kernels", 100.0 * result.kernel_seconds / result.seconds);
+  }
+  return text + fmt::format("\n{}\n", path);
+}
+
+std::string run_as_json(const SweepResult& result, const std::string& path) {
+  nlohmann::json json;
+  json["file"] = path;
+  json["points"] = result.status.size();
+  json["status"] = counts_as_json(count_statuses(result));
+  json["classes"] = nlohmann::json::object();
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const Quantity& quantity = result.study.selection.quantities[i];
+    if (quantity.flags.empty()) continue;
+    json["classes"][quantity.name] = counts_as_json(count_classes(quantity, result.values[i]));
+  }
+  if (result.study.selection.survey) json["attractors"] = attractors_as_json(result);
+  json["seconds"] = result.seconds;
+  json["kernel_seconds"] = result.kernel_seconds;
+  json["steps"] = result.steps;
+  json["stopped"] = result.stopped;
+  if (result.pilot) {
+    json["pilot"] = {{"max_step", result.pilot->step},
+                     {"error", result.pilot->error},
+                     {"points", result.pilot->points}};
+  }
+  json["device"] = result.engine.device;
+  return json.dump(2) + "\n";
+}
+
+std::string shard_as_json(const std::string& shard, const std::string& journal,
+                          std::size_t points) {
+  const nlohmann::json json = {{"shard", shard}, {"journal", journal}, {"points", points}};
+  return json.dump(2) + "\n";
+}
+
+int status_of(const SweepResult& result) {
+  const bool any_is_ok = std::any_of(result.status.begin(), result.status.end(),
+                                     [](std::uint8_t status) { return status == STATUS_ok; });
+  if (any_is_ok) return kDone;
+  tell("gearsweep: every point failed; the maps are empty\n");
+  return kFailed;
+}
+
+}  // namespace gearsweep

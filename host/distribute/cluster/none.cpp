@@ -1,8 +1,0 @@
-// The program is built without MPI.
-#include "distribute/cluster.hpp"
-
-namespace gearsweep {
-
-std::unique_ptr<Cluster> Cluster::join() { return nullptr; }
-
-}  // namespace gearsweep

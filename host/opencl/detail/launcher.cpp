@@ -1,0 +1,173 @@
+#include "opencl/detail/launcher.hpp"
+
+#include <fmt/format.h>
+
+#include "opencl/detail/program.hpp"
+#include "opencl/detail/program_cache.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kRoundSeconds = 0.3;  // short enough to cancel and for a display's watchdog
+
+}  // namespace
+
+SweepRound round_of(const Window& window, std::size_t items, std::size_t periods,
+                    std::size_t done) {
+  const auto number = [](std::size_t count) { return static_cast<sweep_uint>(count); };
+  return {number(items),           number(periods),        number(done),
+          number(window.record),   number(window.samples), number(window.before + window.settle),
+          window.is_last ? 1U : 0U};
+}
+
+Launcher::Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info,
+                   std::shared_ptr<BusyClock> clock)
+    : fp64_(study.integrate.fp64),
+      info_(info),
+      fixed_round_(study.integrate.round),
+      lanes_(study.integrate.lanes),
+      local_size_(study.integrate.local_size),
+      device_(device),
+      context_(device),
+      queue_(context_, device),
+      clock_(std::move(clock)) {
+  if (lanes_ == 0) lanes_ = fp64_ ? info.lanes_fp64 : info.lanes_fp32;
+  if (local_size_ == 0) local_size_ = info.is_cpu ? 4 : 64;
+  options_ = gearsweep::build_options(study, lanes_);
+}
+
+cl::Program Launcher::program(const Study& study, const std::string& file) {
+  return cached_program(context_, device_, program_source(study, file), options_,
+                        program_cache_folder(info_.platform));
+}
+
+std::string Launcher::failure(const Tile& tile, const cl::Error& error) const {
+  const std::string doing =
+      fmt::format("computing a tile of {} points on '{}'", tile.points.size(), info_.name);
+  return fmt::format("{}\n(a smaller integrate.tile needs less memory)",
+                     describe_error(doing, error));
+}
+
+cl::Buffer Launcher::upload_bytes(const void* bytes, std::size_t count, cl_mem_flags flags) {
+  // A buffer cannot be empty; one that is never read may hold anything.
+  if (count == 0) return cl::Buffer(context_, CL_MEM_READ_WRITE, 64);
+  // OpenCL takes the source of a copy without const, and does not write to it.
+  return cl::Buffer(context_, flags | CL_MEM_COPY_HOST_PTR, count, const_cast<void*>(bytes));
+}
+
+cl::Buffer Launcher::upload(const std::vector<double>& numbers, cl_mem_flags flags) {
+  const std::vector<std::byte> bytes = pack(numbers, fp64_);
+  return upload_bytes(bytes.data(), bytes.size(), flags);
+}
+
+cl::Buffer Launcher::upload(const std::vector<std::uint32_t>& numbers) {
+  return upload_bytes(numbers.data(), numbers.size() * sizeof(std::uint32_t), CL_MEM_READ_ONLY);
+}
+
+cl::Buffer Launcher::allocate(std::size_t numbers) {
+  return cl::Buffer(context_, CL_MEM_READ_WRITE,
+                    std::max<std::size_t>(64, numbers * scalar_bytes()));
+}
+
+std::vector<double> Launcher::download(const cl::Buffer& buffer, std::size_t numbers) {
+  std::vector<std::byte> bytes(numbers * scalar_bytes());
+  if (numbers > 0) queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, bytes.size(), bytes.data());
+  return unpack(bytes, fp64_);
+}
+
+void Launcher::set_number(cl::Kernel* kernel, cl_uint argument, double value) {
+  if (fp64_) {
+    kernel->setArg(argument, value);
+  } else {
+    kernel->setArg(argument, static_cast<float>(value));
+  }
+}
+
+void Launcher::fill_bank(const Plan& plan, const Tile& tile) {
+  bank_ = {};
+  std::vector<std::size_t> points;  // one of each grid
+  for (const std::size_t start : tile.grid_starts) {
+    const auto number = static_cast<std::uint32_t>(bank_.index.size());
+    const std::size_t point = tile.points[start];
+    if (bank_.index.emplace(plan.grid_key(point), number).second) points.push_back(point);
+  }
+  const GridTables tables = make_grid_tables(plan, points);
+  bank_.steps = tables.steps;
+  bank_.tables = {
+      upload_bytes(tables.grids.data(), tables.grids.size() * sizeof(SweepGrid), CL_MEM_READ_ONLY),
+      upload(tables.segment_steps), upload(tables.segment_fractions, CL_MEM_READ_ONLY),
+      upload(tables.coefs, CL_MEM_READ_ONLY)};
+}
+
+std::vector<std::uint32_t> Launcher::find_grids(const Plan& plan, const Tile& tile) {
+  std::vector<std::vector<double>> keys;
+  for (const std::size_t start : tile.grid_starts) {
+    keys.push_back(plan.grid_key(tile.points[start]));
+  }
+  const bool has_all = std::all_of(keys.begin(), keys.end(), [&](const std::vector<double>& key) {
+    return bank_.index.count(key) > 0;
+  });
+  if (!has_all) fill_bank(plan, tile);
+  std::vector<std::uint32_t> numbers;
+  for (const std::vector<double>& key : keys) numbers.push_back(bank_.index.at(key));
+  return numbers;
+}
+
+TileInputs Launcher::prepare(const Plan& plan, const Tile& tile) {
+  const std::vector<std::uint32_t> grids = find_grids(plan, tile);
+  TileInputs inputs;
+  inputs.slots = arrange_slots(tile, lanes_);
+  std::vector<std::uint32_t> item_grid;
+  for (const std::uint32_t group : inputs.slots.item_group) item_grid.push_back(grids[group]);
+  for (const std::size_t slot : inputs.slots.slot_of) {
+    inputs.steps_per_period += static_cast<double>(bank_.steps[item_grid[slot / lanes_]]);
+  }
+  inputs.arguments = {
+      upload(plan.study().setting.parameters, CL_MEM_READ_ONLY),
+      upload(swept_values(plan, tile, inputs.slots), CL_MEM_READ_ONLY),
+      upload(item_grid),
+  };
+  inputs.arguments.insert(inputs.arguments.end(), bank_.tables.begin(), bank_.tables.end());
+  return inputs;
+}
+
+cl_uint Launcher::set_inputs(cl::Kernel* kernel, const TileInputs& inputs) {
+  cl_uint argument = 1;
+  for (const cl::Buffer& input : inputs.arguments) kernel->setArg(argument++, input);
+  return argument;
+}
+
+double Launcher::launch(cl::Kernel* kernel, std::size_t items) {
+  // On a CPU, few items spread evenly over all cores rather than fill work-groups. No other sizes
+  // between: a driver may compile a kernel anew for each.
+  constexpr std::size_t kGroupsPerCore = 8;
+  const bool are_few = info_.is_cpu && items < kGroupsPerCore * info_.compute_units * local_size_;
+  const std::size_t local = are_few ? 1 : local_size_;
+  const std::size_t global = (items + local - 1) / local * local;
+  return clock_->time([&] {
+    queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
+    queue_.finish();
+  });
+}
+
+bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
+                          std::size_t periods, const RoundCallback& after_round) {
+  constexpr double kFirstRound = 4.0;  // periods, while the device's speed is not known
+  for (std::size_t done = 0; done < periods;) {
+    const double fitting = steps_per_second_ > 0.0
+                               ? kRoundSeconds * steps_per_second_ / inputs.steps_per_period
+                               : kFirstRound;
+    const std::size_t length =
+        fixed_round_ > 0 ? fixed_round_ : static_cast<std::size_t>(std::clamp(fitting, 1.0, 1e6));
+    const std::size_t now = std::min(length, periods - done);
+    kernel->setArg(0, round_of(window, inputs.slots.items(), now, done));
+    const double seconds = launch(kernel, inputs.slots.items());
+    const double steps = inputs.steps_per_period * static_cast<double>(now);
+    steps_per_second_ = steps / std::max(seconds, 1e-6);
+    done += now;
+    if (!after_round(steps)) return false;
+  }
+  return true;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,99 @@
+// A device at work for one study: its queue, its buffers, and what each kernel is given of a tile.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "model/error.hpp"
+#include "opencl/busy_clock.hpp"
+#include "opencl/detail/cl.hpp"
+#include "opencl/detail/tile_buffers.hpp"
+#include "opencl/device.hpp"
+
+namespace gearsweep {
+
+// A tile on the device: the arguments that every kernel takes after its round.
+struct TileInputs {
+  Slots slots;
+  std::vector<cl::Buffer> arguments;
+  double steps_per_period = 0.0;  // of all points together
+};
+
+class Launcher {
+ public:
+  Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info,
+           std::shared_ptr<BusyClock> clock);
+
+  const DeviceInfo& device() const { return info_; }
+  std::size_t lanes() const { return lanes_; }
+  std::size_t local_size() const { return local_size_; }
+  const std::string& build_options() const { return options_; }
+  std::size_t scalar_bytes() const { return fp64_ ? sizeof(double) : sizeof(float); }
+
+  // The program of `file` in kernels/, for this study. Throws RunError.
+  cl::Program program(const Study& study, const std::string& file);
+
+  // What `work` on a tile gives; throws RunError where the device fails.
+  template <class Work>
+  auto guard(const Tile& tile, const Work& work) const {
+    try {
+      return work();
+    } catch (const cl::Error& error) {
+      throw RunError(failure(tile, error));
+    }
+  }
+
+  // Numbers of the study's precision, from and to double.
+  cl::Buffer upload(const std::vector<double>& numbers, cl_mem_flags flags);
+  cl::Buffer upload(const std::vector<std::uint32_t>& numbers);
+  cl::Buffer allocate(std::size_t numbers);
+  std::vector<double> download(const cl::Buffer& buffer, std::size_t numbers);
+  void set_number(cl::Kernel* kernel, cl_uint argument, double value);
+
+  TileInputs prepare(const Plan& plan, const Tile& tile);
+  // Sets arguments 1 and on; the number of the next one.
+  static cl_uint set_inputs(cl::Kernel* kernel, const TileInputs& inputs);
+
+  // Returns when the kernel has ended: the seconds that it took.
+  double launch(cl::Kernel* kernel, std::size_t items);
+  const BusyClock& clock() const { return *clock_; }
+  // Advances a tile by `periods`, round by round; false when the callback asked to stop.
+  bool run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
+                  std::size_t periods, const RoundCallback& after_round);
+
+ private:
+  // The phase grids of the last tile that was whole: its parts find theirs here.
+  struct GridBank {
+    std::map<std::vector<double>, std::uint32_t> index;  // by Plan::grid_key()
+    std::vector<std::size_t> steps;                      // of a period
+    std::vector<cl::Buffer> tables;
+  };
+  std::string failure(const Tile& tile, const cl::Error& error) const;
+  // The index of each of the tile's grids in the bank.
+  std::vector<std::uint32_t> find_grids(const Plan& plan, const Tile& tile);
+  void fill_bank(const Plan& plan, const Tile& tile);
+  cl::Buffer upload_bytes(const void* bytes, std::size_t count, cl_mem_flags flags);
+
+  const bool fp64_;
+  const DeviceInfo info_;
+  const std::size_t fixed_round_;
+  std::size_t lanes_, local_size_;
+  std::string options_;
+  cl::Device device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  GridBank bank_;
+  const std::shared_ptr<BusyClock> clock_;
+  double steps_per_second_ = 0.0;  // of the last round; 0: not known yet
+};
+
+// A launch that advances by `periods`, of which `done` of the same kind lie behind it.
+SweepRound round_of(const Window& window, std::size_t items, std::size_t periods, std::size_t done);
+
+}  // namespace gearsweep

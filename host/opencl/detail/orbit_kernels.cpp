@@ -1,0 +1,220 @@
+#include "opencl/detail/orbit_kernels.hpp"
+
+#include <algorithm>
+
+namespace gearsweep {
+namespace {
+
+// A step that carries a tangent vector along each state, in steps of the state alone (measured for
+// gear5).
+constexpr double kCostOfDerivative = 8.0;
+
+cl::Program orbit_program(const Study& study, Launcher* launcher) {
+  Study bare = study;
+  bare.selection = {};  // what is observed does not matter here
+  return launcher->program(bare, "orbit.cl");
+}
+
+// The identity in each slot: [column][row][slot].
+std::vector<double> identities(std::size_t states, std::size_t slot_count) {
+  std::vector<double> out;
+  out.reserve(states * states * slot_count);
+  for (std::size_t i = 0; i < states * states; ++i) {
+    out.insert(out.end(), slot_count, i % (states + 1) == 0 ? 1.0 : 0.0);
+  }
+  return out;
+}
+
+// Steps of the states alone.
+double steps_of_maps(const Plan& plan, const Tile& tile,
+                     const std::vector<std::uint32_t>& lengths) {
+  double steps = 0.0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    steps += static_cast<double>(lengths[i] * plan.steps_of(tile.points[i]));
+  }
+  return steps;
+}
+
+// One number for each point: [slot].
+std::vector<double> spread_numbers(const std::vector<std::uint32_t>& numbers, const Slots& slots) {
+  return spread_states({numbers.begin(), numbers.end()}, 1, slots);
+}
+
+// numbers: [item][period][state][lane].
+Sections sections_of(std::vector<double> numbers, std::size_t states, const Slots& slots) {
+  const std::size_t of_item = (ORBIT_LONGEST + 1) * states * slots.lanes;
+  std::vector<std::size_t> first;
+  for (const std::size_t slot : slots.slot_of) {
+    first.push_back(slot / slots.lanes * of_item + slot % slots.lanes);
+  }
+  return {std::move(numbers), std::move(first), slots.lanes, states};
+}
+
+Window window_of_rounds() { return {0, 0, 1, 0, false}; }
+
+}  // namespace
+
+OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launcher* launcher)
+    : launcher_(launcher),
+      program_(orbit_program(study, launcher)),
+      approach_(program_, "approach"),
+      measure_(program_, "measure"),
+      extrapolate_(program_, "extrapolate"),
+      return_map_(program_, "return_map"),
+      return_map_linearized_(program_, "return_map_linearized"),
+      replay_(sweep, "replay"),
+      finish_(sweep, "finish") {}
+
+std::optional<Approach> OrbitKernels::approach(const Plan& plan, const Tile& tile,
+                                               const std::vector<double>& states,
+                                               const std::vector<std::uint32_t>& excluded,
+                                               const NearReturn& near,
+                                               const RoundCallback& after_round) {
+  return launcher_->guard(
+      tile, [&] { return approach_tile(plan, tile, states, excluded, near, after_round); });
+}
+
+std::optional<ReturnMaps> OrbitKernels::return_maps(const Plan& plan, const Tile& tile,
+                                                    const std::vector<double>& states,
+                                                    const std::vector<std::uint32_t>& lengths,
+                                                    bool with_derivatives,
+                                                    const RoundCallback& after_round) {
+  return launcher_->guard(
+      tile, [&] { return map_tile(plan, tile, states, lengths, with_derivatives, after_round); });
+}
+
+std::optional<TileResult> OrbitKernels::replay(
+    const Plan& plan, const Tile& tile, const std::vector<double>& states, std::size_t length,
+    const std::vector<double>& growths, const Window& window, const RoundCallback& after_round) {
+  return launcher_->guard(
+      tile, [&] { return replay_tile(plan, tile, states, length, growths, window, after_round); });
+}
+
+std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile& tile,
+                                                    const std::vector<double>& states,
+                                                    const std::vector<std::uint32_t>& excluded,
+                                                    const NearReturn& near,
+                                                    const RoundCallback& after_round) {
+  const TileInputs inputs = launcher_->prepare(plan, tile);
+  const std::size_t slot_count = inputs.slots.position.size();
+  const std::size_t state_count = plan.study().model->states.size();
+  const cl::Buffer state =
+      launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
+  const std::size_t section_numbers = (ORBIT_LONGEST + 1) * state_count * slot_count;
+  const cl::Buffer sections = launcher_->allocate(section_numbers);
+  cl_uint argument = Launcher::set_inputs(&approach_, inputs);
+  approach_.setArg(argument++, state);
+  approach_.setArg(argument++, sections);
+  const Window rounds = window_of_rounds();
+  const cl::Buffer ranges = launcher_->allocate(state_count * slot_count);
+  argument = Launcher::set_inputs(&measure_, inputs);
+  measure_.setArg(argument++, state);
+  measure_.setArg(argument++, sections);
+  launcher_->set_number(&measure_, argument++, near.tolerance);
+  measure_.setArg(argument++, ranges);
+  if (!launcher_->run_rounds(&approach_, rounds, inputs, ORBIT_LONGEST - 1, after_round) ||
+      !launcher_->run_rounds(&measure_, rounds, inputs, 1, after_round)) {
+    return std::nullopt;
+  }
+  const cl::Buffer lengths =
+      launcher_->upload(spread_numbers(excluded, inputs.slots), CL_MEM_READ_WRITE);
+  const cl::Buffer guesses = launcher_->allocate(state_count * slot_count);
+  extrapolate_.setArg(0, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
+  extrapolate_.setArg(1, state);
+  extrapolate_.setArg(2, sections);
+  extrapolate_.setArg(3, ranges);
+  launcher_->set_number(&extrapolate_, 4, near.near);
+  extrapolate_.setArg(5, lengths);
+  extrapolate_.setArg(6, guesses);
+  launcher_->launch(&extrapolate_, inputs.slots.items());
+  Approach found;
+  found.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  found.sections =
+      sections_of(launcher_->download(sections, section_numbers), state_count, inputs.slots);
+  found.ranges = gather_points(launcher_->download(ranges, state_count * slot_count), inputs.slots);
+  found.guesses =
+      gather_points(launcher_->download(guesses, state_count * slot_count), inputs.slots);
+  for (const double length :
+       gather_points(launcher_->download(lengths, slot_count), inputs.slots)) {
+    found.lengths.push_back(static_cast<std::uint32_t>(length));
+  }
+  return found;
+}
+
+std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& tile,
+                                                 const std::vector<double>& states,
+                                                 const std::vector<std::uint32_t>& lengths,
+                                                 bool with_derivatives,
+                                                 const RoundCallback& after_round) {
+  cl::Kernel* kernel = with_derivatives ? &return_map_linearized_ : &return_map_;
+  const TileInputs inputs = launcher_->prepare(plan, tile);
+  const std::size_t slot_count = inputs.slots.position.size();
+  const std::size_t state_count = plan.study().model->states.size();
+  const cl::Buffer state =
+      launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
+  const cl::Buffer periods =
+      launcher_->upload(spread_numbers(lengths, inputs.slots), CL_MEM_READ_ONLY);
+  cl::Buffer derivative;
+  cl_uint argument = Launcher::set_inputs(kernel, inputs);
+  kernel->setArg(argument++, state);
+  kernel->setArg(argument++, periods);
+  if (with_derivatives) {
+    derivative = launcher_->upload(identities(state_count, slot_count), CL_MEM_READ_WRITE);
+    kernel->setArg(argument++, derivative);
+  }
+  const std::size_t longest = *std::max_element(lengths.begin(), lengths.end());
+  const double cost = with_derivatives ? kCostOfDerivative : 1.0;
+  // Most points are done before the longest; what they all took is told in the end.
+  const auto in_between = [&](double) { return after_round(0.0); };
+  if (!launcher_->run_rounds(kernel, window_of_rounds(), inputs, longest, in_between) ||
+      !after_round(cost * steps_of_maps(plan, tile, lengths))) {
+    return std::nullopt;
+  }
+  ReturnMaps maps;
+  maps.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  if (with_derivatives) {
+    const std::size_t numbers = state_count * state_count * slot_count;
+    maps.derivatives = gather_points(launcher_->download(derivative, numbers), inputs.slots);
+  }
+  return maps;
+}
+
+std::optional<TileResult> OrbitKernels::replay_tile(
+    const Plan& plan, const Tile& tile, const std::vector<double>& states, std::size_t length,
+    const std::vector<double>& growths, const Window& window, const RoundCallback& after_round) {
+  const Selection& selection = plan.study().selection;
+  const TileInputs inputs = launcher_->prepare(plan, tile);
+  const std::size_t items = inputs.slots.items();
+  const std::size_t slot_count = inputs.slots.position.size();
+  const std::size_t state_count = plan.study().model->states.size();
+  const cl::Buffer state =
+      launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
+  const cl::Buffer accumulators = launcher_->allocate(selection.accumulator_count() * slot_count);
+  const cl::Buffer outputs = launcher_->allocate(selection.output_count() * slot_count);
+  const cl::Buffer growth = launcher_->upload(
+      spread_states(growths, selection.tangent_count(), inputs.slots), CL_MEM_READ_ONLY);
+  const cl::Buffer sections = launcher_->allocate(length * state_count * slot_count);
+  cl_uint argument = Launcher::set_inputs(&replay_, inputs);
+  replay_.setArg(argument++, state);
+  replay_.setArg(argument++, growth);
+  replay_.setArg(argument++, static_cast<cl_uint>(length));
+  replay_.setArg(argument++, sections);
+  replay_.setArg(argument++, accumulators);
+  replay_.setArg(0, round_of(window, items, window.record, 0));
+  launcher_->launch(&replay_, items);
+  finish_.setArg(0, round_of(window, items, 0, window.record));
+  finish_.setArg(1, accumulators);
+  finish_.setArg(2, outputs);
+  launcher_->launch(&finish_, items);
+  if (!after_round(static_cast<double>(length) * inputs.steps_per_period)) return std::nullopt;
+
+  TileResult result;
+  result.status.assign(tile.points.size(), STATUS_ok);
+  result.final_states =
+      gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  result.outputs = gather_components(
+      launcher_->download(outputs, selection.output_count() * slot_count), inputs.slots);
+  return result;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,49 @@
+// The search for periodic orbits on a device: kernels/orbit.cl, and replay of sweep.cl.
+#pragma once
+
+#include "engine/engine.hpp"
+#include "opencl/detail/launcher.hpp"
+
+namespace gearsweep {
+
+class OrbitKernels final : public OrbitEngine {
+ public:
+  // sweep: the study's own program.
+  OrbitKernels(const Study& study, const cl::Program& sweep, Launcher* launcher);
+
+  std::optional<Approach> approach(const Plan& plan, const Tile& tile,
+                                   const std::vector<double>& states,
+                                   const std::vector<std::uint32_t>& excluded,
+                                   const NearReturn& near,
+                                   const RoundCallback& after_round) override;
+  std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
+                                        const std::vector<double>& states,
+                                        const std::vector<std::uint32_t>& lengths,
+                                        bool with_derivatives,
+                                        const RoundCallback& after_round) override;
+  std::optional<TileResult> replay(const Plan& plan, const Tile& tile,
+                                   const std::vector<double>& states, std::size_t length,
+                                   const std::vector<double>& growths, const Window& window,
+                                   const RoundCallback& after_round) override;
+
+ private:
+  std::optional<Approach> approach_tile(const Plan& plan, const Tile& tile,
+                                        const std::vector<double>& states,
+                                        const std::vector<std::uint32_t>& excluded,
+                                        const NearReturn& near, const RoundCallback& after_round);
+  std::optional<ReturnMaps> map_tile(const Plan& plan, const Tile& tile,
+                                     const std::vector<double>& states,
+                                     const std::vector<std::uint32_t>& lengths,
+                                     bool with_derivatives, const RoundCallback& after_round);
+  std::optional<TileResult> replay_tile(const Plan& plan, const Tile& tile,
+                                        const std::vector<double>& states, std::size_t length,
+                                        const std::vector<double>& growths, const Window& window,
+                                        const RoundCallback& after_round);
+
+  Launcher* launcher_;
+  cl::Program program_;
+  cl::Kernel approach_, measure_, extrapolate_, return_map_, return_map_linearized_, replay_,
+      finish_;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,186 @@
+#include "opencl/detail/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "model/error.hpp"
+#include "opencl/detail/kernel_sources.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The file that a line includes; empty when it is no #include "...".
+std::string included_file(const std::string& line) {
+  const std::string directive = "#include \"";
+  if (!line.starts_with(directive)) return "";
+  const std::string rest = line.substr(directive.size());
+  return rest.substr(0, rest.find('"'));
+}
+
+// How the kernel reads the value of a channel from a Sample.
+std::string channel_value(const Model& model, const std::string& channel) {
+  return model.find_state(channel) >= 0 ? fmt::format("((sample).x[STATE_{}])", channel)
+                                        : fmt::format("((sample).signals.{})", channel);
+}
+
+void write_parameters(const Study& study, std::ostream& out) {
+  std::vector<std::string> sources;
+  for (std::size_t i = 0; i < study.model->parameters.size(); ++i) {
+    sources.push_back(fmt::format("uniform[{}]", i));
+  }
+  std::size_t row = 0;
+  for (const Axis& axis : study.axes) {
+    if (!axis.is_state) sources[axis.index] = fmt::format("swept[{} * items + item]", row++);
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    out << fmt::format("#define PARAMETER_{} {}\n", study.model->parameters[i].name, sources[i]);
+  }
+}
+
+// States of the same unit have the same number.
+void write_units(const Model& model, std::ostream& out) {
+  std::vector<std::string> units;
+  out << "#define STATE_UNITS {";
+  for (const ChannelInfo& state : model.states) {
+    const auto known = std::find(units.begin(), units.end(), state.unit);
+    out << known - units.begin() << ", ";
+    if (known == units.end()) units.push_back(state.unit);
+  }
+  out << "}\n";
+}
+
+void write_observers(const Study& study, std::ostream& out) {
+  std::set<std::string> channels;
+  std::string list;
+  bool watches_orbit = false;
+  for (const Observer& observer : study.selection.observers) {
+    const std::string& name = observer.observable->name;
+    if (observer.observable->kind == ObservableKind::channel) {
+      channels.insert(observer.channel);
+      list += fmt::format(" CHANNEL({0}, {1}, VALUE_{1})", name, observer.channel);
+    } else if (observer.observable->kind == ObservableKind::tangent) {
+      list += fmt::format(" TANGENT({})", name);
+    } else if (observer.observable->kind == ObservableKind::orbit) {
+      watches_orbit = true;
+      list += fmt::format(" ORBIT({})", name);
+    } else {
+      list += fmt::format(" STEP({})", name);
+    }
+  }
+  for (const std::string& channel : channels) {
+    out << fmt::format("#define VALUE_{}(sample) {}\n", channel,
+                       channel_value(*study.model, channel));
+  }
+  out << "#define OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)" << list << '\n';
+  out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
+  // Only where they matter: a program that differs in nothing else need not be built again.
+  out << fmt::format("#define WATCHES_SECTIONS {}\n", watches_orbit ? 1 : 0);
+  if (watches_orbit) {
+    out << fmt::format("#define PERIOD_TOLERANCE {}\n", study.selection.period_tolerance);
+  }
+  if (study.selection.poincare.empty()) return;
+  out << "#define POINCARE_STATES(X)";
+  for (const std::size_t state : study.selection.poincare) {
+    out << fmt::format(" X({})", study.model->states[state].name);
+  }
+  out << '\n';
+}
+
+// Includes each observable that is at work, once.
+std::string observables_header(const Study& study) {
+  std::set<std::string> names;
+  for (const Observer& observer : study.selection.observers) {
+    names.insert(observer.observable->name);
+  }
+  if (!study.selection.poincare.empty()) names.insert("poincare");
+  std::string out;
+  for (const std::string& name : names) {
+    out += fmt::format("#include \"observables/{}.h\"\n", name);
+  }
+  return out;
+}
+
+// A file with what it includes; nothing when it is among `included`, to which it is added.
+std::string flatten_once(const std::string& name, const std::map<std::string, std::string>& sources,
+                         std::set<std::string>* included) {
+  if (!included->insert(name).second) return "";
+  const auto source = sources.find(name);
+  if (source == sources.end()) {
+    throw RunError(fmt::format("kernel source '{}' is missing", name));
+  }
+  std::istringstream in(source->second);
+  std::ostringstream out;
+  out << fmt::format("#line 1 \"kernels/{}\"\n", name);
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    const std::string file = included_file(line);
+    if (file.empty()) {
+      out << line << '\n';
+    } else {
+      out << flatten_once(file, sources, included)
+          << fmt::format("#line {} \"kernels/{}\"\n", number + 1, name);
+    }
+  }
+  return out.str();
+}
+
+std::string build_log(const cl::Program& program, const cl::Device& device) {
+  try {
+    return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
+  } catch (const cl::Error&) {
+    return "(the driver gives no log)";
+  }
+}
+
+}  // namespace
+
+std::string selection_header(const Study& study) {
+  std::ostringstream out;
+  out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
+  out << "#include \"integrators/rk4.h\"\n#define MODEL_OPTION_VALUES {";
+  for (const int option : study.setting.options) out << option << ", ";
+  // OpenCL C knows no empty initialiser; a model without options has one dummy member.
+  if (study.setting.options.empty()) out << 0;
+  out << "}\n";
+  write_units(*study.model, out);
+  write_parameters(study, out);
+  write_observers(study, out);
+  return out.str();
+}
+
+std::string flatten(const std::string& name, const std::map<std::string, std::string>& sources) {
+  std::set<std::string> included;
+  return flatten_once(name, sources, &included);
+}
+
+std::string program_source(const Study& study, const std::string& file) {
+  std::map<std::string, std::string> sources = kernel_sources();
+  sources["selection.h"] = selection_header(study);
+  sources["observables.h"] = observables_header(study);
+  return flatten(file, sources);
+}
+
+std::string build_options(const Study& study, std::size_t lanes) {
+  return fmt::format("-cl-std=CL1.2 -DREAL_BITS={} -DLANES={} -DCONTRACT={} -DEVENTS={}",
+                     study.integrate.fp64 ? 64 : 32, lanes, study.integrate.contract ? 1 : 0,
+                     study.integrate.events ? 1 : 0);
+}
+
+cl::Program build_program(const cl::Context& context, const cl::Device& device,
+                          const std::string& source, const std::string& options) {
+  cl::Program program(context, source);
+  try {
+    program.build({device}, options.c_str());
+  } catch (const cl::Error& error) {
+    throw RunError(fmt::format("cannot build the kernels for '{}' ({})\noptions: {}\n{}",
+                               device.getInfo<CL_DEVICE_NAME>(), describe_code(error.err()),
+                               options, build_log(program, device)));
+  }
+  return program;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,124 @@
+#include "opencl/detail/tile_buffers.hpp"
+
+#include <cstring>
+
+#include "plan/start_tangents.hpp"
+
+namespace gearsweep {
+
+Slots arrange_slots(const Tile& tile, std::size_t lanes) {
+  Slots slots;
+  slots.lanes = lanes;
+  slots.slot_of.resize(tile.points.size());
+  for (std::size_t grid = 0; grid < tile.grid_starts.size(); ++grid) {
+    const bool last = grid + 1 == tile.grid_starts.size();
+    const std::size_t end = last ? tile.points.size() : tile.grid_starts[grid + 1];
+    for (std::size_t position = tile.grid_starts[grid]; position < end; ++position) {
+      slots.slot_of[position] = slots.position.size();
+      slots.position.push_back(position);
+    }
+    while (slots.position.size() % lanes != 0) slots.position.push_back(end - 1);
+    slots.item_group.resize(slots.position.size() / lanes, static_cast<std::uint32_t>(grid));
+  }
+  return slots;
+}
+
+GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points) {
+  const std::size_t width = plan.study().model->phase_coefs.size();
+  GridTables tables;
+  for (const std::size_t point : points) {
+    const PhaseGrid grid = plan.phase_grid_of(point);
+    tables.grids.push_back({static_cast<sweep_uint>(tables.coefs.size() / width),
+                            static_cast<sweep_uint>(tables.segment_steps.size()),
+                            static_cast<sweep_uint>(grid.segment_steps.size())});
+    const auto append = [](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(grid.segment_steps, tables.segment_steps);
+    append(grid.segment_fractions, tables.segment_fractions);
+    append(grid.coefs, tables.coefs);
+    tables.steps.push_back(grid.steps);
+  }
+  return tables;
+}
+
+std::vector<std::byte> pack(const std::vector<double>& values, bool fp64) {
+  std::vector<std::byte> bytes(values.size() * (fp64 ? sizeof(double) : sizeof(float)));
+  if (fp64) {
+    if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto rounded = static_cast<float>(values[i]);
+    std::memcpy(bytes.data() + i * sizeof rounded, &rounded, sizeof rounded);
+  }
+  return bytes;
+}
+
+std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64) {
+  std::vector<double> values(bytes.size() / (fp64 ? sizeof(double) : sizeof(float)));
+  if (fp64) {
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    float value = 0.0F;
+    std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
+    values[i] = value;
+  }
+  return values;
+}
+
+std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
+  std::vector<double> values;
+  for (std::size_t axis = 0; axis < plan.study().axes.size(); ++axis) {
+    if (plan.study().axes[axis].is_state) continue;
+    for (const std::size_t position : slots.position) {
+      values.push_back(plan.axis_value(axis, tile.points[position]));
+    }
+  }
+  return values;
+}
+
+std::vector<double> first_tangents(const Study& study, std::size_t slot_count) {
+  std::vector<double> out;
+  for (const double number :
+       start_tangents(study.selection.tangent_count(), study.model->states.size())) {
+    out.insert(out.end(), slot_count, number);
+  }
+  return out;
+}
+
+std::vector<double> spread_states(const std::vector<double>& states, std::size_t state_count,
+                                  const Slots& slots) {
+  std::vector<double> out;
+  out.reserve(state_count * slots.position.size());
+  for (std::size_t state = 0; state < state_count; ++state) {
+    for (const std::size_t position : slots.position) {
+      out.push_back(states[position * state_count + state]);
+    }
+  }
+  return out;
+}
+
+std::vector<double> gather_points(const std::vector<double>& values, const Slots& slots) {
+  const std::size_t slot_count = slots.position.size();
+  std::vector<double> out;
+  out.reserve(values.size() / slot_count * slots.slot_of.size());
+  for (const std::size_t slot : slots.slot_of) {
+    for (std::size_t i = slot; i < values.size(); i += slot_count) out.push_back(values[i]);
+  }
+  return out;
+}
+
+std::vector<double> gather_components(const std::vector<double>& values, const Slots& slots) {
+  const std::size_t slot_count = slots.position.size();
+  std::vector<double> out;
+  out.reserve(values.size() / slot_count * slots.slot_of.size());
+  for (std::size_t first = 0; first < values.size(); first += slot_count) {
+    for (const std::size_t slot : slots.slot_of) out.push_back(values[first + slot]);
+  }
+  return out;
+}
+
+}  // namespace gearsweep

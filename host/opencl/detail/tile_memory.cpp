@@ -1,0 +1,167 @@
+#include "opencl/detail/tile_memory.hpp"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+// The buffers that are there at a time, in bytes.
+class Buffers {
+ public:
+  void add(std::size_t bytes) {
+    constexpr std::size_t kLeast = 64;
+    const auto size = static_cast<double>(std::max(kLeast, bytes));
+    total_ += size;
+    largest_ = std::max(largest_, size);
+  }
+  double total() const { return total_; }
+  double largest() const { return largest_; }
+
+ private:
+  double total_ = 0.0, largest_ = 0.0;
+};
+
+class Estimate {
+ public:
+  Estimate(const Plan& plan, const Tile& tile, const BufferLayout& layout)
+      : plan_(plan),
+        study_(plan.study()),
+        selection_(study_.selection),
+        tile_(tile),
+        layout_(layout),
+        states_(study_.model->states.size()),
+        searches_(looks_for_orbits(study_)) {}
+
+  TileMemory most() const {
+    const Buffers tables = grid_tables();
+    std::vector<Buffers> stages = {recording()};
+    if (searches_) stages.insert(stages.end(), {approach(), return_map(), replay()});
+    TileMemory most;
+    for (const Buffers& stage : stages) {
+      most.device = std::max(most.device, tables.total() + stage.total());
+      most.buffer = std::max({most.buffer, tables.largest(), stage.largest()});
+    }
+    // A grid's table stands on the host as it is made, and packed.
+    const double scalar = static_cast<double>(layout_.scalar_bytes);
+    most.host = std::max(on_host(), tables.total() * (1.0 + 8.0 / scalar));
+    return most;
+  }
+
+ private:
+  std::size_t scalars(std::size_t count) const { return count * layout_.scalar_bytes; }
+
+  // Slots of a part of the tile whose points stand in so many groups, at most.
+  std::size_t slots(std::size_t groups) const {
+    const std::size_t points = tile_.points.size();
+    return points + std::min(points, groups) * (layout_.lanes - 1);
+  }
+  std::size_t whole_slots() const { return slots(tile_.grid_starts.size()); }
+
+  Buffers inputs(std::size_t slots) const {
+    const auto swept = std::count_if(study_.axes.begin(), study_.axes.end(),
+                                     [](const Axis& axis) { return !axis.is_state; });
+    Buffers buffers;
+    buffers.add(scalars(study_.setting.parameters.size()));
+    buffers.add(scalars(static_cast<std::size_t>(swept) * slots));
+    buffers.add(slots / layout_.lanes * sizeof(sweep_uint));
+    buffers.add(scalars(states_ * slots));
+    return buffers;
+  }
+
+  Buffers grid_tables() const {
+    std::set<std::vector<double>> keys;
+    std::size_t rows = 0, segments = 0;
+    for (const std::size_t start : tile_.grid_starts) {
+      const std::size_t point = tile_.points[start];
+      if (!keys.insert(plan_.grid_key(point)).second) continue;
+      const std::size_t parts = segment_bounds(*study_.model, plan_.setting_of(point)).size() - 1;
+      segments += parts;
+      // Each segment rounds its steps up.
+      rows += 2 * (plan_.steps_of(point) + parts) + parts;
+    }
+    Buffers buffers;
+    buffers.add(keys.size() * sizeof(SweepGrid));
+    buffers.add(segments * sizeof(sweep_uint));
+    buffers.add(scalars(segments));
+    buffers.add(scalars(rows * study_.model->phase_coefs.size()));
+    return buffers;
+  }
+
+  Buffers recording() const {
+    Buffers buffers = inputs(whole_slots());
+    buffers.add(scalars(selection_.tangent_count() * states_ * whole_slots()));
+    buffers.add(scalars(selection_.accumulator_count() * whole_slots()));
+    buffers.add(scalars(selection_.output_count() * whole_slots()));
+    buffers.add(scalars(selection_.poincare.size() * study_.integrate.record * whole_slots()));
+    return buffers;
+  }
+
+  Buffers approach() const {
+    Buffers buffers = inputs(whole_slots());
+    buffers.add(scalars((ORBIT_LONGEST + 1) * states_ * whole_slots()));
+    buffers.add(scalars(whole_slots()));
+    buffers.add(scalars(states_ * whole_slots()));  // guesses
+    buffers.add(scalars(states_ * whole_slots()));  // ranges
+    return buffers;
+  }
+
+  Buffers return_map() const {
+    Buffers buffers = inputs(whole_slots());
+    buffers.add(scalars(whole_slots()));
+    buffers.add(scalars(states_ * states_ * whole_slots()));
+    return buffers;
+  }
+
+  Buffers replay() const {
+    Buffers buffers = inputs(whole_slots());
+    buffers.add(scalars(selection_.accumulator_count() * whole_slots()));
+    buffers.add(scalars(selection_.output_count() * whole_slots()));
+    buffers.add(scalars(selection_.tangent_count() * whole_slots()));
+    buffers.add(scalars(ORBIT_LONGEST * states_ * whole_slots()));
+    return buffers;
+  }
+
+  // Beside the answers: what the points start from, the orbits found, and the largest of what is
+  // packed or unpacked. A number is there as the device has it and as a double.
+  double on_host() const {
+    const std::size_t wide = sizeof(double);
+    const std::size_t both = wide + layout_.scalar_bytes;
+    const std::size_t sampled = selection_.poincare.size() * study_.integrate.record;
+    // A second set of answers is that of the part that was recorded last; its samples come from a
+    // series in the device's order.
+    const std::size_t recorded =
+        wide * (2 * sampled + states_) + (both + 2 * wide) * selection_.output_count();
+    const std::size_t tangents = both * selection_.tangent_count() * states_;
+    std::size_t stage = whole_slots() * std::max(recorded, tangents);
+    // Heap blocks have a head of 16 bytes. An orbit has two vectors, an attempt at one has three.
+    const std::size_t block = 16 + wide * states_;
+    std::size_t kept = 4 * wide * states_;
+    if (searches_) {
+      kept += 2 * (64 + 2 * block);
+      const std::size_t maps = whole_slots() * (both + wide) * states_ * states_;
+      stage = std::max(stage, maps + tile_.points.size() * (128 + 3 * block));
+    }
+    return static_cast<double>(stage) + static_cast<double>(tile_.points.size()) *
+                                            (static_cast<double>(kept) + answer_bytes(study_));
+  }
+
+  const Plan& plan_;
+  const Study& study_;
+  const Selection& selection_;
+  const Tile& tile_;
+  const BufferLayout layout_;
+  const std::size_t states_;
+  const bool searches_;
+};
+
+}  // namespace
+
+TileMemory most_of_tile(const Plan& plan, const Tile& tile, const BufferLayout& layout) {
+  return Estimate(plan, tile, layout).most();
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,19 @@
+// How much memory a tile takes on a device and beside it: what opencl_engine.cpp, orbit_kernels.cpp
+// and launcher.cpp allocate.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/engine.hpp"
+
+namespace gearsweep {
+
+// How numbers lie in a device's buffers.
+struct BufferLayout {
+  std::size_t lanes = 1, scalar_bytes = 8;
+};
+
+// Upper bounds: how many points come to an orbit, and how long it is, shows only when they run.
+TileMemory most_of_tile(const Plan& plan, const Tile& tile, const BufferLayout& layout);
+
+}  // namespace gearsweep

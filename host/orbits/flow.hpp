@@ -1,0 +1,103 @@
+// A trajectory with its derivative by the start, by the classical Runge-Kutta method on the phase
+// grid. Where the motion crosses a limit of the backlash inside a step, the step is cut at the
+// crossing: the field is continuous there, so nothing jumps, and the field of each part is smooth.
+// Both the state and the derivative keep fourth order.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "orbits/contact_field.hpp"
+#include "plan/phase_grid.hpp"
+
+namespace gearsweep {
+
+// Where a motion turns nearest to a limit of the backlash: it nearly touches, or hardly parts.
+struct Graze {
+  double distance = std::numeric_limits<double>::infinity();  // from the limit
+  double bend = 0.0;                                          // second derivative by time there
+  double jump = 0.0;  // greatest entry of what the field's Jacobian gains at the limit
+};
+
+class Flow {
+ public:
+  // From `state` at phase 0. `tangents`, one a column, travel with it; none: only the state.
+  Flow(const Model& model, const ModelSetting& setting, const PreparedPoint& point,
+       const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
+
+  void advance_period();
+
+  const Eigen::VectorXd& state() const { return at_.state; }
+  const Eigen::MatrixXd& tangents() const { return at_.tangents; }
+  // Of the way so far.
+  const Graze& nearest_graze() const { return graze_; }
+
+ private:
+  struct Place {
+    Eigen::VectorXd state;
+    Eigen::MatrixXd tangents;
+  };
+  // What a Runge-Kutta step works on.
+  struct Work {
+    Place at, slope, sum;
+  };
+  // A step of the phase grid. Places in it are told by shares of it, 0 to 1.
+  struct GridStep {
+    const double* coefs;   // rows at its start, middle and end
+    double phase, length;  // where it starts, and its share of the period
+    double inside;         // a phase within its segment
+  };
+  // What is left of a step from a share on, and the contact that is held.
+  struct Part {
+    const GridStep& step;
+    double from;
+    Contact held;
+  };
+  // The depths at the start, in the middle and at the end of the way through a part.
+  using Seen = std::array<Depths, 3>;
+  // Where a flank meets the other or leaves it.
+  struct Event {
+    std::size_t flank;
+    double share;
+  };
+
+  void advance(const GridStep& step);
+  // Carries `place` from the start of a part to a share of the step.
+  Seen carry(const Part& part, double to, Place* place);
+  Depths stage(const double* coefs, const Contact& held, const Place& at, Place* slope);
+  const double* coefs_at(const GridStep& step, double share, std::vector<double>* row) const;
+
+  // The first event of a part that begins at `start_`; nothing when there is none.
+  std::optional<Event> first_event(const Part& part, const Seen& seen);
+  // How far the motion from `start_` is on its side of a flank's limit at a share of the step.
+  double clearance(const Part& part, std::size_t flank, double share);
+  // Where the motion is nearest to a flank's limit, or farthest beyond it.
+  struct Turn {
+    double share, clearance;
+  };
+  Turn find_turn(const Part& part, std::size_t flank);
+  // A share at which the motion is beyond the flank's limit; nothing when it is at none. Takes note
+  // of how near it comes.
+  std::optional<double> share_beyond(const Part& part, std::size_t flank, const Seen& seen);
+
+  const Model& model_;
+  const ModelSetting& setting_;
+  const PhaseGrid& grid_;
+  double period_;
+  std::size_t row_width_;
+  ContactField field_;
+  Graze graze_;
+  Place at_;     // where the trajectory is
+  Place start_;  // where the part of the step began that is being tried
+  // Kept from step to step: allocating them anew costs more than a small model's right-hand side.
+  Work moving_;
+  Place probe_;  // a state alone, to look for events
+  Work probing_;
+  RowMatrix jacobian_;
+  std::array<std::vector<double>, 3> rows_;
+};
+
+}  // namespace gearsweep

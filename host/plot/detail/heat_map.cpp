@@ -1,0 +1,303 @@
+// Two axes: the map and its colour bar as images, so that no seam shows between cells or colours.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plot/detail/colours.hpp"
+#include "plot/detail/contours.hpp"
+#include "plot/detail/picture.hpp"
+#include "plot/detail/text.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Numbers for an image, row by row from the lowest.
+struct Raster {
+  std::size_t columns = 0, rows = 0;
+  std::vector<double> values;
+};
+
+// Where the pixels' middles lie on an axis: which cell is there. -1: none.
+std::vector<std::ptrdiff_t> cells_at(const ResultAxis& axis, const AxisRange& range,
+                                     std::size_t pixels) {
+  const std::vector<double> edges = cell_edges(axis);
+  std::vector<std::ptrdiff_t> cells;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(pixels);
+    const double place = range.logarithmic
+                             ? range.least * std::pow(range.greatest / range.least, share)
+                             : range.least + share * (range.greatest - range.least);
+    const auto above = std::upper_bound(edges.begin(), edges.end(), place);
+    const bool is_inside = above != edges.begin() && above != edges.end();
+    cells.push_back(is_inside ? above - edges.begin() - 1 : -1);
+  }
+  return cells;
+}
+
+// A pixel for each cell where cells are even on the axis's scale and fill it; else so many that
+// their edges are near enough.
+std::size_t pixels_of(const ResultAxis& axis, const AxisRange& range, std::size_t fine) {
+  const std::size_t count = axis.values.size();
+  const std::vector<std::ptrdiff_t> cells = cells_at(axis, range, count);
+  bool is_even = count > 1;
+  for (std::size_t i = 0; i < count && is_even; ++i) {
+    is_even = cells[i] == static_cast<std::ptrdiff_t>(i);
+  }
+  const std::vector<double> edges = cell_edges(axis);
+  const bool is_whole = edges.front() == range.least && edges.back() == range.greatest;
+  // Uneven cells may have their pixels' middles right by chance.
+  const auto place = [&](double value) { return range.logarithmic ? std::log(value) : value; };
+  const double step = (place(edges.back()) - place(edges.front())) / static_cast<double>(count);
+  for (std::size_t i = 0; i < edges.size() && is_even; ++i) {
+    const double even = place(edges.front()) + static_cast<double>(i) * step;
+    is_even = std::abs(place(edges[i]) - even) < 0.02 * step;
+  }
+  return is_even && is_whole ? count : std::max<std::size_t>(2, fine);
+}
+
+// Viewers of vector formats smooth what they enlarge, so there each cell has several pixels.
+std::size_t enlarged(const Page& page, std::size_t cells, std::size_t fine) {
+  return page.is_raster() || cells >= fine ? cells : cells * ((fine + cells - 1) / cells);
+}
+
+Raster raster_of(const Page& page, const ResultMap& map, const std::vector<double>& shades,
+                 const AxisRange& x, const AxisRange& y) {
+  constexpr std::size_t kFineColumns = 1000, kFineRows = 800;
+  Raster raster;
+  constexpr std::size_t kSharpColumns = 600, kSharpRows = 450;
+  raster.columns = enlarged(page, pixels_of(map.axes[0], x, kFineColumns), kSharpColumns);
+  raster.rows = enlarged(page, pixels_of(map.axes[1], y, kFineRows), kSharpRows);
+  const std::vector<std::ptrdiff_t> columns = cells_at(map.axes[0], x, raster.columns);
+  const std::vector<std::ptrdiff_t> rows = cells_at(map.axes[1], y, raster.rows);
+  const auto width = static_cast<std::ptrdiff_t>(map.axes[0].values.size());
+  for (const std::ptrdiff_t row : rows) {
+    for (const std::ptrdiff_t column : columns) {
+      const bool is_inside = row >= 0 && column >= 0;
+      raster.values.push_back(is_inside ? shades[static_cast<std::size_t>(row * width + column)]
+                                        : std::nan(""));
+    }
+  }
+  return raster;
+}
+
+// An element of "plot" that fills the axes x2 and y2. Pixels that are not a number are transparent.
+std::string add_image(const Raster& raster, PlotScript* script) {
+  const double dx = 1.0 / static_cast<double>(raster.columns);
+  const double dy = 1.0 / static_cast<double>(raster.rows);
+  const std::string text = fmt::format(
+      "data binary array=({},{}) skip={} origin=({},{}) dx={} dy={} format='%double' using 1 "
+      "axes x2y2 \\\n     with image notitle",
+      raster.columns, raster.rows, script->data.size(), 0.5 * dx, 0.5 * dy, dx, dy);
+  for (const double value : raster.values) append_numbers({value}, &script->data);
+  return text;
+}
+
+// What the colours stand for.
+struct Colours {
+  std::optional<ClassScale> classes;
+  ValueRange range;
+  bool is_log = false;
+
+  Colours(const Page& page, const ResultMap& map) : classes(class_scale(map)) {
+    if (classes) return;
+    const PlotStyle& style = page.style();
+    range = colour_range(map.values);
+    is_log = style.is_log;
+    if (is_log && !(style.range.least && *style.range.least > 0.0)) {
+      range = above_zero(range, map.values);
+    }
+    range = limited(range, style.range, "--range");
+    const bool has_both_signs = range.least < 0.0 && range.greatest > 0.0;
+    name_ = !style.colormap.empty()                              ? style.colormap
+            : map.name.starts_with("lyapunov") && has_both_signs ? "signed"
+                                                                 : "viridis";
+  }
+
+  std::string palette() const {
+    if (classes) return classes->palette();
+    return palette_line(name_, range.least, range.greatest) +
+           fmt::format("{}set cbrange [{}:{}]\n", is_log ? "set logscale cb\n" : "", range.least,
+                       range.greatest);
+  }
+  // Values as they are coloured: classes by their index.
+  double shade(double value) const {
+    if (classes) return classes->index_of(value);
+    const bool has_shade = std::isfinite(value) && (!is_log || value > 0.0);
+    return has_shade ? value : std::nan("");
+  }
+  // The bar, from its foot to its top.
+  Raster bar() const {
+    constexpr std::size_t kSteps = 256;
+    Raster raster{2, classes ? classes->names.size() : kSteps, {}};
+    raster.rows = std::max<std::size_t>(raster.rows, 2);
+    for (std::size_t i = 0; i < raster.rows; ++i) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(raster.rows);
+      const double value = classes  ? std::floor(share * static_cast<double>(classes->names.size()))
+                           : is_log ? range.least * std::pow(range.greatest / range.least, share)
+                                    : range.least + share * (range.greatest - range.least);
+      raster.values.insert(raster.values.end(), 2, value);
+    }
+    return raster;
+  }
+  std::pair<std::string, std::string> ends() const { return end_colours(name_); }
+  Tics tics(const Page& page, double length) const {
+    if (classes) return {classes->tics(page, "y2", false), classes->widest(page)};
+    Tics out = tics_of(page, "y2", {range.least, range.greatest, is_log}, length, true);
+    out.lines = fmt::format("set y2range [{}:{}]\n", range.least, range.greatest) + out.lines;
+    return out;
+  }
+
+ private:
+  std::string name_;
+};
+
+std::string bar_label(const Page& page, const ResultMap& map) {
+  if (page.style().label) return literal(*page.style().label);
+  return quantity_label(map.name, map.unit);
+}
+
+// Pointed ends of a bar: there are values beyond it.
+std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar, double length,
+                     double height) {
+  const auto [below, above] = colours.ends();
+  const auto triangle = [&](double foot, double tip, const std::string& colour) {
+    const auto at = [&](double x, double y) {
+      return fmt::format("screen {:.5f}, screen {:.5f}", x / page.width(), y / height);
+    };
+    return fmt::format(
+        "set object polygon from {0} to {1} to {2} to {0} fillstyle solid 1 border linecolor rgb "
+        "'#000000' fillcolor rgb '{3}'\n",
+        at(bar.left, foot), at(bar.right, foot), at(0.5 * (bar.left + bar.right), tip), colour);
+  };
+  return triangle(bar.bottom, bar.bottom - length, below) +
+         triangle(bar.top, bar.top + length, above);
+}
+
+// The bar is a plot of its own; its axes x1 and y1 go from 0 to 1.
+std::string draw_bar(const Page& page, const Colours& colours, const Frame& whole, double height,
+                     const std::vector<std::string>& label, PlotScript* script) {
+  const double pointed = colours.range.clipped ? 0.8 * page.em() : 0.0;
+  const Frame frame{whole.left, whole.right, whole.bottom + pointed, whole.top - pointed};
+  const Tics tics = colours.tics(page, frame.height());
+  std::string text = "reset\nunset key\nunset colorbox\nset border linewidth 1\n" +
+                     page.margins(frame, height) +
+                     "set x2range [0:1]\nset xrange [0:1]\nset yrange [0:1]\nunset xtics\n"
+                     "unset ytics\n" +
+                     tics.lines + colours.palette();
+  if (colours.range.clipped) text += bar_ends(page, colours, frame, pointed, height);
+  const double em = page.em();
+  double beside = frame.right + tics.widest + em * (colours.classes ? 1.45 : 1.75);
+  for (const std::string& line : label) {
+    text += page.label_at(beside, 0.5 * (frame.bottom + frame.top), height, line,
+                          "center rotate by 90");
+    beside += 1.35 * em;
+  }
+  std::string image = add_image(colours.bar(), script);
+  image.replace(image.find("axes x2y2"), 9, "axes x1y1");
+  return text + "plot " + image + "\n";
+}
+
+// Points without a value are where this ground shows; it is black where classes are grey.
+std::string missing_ground(const Colours& colours) {
+  return fmt::format(
+      "set object rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillstyle solid 1 "
+      "noborder fillcolor rgb '{}'\n",
+      colours.classes ? kMissingClassColour : kMissingColour);
+}
+
+std::string add_contours(const Page& page, const Colours& colours, const ResultMap& map,
+                         PlotScript* script) {
+  const Contours& contours = page.style().contours;
+  if (!contours.any() || colours.classes) return "";
+  std::vector<ContourPiece> pieces;
+  for (const double level : contour_levels(contours, colours.range, colours.is_log)) {
+    const std::vector<ContourPiece> own = contour_pieces(map, level);
+    pieces.insert(pieces.end(), own.begin(), own.end());
+  }
+  if (pieces.empty()) return "";
+  const std::string text = fmt::format(
+      ", \\\n     {} using 1:2:($3-$1):($4-$2) with vectors nohead linewidth 1 "
+      "linecolor rgb '#000000' notitle",
+      next_records(*script, pieces.size(), 4));
+  for (const ContourPiece& piece : pieces) {
+    append_numbers({piece.x1, piece.y1, piece.x2, piece.y2}, &script->data);
+  }
+  return text;
+}
+
+std::vector<std::string> one_line(const std::optional<std::string>& given,
+                                  const std::string& otherwise) {
+  const std::string markup = given ? literal(*given) : otherwise;
+  return markup.empty() ? std::vector<std::string>{} : std::vector<std::string>{markup};
+}
+
+}  // namespace
+
+PlotScript draw_heat_map(const Page& page, const Picture& picture) {
+  const ResultMap& map = picture.map;
+  const PlotStyle& style = page.style();
+  const Colours colours(page, map);
+  const double em = page.em();
+  std::string meaning = meaning_of(picture);
+  if (!colours.classes && colours.range.clipped) {
+    meaning += "; the colours cover 99.8 % of the points";
+  }
+  const std::vector<std::string> heading =
+      heading_lines(page, picture.title, meaning, picture.remark);
+  std::vector<KeyEntry> key;
+  if (!picture.missing.note.empty()) {
+    key.push_back({KeyEntry::Kind::kBox, colours.classes ? kMissingClassColour : kMissingColour,
+                   "1", literal(picture.missing.note)});
+  }
+  // Long names of a few classes leave more room to the map when they stand below it.
+  constexpr std::size_t kFewClasses = 6;
+  constexpr double kWide = 0.2;  // of the page
+  const bool has_bar = !colours.classes || colours.classes->names.size() > kFewClasses ||
+                       colours.classes->widest(page) < kWide * page.width();
+  for (std::size_t i = 0; !has_bar && i < colours.classes->names.size(); ++i) {
+    key.insert(key.begin() + static_cast<std::ptrdiff_t>(i),
+               {KeyEntry::Kind::kBox, colours.classes->colours[i], "1", colours.classes->names[i]});
+  }
+  PanelAxis x{one_line(style.xlabel, axis_label(map.axes[0])),
+              axis_range(map.axes[0], style.xrange, "--xrange")};
+  PanelAxis y{one_line(style.ylabel, axis_label(map.axes[1])),
+              axis_range(map.axes[1], style.yrange, "--yrange")};
+
+  PlotScript script;
+  constexpr double kAspect = 0.75;
+  script.height = page.height_or(kAspect * page.width() + key_height(page, key));
+  Frame frame;
+  frame.bottom = key_height(page, key) + bottom_room(page, x);
+  const double head = heading_height(page, heading);
+  frame.top = script.height - (heading.empty() ? 0.7 * em : head + 0.3 * em);
+  y.label = label_lines(page, y.label.empty() ? "" : y.label.front(), frame.height());
+  const std::vector<std::string> label = label_lines(page, bar_label(page, map), frame.height());
+  frame.left = left_room(page, y, frame.height());
+  const double bar_width = has_bar ? 1.1 * em : 0.0, gap = has_bar ? 0.9 * em : 0.0;
+  const double beside = !has_bar ? edge_room(page)
+                                 : colours.tics(page, frame.height()).widest +
+                                       em * ((colours.classes ? 0.75 : 1.05) +
+                                             1.35 * static_cast<double>(label.size()) + 0.1);
+  frame.right = page.width() - beside - bar_width - gap;
+  ensure_room(frame, page);
+  x.label = label_lines(page, x.label.empty() ? "" : x.label.front(), page.width());
+  frame.bottom = key_height(page, key) + bottom_room(page, x);
+
+  script.text = "set multiplot\n" + panel_lines(page, frame, script.height, x, y) +
+                draw_heading(page, heading, frame, script.height) +
+                draw_key(page, key, script.height) + colours.palette();
+  if (!picture.missing.note.empty()) script.text += missing_ground(colours);
+  std::vector<double> shades;
+  for (const double value : map.values) shades.push_back(colours.shade(value));
+  script.text += "plot " + add_image(raster_of(page, map, shades, x.range, y.range), &script);
+  script.text += add_contours(page, colours, map, &script) + "\n";
+  if (has_bar) {
+    const Frame bar{frame.right + gap, frame.right + gap + bar_width, frame.bottom, frame.top};
+    script.text += draw_bar(page, colours, bar, script.height, label, &script);
+  }
+  script.text += "unset multiplot\n";
+  return script;
+}
+
+}  // namespace gearsweep

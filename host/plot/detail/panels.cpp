@@ -1,0 +1,255 @@
+#include "plot/detail/panels.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "plot/detail/dots.hpp"
+#include "plot/detail/text.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char *kFirstPart = "#d55e00", *kOtherParts = "#56b4e9";
+
+// The values of all studies' axes.
+ResultAxis whole_axis(const std::vector<Picture>& layers) {
+  ResultAxis axis = layers.front().map.axes.front();
+  for (const Picture& layer : layers) {
+    const std::vector<double>& values = layer.map.axes.front().values;
+    axis.values.insert(axis.values.end(), values.begin(), values.end());
+  }
+  std::sort(axis.values.begin(), axis.values.end());
+  axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
+  return axis;
+}
+
+std::vector<double> all_values(const std::vector<Picture>& layers) {
+  std::vector<double> values;
+  for (const Picture& layer : layers) {
+    values.insert(values.end(), layer.map.values.begin(), layer.map.values.end());
+  }
+  return values;
+}
+
+// The classes of all studies.
+std::optional<ClassScale> classes_of(const std::vector<Picture>& layers) {
+  ResultMap all = layers.front().map;
+  if (all.flags.empty() && all.name != "period" && all.name != "attractor_count") return {};
+  all.values = all_values(layers);
+  return class_scale(all);
+}
+
+AxisRange value_range(const Page& page, const std::vector<Picture>& layers, bool is_first) {
+  const PlotStyle& style = page.style();
+  const std::vector<double> values = all_values(layers);
+  ValueRange range = padded_range(values);
+  const bool is_log = style.is_log && !layers.front().map.is_poincare();
+  if (is_log && !(is_first && style.yrange.least && *style.yrange.least > 0.0)) {
+    range = above_zero(range, values);
+  }
+  if (is_first) range = limited(range, style.yrange, "--yrange");
+  return {range.least, range.greatest, is_log};
+}
+
+// One panel: a quantity of one or several studies.
+struct Panel {
+  const std::vector<Picture>& layers;
+  std::optional<ClassScale> classes;
+  PanelAxis y;
+  std::string label;  // markup
+
+  Panel(const Page& page, const std::vector<Picture>& pictures, bool is_first)
+      : layers(pictures), classes(classes_of(pictures)) {
+    const ChannelInfo shown = shown_by(layers.front());
+    label = is_first && page.style().ylabel ? literal(*page.style().ylabel)
+                                            : quantity_label(shown.name, shown.unit);
+    if (!classes) y.range = value_range(page, layers, is_first);
+  }
+  // Once it stands where it stays.
+  const PanelAxis& axis() {
+    y.classes = classes ? &*classes : nullptr;
+    return y;
+  }
+};
+
+// The values of a map over its axis, as rows of the script's data.
+std::string append_rows(const ResultMap& map, const std::optional<ClassScale>& classes,
+                        PlotScript* script) {
+  const std::size_t parts = map.part_count();
+  const std::string data = next_records(*script, map.points(), parts + 1);
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    if (i % parts == 0) append_numbers({map.axes.front().values[i / parts]}, &script->data);
+    const double value = std::isfinite(map.values[i]) ? map.values[i] : std::nan("");
+    append_numbers({classes ? classes->index_of(value) : value}, &script->data);
+  }
+  return data;
+}
+
+// One study's values as a curve, or as dots at its classes.
+std::string layer_element(const Panel& panel, std::size_t index, PlotScript* script) {
+  const ResultMap& map = panel.layers[index].map;
+  const std::string data = append_rows(map, panel.classes, script);
+  const std::size_t last = panel.layers.size() - 1;
+  if (panel.classes) {
+    return fmt::format("{} using 1:2 with points pointtype 7 pointsize dot*{:.3g} {} notitle", data,
+                       0.8 + 0.5 * static_cast<double>(last - index),
+                       fmt::format("linecolor rgb '{}'", dot_colour(index, last + 1)));
+  }
+  // So few points that each of them should be seen.
+  constexpr std::size_t kFew = 60;
+  const std::string style = map.points() <= kFew
+                                ? "linespoints pointtype 7 pointsize dot*1.2 linewidth 2"
+                                : "lines linewidth 2";
+  return fmt::format("{} using 1:2 with {} {} notitle", data, style, layer_line(index));
+}
+
+// The first curve, over the others: of Lyapunov exponents the one that tells chaos.
+std::vector<std::string> part_elements(const ResultMap& map, PlotScript* script) {
+  const std::string data = append_rows(map, std::nullopt, script);
+  std::vector<std::string> elements;
+  for (std::size_t part = map.part_count(); part > 0; --part) {
+    elements.push_back(
+        fmt::format("{} using 1:{} with lines linewidth {} linecolor rgb '{}' notitle", data,
+                    part + 1, part == 1 ? 2.0 : 1.4, part == 1 ? kFirstPart : kOtherParts));
+  }
+  return elements;
+}
+
+std::vector<std::string> elements_of(const Page& page, const Panel& panel, const AxisRange& x,
+                                     const Frame& frame, std::size_t number, PlotScript* script) {
+  const ResultMap& first = panel.layers.front().map;
+  if (first.is_poincare()) {
+    return {add_dots(page, panel.layers, x, panel.y.range, frame, number, script)};
+  }
+  if (panel.layers.size() == 1 && first.part_count() > 1) return part_elements(first, script);
+  std::vector<std::string> elements;
+  for (std::size_t i = 0; i < panel.layers.size(); ++i) {
+    elements.push_back(layer_element(panel, i, script));
+  }
+  return elements;
+}
+
+// What the marks of missing values stand for: in words where all panels say the same.
+std::vector<KeyEntry> missing_entries(const Stack& stack) {
+  std::vector<KeyEntry> entries;
+  const bool is_alone = stack.names.size() == 1;
+  for (std::size_t i = 0; i < stack.names.size(); ++i) {
+    std::string note;
+    for (const std::vector<Picture>& panel : stack.panels) {
+      const std::string& own = panel[i].missing.note;
+      if (!own.empty()) note = note.empty() || note == own ? own : "no value";
+    }
+    if (note.empty()) continue;
+    entries.push_back(
+        {KeyEntry::Kind::kTriangle, is_alone ? kMissingColour : layer_colour(i), "1",
+         is_alone ? literal(note) : fmt::format("{}: {}", stack.names[i], literal(note))});
+  }
+  return entries;
+}
+
+std::vector<KeyEntry> key_entries(const Stack& stack) {
+  std::vector<KeyEntry> entries;
+  const auto is_dotted = [](const std::vector<Picture>& panel) {
+    const ResultMap& map = panel.front().map;
+    return map.is_poincare() || !map.flags.empty();
+  };
+  const bool all_dotted = std::all_of(stack.panels.begin(), stack.panels.end(), is_dotted);
+  for (std::size_t i = 0; i < stack.names.size() && stack.names.size() > 1; ++i) {
+    entries.push_back({all_dotted ? KeyEntry::Kind::kDot : KeyEntry::Kind::kLine, layer_colour(i),
+                       layer_dashes(i), stack.names[i]});
+  }
+  if (stack.names.size() == 1) {
+    for (const std::vector<Picture>& panel : stack.panels) {
+      const ResultMap& map = panel.front().map;
+      if (map.part_count() == 1 || map.is_poincare()) continue;
+      const std::string what = literal(map.dimension);
+      entries.push_back({KeyEntry::Kind::kLine, kFirstPart, "1", what + " 1"});
+      entries.push_back({KeyEntry::Kind::kLine, kOtherParts, "1",
+                         fmt::format("{} 2 to {}", what, map.part_count())});
+    }
+  }
+  const std::vector<KeyEntry> missing = missing_entries(stack);
+  entries.insert(entries.end(), missing.begin(), missing.end());
+  return entries;
+}
+
+std::vector<std::string> heading_of(const Page& page, const Stack& stack) {
+  const std::vector<Picture>& layers = stack.panels.front();
+  const auto common = [&](const std::string Picture::*text) {
+    const bool same = std::all_of(layers.begin(), layers.end(), [&](const Picture& layer) {
+      return layer.*text == layers.front().*text;
+    });
+    return same ? layers.front().*text : "";
+  };
+  return heading_lines(page, common(&Picture::title),
+                       stack.panels.size() == 1 ? meaning_of(layers.front()) : "",
+                       common(&Picture::remark));
+}
+
+// Heights of panels, in widths of the page, where none is asked for.
+double panel_height(std::size_t panels) { return panels == 1 ? 0.5 : panels == 2 ? 0.33 : 0.25; }
+
+}  // namespace
+
+PlotScript draw_stack(const Page& page, const Stack& stack) {
+  const double em = page.em(), gap = 0.8 * em;
+  const auto count = static_cast<double>(stack.panels.size());
+  const std::vector<std::string> heading = heading_of(page, stack);
+  const std::vector<KeyEntry> key = key_entries(stack);
+  const ResultAxis axis = whole_axis(stack.panels.front());
+  const std::string x_markup =
+      page.style().xlabel ? literal(*page.style().xlabel) : axis_label(axis);
+  PanelAxis x{label_lines(page, x_markup, page.width()),
+              axis_range(axis, page.style().xrange, "--xrange")};
+  const double foot = key_height(page, key) + bottom_room(page, x);
+  const double head = heading.empty() ? 0.7 * em : heading_height(page, heading) + 0.3 * em;
+
+  PlotScript script;
+  script.height = page.height_or(foot + head + (count - 1.0) * gap +
+                                 count * panel_height(stack.panels.size()) * page.width());
+  const double length = (script.height - foot - head - (count - 1.0) * gap) / count;
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < stack.panels.size(); ++i) {
+    panels.emplace_back(page, stack.panels[i], i == 0);
+    panels.back().y.label = label_lines(page, panels.back().label, length);
+  }
+  double left = 0.0;
+  for (Panel& panel : panels) left = std::max(left, left_room(page, panel.axis(), length));
+
+  script.text = "set multiplot\n";
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    Panel& panel = panels[i];
+    const double top = script.height - head - static_cast<double>(i) * (length + gap);
+    const Frame frame{left, page.width() - edge_room(page), top - length, top};
+    ensure_room(frame, page);
+    const bool is_last = i + 1 == panels.size();
+    PanelAxis own_x = x;
+    own_x.has_numbers = is_last;
+    if (!is_last) own_x.label.clear();
+    script.text += panel_lines(page, frame, script.height, own_x, panel.axis());
+    if (i == 0) script.text += draw_heading(page, heading, frame, script.height);
+    if (is_last) script.text += draw_key(page, key, script.height);
+    const ResultMap& first = panel.layers.front().map;
+    if (!first.is_poincare()) script.text += grid_lines();
+    if (!panel.classes && panel.y.range.least < 0.0 && panel.y.range.greatest > 0.0 &&
+        !first.is_poincare()) {
+      script.text += "set xzeroaxis linetype 1 linewidth 1 linecolor rgb '#777777'\n";
+    }
+    const std::vector<std::string> elements =
+        elements_of(page, panel, x.range, frame, i + 1, &script);
+    script.text += fmt::format("plot {}", fmt::join(elements, ", \\\n     "));
+    for (std::size_t layer = 0; layer < panel.layers.size(); ++layer) {
+      add_missing_marks(panel.layers[layer],
+                        panel.layers.size() > 1 ? layer_colour(layer) : kMissingColour, &script);
+    }
+    script.text += "\n";
+  }
+  script.text += "unset multiplot\n";
+  return script;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,19 @@
+// Over one axis: curves, classes and bifurcation diagrams; several quantities above one another,
+// and several studies laid over one another.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plot/detail/picture.hpp"
+
+namespace gearsweep {
+
+struct Stack {
+  std::vector<std::vector<Picture>> panels;  // [quantity][study], all over an axis of one name
+  std::vector<std::string> names;            // of the studies, for the key; markup
+};
+
+PlotScript draw_stack(const Page& page, const Stack& stack);
+
+}  // namespace gearsweep

@@ -1,0 +1,280 @@
+#include "plot/detail/trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plot/detail/scale.hpp"
+#include "plot/detail/spectrum.hpp"
+#include "plot/detail/text.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The values at phase 0, over those of `across`.
+struct Section {
+  std::vector<double> x, y;
+};
+
+// Far less than a step, far more than the rounding of tau.
+constexpr double kInstant = 1e-6;  // of a period
+
+Section section_of(const TracePicture& picture, const Trace& trace) {
+  const std::vector<double> time = periods_of(trace);
+  const std::vector<double>& x = values_of(trace, picture.across.name);
+  const std::vector<double>& y = values_of(trace, picture.channel.name);
+  Section section;
+  double last = -1.0;  // a step that ends there and one that begins there are one moment
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double period = std::round(time[i]);
+    if (std::abs(time[i] - period) > kInstant || period == last) continue;
+    section.x.push_back(x[i]);
+    section.y.push_back(y[i]);
+    last = period;
+  }
+  return section;
+}
+
+// The dots of a layer, which stand out by a dark rim where they are few or lie over curves; as
+// elements of "plot".
+std::string add_section(const TracePicture& picture, std::size_t layer, bool over_curves,
+                        PlotScript* script) {
+  constexpr std::size_t kFew = 100;
+  const Section section = section_of(picture, picture.layers[layer].trace);
+  const bool few = section.x.size() <= kFew;
+  const std::string data = next_records(*script, section.x.size(), 2);
+  std::string elements;
+  if (few || over_curves) {
+    elements += fmt::format(
+        "{} using 1:2 with points pointtype 7 pointsize dot*{} linecolor rgb '#000000' notitle, "
+        "\\\n"
+        "     ",
+        data, few ? 1.5 : 0.9);
+  }
+  elements += fmt::format(
+      "{} using 1:2 with points pointtype 7 pointsize dot*{} linecolor rgb '{}' notitle", data,
+      few ? 1.1 : 0.4, layer_colour(layer));
+  for (std::size_t i = 0; i < section.x.size(); ++i) {
+    append_numbers({section.x[i], section.y[i]}, &script->data);
+  }
+  return elements;
+}
+
+// All layers' dots.
+std::string add_sections(const TracePicture& picture, bool over_curves, PlotScript* script) {
+  std::string elements;
+  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    if (i > 0) elements += ", \\\n     ";
+    elements += add_section(picture, i, over_curves, script);
+  }
+  return elements;
+}
+
+std::vector<std::string> axis_text(const std::optional<std::string>& given,
+                                   const std::string& own) {
+  return {given ? literal(*given) : own};
+}
+
+AxisRange shown_range(const ValueRange& range, const Limits& limits, const std::string& option) {
+  const ValueRange own = limited(range, limits, option);
+  return {own.least, own.greatest, false};
+}
+
+PanelAxis across_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
+  return {axis_text(page.style().xlabel, quantity_label(picture.across.name, picture.across.unit)),
+          shown_range(range, page.style().xrange, "--xrange")};
+}
+
+// Of a section, but not so narrow that an orbit's rounding would fill it.
+ValueRange section_range(const std::vector<double>& section, const std::vector<double>& trace) {
+  constexpr double kNarrowest = 0.02;  // of the whole motion
+  ValueRange range = padded_range(section);
+  const ValueRange whole = padded_range(trace);
+  const double least = kNarrowest * (whole.greatest - whole.least);
+  const double more = 0.5 * std::max(0.0, least - (range.greatest - range.least));
+  return {range.least - more, range.greatest + more};
+}
+
+// Velocities are called after their positions, so these say it all.
+std::string pair_text(const TracePicture& picture) {
+  if (picture.channel.meaning.find(picture.across.name) != std::string::npos) {
+    return picture.across.meaning;
+  }
+  return fmt::format("{}; {}", picture.across.meaning, picture.channel.meaning);
+}
+
+}  // namespace
+
+int find_channel(const Trace& trace, const std::string& name) {
+  const auto found = std::find_if(trace.channels.begin(), trace.channels.end(),
+                                  [&](const ChannelInfo& channel) { return channel.name == name; });
+  return found == trace.channels.end() ? -1 : static_cast<int>(found - trace.channels.begin());
+}
+
+const std::vector<double>& values_of(const Trace& trace, const std::string& name) {
+  return trace.values.at(static_cast<std::size_t>(find_channel(trace, name)));
+}
+
+std::vector<double> all_values(const TracePicture& picture, const std::string& name) {
+  std::vector<double> all;
+  for (const TraceLayer& layer : picture.layers) {
+    const std::vector<double>& own = values_of(layer.trace, name);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+std::vector<double> periods_of(const Trace& trace) {
+  std::vector<double> periods;
+  for (const double tau : trace.tau) periods.push_back(tau / trace.period);
+  return periods;
+}
+
+double last_period(const TracePicture& picture) {
+  double last = 0.0;
+  for (const TraceLayer& layer : picture.layers) {
+    if (!layer.trace.tau.empty())
+      last = std::max(last, layer.trace.tau.back() / layer.trace.period);
+  }
+  // The even moments of a period end before the next begins.
+  constexpr double kNearly = 0.1;
+  return std::ceil(last) - last < kNearly ? std::ceil(last) : last;
+}
+
+double whole_periods(const Trace& trace) {
+  if (trace.tau.empty()) return 0.0;
+  return std::ceil(trace.tau.back() / trace.period - kInstant);
+}
+
+Trace last_periods(const Trace& trace, std::size_t periods) {
+  const double from = whole_periods(trace) - static_cast<double>(periods);
+  if (from <= 0.0) return trace;
+  const auto first =
+      std::lower_bound(trace.tau.begin(), trace.tau.end(), (from - kInstant) * trace.period) -
+      trace.tau.begin();
+  Trace last = trace;
+  last.tau.erase(last.tau.begin(), last.tau.begin() + first);
+  for (double& tau : last.tau) tau -= from * trace.period;
+  for (std::vector<double>& values : last.values) {
+    values.erase(values.begin(), values.begin() + first);
+  }
+  return last;
+}
+
+PanelAxis time_axis(const Page& page, const TracePicture& picture) {
+  return {axis_text(page.style().xlabel, fmt::format("time ({} periods)", picture.forcing)),
+          shown_range({0.0, last_period(picture)}, page.style().xrange, "--xrange")};
+}
+
+PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
+  return {
+      axis_text(page.style().ylabel, quantity_label(picture.channel.name, picture.channel.unit)),
+      shown_range(range, page.style().yrange, "--yrange")};
+}
+
+std::string add_histories(const TracePicture& picture, PlotScript* script) {
+  std::string elements;
+  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    const TraceLayer& layer = picture.layers[i];
+    const std::vector<double> time = periods_of(layer.trace);
+    const std::vector<double>& values = values_of(layer.trace, picture.channel.name);
+    elements +=
+        fmt::format("{}{} using 1:2 with lines linewidth 2 {} notitle", i == 0 ? "" : ", \\\n     ",
+                    next_records(*script, time.size(), 2), layer_line(i));
+    for (std::size_t moment = 0; moment < time.size(); ++moment) {
+      append_numbers({time[moment], values[moment]}, &script->data);
+    }
+  }
+  return elements;
+}
+
+TracePanel time_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
+  const ValueRange range = padded_range(all_values(picture, picture.channel.name));
+  TracePanel panel;
+  panel.kind = "time history";
+  panel.subtitle = picture.channel.meaning;
+  panel.x = time_axis(page, picture);
+  panel.y = channel_axis(page, picture, range);
+  panel.lines = grid_lines();
+  panel.elements = add_histories(picture, script);
+  return panel;
+}
+
+TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
+  constexpr double kManyTurns = 40.0;  // that would run together
+  const double width = last_period(picture) > kManyTurns ? 0.7 : 1.6;
+  TracePanel panel;
+  panel.kind = "phase portrait";
+  panel.subtitle = pair_text(picture);
+  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    const Trace& trace = picture.layers[i].trace;
+    const std::vector<double>& x = values_of(trace, picture.across.name);
+    const std::vector<double>& y = values_of(trace, picture.channel.name);
+    panel.elements += fmt::format("{} using 1:2 with lines linewidth {} {} notitle, \\\n     ",
+                                  next_records(*script, x.size(), 2), width, layer_line(i));
+    for (std::size_t moment = 0; moment < x.size(); ++moment) {
+      append_numbers({x[moment], y[moment]}, &script->data);
+    }
+  }
+  panel.elements += add_sections(picture, true, script);
+  panel.key = {{KeyEntry::Kind::kDot, "#000000", "1", "phase 0"}};
+  panel.x = across_axis(page, picture, padded_range(all_values(picture, picture.across.name)));
+  panel.y = channel_axis(page, picture, padded_range(all_values(picture, picture.channel.name)));
+  return panel;
+}
+
+TracePanel section_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
+  std::vector<double> x, y;
+  for (const TraceLayer& layer : picture.layers) {
+    const Section section = section_of(picture, layer.trace);
+    x.insert(x.end(), section.x.begin(), section.x.end());
+    y.insert(y.end(), section.y.begin(), section.y.end());
+  }
+  TracePanel panel;
+  panel.kind = "section at phase 0";
+  panel.subtitle = pair_text(picture) + ", at phase 0 of each period";
+  panel.x = across_axis(page, picture, section_range(x, all_values(picture, picture.across.name)));
+  panel.y =
+      channel_axis(page, picture, section_range(y, all_values(picture, picture.channel.name)));
+  panel.elements = add_sections(picture, false, script);
+  panel.layer_kind = KeyEntry::Kind::kDot;
+  return panel;
+}
+
+TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
+  constexpr double kShown = 100.0, kAbove = 5.0;  // dB
+  constexpr double kLeast = 1e-300;               // of an amplitude that has a logarithm
+  TracePanel panel;
+  panel.kind = "spectrum";
+  double greatest = kLeast;
+  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    const Trace& trace = picture.layers[i].trace;
+    const int channel = find_channel(trace, picture.channel.name);
+    const Spectrum spectrum = amplitude_spectrum(trace, static_cast<std::size_t>(channel), 0);
+    panel.elements += fmt::format(
+        "{}{} using 1:2 with lines linewidth 1.6 {} notitle", i == 0 ? "" : ", \\\n     ",
+        next_records(*script, spectrum.amplitude.size(), 2), layer_line(i));
+    for (std::size_t bin = 0; bin < spectrum.amplitude.size(); ++bin) {
+      const double order = static_cast<double>(bin) * spectrum.order_step;
+      const double amplitude = std::max(spectrum.amplitude[bin], kLeast);
+      append_numbers({order, decibels(amplitude)}, &script->data);
+      if (order <= picture.orders) greatest = std::max(greatest, amplitude);
+    }
+  }
+  const std::string unit =
+      picture.channel.unit == "1" || picture.channel.unit.empty() ? "" : " " + picture.channel.unit;
+  panel.subtitle = "amplitudes: " + picture.channel.meaning + ", without its mean";
+  panel.x = {axis_text(page.style().xlabel,
+                       fmt::format("order (frequency / {} frequency)", picture.forcing)),
+             shown_range({0.0, picture.orders}, page.style().xrange, "--xrange")};
+  panel.y = {axis_text(page.style().ylabel,
+                       fmt::format("{} (dB re 1{})", quantity_label(picture.channel.name, ""),
+                                   typeset(unit))),
+             shown_range({decibels(greatest) + kAbove - kShown, decibels(greatest) + kAbove},
+                         page.style().yrange, "--yrange")};
+  panel.lines = grid_lines();
+  return panel;
+}
+
+}  // namespace gearsweep

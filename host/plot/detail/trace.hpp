@@ -1,0 +1,83 @@
+// Pictures of traces.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/trace.hpp"
+#include "plot/detail/picture.hpp"
+
+namespace gearsweep {
+
+struct TraceLayer {
+  std::string name;  // for the key; markup
+  Trace trace;       // of the periods that are shown
+};
+
+// Traces laid over one another; all have the channels that are drawn.
+struct TracePicture {
+  std::vector<TraceLayer> layers;
+  // What is drawn, of a phase portrait over `across`.
+  ChannelInfo channel, across;
+  std::string title;
+  std::string remark;    // markup
+  std::string forcing;   // what a forcing period is called: "mesh" or "forcing"
+  double orders = 10.0;  // the highest of a spectrum
+  // Of a portrait, how many periods at most its histories show: less would be too little for the
+  // other panels.
+  std::size_t recent = 10;
+};
+
+// What stands in one frame. Its data are in the script that it was made with.
+struct TracePanel {
+  std::string kind;                                   // "phase portrait"
+  std::string subtitle;                               // what is shown, in words
+  PanelAxis x, y;                                     // labels of one line
+  std::string lines;                                  // further "set" lines
+  std::string elements;                               // of "plot"
+  KeyEntry::Kind layer_kind = KeyEntry::Kind::kLine;  // how the key shows a layer
+  std::vector<KeyEntry> key;                          // of all else
+};
+
+TracePanel time_panel(const Page& page, const TracePicture& picture, PlotScript* script);
+// The channel over time, with the flanks in contact: as bands of one trace, as strips of several.
+TracePanel force_panel(const Page& page, const TracePicture& picture, PlotScript* script);
+// Curves, and dots at phase 0.
+TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript* script);
+// The dots alone.
+TracePanel section_panel(const Page& page, const TracePicture& picture, PlotScript* script);
+// Throws what amplitude_spectrum() throws.
+TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScript* script);
+
+// Time history, phase portrait, force and spectrum of the state `across`; a section in place of the
+// force where the traces have no flanks in contact. The style's limits and labels of axes are the
+// history's, those of x the force's too.
+std::vector<TracePanel> portrait_panels(const Page& page, const TracePicture& picture,
+                                        PlotScript* script);
+
+// The whole script of panels in one frame, or row by row in two columns; their data must be there.
+void lay_out(const Page& page, const TracePicture& picture, const std::vector<TracePanel>& panels,
+             PlotScript* script);
+
+// -1 when the trace has no such channel.
+int find_channel(const Trace& trace, const std::string& name);
+// Of a channel that the trace has.
+const std::vector<double>& values_of(const Trace& trace, const std::string& name);
+// All layers' values of a channel.
+std::vector<double> all_values(const TracePicture& picture, const std::string& name);
+// Time of each moment in forcing periods, from the first on.
+std::vector<double> periods_of(const Trace& trace);
+// The longest layer's time in forcing periods.
+double last_period(const TracePicture& picture);
+
+// So many periods in all, the last one perhaps in part.
+double whole_periods(const Trace& trace);
+// At most so many last periods, from time 0 on.
+Trace last_periods(const Trace& trace, std::size_t periods);
+// The axis of time in forcing periods, and that of the channel.
+PanelAxis time_axis(const Page& page, const TracePicture& picture);
+PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range);
+// The channel of each layer over time, as elements of "plot".
+std::string add_histories(const TracePicture& picture, PlotScript* script);
+
+}  // namespace gearsweep

@@ -1,0 +1,175 @@
+#include "plot/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "model/error.hpp"
+#include "plot/detail/gnuplot.hpp"
+#include "plot/detail/sources.hpp"
+#include "plot/detail/text.hpp"
+#include "result/output_file.hpp"
+#include "result/result_file.hpp"
+#include "result/trace_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kScriptEnding = ".gp";
+
+PlotScript draw(const Page& page, const PlotRequest& request) {
+  const auto traces = std::count_if(request.paths.begin(), request.paths.end(), is_trace_file);
+  if (traces == 0) return draw_maps(page, request);
+  if (traces == std::ssize(request.paths)) return draw_traces(page, request);
+  // What is neither says so itself.
+  for (const std::string& path : request.paths) {
+    if (!is_trace_file(path)) ResultFile{path};
+  }
+  throw InputError("some of the files hold maps and some traces; draw either by themselves");
+}
+
+// Whether a picture ends as its format does: gnuplot does not always say when a disk is full.
+bool is_whole(const std::string& file, const std::string& name) {
+  const std::string mark = name.ends_with(".png")   ? "IEND"
+                           : name.ends_with(".pdf") ? "%%EOF"
+                           : name.ends_with(".tex") ? "\\endgroup"
+                                                    : "</svg>";
+  std::ifstream in(file, std::ios::binary);
+  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  return content.find(mark, content.size() - std::min<std::size_t>(content.size(), 32)) !=
+         std::string::npos;
+}
+
+// The lines before the picture's own: where its files are and where the picture goes. Whatever
+// their names and whoever starts gnuplot, they begin with '/' or './' (see plain_path()).
+//
+// gnuplot's default encoding passes UTF-8 on as it is, in every locale. To set any other, this one
+// too, makes gnuplot 5.4 complain where the locale is not UTF-8, so that is left to whoever has
+// chosen another in an own ~/.gnuplot.
+std::string preamble(const fs::path& script, const std::string& output, const Page& page,
+                     const PlotScript& drawn) {
+  const fs::path from_script = fs::absolute(output).lexically_relative(
+      fs::absolute(script).lexically_normal().parent_path());
+  return fmt::format(
+      "# Given to gnuplot, this draws the picture again: gnuplot -c SCRIPT [PICTURE [DATA]]\n"
+      "plain(path) = path[1:1] eq '/' ? path : './'.path\n"
+      "script = plain(ARG0)\n"
+      "do for [i = 1:strlen(script)] {{ if (script[i:i] eq '/') {{ folder = script[1:i] }} }}\n"
+      "files = script[1:strlen(script) - 3]\n"
+      "picture = ARGC > 0 ? plain(ARG1) : folder.{}\n"
+      "data = ARGC > 1 ? plain(ARG2) : files.'.dat'\n"
+      "if (GPVAL_ENCODING ne 'default' && GPVAL_ENCODING ne 'utf8') {{ set encoding utf8 }}\n{}{}"
+      "set output picture\n",
+      quote(from_script.string()), drawn.before, page.terminal(drawn.height));
+}
+
+constexpr std::string_view kTex = ".tex";
+
+// Of the image that LaTeX's picture includes; empty of other formats. Throws InputError where LaTeX
+// would take the name for more than a name.
+std::string image_of(const std::string& output) {
+  if (!output.ends_with(kTex)) return "";
+  const std::string stem = fs::path(output).stem().string();
+  const bool is_safe = std::all_of(stem.begin(), stem.end(), [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
+  });
+  if (!is_safe || stem.empty()) {
+    throw InputError(fmt::format(
+        "cannot draw '{}': LaTeX includes it by its name, which may have letters, digits and - _ .",
+        output));
+  }
+  return output.substr(0, output.size() - kTex.size()) + ".pdf";
+}
+
+// Where gnuplot draws, and what becomes of it.
+class Drawing {
+ public:
+  explicit Drawing(const std::string& path)
+      : path_(path), image_path_(image_of(path)), output_(path) {
+    if (!image_path_.empty()) image_.emplace(image_path_);
+  }
+
+  // LaTeX's picture is drawn under its own name, since its text names the image.
+  std::string place() const {
+    if (!image_) return output_.temporary_path();
+    return (folder_.path() / fs::path(path_).filename()).string();
+  }
+
+  void commit() {
+    if (image_) {
+      const std::string drawn = place();
+      const std::string stem = drawn.substr(0, drawn.size() - kTex.size());
+      std::string text = content(drawn);
+      // As it is found beside the text, wherever it was drawn.
+      const std::string name = fs::path(stem).filename().string();
+      for (std::size_t at = 0; (at = text.find(stem, at)) != std::string::npos;) {
+        text.replace(at, stem.size(), name);
+        at += name.size();
+      }
+      fs::copy_file(stem + ".pdf", image_->temporary_path(), fs::copy_options::overwrite_existing);
+      std::ofstream(output_.temporary_path(), std::ios::binary) << text;
+      ensure_whole(image_->temporary_path(), image_path_);
+    }
+    ensure_whole(output_.temporary_path(), path_);
+    if (image_) image_->commit();
+    output_.commit();
+  }
+
+ private:
+  static std::string content(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  static void ensure_whole(const std::string& file, const std::string& name) {
+    if (is_whole(file, name)) return;
+    throw RunError(fmt::format("gnuplot wrote no whole picture for '{}'; is the disk full?", name));
+  }
+
+  std::string path_, image_path_;
+  OutputFile output_;
+  std::optional<OutputFile> image_;
+  TemporaryFolder folder_;
+};
+
+}  // namespace
+
+void ensure_plottable(const std::string& output_path) {
+  picture_format(output_path);
+  const std::string image = image_of(output_path);
+  if (!image.empty()) ensure_writable(image);
+  ensure_writable(output_path);
+  ensure_gnuplot();
+}
+
+void plot_files(const PlotRequest& request) {
+  const Page page(request.style, picture_format(request.output_path), usual_width(request));
+  const bool keep_script = !request.script_path.empty();
+  if (keep_script && !request.script_path.ends_with(kScriptEnding)) {
+    throw InputError(
+        fmt::format("cannot write the script '{}': its name must end in .gp", request.script_path));
+  }
+  Drawing drawing(request.output_path);
+  if (keep_script) ensure_writable(request.script_path);
+  const PlotScript drawn = draw(page, request);
+
+  const TemporaryFolder folder;
+  const fs::path script = keep_script ? fs::path(request.script_path) : folder.path() / "plot.gp";
+  const std::string stem = script.string();
+  const std::string files = stem.substr(0, stem.size() - kScriptEnding.size());
+  write_file(files + ".dat", drawn.data);
+  if (!drawn.missing.empty()) write_file(files + "-missing.dat", drawn.missing);
+  write_file(script.string(), preamble(script, request.output_path, page, drawn) + drawn.text);
+
+  run_gnuplot(script.string(), drawing.place());
+  drawing.commit();
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,110 @@
+#include "reference/detail/lyapunov_meters.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "plan/start_tangents.hpp"
+
+namespace gearsweep {
+namespace {
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+class LyapunovMax final : public Meter {
+ public:
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
+    growths_.push_back(growth[0]);
+    rates_.push_back(growth[0] / length);
+  }
+  std::vector<double> finish(const Window&) const override {
+    return {mean(rates_), standard_error(), mean(growths_)};
+  }
+
+ private:
+  // Of the mean of 16 (or a few more) blocks that do not overlap; what is left of the periods
+  // takes no part.
+  double standard_error() const {
+    constexpr std::size_t kBlocks = 16;
+    const std::size_t length = std::max<std::size_t>(1, rates_.size() / kBlocks);
+    std::vector<double> means;
+    for (auto first = rates_.begin(); rates_.end() - first >= static_cast<std::ptrdiff_t>(length);
+         first += static_cast<std::ptrdiff_t>(length)) {
+      means.push_back(mean({first, first + static_cast<std::ptrdiff_t>(length)}));
+    }
+    if (means.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    const double middle = mean(means);
+    double squares = 0.0;
+    for (const double value : means) squares += (value - middle) * (value - middle);
+    const auto count = static_cast<double>(means.size());
+    return std::sqrt(squares / (count * (count - 1.0)));
+  }
+
+  std::vector<double> growths_, rates_;
+};
+
+class LyapunovSpectrum final : public Meter {
+ public:
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
+    if (sums_.size() == 0) sums_ = Eigen::VectorXd::Zero(growth.size());
+    sums_ += growth / length;
+  }
+  std::vector<double> finish(const Window& window) const override {
+    const Eigen::VectorXd exponents = sums_ / static_cast<double>(window.record);
+    return {exponents.begin(), exponents.end()};
+  }
+
+ private:
+  Eigen::VectorXd sums_;
+};
+
+class KaplanYorke final : public Meter {
+ public:
+  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
+    spectrum_.period(state, growth, length);
+  }
+  std::vector<double> finish(const Window& window) const override {
+    std::vector<double> exponents = spectrum_.finish(window);
+    std::sort(exponents.begin(), exponents.end(), std::greater<>());
+    double sum = 0.0;
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+      if (sum + exponents[j] < 0.0) return {static_cast<double>(j) + sum / -exponents[j]};
+      sum += exponents[j];
+    }
+    return {static_cast<double>(exponents.size())};
+  }
+
+ private:
+  LyapunovSpectrum spectrum_;
+};
+
+}  // namespace
+
+void set_start_tangents(std::size_t count, Trajectory* trajectory) {
+  const Eigen::Index states = trajectory->state().size();
+  const std::vector<double> vectors = start_tangents(count, static_cast<std::size_t>(states));
+  if (count == 0) return;
+  trajectory->set_tangents(
+      Eigen::Map<const Eigen::MatrixXd>(vectors.data(), states, static_cast<Eigen::Index>(count)));
+}
+
+Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {
+  const Eigen::MatrixXd& grown = trajectory->tangents();
+  const Eigen::Index count = grown.cols();
+  if (count == 0) return {};
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(grown);
+  const Eigen::VectorXd growth = qr.matrixQR().diagonal().cwiseAbs().array().log();
+  trajectory->set_tangents(qr.householderQ() * Eigen::MatrixXd::Identity(grown.rows(), count));
+  return growth;
+}
+
+std::unique_ptr<Meter> make_lyapunov_max() { return std::make_unique<LyapunovMax>(); }
+std::unique_ptr<Meter> make_lyapunov_spectrum() { return std::make_unique<LyapunovSpectrum>(); }
+std::unique_ptr<Meter> make_kaplan_yorke() { return std::make_unique<KaplanYorke>(); }
+
+}  // namespace gearsweep

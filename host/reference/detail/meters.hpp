@@ -1,0 +1,34 @@
+// The reference engine's own observables, written from their definitions in plain double, to be
+// compared with those of the kernels.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/window.hpp"
+#include "reference/detail/trajectory.hpp"
+#include "study/selection.hpp"
+
+namespace gearsweep {
+
+// Measures one trajectory over its recorded periods.
+class Meter {
+ public:
+  virtual ~Meter() = default;
+  // Before anything else: the state at phase 0 where the record begins.
+  virtual void begin(const Eigen::VectorXd&) {}
+  // One step, with its share of the period.
+  virtual void step(const Moment&, const Moment&, double) {}
+  // One period: the state at its end; the logarithms of how far its orthonormal tangent vectors
+  // grew (empty unless the selection has some); its length in dimensionless time.
+  virtual void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double) {}
+  // The observable's outputs, in its order, once the window is recorded.
+  virtual std::vector<double> finish(const Window& window) const = 0;
+};
+
+// `period_tolerance` is the selection's. Throws RunError for an observable that the reference
+// engine does not know.
+std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer,
+                                  double period_tolerance);
+
+}  // namespace gearsweep

@@ -1,0 +1,58 @@
+#include "reference/detail/motion_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace gearsweep {
+
+StateKinds state_kinds(const Model& model) {
+  StateKinds kinds;
+  for (const ChannelInfo& state : model.states) {
+    const auto first = std::find_if(model.states.begin(), model.states.end(),
+                                    [&](const ChannelInfo& one) { return one.unit == state.unit; });
+    kinds.units.push_back(static_cast<std::size_t>(first - model.states.begin()));
+  }
+  kinds.angles = model.angles;
+  return kinds;
+}
+
+MotionRange::MotionRange(StateKinds kinds, double tolerance)
+    : kinds_(std::move(kinds)), least_(64.0 * std::numeric_limits<double>::epsilon() / tolerance) {}
+
+void MotionRange::widen(const Eigen::VectorXd& state) {
+  low_ = low_.cwiseMin(state);
+  high_ = high_.cwiseMax(state);
+}
+
+void MotionRange::end_period(const Eigen::VectorXd& state) {
+  const Eigen::VectorXd greatest = low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
+  const Eigen::VectorXd range = (high_ - low_).cwiseMax(least_ * greatest);
+  if (ranges_.size() == 0) ranges_ = Eigen::VectorXd::Zero(range.size());
+  ranges_ = ranges_.cwiseMax(range);
+  begin(state);
+}
+
+double MotionRange::distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+  Eigen::VectorXd apart = a - b;
+  for (const std::size_t angle : kinds_.angles) {
+    double& turn = apart[static_cast<Eigen::Index>(angle)];
+    turn = std::remainder(turn, 2.0 * std::numbers::pi);
+  }
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < kinds_.units.size(); ++i) {
+    const double size = std::abs(apart[static_cast<Eigen::Index>(i)]);
+    if (size == 0.0) continue;
+    double range = 0.0;
+    for (std::size_t j = 0; j < kinds_.units.size(); ++j) {
+      if (kinds_.units[j] != kinds_.units[i]) continue;
+      range = std::max(range, ranges_[static_cast<Eigen::Index>(j)]);
+    }
+    greatest = std::max(greatest, size / range);
+  }
+  return greatest;
+}
+
+}  // namespace gearsweep

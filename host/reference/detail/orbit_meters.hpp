@@ -1,0 +1,26 @@
+// The reference engine's observables of the sections, the states at phase 0 of each period: how
+// they recur, and what kind of motion that makes. All sections of the record are kept, so that the
+// definitions (kernels/observables/period.h, settled.h, motion.h, section.h) are followed as they
+// stand.
+#pragma once
+
+#include <memory>
+
+#include "reference/detail/meters.hpp"
+#include "reference/detail/motion_range.hpp"
+
+namespace gearsweep {
+
+// Two sections are the same when no component differs by more than `tolerance` times the range of
+// the motion (motion_range.hpp).
+
+// The period of the motion in forcing periods, 0 when there is none.
+std::unique_ptr<Meter> make_period(double tolerance, const StateKinds& kinds);
+// Forcing periods until the motion stayed periodic, NaN when it did not.
+std::unique_ptr<Meter> make_settled(double tolerance, const StateKinds& kinds);
+// The kind of motion, a value of motion_class; needs a tangent vector.
+std::unique_ptr<Meter> make_motion(double tolerance, const StateKinds& kinds);
+// Least value of each state, then greatest value of each.
+std::unique_ptr<Meter> make_section();
+
+}  // namespace gearsweep

@@ -1,0 +1,14 @@
+// Draws what `gearsweep reproduce` has measured.
+#pragma once
+
+#include <string>
+
+#include "reproduce/detail/measured.hpp"
+
+namespace gearsweep {
+
+// Draws from the results in `folder`, and returns the Markdown that shows the pictures. Throws
+// RunError.
+std::string draw_pictures(const Measured& measured, const std::string& folder);
+
+}  // namespace gearsweep

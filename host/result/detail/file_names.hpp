@@ -1,0 +1,21 @@
+// What parameters and initial states are called in a file.
+//
+// They are called what the study calls them, but for those whose name something else in the file
+// bears, such as rossler's `period` beside the quantity `period`: a parameter is parameter_NAME
+// then, an initial state initial_NAME. Everything else always has its own name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// Of an axis, in the result file of its study.
+std::string name_in_result(const Axis& axis, const Study& study);
+
+// Of a parameter, in a file of traces of these channels.
+std::string name_in_traces(const std::string& parameter, const std::vector<ChannelInfo>& channels);
+
+}  // namespace gearsweep

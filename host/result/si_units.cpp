@@ -1,0 +1,86 @@
+#include "result/si_units.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "model/error.hpp"
+#include "result/detail/netcdf_file.hpp"
+
+namespace gearsweep {
+
+SiUnit si_unit(const std::string& unit, const Scales& scales) {
+  if (!scales.known()) return {};
+  if (unit == "b_n") return {scales.b_n, "m"};
+  if (unit == "b_n varpi") return {scales.b_n * scales.varpi, "m/s"};
+  if (unit == "varpi") return {scales.varpi, "rad/s"};
+  if (unit == "1/varpi") return {1.0 / scales.varpi, "s"};
+  if (unit == "1/tau") return {scales.varpi, "1/s"};
+  if (unit == "k0") return {scales.k0, "N/m"};
+  if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+  return {};
+}
+
+SiUnit shown_unit(const std::string& unit, const Scales& scales) {
+  const SiUnit si = si_unit(unit, scales);
+  if (si.name == "m") return {1e6 * si.scale, "µm"};
+  if (si.name == "m/s") return {1e3 * si.scale, "mm/s"};
+  if (si.name == "N/m") return {1e-6 * si.scale, "N/µm"};
+  if (si.name == "rad/s" && scales.rpm_per_omega > 0.0) return {scales.rpm_per_omega, "rpm"};
+  return si;
+}
+
+Scales read_scales(const NetcdfFile& file) {
+  const auto number = [&](const char* name) {
+    const std::vector<double> numbers = file.number_attribute(NC_GLOBAL, name);
+    const bool is_scale =
+        numbers.size() == 1 && std::isfinite(numbers.front()) && numbers.front() > 0.0;
+    return is_scale ? numbers.front() : 0.0;
+  };
+  Scales scales;
+  scales.varpi = number("scale_varpi_rad_per_s");
+  scales.b_n = number("scale_b_n_m");
+  scales.k0 = number("scale_k0_N_per_m");
+  scales.rpm_per_omega = number("scale_rpm_per_omega");
+  return scales;
+}
+
+void ensure_scales(const Scales& scales, const std::string& path) {
+  if (scales.known()) return;
+  throw InputError(
+      fmt::format("--units SI: '{}' has no scales; a study with a [gear] table has them", path));
+}
+
+void convert_to_si(const Scales& scales, Trace* trace) {
+  for (std::size_t i = 0; i < trace->channels.size(); ++i) {
+    const SiUnit si = shown_unit(trace->channels[i].unit, scales);
+    if (si.scale <= 0.0) continue;
+    for (double& value : trace->values[i]) value *= si.scale;
+    trace->channels[i].unit = si.name;
+  }
+}
+
+void convert_to_si(const Scales& scales, ResultMap* map) {
+  for (ResultAxis& axis : map->axes) {
+    const SiUnit si = shown_unit(axis.unit, scales);
+    if (si.scale <= 0.0) continue;
+    for (double& value : axis.values) value *= si.scale;
+    if (si.name == "rpm") axis.meaning = "pinion speed";
+    axis.unit = si.name;
+  }
+  // The samples of each part of each point stand beside each other.
+  const std::size_t parts = map->part_count();
+  for (std::size_t part = 0; part < parts; ++part) {
+    const SiUnit si = shown_unit(map->parts.empty() ? map->unit : map->parts[part].unit, scales);
+    if (si.scale <= 0.0) continue;
+    for (std::size_t point = 0; point < map->points(); ++point) {
+      double* first = map->values.data() + (point * parts + part) * map->samples;
+      for (double* value = first; value < first + map->samples; ++value) *value *= si.scale;
+    }
+    if (!map->parts.empty()) map->parts[part].unit = si.name;
+  }
+  const SiUnit own = shown_unit(map->unit, scales);
+  if (own.scale > 0.0) map->unit = own.name;
+}
+
+}  // namespace gearsweep

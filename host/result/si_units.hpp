@@ -1,0 +1,35 @@
+// SI units of dimensionless quantities, of studies with a [gear] table.
+#pragma once
+
+#include <string>
+
+#include "engine/trace.hpp"
+#include "result/result_file.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// How many of the unit `name` one dimensionless unit is; the scale is 0 where there is none.
+struct SiUnit {
+  double scale = 0.0;
+  std::string name;
+};
+
+// As SI has it: m, m/s, rad/s, s, 1/s, N/m, N.
+SiUnit si_unit(const std::string& unit, const Scales& scales);
+
+// As pictures and tables show it: um, mm/s, N, N/um, and rpm of the pinion for frequencies.
+SiUnit shown_unit(const std::string& unit, const Scales& scales);
+
+// What a file says of its scales; unknown without a [gear] table.
+Scales read_scales(const NetcdfFile& file);
+
+// Throws InputError when the scales are not known; `path`: of the file, for messages.
+void ensure_scales(const Scales& scales, const std::string& path);
+
+// Changes values and units of the map and of its axes, which keep their names.
+void convert_to_si(const Scales& scales, ResultMap* map);
+// The same of a trace's channels; its time stays.
+void convert_to_si(const Scales& scales, Trace* trace);
+
+}  // namespace gearsweep

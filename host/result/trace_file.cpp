@@ -1,0 +1,265 @@
+#include "result/trace_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "model/error.hpp"
+#include "result/detail/csv_text.hpp"
+#include "result/detail/file_names.hpp"
+#include "result/detail/file_notes.hpp"
+#include "result/detail/netcdf_file.hpp"
+#include "result/output_file.hpp"
+#include "result/si_units.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kContent = "traces of gearsweep";
+constexpr std::size_t kMostTraces = 10'000;  // of a file; a picture takes far fewer
+
+double parameter_of(const Study& study, const Trace& trace, const std::string& name) {
+  return trace.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
+}
+
+// Of a unit in a table: what its numbers are multiplied by, and what it is called.
+SiUnit unit_in_table(const std::string& unit, const Study& study, TableUnits units) {
+  if (units == TableUnits::model) return {1.0, unit};
+  const SiUnit si = shown_unit(unit, study.scales);
+  return si.scale > 0.0 ? si : SiUnit{1.0, unit};
+}
+
+std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::string>& placed,
+                   const Study& study, TableUnits units) {
+  const auto unit_of = [&](const std::string& unit) { return unit_in_table(unit, study, units); };
+  CsvText csv;
+  csv.add_name("trace");
+  std::vector<SiUnit> placed_units, channel_units;
+  for (const std::string& name : placed) {
+    const auto parameter = static_cast<std::size_t>(study.model->find_parameter(name));
+    placed_units.push_back(unit_of(study.model->parameters[parameter].unit));
+    csv.add_name(name_in_traces(name, traces.front().channels), placed_units.back().name);
+  }
+  const SiUnit time = unit_of(time_unit(*study.model));
+  csv.add_name("tau", time.name);
+  for (const ChannelInfo& channel : traces.front().channels) {
+    channel_units.push_back(unit_of(channel.unit));
+    csv.add_name(channel.name, channel_units.back().name);
+  }
+  csv.end_row();
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const Trace& trace = traces[i];
+    for (std::size_t moment = 0; moment < trace.tau.size(); ++moment) {
+      csv.add_number(static_cast<double>(i + 1));
+      for (std::size_t j = 0; j < placed.size(); ++j) {
+        csv.add_number(placed_units[j].scale * parameter_of(study, trace, placed[j]));
+      }
+      csv.add_number(time.scale * trace.tau[moment]);
+      for (std::size_t j = 0; j < trace.values.size(); ++j) {
+        csv.add_number(channel_units[j].scale * trace.values[j][moment]);
+      }
+      csv.end_row();
+    }
+  }
+  return csv.text();
+}
+
+// Defines the whole file, then fills it.
+class Writer {
+ public:
+  Writer(const std::vector<Trace>& traces, const Study& study,
+         const std::vector<std::string>& placed, NetcdfFile* file)
+      : traces_(traces),
+        study_(study),
+        placed_(placed),
+        file_(*file),
+        notes_(study, placed, file),
+        trace_(file_.define_dimension("trace", traces.size())),
+        moment_(file_.define_dimension("moment", longest())) {}
+
+  void write(const std::vector<std::string>& labels, const Provenance& provenance) {
+    file_.put_attribute(NC_GLOBAL, "content", kContent);
+    notes_.put_provenance(provenance);
+    const std::string time = time_unit(*study_.model);
+    write_labels(labels);
+    write_numbers("period", time, "forcing period in dimensionless time",
+                  [](const Trace& trace) { return trace.period; });
+    write_numbers("settled", "1", "forcing periods before the first moment",
+                  [](const Trace& trace) { return static_cast<double>(trace.settled); });
+    for (const std::string& name : placed_) {
+      const ParameterInfo& info =
+          study_.model->parameters[static_cast<std::size_t>(study_.model->find_parameter(name))];
+      write_numbers(name_in_traces(name, traces_.front().channels), info.unit, info.meaning,
+                    [&](const Trace& trace) { return parameter_of(study_, trace, name); });
+    }
+    write_history({"tau", time, "dimensionless time since the first moment"},
+                  [](const Trace& trace) -> const std::vector<double>& { return trace.tau; });
+    const std::vector<ChannelInfo>& channels = traces_.front().channels;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      write_history(channels[i], [i](const Trace& trace) -> const std::vector<double>& {
+        return trace.values[i];
+      });
+    }
+  }
+
+ private:
+  std::size_t longest() const {
+    std::size_t most = 0;
+    for (const Trace& trace : traces_) most = std::max(most, trace.tau.size());
+    return most;
+  }
+
+  void write_labels(const std::vector<std::string>& labels) {
+    std::size_t width = 1;
+    for (const std::string& label : labels) width = std::max(width, label.size());
+    const int dimension = file_.define_dimension("label_width", width);
+    const int variable = file_.define_variable("label", NC_CHAR, {trace_, dimension});
+    file_.put_attribute(variable, "long_name", "what each trace is of");
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      std::string padded = labels[i];
+      padded.resize(width, ' ');
+      file_.put_text(variable, {i, 0}, {1, width}, padded);
+    }
+  }
+
+  template <class Value>
+  void write_numbers(const std::string& name, const std::string& unit, const std::string& meaning,
+                     const Value& value) {
+    const int variable = file_.define_variable(name, NC_DOUBLE, {trace_});
+    notes_.describe(variable, unit, meaning);
+    std::vector<double> numbers;
+    for (const Trace& trace : traces_) numbers.push_back(value(trace));
+    file_.put(variable, {0}, {numbers.size()}, numbers);
+  }
+
+  template <class Values>
+  void write_history(const ChannelInfo& info, const Values& values_of) {
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    const int variable = file_.define_variable(info.name, NC_DOUBLE, {trace_, moment_});
+    notes_.describe(variable, info.unit, info.meaning);
+    file_.put_attribute(variable, "_FillValue", missing);
+    file_.compress(variable);
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+      std::vector<double> values = values_of(traces_[i]);
+      values.resize(longest(), missing);
+      file_.put(variable, {i, 0}, {1, values.size()}, values);
+    }
+  }
+
+  const std::vector<Trace>& traces_;
+  const Study& study_;
+  const std::vector<std::string>& placed_;
+  NetcdfFile& file_;
+  FileNotes notes_;
+  const int trace_, moment_;
+};
+
+}  // namespace
+
+void ensure_trace_file(const std::string& path, const Study& study, TableUnits units) {
+  const bool is_table = path.ends_with(".csv");
+  if (!is_table && !path.ends_with(".nc")) {
+    throw InputError(
+        fmt::format("cannot write traces to '{}': its name must end in .nc or .csv", path));
+  }
+  if (units == TableUnits::model) return;
+  if (!is_table) {
+    throw InputError(fmt::format(
+        "--units SI is for tables: '{}' will have scale_to_SI beside each variable", path));
+  }
+  if (!study.scales.known()) {
+    throw InputError("--units SI: the study has no [gear] table, which gives the scales");
+  }
+}
+
+void write_traces(const std::vector<Trace>& traces, const std::vector<std::string>& labels,
+                  const std::vector<std::string>& placed, const Study& study,
+                  const std::string& path, const Provenance& provenance, TableUnits units) {
+  ensure_trace_file(path, study, units);
+  if (path.ends_with(".csv")) {
+    write_file(path, csv_of(traces, placed, study, units));
+    return;
+  }
+  OutputFile output(path);
+  NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
+  Writer(traces, study, placed, &file).write(labels, provenance);
+  file.close();
+  output.commit();
+}
+
+bool is_trace_file(const std::string& path) {
+  if (!is_netcdf(path)) return false;
+  return NetcdfFile::open(path).text_attribute(NC_GLOBAL, "content") == kContent;
+}
+
+namespace {
+
+[[noreturn]] void refuse_foreign(const std::string& path) {
+  throw InputError(
+      fmt::format("'{}' holds no traces; give a file that 'gearsweep trace' wrote", path));
+}
+
+// Time begins somewhere and goes on; a trace ends where it is missing.
+bool is_time(const std::vector<double>& tau) {
+  return !tau.empty() &&
+         std::adjacent_find(tau.begin(), tau.end(), std::greater<>()) == tau.end() &&
+         std::isfinite(tau.front()) && std::isfinite(tau.back());
+}
+
+// Trace i: its time, and the channels that stand over the same dimensions as `tau`.
+Trace read_trace(const NetcdfFile& file, int tau, std::size_t i) {
+  const std::vector<int> dimensions = file.dimensions_of(tau);
+  const std::size_t moments = file.dimension_size(dimensions[1]);
+  Trace trace;
+  trace.tau = file.read(tau, {i, 0}, {1, moments});
+  const auto end = std::find_if(trace.tau.begin(), trace.tau.end(),
+                                [](double time) { return std::isnan(time); });
+  trace.tau.erase(end, trace.tau.end());
+  for (const std::string& name : file.variables()) {
+    const int variable = file.find_variable(name);
+    if (name == "tau" || file.dimensions_of(variable) != dimensions) continue;
+    trace.channels.push_back({name, file.text_attribute(variable, "units").value_or(""),
+                              file.text_attribute(variable, "long_name").value_or("")});
+    trace.values.push_back(file.read(variable, {i, 0}, {1, moments}));
+    trace.values.back().resize(trace.tau.size());
+  }
+  return trace;
+}
+
+}  // namespace
+
+std::vector<StoredTrace> read_traces(const std::string& path) {
+  const NetcdfFile file = NetcdfFile::open(path);
+  const int tau = file.find_variable("tau");
+  const int label = file.find_variable("label");
+  const int period = file.find_variable("period");
+  if (file.text_attribute(NC_GLOBAL, "content") != kContent || tau < 0 || label < 0 || period < 0 ||
+      file.dimensions_of(tau).size() != 2) {
+    refuse_foreign(path);
+  }
+  const std::size_t count = file.dimension_size(file.dimensions_of(tau).front());
+  const std::vector<std::string> labels = file.read_texts(label);
+  const std::vector<double> periods = file.read(period, {0}, {count});
+  if (count == 0 || count > kMostTraces || labels.size() != count) refuse_foreign(path);
+  std::vector<StoredTrace> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    StoredTrace stored;
+    stored.title = file.text_attribute(NC_GLOBAL, "title").value_or("");
+    stored.settings = file.text_attribute(NC_GLOBAL, "settings").value_or("");
+    stored.label = labels[i];
+    stored.scales = read_scales(file);
+    stored.trace = read_trace(file, tau, i);
+    stored.trace.period = periods[i];
+    if (!is_time(stored.trace.tau) || stored.trace.channels.empty() ||
+        !(std::isfinite(periods[i]) && periods[i] > 0.0)) {
+      refuse_foreign(path);
+    }
+    out.push_back(std::move(stored));
+  }
+  return out;
+}
+
+}  // namespace gearsweep

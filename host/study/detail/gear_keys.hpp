@@ -1,0 +1,110 @@
+// The keys of the [gear] table, their ranges, and how they are read.
+#pragma once
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/detail/toml_access.hpp"
+
+namespace gearsweep {
+
+// A key of the table with its allowed range, in its own unit. `type` and `fallback` (what a table
+// without the key has) are in words.
+struct GearKey {
+  std::string_view name;
+  double least, greatest;
+  std::string_view meaning;
+  std::string_view type = "number", fallback = "required";
+};
+
+inline constexpr std::string_view kPair = "number or [pinion, gear]";
+inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
+
+inline constexpr GearKey kTeeth{"teeth", 3.0, 1000.0, "numbers of teeth", "[pinion, gear]"};
+inline constexpr GearKey kModule{"module_mm", 1e-3, 1e3, "module"};
+inline constexpr GearKey kPressureAngle{"pressure_angle_deg",         5.0,      45.0,
+                                        "pressure angle of the tool", "number", "20"};
+inline constexpr GearKey kCentreDistance{"centre_distance_mm", 1e-3,     1e6,
+                                         "centre distance",    "number", "module (z1 + z2)/2"};
+inline constexpr GearKey kContactRatio{"contact_ratio", 0.0,      10.0,
+                                       "contact ratio", "number", "from the geometry"};
+inline constexpr GearKey kAddendum{"addendum_mm", 0.0, 1e4, "addendum", kPair, "one module"};
+inline constexpr GearKey kInertia{"inertia_kg_mm2", 1e-9, 1e15, "moment of inertia", kPair};
+inline constexpr GearKey kMass{"mass_kg", 1e-9, 1e9, "mass", kPair};
+inline constexpr GearKey kBearingStiffness{"bearing_stiffness_N_per_mm", 1e-6, 1e15,
+                                           "bearing stiffness, y along the line of action",
+                                           kBearings};
+inline constexpr GearKey kBearingDamping{"bearing_damping_N_s_per_mm", 0.0, 1e12, "bearing damping",
+                                         kBearings};
+inline constexpr GearKey kMeshDamping{"mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping"};
+inline constexpr GearKey kHalfBacklash{"half_backlash_mm", 1e-9, 1e3,
+                                       "half backlash, the unit of length"};
+inline constexpr GearKey kMeshStiffness{
+    "mesh_stiffness_N_per_m", 1e-3,     1e15,
+    "mean mesh stiffness",    "number", "by ISO 6336-1 method B from face_width_mm"};
+inline constexpr GearKey kFaceWidth{
+    "face_width_mm", 1e-3, 1e5, "face width", "number", "needed without mesh_stiffness_N_per_m"};
+inline constexpr GearKey kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
+inline constexpr GearKey kTransmissionError{"transmission_error_um", 0.0, 1e9,
+                                            "amplitude of the transmission error"};
+inline constexpr GearKey kSpeed{"pinion_speed_rpm",    1e-6,     1e9,
+                                "speed of the pinion", "number", "omega stays as it is"};
+
+inline constexpr std::array kGearKeys = {
+    kTeeth,         kModule,    kPressureAngle,    kCentreDistance,    kContactRatio, kAddendum,
+    kInertia,       kMass,      kBearingStiffness, kBearingDamping,    kMeshDamping,  kHalfBacklash,
+    kMeshStiffness, kFaceWidth, kTorque,           kTransmissionError, kSpeed};
+
+// The table by keys. All its numbers are in the units of the keys.
+class GearReader {
+ public:
+  explicit GearReader(const toml::table& gear) : gear_(gear), reader_(&gear, "[gear]") {
+    for (const GearKey& key : kGearKeys) reader_.know(std::string(key.name));
+    reader_.refuse_unknown();
+  }
+
+  bool has(const GearKey& key) const { return gear_.contains(key.name); }
+
+  // What a message about this key should point at: the key, or the table that lacks it.
+  const toml::node& node(const GearKey& key) const {
+    const toml::node* found = gear_.get(key.name);
+    return found == nullptr ? gear_ : *found;
+  }
+
+  std::optional<double> optional(const GearKey& key) {
+    return reader_.optional_number(std::string(key.name), key.least, key.greatest);
+  }
+
+  double required(const GearKey& key) {
+    need(key);
+    return *optional(key);
+  }
+
+  // `count` numbers, or one that stands for all of them.
+  std::vector<double> list(const GearKey& key, std::size_t count) {
+    need(key);
+    std::vector<double> values = reader_.numbers(std::string(key.name), key.least, key.greatest);
+    if (!node(key).is_array()) values.assign(count, values.front());
+    if (values.size() != count) {
+      fail_at(node(key), fmt::format("{} has {} numbers; it needs one number or a list of {}",
+                                     key.name, values.size(), count));
+    }
+    return values;
+  }
+
+ private:
+  void need(const GearKey& key) const {
+    if (!has(key)) fail_at(gear_, fmt::format("[gear] needs '{}' ({})", key.name, key.meaning));
+  }
+
+  const toml::table& gear_;
+  TableReader reader_;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,87 @@
+#include "study/detail/initial_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "model/error.hpp"
+#include "study/detail/toml_access.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+std::vector<std::string> axis_names(const Study& study) {
+  std::vector<std::string> names;
+  for (const Axis& axis : study.axes) names.push_back(axis.name);
+  return names;
+}
+
+// The states of all models are of the order of 1, and so is the default spread.
+void read_ensemble(TableReader* reader, Study* study) {
+  const Model& model = *study->model;
+  Initial& initial = study->initial;
+  initial.ensemble = reader->count("ensemble", initial.ensemble);
+  initial.seed = reader->count("seed", initial.seed);
+  initial.spread.assign(model.states.size(), 1.0);
+  const toml::node* spread = reader->find("spread");
+  for (const char* key : {"seed", "spread"}) {
+    if (initial.ensemble == 1 && reader->find(key) != nullptr) {
+      fail_at(*reader->find(key), fmt::format("{} belongs to an ensemble: give ensemble = 8, for "
+                                              "example",
+                                              key));
+    }
+  }
+  if (initial.ensemble > 1 && study->is_chained()) {
+    fail_at(*reader->find("ensemble"),
+            "an ensemble cannot go on from its neighbour: it needs policy = \"shifted\" or "
+            "\"fixed\"");
+  }
+  if (spread == nullptr) return;
+  if (!spread->is_table()) {
+    const double all = reader->number("spread", 1.0);
+    initial.spread.assign(model.states.size(), all);
+    return;
+  }
+  TableReader states(spread->as_table(), "initial.spread");
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    initial.spread[i] = states.number(model.states[i].name, 0.0, 0.0, SWEEP_DIVERGED_BEYOND);
+  }
+  states.refuse_unknown();
+}
+
+}  // namespace
+
+std::vector<std::string> policy_names() { return {"fixed", "shifted", "forward", "backward"}; }
+
+void read_initial(const toml::table* table, Study* study) {
+  const Model& model = *study->model;
+  TableReader reader(table, study_table("initial"));
+  Initial& initial = study->initial;
+  initial.policy =
+      static_cast<InitialPolicy>(reader.choice("policy", static_cast<std::size_t>(initial.policy)));
+  initial.state.assign(model.states.size(), 0.0);
+  const toml::table* state = reader.table("state");
+  if (state != nullptr && initial.policy != InitialPolicy::fixed) {
+    fail_at(*state, "state belongs to policy = \"fixed\"");
+  }
+  TableReader state_reader(state, "initial.state");
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    initial.state[i] = state_reader.number(model.states[i].name, 0.0, -SWEEP_DIVERGED_BEYOND,
+                                           SWEEP_DIVERGED_BEYOND);
+  }
+  state_reader.refuse_unknown();
+  const bool chained = study->is_chained();
+  if (const toml::node* along = reader.find("along"); along != nullptr && !chained) {
+    fail_at(*along, "along belongs to policy = \"forward\" or \"backward\"");
+  }
+  if (chained) initial.along = reader.choice("along", 0, axis_names(*study));
+  read_ensemble(&reader, study);
+  reader.refuse_unknown();
+  if (chained && study->axes[initial.along].is_state) {
+    throw InputError(
+        fmt::format("{}: a chain cannot go along axis '{}', an initial state; name a "
+                    "parameter's axis with along = \"...\"",
+                    place_of(*table), study->axes[initial.along].name));
+  }
+}
+
+}  // namespace gearsweep

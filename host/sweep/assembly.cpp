@@ -1,0 +1,136 @@
+#include "sweep/assembly.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+// What to call the values of `attractor`, from 0; empty when there are too many to tell apart by
+// name.
+std::vector<std::string> class_names(const std::vector<Attractor>& attractors) {
+  constexpr std::size_t kMostNames = 30;
+  if (attractors.size() > kMostNames) return {};
+  std::vector<std::string> names = {"undecided"};
+  for (const Attractor& attractor : attractors) {
+    const std::string kind = attractor.period > 0.0 ? fmt::format("period_{}", attractor.period)
+                                                    : motion_names().at(attractor.motion);
+    names.push_back(fmt::format("{}_{}", names.size(), kind));
+  }
+  return names;
+}
+
+}  // namespace
+
+Assembly::Assembly(const Study& study) {
+  const std::size_t points = study.points();
+  const Selection& selection = study.selection;
+  result_.study = study;
+  result_.status.resize(points);
+  for (const Quantity& quantity : selection.quantities) {
+    result_.values.emplace_back(points * quantity.width);
+  }
+  result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
+  if (study.is_chained()) final_states_.resize(points * study.model->states.size());
+  if (selection.survey) specimens_.resize(study.trajectories());
+}
+
+void Assembly::add(const Tile& tile, const TileResult& result) {
+  const std::size_t count = tile.points.size();
+  const std::size_t series = result.samples.size() / count;
+  const std::size_t states = result.final_states.size() / count;
+  devices_.insert(result.device);
+  result_.steps += result.effort[kSteps];
+  result_.seconds += result.effort[kSeconds];
+  result_.kernel_seconds += result.effort[kKernelSeconds];
+  result_.stopped += static_cast<std::size_t>(result.effort[kStopped]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t point = tile.points[i];
+    if (!specimens_.empty()) add_specimen(point, result, i);
+    // The maps are those of each point's first trajectory.
+    if (point >= result_.status.size()) continue;
+    result_.status[point] = result.status[i];
+    for (std::size_t j = 0; j < result_.values.size(); ++j) {
+      const Quantity& quantity = result_.study.selection.quantities[j];
+      if (quantity.is_surveyed) continue;
+      for (std::size_t k = 0; k < quantity.width; ++k) {
+        result_.values[j][point * quantity.width + k] =
+            result.outputs[(quantity.output + k) * count + i];
+      }
+    }
+    const auto copy = [&](const std::vector<double>& from, std::size_t width,
+                          std::vector<double>* to) {
+      const auto first = from.begin() + static_cast<std::ptrdiff_t>(i * width);
+      std::copy(first, first + static_cast<std::ptrdiff_t>(width),
+                to->begin() + static_cast<std::ptrdiff_t>(point * width));
+    };
+    copy(result.samples, series, &result_.samples);
+    if (!final_states_.empty()) copy(result.final_states, states, &final_states_);
+  }
+}
+
+std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile) const {
+  const std::size_t states = plan.study().model->states.size();
+  std::vector<double> initial;
+  initial.reserve(tile.points.size() * states);
+  for (const std::size_t point : tile.points) {
+    const std::optional<std::size_t> before = plan.predecessor(point);
+    if (before && result_.status[*before] == STATUS_ok) {
+      const auto first = final_states_.begin() + static_cast<std::ptrdiff_t>(*before * states);
+      initial.insert(initial.end(), first, first + static_cast<std::ptrdiff_t>(states));
+    } else {
+      const std::vector<double> own = plan.own_initial_state(point);
+      initial.insert(initial.end(), own.begin(), own.end());
+    }
+  }
+  return initial;
+}
+
+void Assembly::add_specimen(std::size_t trajectory, const TileResult& result,
+                            std::size_t position) {
+  const Survey& survey = *result_.study.selection.survey;
+  const std::size_t count = result.status.size();
+  const auto output = [&](std::size_t index) { return result.outputs[index * count + position]; };
+  Specimen& specimen = specimens_[trajectory];
+  if (result.status[position] != STATUS_ok || output(survey.motion) == double{MOTION_undecided})
+    return;
+  specimen.is_known = true;
+  specimen.motion = static_cast<std::size_t>(output(survey.motion));
+  specimen.period = output(survey.period);
+  specimen.rms = output(survey.rms);
+  specimen.exponent = output(survey.exponent);
+  specimen.peak = survey.peak ? output(*survey.peak) : std::numeric_limits<double>::quiet_NaN();
+  const std::size_t states = result_.study.model->states.size();
+  for (const std::size_t first : {survey.section_min, survey.section_max}) {
+    for (std::size_t i = 0; i < states; ++i) specimen.box.push_back(output(first + i));
+  }
+}
+
+void Assembly::survey() {
+  AttractorList list = find_attractors(result_.study, specimens_);
+  for (std::size_t j = 0; j < result_.values.size(); ++j) {
+    Quantity& quantity = result_.study.selection.quantities[j];
+    if (!quantity.is_surveyed) continue;
+    if (quantity.name == "attractor") quantity.flags = class_names(list.attractors);
+    for (std::size_t point = 0; point < result_.status.size(); ++point) {
+      const std::size_t value =
+          quantity.name == "attractor" ? list.number[point] : list.count[point];
+      result_.values[j][point] = result_.status[point] == STATUS_ok
+                                     ? static_cast<double>(value)
+                                     : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  result_.attractors = std::move(list.attractors);
+}
+
+SweepResult Assembly::take() {
+  if (!specimens_.empty()) survey();
+  result_.engine.device = fmt::format("{}", fmt::join(devices_, "; "));
+  return std::move(result_);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,35 @@
+// Puts the answers of tiles together to the maps of a sweep.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "attractors/attractor_census.hpp"
+#include "engine/engine.hpp"
+
+namespace gearsweep {
+
+class Assembly {
+ public:
+  explicit Assembly(const Study& study);
+
+  void add(const Tile& tile, const TileResult& result);
+
+  // [point of the tile][state]: where each point of a tile starts. A point whose predecessor has
+  // diverged starts from its own initial state.
+  std::vector<double> initial_states(const Plan& plan, const Tile& tile) const;
+
+  // The maps, with the devices that computed them.
+  SweepResult take();
+
+ private:
+  void add_specimen(std::size_t trajectory, const TileResult& result, std::size_t position);
+  void survey();
+
+  SweepResult result_;
+  std::vector<double> final_states_;  // [point][state]
+  std::set<std::string> devices_;
+  std::vector<Specimen> specimens_;  // [trajectory]; empty unless the study has a survey
+};
+
+}  // namespace gearsweep

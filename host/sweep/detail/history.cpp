@@ -1,0 +1,148 @@
+#include "sweep/detail/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace gearsweep {
+namespace {
+
+class History {
+ public:
+  History(const Plan& plan, std::size_t point, const std::vector<double>& rows)
+      : model_(*plan.study().model),
+        setting_(plan.setting_of(point)),
+        point_(model_.prepare(setting_)),
+        grid_(plan.phase_grid_of(point)),
+        bounds_(segment_bounds(model_, setting_)),
+        rows_(rows) {}
+
+  Trace at_steps() const {
+    Trace trace = empty();
+    for_each_step([&](const Step& step) {
+      if (step.is_first) add(step.from, step.coefs, step.start, &trace);
+      add(step.to, step.coefs + 2 * model_.phase_coefs.size(), step.end, &trace);
+    });
+    return trace;
+  }
+
+  Trace resampled(std::size_t per_period) const {
+    Trace trace = empty();
+    const std::size_t states = model_.states.size();
+    std::vector<double> slope_from(states), slope_to(states), x(states);
+    std::vector<double> coefs(model_.phase_coefs.size());
+    std::size_t next = 0;
+    for_each_step([&](const Step& step) {
+      const auto phase_of = [&](std::size_t sample) {
+        return static_cast<double>(sample) / static_cast<double>(per_period);
+      };
+      bool has_slopes = false;
+      for (; phase_of(next) < step.to; ++next) {
+        if (!has_slopes) {
+          point_->rhs(step.coefs, step.start, slope_from.data());
+          point_->rhs(step.coefs + 2 * coefs.size(), step.end, slope_to.data());
+          has_slopes = true;
+        }
+        const double h = (step.to - step.from) * point_->period();
+        const double s = (phase_of(next) - step.from) / (step.to - step.from);
+        for (std::size_t i = 0; i < states; ++i) {
+          const double a = step.start[i], b = step.end[i];
+          x[i] = a + s * s * (3.0 - 2.0 * s) * (b - a) +
+                 h * s * (1.0 - s) * ((1.0 - s) * slope_from[i] - s * slope_to[i]);
+        }
+        const double phase = phase_of(next) - std::floor(step.from);
+        model_.phase_coefs_at(setting_, std::min(phase, 1.0), step.inside, coefs.data());
+        add(phase_of(next), coefs.data(), x.data(), &trace);
+      }
+    });
+    return trace;
+  }
+
+ private:
+  struct Step {
+    double from = 0.0, to = 0.0;    // in periods
+    const double* start = nullptr;  // states
+    const double* end = nullptr;
+    const double* coefs = nullptr;  // rows of phase coefficients: start, middle, end
+    double inside = 0.0;            // a phase of this segment
+    bool is_first = false;          // of its segment
+  };
+
+  template <class Visit>
+  void for_each_step(const Visit& visit) const {
+    const std::size_t states = model_.states.size();
+    const std::size_t width = model_.phase_coefs.size();
+    const double* row = rows_.data();
+    const double* const end = row + rows_.size();
+    for (std::size_t period = 0; row < end; ++period) {
+      const double* coefs = grid_.coefs.data();
+      for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
+        const std::size_t steps = grid_.segment_steps[segment];
+        const double first = bounds_[segment], last = bounds_[segment + 1];
+        const auto place = [&](std::size_t step) {
+          const double share = static_cast<double>(step) / static_cast<double>(steps);
+          return static_cast<double>(period) +
+                 (step == steps ? last : first + share * (last - first));
+        };
+        for (std::size_t step = 0; step < steps; ++step) {
+          visit(Step{place(step), place(step + 1), row, row + states, coefs, 0.5 * (first + last),
+                     step == 0});
+          row += states;
+          coefs += 2 * width;
+        }
+        row += states;
+        coefs += width;
+      }
+    }
+  }
+
+  Trace empty() const {
+    Trace trace;
+    trace.setting = setting_;
+    trace.period = point_->period();
+    trace.channels = model_.states;
+    trace.channels.insert(trace.channels.end(), model_.signals.begin(), model_.signals.end());
+    if (has_contact()) {
+      trace.channels.push_back(
+          {"contact", "1", "1 on the drive flank, 0 in the gap, -1 on the back flank, 2 on both"});
+    }
+    trace.values.resize(trace.channels.size());
+    return trace;
+  }
+
+  bool has_contact() const {
+    return model_.find_signal("deflection") >= 0 && model_.find_signal("backlash") >= 0;
+  }
+
+  void add(double periods, const double* coefs, const double* x, Trace* trace) const {
+    trace->tau.push_back(periods * trace->period);
+    std::vector<double> signals(model_.signals.size());
+    point_->signals(coefs, x, signals.data());
+    std::size_t channel = 0;
+    for (std::size_t i = 0; i < model_.states.size(); ++i) trace->values[channel++].push_back(x[i]);
+    for (const double signal : signals) trace->values[channel++].push_back(signal);
+    if (!has_contact()) return;
+    const double deflection = signals[static_cast<std::size_t>(model_.find_signal("deflection"))];
+    const double backlash = signals[static_cast<std::size_t>(model_.find_signal("backlash"))];
+    const bool drive = deflection > backlash;
+    const bool back = deflection < -backlash;
+    trace->values[channel].push_back(drive && back ? 2.0 : drive ? 1.0 : back ? -1.0 : 0.0);
+  }
+
+  const Model& model_;
+  const ModelSetting setting_;
+  const std::unique_ptr<PreparedPoint> point_;
+  const PhaseGrid grid_;
+  const std::vector<double> bounds_;
+  const std::vector<double>& rows_;
+};
+
+}  // namespace
+
+Trace trace_of(const Plan& plan, std::size_t point, const std::vector<double>& rows,
+               std::size_t samples_per_period) {
+  const History history(plan, point, rows);
+  return samples_per_period > 0 ? history.resampled(samples_per_period) : history.at_steps();
+}
+
+}  // namespace gearsweep

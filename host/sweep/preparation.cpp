@@ -1,0 +1,114 @@
+#include "sweep/preparation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/error.hpp"
+#include "workers/cluster.hpp"
+#include "workers/make_engine.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The least points that keep an engine busy, for all of them.
+std::size_t least_tile(const Engines& engines) {
+  std::size_t least = 1;
+  for (const std::unique_ptr<Engine>& engine : engines) {
+    least = std::max(least, engine->least_tile());
+  }
+  return least;
+}
+
+// Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
+// starve an engine; what suits all of them. Each of the processes of a sweep has so many engines.
+// Shards are cut by the study alone: each may run on a machine of its own kind.
+std::size_t tile_size(const Study& study, const Engines& engines, const Shard& shard,
+                      std::size_t processes) {
+  constexpr std::size_t kTiles = 16;  // for each engine
+  constexpr std::size_t kMostOfShard = 16384, kLeastOfShard = 256;
+  if (study.integrate.tile > 0) return study.integrate.tile;
+  std::size_t most = study.trajectories();
+  for (const std::unique_ptr<Engine>& engine : engines) {
+    most = std::min(most, engine->preferred_tile());
+  }
+  if (shard.count > 0) {
+    most = std::min(most, kMostOfShard);
+    return std::clamp(study.trajectories() / (kTiles * shard.count), std::min(kLeastOfShard, most),
+                      most);
+  }
+  return std::clamp(study.trajectories() / (kTiles * engines.size() * processes),
+                    std::min(least_tile(engines), most), most);
+}
+
+// Smaller tiles where each would take so long that an interruption hurts (half a minute or so on a
+// few cores).
+std::size_t quick_tile_size(const Plan& plan, std::size_t least) {
+  constexpr double kMostWork = 1e10;  // steps
+  const std::size_t size = plan.tile_points();
+  if (plan.study().integrate.tile > 0) return size;
+  const double work_of_point = plan.total_work() / static_cast<double>(plan.study().trajectories());
+  const double quick = kMostWork / work_of_point;
+  if (quick >= static_cast<double>(size)) return size;
+  return std::max(static_cast<std::size_t>(quick), std::min(size, least));
+}
+
+InputError does_not_fit(const StudyNeeds& needs, const std::string& what) {
+  std::string devices;
+  for (const DeviceNeeds& device : needs.devices) {
+    devices +=
+        fmt::format("\n  {}: {} of {}, in one buffer {} of {}", device.name,
+                    format_bytes(device.tile.device), format_bytes(device.memory.all),
+                    format_bytes(device.tile.buffer), format_bytes(device.memory.one_buffer));
+  }
+  return InputError(fmt::format("{}; beside them, they need {} of the machine's memory:{}", what,
+                                format_bytes(needs.tiles), devices));
+}
+
+}  // namespace
+
+Preparation prepare_sweep(const Study& study, const SweepOptions& options, const Shard& shard) {
+  // Before the engines, which take a moment, and the plan, which is as large as the study.
+  refuse_too_large(needs_of_study(study, options.delivery, options.journal_path),
+                   options.journal_path);
+  Preparation ready;
+  ready.engines = make_engines(study, options.devices, options.on_trouble);
+  const auto processes =
+      static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
+  ready.plan.emplace(study, tile_size(study, ready.engines, shard, processes));
+  std::size_t points =
+      quick_tile_size(*ready.plan, shard.count > 0 ? 1 : least_tile(ready.engines));
+  points = std::min(points, study.trajectories());
+  while (true) {
+    if (ready.plan->tile_points() != points) ready.plan->cut(points);
+    ready.needs = needs_of_plan(*ready.plan, ready.engines, options.delivery, options.journal_path);
+    const double strain = strain_of_tile(ready.needs);
+    if (strain <= 1.0) break;
+    if (points == 1) {
+      throw does_not_fit(ready.needs,
+                         "a tile of a single point does not fit the devices: sample fewer states "
+                         "(observe.poincare) or periods (integrate.record)");
+    }
+    // A little less than in proportion: tables of phase grids and spare lanes stay.
+    constexpr double kMargin = 0.9;
+    const double fitting = kMargin * static_cast<double>(points) / strain;
+    points = std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, points - 1);
+  }
+  refuse_too_large(ready.needs, options.journal_path);
+  return ready;
+}
+
+Plan plan_as_kept(const Study& study, std::size_t tile_points, const Engines& engines,
+                  const SweepOptions& options) {
+  Plan plan(study, tile_points);
+  const StudyNeeds needs = needs_of_plan(plan, engines, options.delivery, options.journal_path);
+  if (strain_of_tile(needs) > 1.0) {
+    throw does_not_fit(needs, fmt::format("'{}' was begun with tiles of {} points, which do not "
+                                          "fit here: continue on another device, or start afresh "
+                                          "(--restart)",
+                                          options.journal_path, tile_points));
+  }
+  return plan;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,48 @@
+// How a study is run: on which devices, with which journal, and who is told.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/device_choice.hpp"
+#include "engine/result.hpp"
+#include "engine/trouble.hpp"
+#include "sweep/resource_estimate.hpp"
+
+namespace gearsweep {
+
+class Cluster;
+
+struct SweepProgress {
+  double share = 0.0;          // of the work, 0 to 1
+  double share_kept = 0.0;     // of the work, in finished tiles: what an interruption keeps
+  double share_resumed = 0.0;  // of the work, what the journal gave
+  std::size_t points_done = 0, points = 0;  // each trajectory of an ensemble counts
+  std::size_t points_resumed = 0;           // of points_done, those that the journal gave
+  double seconds = 0.0;                     // since the computation began
+};
+
+struct SweepOptions {
+  std::vector<DeviceChoice> devices;  // that share the tiles; empty: the default one
+  // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
+  // same sweep that is already there is continued.
+  std::string journal_path;
+  // Of which this process is rank 0, and whose other processes share the tiles, too; null: none.
+  Cluster* cluster = nullptr;
+  // The journal of a run on other devices, or with another driver, is refused, too.
+  bool strict_device = false;
+  bool keep_journal = false;  // beside the result
+  // What the journal keeps beside it, for whoever asks for its status: names and values.
+  std::map<std::string, std::string> notes;
+  std::function<void(const SweepProgress&)> on_progress;
+  Trouble on_trouble;
+  const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
+  // Puts the finished maps in a safe place; the journal is removed once it returns.
+  std::function<void(const SweepResult&)> deliver;
+  DeliveryNeeds delivery;  // what that will take; a study that does not fit is refused
+};
+
+}  // namespace gearsweep

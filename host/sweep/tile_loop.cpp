@@ -1,0 +1,135 @@
+#include "sweep/tile_loop.hpp"
+
+#include <fmt/format.h>
+
+#include "tile/subset.hpp"
+
+namespace gearsweep {
+
+TileLoop::TileLoop(const Plan& plan, const Shard& shard, const SweepOptions& options, Crew* crew,
+                   Journal* journal, Assembly* assembly)
+    : plan_(plan),
+      shard_(shard),
+      options_(options),
+      tiles_(tiles_of(plan)),
+      crew_(crew),
+      journal_(journal),
+      assembly_(assembly),
+      progress_(plan, shard, options) {}
+
+bool TileLoop::run() {
+  std::size_t first = 0;
+  for (const Stage& stage : plan_.stages()) {
+    take_from_journal(first, stage.tiles.size());
+    while (!waiting_.empty() || !running_.empty()) {
+      stop_if_asked();
+      start_tiles();
+      if (running_.empty() && crew_->size() == 0 && !crew_->may_grow()) break;
+      if (std::optional<CrewReport> report = crew_->wait(std::chrono::milliseconds(100))) {
+        share_time();
+        handle(std::move(*report));
+      }
+    }
+    if (is_stopping_) return false;
+    if (!waiting_.empty()) std::rethrow_exception(failure_);
+    first += stage.tiles.size();
+  }
+  return true;
+}
+
+void TileLoop::take_from_journal(std::size_t first, std::size_t count) {
+  for (std::size_t number = first; number < first + count; ++number) {
+    if (!shard_.has(number)) continue;
+    std::optional<TileResult> result;
+    if (journal_ != nullptr) result = journal_->find(number);
+    if (result) {
+      require_fit(plan_.study(), *tiles_[number], *result);
+      add(number, *result, true);
+    } else {
+      waiting_.push_back(number);
+    }
+  }
+}
+
+void TileLoop::stop_if_asked() {
+  if (is_stopping_ || options_.stop == nullptr || !*options_.stop) return;
+  is_stopping_ = true;
+  crew_->stop();
+  waiting_.clear();
+}
+
+void TileLoop::start_tiles() {
+  while (!waiting_.empty() && crew_->idle() > 0) {
+    const std::size_t number = waiting_.front();
+    waiting_.pop_front();
+    progress_.begin_tile(number, *tiles_[number]);
+    std::vector<double> initial;
+    if (plan_.study().is_chained()) initial = assembly_->initial_states(plan_, *tiles_[number]);
+    share_time();
+    running_[number] = 0.0;
+    crew_->start(number, std::move(initial));
+  }
+}
+
+void TileLoop::handle(CrewReport report) {
+  switch (report.kind) {
+    case CrewReport::Kind::progress:
+      progress_.add_steps(report.tile, report.steps);
+      return;
+    case CrewReport::Kind::more_work:
+      progress_.add_work(report.tile, report.steps);
+      return;
+    case CrewReport::Kind::finished:
+      set_time(&report);
+      // Nobody need wait for the disk.
+      if (!is_stopping_) start_tiles();
+      if (journal_ != nullptr) journal_->store(report.tile, report.result);
+      add(report.tile, report.result, false);
+      return;
+    case CrewReport::Kind::stopped:
+      running_.erase(report.tile);
+      progress_.drop_tile(report.tile);
+      return;
+    case CrewReport::Kind::lost:
+      running_.erase(report.tile);
+      hand_back(report);
+      return;
+  }
+}
+
+// Tiles that run side by side share the time, so that those of all tiles add up to that of the
+// sweep.
+void TileLoop::share_time() {
+  const auto now = std::chrono::steady_clock::now();
+  const double passed = std::chrono::duration<double>(now - shared_).count();
+  shared_ = now;
+  for (auto& [number, seconds] : running_) seconds += passed / static_cast<double>(running_.size());
+}
+
+// In kernels for the same part of the tile's time as its member says.
+void TileLoop::set_time(CrewReport* report) {
+  std::vector<double>& effort = report->result.effort;
+  const double seconds = running_.at(report->tile);
+  running_.erase(report->tile);
+  if (effort[kSeconds] > 0.0) effort[kKernelSeconds] *= seconds / effort[kSeconds];
+  effort[kSeconds] = seconds;
+}
+
+void TileLoop::hand_back(const CrewReport& report) {
+  progress_.drop_tile(report.tile);
+  failure_ = report.failure;
+  if (!is_stopping_) waiting_.push_front(report.tile);
+  if (is_stopping_ || crew_->size() == 0 || !options_.on_trouble) return;
+  try {
+    std::rethrow_exception(report.failure);
+  } catch (const std::exception& error) {
+    options_.on_trouble(fmt::format("{}\nthe others take over what it had", error.what()));
+  }
+}
+
+void TileLoop::add(std::size_t number, const TileResult& result, bool resumed) {
+  assembly_->add(*tiles_[number], result);
+  progress_.tile_done(number, *tiles_[number], resumed);
+}
+
+}  // namespace gearsweep

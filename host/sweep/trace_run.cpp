@@ -1,0 +1,93 @@
+#include "sweep/trace_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/error.hpp"
+#include "sweep/detail/history.hpp"
+#include "sweep/sweep.hpp"
+#include "tile/settled_point.hpp"
+#include "workers/make_engine.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Where a chained point goes on from: the last state of the sweep up to its neighbour.
+std::optional<std::vector<double>> chained_start(const Study& study, const SweepOptions& options) {
+  Study before = study;
+  std::vector<double>& values = before.axes[study.initial.along].values;
+  if (study.initial.policy == InitialPolicy::forward) {
+    values.pop_back();
+  } else {
+    values.erase(values.begin());
+  }
+  std::vector<std::string> states;
+  for (const ChannelInfo& state : study.model->states) states.push_back(state.name);
+  before.selection = select_quantities(*study.model, {"poincare"}, states);
+  const std::optional<SweepResult> result = run_sweep(before, options);
+  if (!result) return std::nullopt;
+  const std::size_t point =
+      study.initial.policy == InitialPolicy::forward ? before.points() - 1 : 0;
+  std::vector<double> start;
+  const std::size_t record = study.integrate.record;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    start.push_back(result->samples[(point * states.size() + i + 1) * record - 1]);
+  }
+  return start;
+}
+
+// The point that is followed: of a chained study the last one of its chain.
+std::size_t followed_point(const Study& study) {
+  return study.is_chained() && study.initial.policy == InitialPolicy::forward ? study.points() - 1
+                                                                              : 0;
+}
+
+std::optional<std::vector<double>> initial_state(const Plan& plan, const SweepOptions& options) {
+  const Study& study = plan.study();
+  const std::size_t point = followed_point(study);
+  if (study.points() == 1) return plan.own_initial_state(point);
+  std::optional<std::vector<double>> start = chained_start(study, options);
+  // A point whose predecessor has diverged starts on its own.
+  if (start && std::isnan(start->front())) return plan.own_initial_state(point);
+  return start;
+}
+
+// The map of a point that stopped on an orbit repeats its one turn, and so does its trace.
+void repeat_turn(std::size_t record, std::size_t turn, std::vector<double>* rows) {
+  const std::size_t of_period = rows->size() / turn;
+  rows->reserve(of_period * record);
+  for (std::size_t period = turn; period < record && of_period > 0; ++period) {
+    const std::size_t first = period % turn * of_period;
+    for (std::size_t i = 0; i < of_period; ++i) rows->push_back((*rows)[first + i]);
+  }
+}
+
+}  // namespace
+
+std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
+                               const SweepOptions& options) {
+  const std::unique_ptr<Engine> engine = make_engine(
+      study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()));
+  const Plan plan(study, study.points());
+  const std::size_t point = followed_point(study);
+  const auto after_round = [&](double) { return options.stop == nullptr || !*options.stop; };
+  const std::optional<std::vector<double>> initial = initial_state(plan, options);
+  if (!initial) return std::nullopt;
+  const std::optional<SettledPoint> start =
+      settle_point(plan, point, *initial, engine.get(), after_round);
+  if (!start) return std::nullopt;
+  std::optional<std::vector<double>> rows;
+  if (!start->state.empty()) {
+    const std::size_t record = study.integrate.record;
+    const std::size_t turn = start->length > 0 ? std::min(start->length, record) : record;
+    rows = engine->rows(plan, point, start->state, start->settle, turn, after_round);
+    if (!rows) return std::nullopt;
+    repeat_turn(record, turn, &*rows);
+  }
+  if (!rows || rows->empty()) throw RunError("the point diverges before there is anything to see");
+  Trace trace = trace_of(plan, point, *rows, samples_per_period);
+  trace.settled = start->settled + start->settle;
+  return trace;
+}
+
+}  // namespace gearsweep

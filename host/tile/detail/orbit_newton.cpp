@@ -1,0 +1,107 @@
+#include "tile/detail/orbit_newton.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "tile/detail/state_distance.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Multipliers of an orbit that is taken for stable stay below this. Nearer to 1 the steps' kinks at
+// contact, which move with the state, could decide.
+constexpr double kStable = 0.99;
+// Where Newton's method converges, each step does better than this, soon much better.
+constexpr double kSlow = 0.2;
+// What stands for the logarithm of zero.
+constexpr double kLeast = 1e-30;
+
+std::vector<double> log_moduli(const Eigen::MatrixXd& derivative) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(derivative, false);
+  std::vector<double> logs;
+  if (solver.info() != Eigen::Success) return logs;
+  for (const std::complex<double>& value : solver.eigenvalues()) {
+    logs.push_back(std::log(std::max(std::abs(value), kLeast)));
+  }
+  std::sort(logs.rbegin(), logs.rend());
+  return logs;
+}
+
+// How far the map carries the guess, relative to the ranges.
+Eigen::VectorXd moved(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
+  return relative_difference(mapped, one.state.data(), one.ranges, limits.angles);
+}
+
+// The map's derivative, relative to the ranges.
+Eigen::MatrixXd relative_derivative(const double* derivative, const NewtonTry& one) {
+  const auto states = static_cast<Eigen::Index>(one.state.size());
+  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, states, states);
+  const Eigen::Map<const Eigen::VectorXd> ranges(one.ranges.data(), states);
+  return ranges.cwiseInverse().asDiagonal() * slope * ranges.asDiagonal();
+}
+
+// (I - derivative)^-1 moved: what Newton's method adds to the state, relative to the ranges.
+Eigen::VectorXd correction(const Eigen::VectorXd& moved, const Eigen::MatrixXd& slope) {
+  return (Eigen::MatrixXd::Identity(slope.rows(), slope.cols()) - slope)
+      .partialPivLu()
+      .solve(moved);
+}
+
+// False when the state is none any more.
+bool correct(const Eigen::VectorXd& correction, NewtonTry* one) {
+  const auto states = correction.size();
+  Eigen::Map<Eigen::VectorXd> state(one->state.data(), states);
+  state += correction.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(one->ranges.data(), states));
+  return state.allFinite();
+}
+
+}  // namespace
+
+double largest_log_multiplier(const double* derivative, std::size_t states) {
+  const auto size = static_cast<Eigen::Index>(states);
+  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, size, size);
+  const std::vector<double> logs = slope.allFinite() ? log_moduli(slope) : std::vector<double>();
+  return logs.empty() ? std::numeric_limits<double>::quiet_NaN() : logs.front();
+}
+
+bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
+  return moved(mapped, limits, one).lpNorm<Eigen::Infinity>() <= limits.same;
+}
+
+NewtonVerdict newton_step(const double* mapped, const double* derivative,
+                          const NewtonLimits& limits, std::size_t tangents, NewtonTry* one) {
+  const Eigen::VectorXd by_map = moved(mapped, limits, *one);
+  const Eigen::MatrixXd slope = relative_derivative(derivative, *one);
+  if (!by_map.allFinite() || !slope.allFinite()) return NewtonVerdict::failed;
+
+  const double distance = by_map.lpNorm<Eigen::Infinity>();
+  if (distance > kSlow * one->distance) return NewtonVerdict::failed;
+  one->distance = distance;
+  const Eigen::VectorXd step = correction(by_map, slope);
+  if (!correct(step, one)) return NewtonVerdict::failed;
+  const Eigen::VectorXd away =
+      relative_difference(one->state.data(), one->start.data(), one->ranges, limits.angles);
+  if (away.lpNorm<Eigen::Infinity>() > limits.far) return NewtonVerdict::failed;
+  one->step = step.lpNorm<Eigen::Infinity>();
+  if (one->step > limits.close) return NewtonVerdict::going_on;
+
+  one->multipliers = log_moduli(slope);
+  if (one->multipliers.empty()) return NewtonVerdict::failed;
+  if (one->multipliers.front() > std::log(kStable)) return NewtonVerdict::unstable;
+  if (tangents > 1 &&
+      one->multipliers[tangents - 1] - one->multipliers.front() < std::log(limits.weakest)) {
+    return NewtonVerdict::failed;
+  }
+  return NewtonVerdict::close;
+}
+
+NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
+                             const NewtonLimits& limits, NewtonTry* one) {
+  const bool is_back = comes_back(mapped, limits, *one);
+  const Eigen::VectorXd step =
+      correction(moved(mapped, limits, *one), relative_derivative(derivative, *one));
+  return correct(step, one) && is_back ? NewtonVerdict::found : NewtonVerdict::going_on;
+}
+
+}  // namespace gearsweep

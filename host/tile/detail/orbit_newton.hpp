@@ -1,0 +1,56 @@
+// Newton's method for a fixed point of a return map, by shooting, for one point.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace gearsweep {
+
+// Distances are relative to the ranges of the motion.
+struct NewtonLimits {
+  double same;     // a state that comes back to within this is the orbit's
+  double close;    // where a step is no longer than this, the derivative is that at the orbit
+  double far;      // the orbit sought lies no farther from where the trajectory is
+  double weakest;  // least multiplier, relative to the largest, that rounding leaves
+  std::vector<std::size_t> angles = {};  // states that mean the same after a full turn
+};
+
+enum class NewtonVerdict {
+  going_on,  // the state is a better guess now
+  close,     // the state is as good as that of a stable orbit, the multipliers are its own
+  found,     // close, and seen to come back
+  unstable,  // the orbit is not stable
+  failed,    // too far, too slow, or not told from rounding
+};
+
+struct NewtonTry {
+  std::vector<double> start;   // where the trajectory is
+  std::vector<double> ranges;  // [state] of the motion there, none 0
+  std::vector<double> state;   // the guess
+  // How far the guess before this one was from coming back.
+  double distance = std::numeric_limits<double>::infinity();
+  // The length of the last step that came close: how far from the orbit the derivative was taken.
+  double step = 0.0;
+  // Logarithms of the absolute values of the multipliers over the whole map, largest first.
+  std::vector<double> multipliers;
+};
+
+// The logarithm of the largest absolute value of a multiplier, of a return map's derivative
+// ([column][row]); NaN when there is none.
+double largest_log_multiplier(const double* derivative, std::size_t states);
+
+// Whether a state comes back: it is the same as its map.
+bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one);
+
+// One step, from the map of one->state and its derivative ([column][row]). `tangents`: of so many
+// multipliers the values are needed. Never `found`.
+NewtonVerdict newton_step(const double* mapped, const double* derivative,
+                          const NewtonLimits& limits, std::size_t tangents, NewtonTry* one);
+
+// What a `close` state turns out to be, from its map alone and the derivative of the step before
+// (with which the state takes one step more): found or going_on.
+NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
+                             const NewtonLimits& limits, NewtonTry* one);
+
+}  // namespace gearsweep

@@ -1,0 +1,180 @@
+#include "tile/detail/orbit_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sweep_types.h"
+#include "tile/detail/on_all_cores.hpp"
+#include "tile/subset.hpp"
+
+namespace gearsweep {
+namespace {
+
+// A trajectory that comes back to within this much of the motion's ranges is worth a try.
+constexpr double kNear = 3e-2;
+// In `excluded` of an approach: no length at all.
+constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
+
+}  // namespace
+
+OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
+                         std::size_t periods, OrbitEngine* engine)
+    : plan_(plan),
+      tile_(tile),
+      periods_(periods),
+      engine_(engine),
+      open_(tile.points.size()),
+      states_(initial),
+      hopeless_(tile.points.size(), 0),
+      next_try_(tile.points.size(), 0),
+      is_found_(tile.points.size(), 0),
+      candidates_(tile.points.size()) {
+  std::iota(open_.begin(), open_.end(), std::size_t{0});
+}
+
+bool OrbitSearch::can_advance() const {
+  if (engine_ == nullptr || plan_.study().integrate.stop == Stop::never) return false;
+  return !open_.empty() && settled_ + ORBIT_LONGEST <= periods_;
+}
+
+bool OrbitSearch::advance(const RoundCallback& after_round) {
+  const Tile part = part_of(plan_, tile_, open_, ORBIT_LONGEST);
+  settled_ += ORBIT_LONGEST;
+  std::vector<std::uint32_t> excluded;
+  for (const std::size_t position : open_) {
+    const bool waits = candidates_[position] != nullptr || settled_ < next_try_[position];
+    excluded.push_back(waits ? kAnyLength : hopeless_[position]);
+  }
+  std::optional<Approach> approach =
+      engine_->approach(plan_, part, states_, excluded,
+                        {kNear, plan_.study().selection.period_tolerance}, after_round);
+  if (!approach) return false;
+  states_ = std::move(approach->states);
+  if (!find_candidates(*approach, after_round)) return false;
+  watch(approach->sections);
+  if (!take_arrivals(after_round)) return false;
+  close_points();
+  return true;
+}
+
+// By phase grid, as a part wants them; the longest first, so that those that share a work-item take
+// about as long.
+std::vector<OrbitAttempt> OrbitSearch::attempts_from(const Approach& approach) const {
+  const std::size_t states = plan_.study().model->states.size();
+  const auto numbers_of = [&](const std::vector<double>& all, std::size_t point) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(point * states);
+    return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(states));
+  };
+  std::vector<OrbitAttempt> attempts;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (approach.lengths[i] == 0) continue;
+    OrbitAttempt attempt;
+    attempt.position = open_[i];
+    attempt.length = approach.lengths[i];
+    attempt.newton.start = numbers_of(states_, i);
+    attempt.newton.state = numbers_of(approach.guesses, i);
+    attempt.newton.ranges = numbers_of(approach.ranges, i);
+    // A unit in which nothing moves is measured by itself.
+    std::replace(attempt.newton.ranges.begin(), attempt.newton.ranges.end(), 0.0, 1.0);
+    attempts.push_back(std::move(attempt));
+  }
+  const auto group = [&](const OrbitAttempt& attempt) {
+    return std::make_pair(grid_of(tile_, attempt.position), -static_cast<int>(attempt.length));
+  };
+  std::stable_sort(
+      attempts.begin(), attempts.end(),
+      [&](const OrbitAttempt& a, const OrbitAttempt& b) { return group(a) < group(b); });
+  return attempts;
+}
+
+bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback& after_round) {
+  std::vector<OrbitAttempt> attempts = attempts_from(approach);
+  std::vector<OrbitAttempt*> all;
+  for (OrbitAttempt& attempt : attempts) all.push_back(&attempt);
+  if (!OrbitPursuit(plan_, tile_, engine_).find(all, after_round)) return false;
+  for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
+    OrbitAttempt& attempt = attempts[i];
+    const std::size_t position = attempt.position;
+    // The longer it takes, the less it costs to wait.
+    next_try_[position] = settled_ + settled_ / 2;
+    if (attempt.verdict == NewtonVerdict::unstable) {
+      hopeless_[position] |= 1U << (attempt.length - 1);
+    } else if (attempt.verdict == NewtonVerdict::found) {
+      const OrbitMap map = {attempt.newton.state, attempt.derivative, attempt.newton.ranges,
+                            plan_.study().model->angles, plan_.study().selection.period_tolerance};
+      candidates_[position] = std::unique_ptr<Candidate>(
+          new Candidate{std::move(attempt), settled_, OrbitConvergence(map)});
+    }
+  });
+  return true;
+}
+
+void OrbitSearch::watch(const Sections& sections) {
+  for_each_on_all_cores(open_.size(), [&](std::size_t i) {
+    Candidate* candidate = candidates_[open_[i]].get();
+    if (candidate == nullptr) return;
+    const bool is_new = candidate->settled == settled_;
+    const std::size_t length = candidate->orbit.length;
+    for (std::size_t period = is_new ? 0 : 1; period <= ORBIT_LONGEST; ++period) {
+      // Periods since the candidate's own state, which may be -ORBIT_LONGEST.
+      const std::size_t phase =
+          (settled_ - candidate->settled + period + ORBIT_LONGEST * (length - 1)) % length;
+      if (phase != 0 || candidate->verdict != OrbitConvergence::Verdict::open) continue;
+      candidate->verdict = candidate->view.add(sections.state(i, period).data());
+    }
+  });
+}
+
+bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
+  std::vector<OrbitAttempt*> arrivals;
+  for (const std::size_t position : open_) {
+    Candidate* candidate = candidates_[position].get();
+    if (candidate == nullptr) continue;
+    if (candidate->verdict == OrbitConvergence::Verdict::converges) {
+      arrivals.push_back(&candidate->orbit);
+    } else if (candidate->verdict == OrbitConvergence::Verdict::leaves) {
+      next_try_[position] = settled_ + settled_ / 2;
+      candidates_[position].reset();
+    }
+  }
+  if (!OrbitPursuit(plan_, tile_, engine_).sharpen(arrivals, after_round)) return false;
+  for (OrbitAttempt* orbit : arrivals) {
+    const std::size_t position = orbit->position;
+    if (orbit->verdict == NewtonVerdict::found) {
+      for (double& growth : orbit->newton.multipliers) growth /= orbit->length;
+      found_.push_back({position, orbit->length, candidates_[position]->settled,
+                        std::move(orbit->newton.state), std::move(orbit->newton.multipliers)});
+      is_found_[position] = 1;
+    }
+    candidates_[position].reset();
+  }
+  return true;
+}
+
+// Takes out of the open points what was found, and what has diverged.
+void OrbitSearch::close_points() {
+  const std::size_t states = plan_.study().model->states.size();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (is_found_[open_[i]] != 0) continue;
+    if (std::isnan(states_[i * states])) {
+      diverged_.push_back(open_[i]);
+      continue;
+    }
+    open_[kept] = open_[i];
+    std::copy_n(states_.begin() + static_cast<std::ptrdiff_t>(i * states), states,
+                states_.begin() + static_cast<std::ptrdiff_t>(kept * states));
+    ++kept;
+  }
+  open_.resize(kept);
+  states_.resize(kept * states);
+}
+
+std::size_t searched_periods(const Study& study) {
+  const Integrate& integrate = study.integrate;
+  const bool warms_up = study.selection.tangent_count() > 0;
+  return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,194 @@
+#include "tile/tile_run.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "sweep_types.h"
+#include "tile/detail/exponent_error.hpp"
+#include "tile/detail/longer_window.hpp"
+#include "tile/detail/orbit_search.hpp"
+#include "tile/subset.hpp"
+
+namespace gearsweep {
+namespace {
+
+bool observes(const Selection& selection, const std::string& name) {
+  return std::any_of(selection.observers.begin(), selection.observers.end(),
+                     [&](const Observer& observer) { return observer.observable->name == name; });
+}
+
+class TileRun {
+ public:
+  TileRun(const Plan& plan, const Tile& tile, Engine* engine, const TileCallbacks& callbacks)
+      : plan_(plan),
+        study_(plan.study()),
+        tile_(tile),
+        engine_(engine),
+        callbacks_(callbacks),
+        windows_(windows_of(study_)),
+        tells_settling_(observes(study_.selection, "settled")),
+        result_(empty_result(study_, tile.points.size())),
+        has_stopped_(tile.points.size(), 0) {}
+
+  std::optional<TileResult> run(const std::vector<double>& initial) {
+    const bool finished = search_for_orbits(initial) && record_the_rest() && extend() &&
+                          add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
+                                              callbacks_.after_round, &result_);
+    if (!finished) return std::nullopt;
+    result_.effort.assign(kEfforts, 0.0);
+    result_.effort[kStopped] = static_cast<double>(stopped_);
+    return std::move(result_);
+  }
+
+ private:
+  // Each of these is false when the callback asked to stop.
+
+  bool search_for_orbits(const std::vector<double>& initial) {
+    OrbitSearch search(plan_, tile_, initial, searched_periods(study_), engine_->orbits());
+    while (search.can_advance()) {
+      const std::size_t before = search.found().size();
+      if (!search.advance(callbacks_.after_round)) return false;
+      count_as_saved(search, before);
+    }
+    if (!record_orbits(search.found())) return false;
+    for (const std::size_t position : search.diverged()) {
+      result_.status[position] = STATUS_diverged;
+      blank_point(position, &result_);
+    }
+    open_ = search.open();
+    states_ = search.states();
+    settled_ = search.settled();
+    return true;
+  }
+
+  // What the orbits found from number `first` on were planned to take still.
+  void count_as_saved(const OrbitSearch& search, std::size_t first) {
+    const Window& whole = windows_.front();
+    const auto periods = static_cast<double>(whole.settle - search.settled() + whole.record);
+    double steps = 0.0;
+    for (std::size_t i = first; i < search.found().size(); ++i) {
+      steps += static_cast<double>(plan_.steps_of(tile_.points[search.found()[i].position]));
+    }
+    callbacks_.on_work(-steps * periods);
+  }
+
+  // Those together that need the same launches, however early each was found.
+  bool record_orbits(std::vector<FoundOrbit> orbits) {
+    const auto launches = [&](const FoundOrbit& orbit) {
+      return std::make_tuple(orbit.length, lead_of(orbit), tells_settling_ ? orbit.settled : 0);
+    };
+    std::sort(orbits.begin(), orbits.end(), [&](const FoundOrbit& a, const FoundOrbit& b) {
+      return std::tuple_cat(launches(a), std::tie(a.position)) <
+             std::tuple_cat(launches(b), std::tie(b.position));
+    });
+    for (auto first = orbits.begin(); first != orbits.end();) {
+      const auto last = std::find_if(first, orbits.end(), [&](const FoundOrbit& orbit) {
+        return launches(orbit) != launches(*first);
+      });
+      if (!record_alike({first, last})) return false;
+      first = last;
+    }
+    return true;
+  }
+
+  // Periods from an orbit's state to that of its sections at which a run to the end would begin to
+  // record.
+  std::size_t lead_of(const FoundOrbit& orbit) const {
+    return (windows_.front().settle - orbit.settled) % orbit.length;
+  }
+
+  // Observers of states and signals see one turn, those of tangents and orbits its repetition.
+  bool record_alike(const std::vector<FoundOrbit>& orbits) {
+    const std::size_t length = orbits.front().length;
+    const std::size_t settled = orbits.front().settled;
+    std::vector<std::size_t> positions;
+    std::vector<double> states, growths;
+    const std::size_t tangents = study_.selection.tangent_count();
+    for (const FoundOrbit& orbit : orbits) {
+      positions.push_back(orbit.position);
+      states.insert(states.end(), orbit.state.begin(), orbit.state.end());
+      const auto first = orbit.growths.begin();
+      growths.insert(growths.end(), first, first + static_cast<std::ptrdiff_t>(tangents));
+    }
+    const Window& whole = windows_.front();
+    const std::size_t samples = whole.samples > 0 ? length : 0;
+    const Window turn = {settled, lead_of(orbits.front()), length, samples, true};
+    const Tile part = part_of(plan_, tile_, positions, turn.settle + 2 * length);
+    callbacks_.on_work(part.work);
+    std::optional<TileResult> once =
+        engine_->compute(plan_, part, states, turn, callbacks_.after_round);
+    if (!once) return false;
+    const Window repeated = {settled, 0, whole.record, 0, whole.is_last};
+    std::optional<TileResult> replayed = engine_->orbits()->replay(
+        plan_, part, once->final_states, length, growths, repeated, callbacks_.after_round);
+    if (!replayed) return false;
+    std::vector<std::size_t> all(positions.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    adopt_verdicts(study_, all, *replayed, &*once);
+    once->final_states = std::move(replayed->final_states);
+    put_part(study_, *once, positions, &result_);
+    stopped_ += positions.size();
+    for (const std::size_t position : positions) has_stopped_[position] = 1;
+    return true;
+  }
+
+  // What is left runs to the end of the study's own window.
+  bool record_the_rest() {
+    if (open_.empty()) return true;
+    Window rest = windows_.front();
+    rest.before = settled_;
+    rest.settle -= settled_;
+    const Tile part = part_of(plan_, tile_, open_, rest.settle + rest.record);
+    const std::optional<TileResult> recorded =
+        engine_->compute(plan_, part, states_, rest, callbacks_.after_round);
+    if (!recorded) return false;
+    put_part(study_, *recorded, open_, &result_);
+    return true;
+  }
+
+  // Undecided points go on into longer windows, packed together.
+  bool extend() {
+    std::vector<std::size_t> open(tile_.points.size());  // positions in the tile
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    std::optional<TileResult> longer;  // of the points in `open`, once they have gone on
+    for (std::size_t i = 1; i < windows_.size(); ++i) {
+      const TileResult& last = longer ? *longer : result_;
+      const std::vector<std::size_t> undecided = undecided_positions(study_, last);
+      if (undecided.empty()) break;
+      const std::vector<double> states = end_states(last, undecided);
+      for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
+      open.resize(undecided.size());
+      const Tile part = part_of(plan_, tile_, open, windows_[i].settle + windows_[i].record);
+      callbacks_.on_work(part.work);
+      longer = engine_->compute(plan_, part, states, windows_[i], callbacks_.after_round);
+      if (!longer) return false;
+      adopt_verdicts(study_, open, *longer, &result_);
+    }
+    return true;
+  }
+
+  const Plan& plan_;
+  const Study& study_;
+  const Tile& tile_;
+  Engine* engine_;
+  const TileCallbacks& callbacks_;
+  const std::vector<Window> windows_;
+  const bool tells_settling_;  // an observer says after how many periods a point has settled
+  TileResult result_;
+  std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit
+  std::vector<std::size_t> open_;          // positions
+  std::vector<double> states_;             // [open point][state]
+  std::size_t settled_ = 0;                // periods behind the open points
+  std::size_t stopped_ = 0;                // points
+};
+
+}  // namespace
+
+std::optional<TileResult> run_tile(const Plan& plan, const Tile& tile,
+                                   const std::vector<double>& initial, Engine* engine,
+                                   const TileCallbacks& callbacks) {
+  return TileRun(plan, tile, engine, callbacks).run(initial);
+}
+
+}  // namespace gearsweep

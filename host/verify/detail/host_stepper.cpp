@@ -1,0 +1,31 @@
+#include "verify/detail/host_stepper.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "dialect.h"
+
+namespace gearsweep {
+namespace fp64 {
+using std::sqrt;
+using real = double;
+using scalar = double;
+#include "verify/detail/shared_stepper.h"
+}  // namespace fp64
+
+namespace fp32 {
+using std::sqrt;  // the one for float too
+using real = float;
+using scalar = float;
+#include "verify/detail/shared_stepper.h"
+}  // namespace fp32
+
+std::vector<double> step_on_host(const Plan& plan, std::size_t point, std::size_t periods) {
+  const Integrate& integrate = plan.study().integrate;
+  const auto step = integrate.fp64 ? fp64::step_periods : fp32::step_periods;
+  return step(plan.setting_of(point), plan.phase_grid_of(point), plan.own_initial_state(point),
+              periods, integrate.events);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,104 @@
+#include "workers/cluster_service.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <thread>
+
+#include "model/error.hpp"
+#include "workers/detail/cluster_messages.hpp"
+#include "workers/make_engine.hpp"
+#include "workers/thread_workers.hpp"
+
+namespace gearsweep {
+namespace {
+
+// One study at work on this process's devices.
+class Job {
+ public:
+  Job(const ClusterJob& job, const std::vector<DeviceChoice>& devices, const Trouble& on_trouble)
+      : study_(study_of(job)),
+        plan_(study_, job.tile_points),
+        crew_(plan_, make_engines(study_, devices, on_trouble)) {}
+
+  LocalCrew& crew() { return crew_; }
+
+ private:
+  static Study study_of(const ClusterJob& job) {
+    Study study = read_study(job.study, "the study of rank 0", {});
+    study.integrate.max_step = job.max_step;
+    return study;
+  }
+
+  const Study study_;
+  const Plan plan_;
+  LocalCrew crew_;
+};
+
+// Nothing when this process has no device that works.
+std::unique_ptr<Job> begin_job(const ClusterJob& job,
+                               const std::function<std::vector<DeviceChoice>()>& devices,
+                               const Trouble& on_trouble) {
+  try {
+    return std::make_unique<Job>(job, devices(), on_trouble);
+  } catch (const std::runtime_error& error) {
+    on_trouble(error.what());
+    return nullptr;
+  }
+}
+
+// MPI counts bytes by int.
+std::vector<std::byte> pack_to_fit(const CrewReport& report) {
+  std::vector<std::byte> bytes = pack(report);
+  if (bytes.size() <= std::numeric_limits<int>::max()) return bytes;
+  const RunError error("the answers of a tile take more than 2 GB; give a smaller integrate.tile");
+  return pack({CrewReport::Kind::lost, report.tile, 0.0, {}, std::make_exception_ptr(error)});
+}
+
+}  // namespace
+
+std::vector<DeviceChoice> share_of_devices(const std::vector<DeviceChoice>& devices,
+                                           const Cluster& cluster) {
+  std::vector<DeviceChoice> share;
+  const auto rank = static_cast<std::size_t>(cluster.local_rank());
+  const auto processes = static_cast<std::size_t>(cluster.local_size());
+  for (std::size_t i = rank; i < devices.size(); i += processes) share.push_back(devices[i]);
+  if (share.empty() && !devices.empty()) share.push_back(devices[rank % devices.size()]);
+  return share;
+}
+
+void serve_cluster(Cluster* cluster, const std::function<std::vector<DeviceChoice>()>& devices,
+                   const Trouble& on_trouble) {
+  constexpr std::chrono::milliseconds kNap(1);
+  const Trouble tell = [&](const std::string& what) {
+    on_trouble(fmt::format("rank {}: {}", cluster->rank(), what));
+  };
+  std::unique_ptr<Job> job;
+  while (true) {
+    while (const std::optional<ClusterMessage> message = cluster->receive()) {
+      if (message->kind == kEnd) return;
+      if (message->kind == kJob) {
+        job = begin_job(unpack_job(message->bytes), devices, tell);
+        const std::uint64_t members = job ? job->crew().size() : 0;
+        cluster->send(0, kMembers, Packer().add(members).take());
+      } else if (message->kind == kTile) {
+        Unpacker in(message->bytes);
+        const std::size_t tile = in.integer();
+        job->crew().start(tile, in.sequence<std::vector<double>>());
+      } else if (message->kind == kStop && job) {
+        job->crew().stop();
+      }
+    }
+    if (!job) {
+      std::this_thread::sleep_for(kNap);
+    } else if (const std::optional<CrewReport> report = job->crew().wait(kNap)) {
+      cluster->send(0, kReport, pack_to_fit(*report));
+    }
+  }
+}
+
+void dismiss_cluster(Cluster* cluster) {
+  for (int rank = 1; rank < cluster->size(); ++rank) cluster->send(rank, kEnd, {});
+}
+
+}  // namespace gearsweep

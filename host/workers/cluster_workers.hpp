@@ -1,0 +1,36 @@
+// A crew of all processes of a cluster, seen from rank 0, and what the other ranks do.
+//
+// Rank 0 sends a job and tiles (their numbers, and states where a chain gives them); the others
+// plan the same study themselves and send back what becomes of each tile.
+#pragma once
+
+#include "workers/cluster.hpp"
+#include "workers/thread_workers.hpp"
+
+namespace gearsweep {
+
+class ClusterCrew final : public Crew {
+ public:
+  // own: the engines of this process. The cluster and the plan outlive the crew.
+  ClusterCrew(const Plan& plan, std::vector<std::unique_ptr<Engine>> own, Cluster* cluster);
+
+  bool may_grow() const override { return answers_ + 1 < others_.size(); }
+  std::size_t size() const override;
+  std::size_t idle() const override;
+  void start(std::size_t tile, std::vector<double> initial) override;
+  std::optional<CrewReport> wait(std::chrono::milliseconds patience) override;
+  void stop() override;
+
+ private:
+  struct Others {
+    std::size_t members = 0, busy = 0;
+  };
+  std::optional<CrewReport> take(const ClusterMessage& message);
+
+  Cluster* cluster_;
+  LocalCrew own_;
+  std::size_t answers_ = 0;     // ranks that have told how many members they have
+  std::vector<Others> others_;  // [rank], that of rank 0 stays empty
+};
+
+}  // namespace gearsweep

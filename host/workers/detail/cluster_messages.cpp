@@ -1,0 +1,65 @@
+#include "workers/detail/cluster_messages.hpp"
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+std::string message_of(const std::exception_ptr& failure) {
+  if (!failure) return "";
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    return *error.what() == '\0' ? "unknown failure" : error.what();
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> pack(const ClusterJob& job) {
+  return Packer().add(job.study).add(job.max_step).add(std::uint64_t{job.tile_points}).take();
+}
+
+ClusterJob unpack_job(const std::vector<std::byte>& bytes) {
+  Unpacker in(bytes);
+  ClusterJob job;
+  job.study = in.sequence<std::string>();
+  job.max_step = in.number();
+  job.tile_points = in.integer();
+  return job;
+}
+
+std::vector<std::byte> pack(const CrewReport& report) {
+  const TileResult& result = report.result;
+  return Packer()
+      .add(static_cast<std::uint64_t>(report.kind))
+      .add(std::uint64_t{report.tile})
+      .add(report.steps)
+      .add(message_of(report.failure))
+      .add(result.status)
+      .add(result.outputs)
+      .add(result.samples)
+      .add(result.final_states)
+      .add(result.effort)
+      .add(result.device)
+      .take();
+}
+
+CrewReport unpack_report(const std::vector<std::byte>& bytes) {
+  Unpacker in(bytes);
+  CrewReport report;
+  report.kind = static_cast<CrewReport::Kind>(in.integer());
+  report.tile = in.integer();
+  report.steps = in.number();
+  const auto message = in.sequence<std::string>();
+  if (!message.empty()) report.failure = std::make_exception_ptr(RunError(message));
+  report.result.status = in.sequence<std::vector<std::uint8_t>>();
+  report.result.outputs = in.sequence<std::vector<double>>();
+  report.result.samples = in.sequence<std::vector<double>>();
+  report.result.final_states = in.sequence<std::vector<double>>();
+  report.result.effort = in.sequence<std::vector<double>>();
+  report.result.device = in.sequence<std::string>();
+  return report;
+}
+
+}  // namespace gearsweep

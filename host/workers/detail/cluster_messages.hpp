@@ -1,0 +1,31 @@
+// What the processes of a cluster tell each other.
+#pragma once
+
+#include "workers/detail/packing.hpp"
+#include "workers/worker_pool.hpp"
+
+namespace gearsweep {
+
+enum ClusterMessageKind {
+  kJob,      // from rank 0: a ClusterJob
+  kTile,     // from rank 0: its number, its initial states (CrewTask of Crew::start)
+  kStop,     // from rank 0: running tiles stop after their round
+  kEnd,      // from rank 0: nothing more will come
+  kMembers,  // to rank 0: how many members there are
+  kReport    // to rank 0: a CrewReport
+};
+
+struct ClusterJob {
+  std::string study;  // TOML
+  double max_step = 0.0;
+  std::size_t tile_points = 0;
+};
+
+std::vector<std::byte> pack(const ClusterJob& job);
+ClusterJob unpack_job(const std::vector<std::byte>& bytes);
+
+// A failure travels as its message.
+std::vector<std::byte> pack(const CrewReport& report);
+CrewReport unpack_report(const std::vector<std::byte>& bytes);
+
+}  // namespace gearsweep

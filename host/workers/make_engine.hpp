@@ -1,0 +1,24 @@
+// The engines that a study asks for.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/device_choice.hpp"
+#include "engine/engine.hpp"
+#include "engine/trouble.hpp"
+
+namespace gearsweep {
+
+// Without a choice, the default device. Throws InputError or RunError.
+std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice);
+
+// For each of these devices (none: the default one) that can be had, one, or two for a study of
+// many tiles, which the device then computes two at a time; the others are told of. Throws
+// InputError or RunError when there is none at all.
+std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
+                                                  const std::vector<DeviceChoice>& devices,
+                                                  const Trouble& on_trouble);
+
+}  // namespace gearsweep

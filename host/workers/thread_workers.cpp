@@ -1,0 +1,126 @@
+#include "workers/thread_workers.hpp"
+
+#include "tile/subset.hpp"
+#include "tile/tile_run.hpp"
+
+namespace gearsweep {
+
+std::vector<const Tile*> tiles_of(const Plan& plan) {
+  std::vector<const Tile*> tiles;
+  for (const Stage& stage : plan.stages()) {
+    for (const Tile& tile : stage.tiles) tiles.push_back(&tile);
+  }
+  return tiles;
+}
+
+LocalCrew::LocalCrew(const Plan& plan, std::vector<std::unique_ptr<Engine>> engines)
+    : plan_(plan), tiles_(tiles_of(plan)), engines_(std::move(engines)), size_(engines_.size()) {
+  for (const std::unique_ptr<Engine>& engine : engines_) {
+    threads_.emplace_back([this, &engine] { serve(engine.get()); });
+  }
+}
+
+LocalCrew::~LocalCrew() {
+  {
+    const std::lock_guard lock(mutex_);
+    stops_ = closes_ = true;
+    has_task_.notify_all();
+  }
+  threads_.clear();  // joins
+}
+
+std::size_t LocalCrew::size() const {
+  const std::lock_guard lock(mutex_);
+  return size_;
+}
+
+std::size_t LocalCrew::idle() const {
+  const std::lock_guard lock(mutex_);
+  return size_ - busy_;
+}
+
+void LocalCrew::start(std::size_t tile, std::vector<double> initial) {
+  const std::lock_guard lock(mutex_);
+  tasks_.push_back({tile, std::move(initial)});
+  ++busy_;
+  has_task_.notify_one();
+}
+
+std::optional<CrewReport> LocalCrew::wait(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  if (!has_report_.wait_for(lock, patience, [&] { return !reports_.empty(); })) {
+    return std::nullopt;
+  }
+  CrewReport report = std::move(reports_.front());
+  reports_.pop_front();
+  const bool goes_on =
+      report.kind == CrewReport::Kind::progress || report.kind == CrewReport::Kind::more_work;
+  if (!goes_on) --busy_;
+  if (report.kind == CrewReport::Kind::lost) --size_;
+  return report;
+}
+
+void LocalCrew::stop() {
+  const std::lock_guard lock(mutex_);
+  stops_ = true;
+}
+
+void LocalCrew::serve(Engine* engine) {
+  while (const std::optional<Task> task = next_task()) {
+    CrewReport done;
+    try {
+      done = compute(*task, engine);
+    } catch (...) {
+      done = {CrewReport::Kind::lost, task->tile, 0.0, {}, std::current_exception()};
+    }
+    const bool is_lost = done.kind == CrewReport::Kind::lost;
+    report(std::move(done));
+    if (is_lost) return;
+  }
+}
+
+CrewReport LocalCrew::compute(const Task& task, Engine* engine) {
+  const Tile& tile = *tiles_[task.tile];
+  double steps = 0.0;
+  TileCallbacks callbacks;
+  callbacks.after_round = [&](double round_steps) {
+    steps += round_steps;
+    report({CrewReport::Kind::progress, task.tile, round_steps, {}, {}});
+    const std::lock_guard lock(mutex_);
+    return !stops_;
+  };
+  callbacks.on_work = [&](double more) {
+    report({CrewReport::Kind::more_work, task.tile, more, {}, {}});
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const double in_kernels = engine->kernel_seconds();
+  std::optional<TileResult> result =
+      run_tile(plan_, tile, task.initial.empty() ? own_initial_states(plan_, tile) : task.initial,
+               engine, callbacks);
+  if (!result) return {CrewReport::Kind::stopped, task.tile, 0.0, {}, {}};
+  result->effort[kSteps] = steps;
+  result->effort[kSeconds] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result->effort[kKernelSeconds] = engine->kernel_seconds() - in_kernels;
+  result->device = engine->info().device;
+  // Only neighbours in a chain ask for them again.
+  if (!plan_.study().is_chained()) result->final_states.clear();
+  return {CrewReport::Kind::finished, task.tile, 0.0, std::move(*result), {}};
+}
+
+std::optional<LocalCrew::Task> LocalCrew::next_task() {
+  std::unique_lock lock(mutex_);
+  has_task_.wait(lock, [&] { return closes_ || !tasks_.empty(); });
+  if (closes_) return std::nullopt;
+  Task task = std::move(tasks_.front());
+  tasks_.pop_front();
+  return task;
+}
+
+void LocalCrew::report(CrewReport report) {
+  const std::lock_guard lock(mutex_);
+  reports_.push_back(std::move(report));
+  has_report_.notify_one();
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,50 @@
+// Who computes the tiles of a plan: any number of members, each with one tile at a time. Whoever
+// drives a crew hands out tiles and hears what becomes of them, from one thread.
+#pragma once
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/engine.hpp"
+
+namespace gearsweep {
+
+struct CrewReport {
+  enum class Kind {
+    progress,   // `steps` of the tile were taken
+    more_work,  // the tile takes `steps` more than planned (fewer: negative)
+    finished,   // `result` is the tile's
+    stopped,    // as stop() asked; the tile is not finished
+    lost        // the member has failed and is gone; its tile is not finished
+  };
+  Kind kind = Kind::progress;
+  std::size_t tile = 0;  // its number in the plan
+  double steps = 0.0;
+  TileResult result;           // effort: steps, seconds, points stopped early, seconds in kernels
+  std::exception_ptr failure;  // of a lost member
+};
+
+class Crew {
+ public:
+  virtual ~Crew() = default;
+
+  virtual std::size_t size() const = 0;            // members, those that are lost left out
+  virtual bool may_grow() const { return false; }  // others are still to come
+  // Those of them that have no tile. A member whose tile has ended is idle, or lost, once wait()
+  // has told so: however slow the driver is, no more results than members wait for it.
+  virtual std::size_t idle() const = 0;
+  // Gives a tile to an idle member. initial: [point of the tile][state]; empty: each point's own.
+  virtual void start(std::size_t tile, std::vector<double> initial) = 0;
+  // The next report; nothing when there was none for so long.
+  virtual std::optional<CrewReport> wait(std::chrono::milliseconds patience) = 0;
+  // The running tiles are to stop after their round.
+  virtual void stop() = 0;
+};
+
+// The tiles of a plan, by number: those of the first stage first.
+std::vector<const Tile*> tiles_of(const Plan& plan);
+
+}  // namespace gearsweep

@@ -1,0 +1,268 @@
+// Pictures of traces: each kind is drawn without complaint and shows what its name says.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "plot/plot.hpp"
+#include "result/example_result.hpp"
+#include "result/example_trace.hpp"
+#include "result/trace_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+using gearsweep::testing::made_trace;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class PlotTraceTest : public gearsweep::testing::IoTest {
+ protected:
+  PlotTraceTest() : study_(read_study("[[axes]]\nname = 'omega'\nvalues = [0.5]\n", "test")) {
+    study_.title = "two gears";
+  }
+
+  std::string write(const std::string& name, const std::vector<Trace>& traces,
+                    const std::vector<std::string>& labels) const {
+    write_traces(traces, labels, {}, study_, in_folder(name), gearsweep::testing::kProvenance);
+    return in_folder(name);
+  }
+  std::string write_one(std::size_t periods = 20, std::size_t per_period = 16) const {
+    return write("one.nc", {made_trace(study_, periods, per_period)}, {"omega=0.5"});
+  }
+
+  PlotRequest request(const std::vector<std::string>& paths, const std::string& quantity) const {
+    PlotRequest request;
+    request.paths = paths;
+    request.quantity = quantity;
+    request.output_path = in_folder("picture.png");
+    return request;
+  }
+
+  // The script of a picture; drawing it must make gnuplot say nothing.
+  std::string script_of(PlotRequest request) const {
+    request.script_path = in_folder("picture.gp");
+    plot_files(request);
+    EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
+    const std::string said = in_folder("said.txt");
+    const std::string command = "gnuplot '" + request.script_path + "' > '" + said + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(content(said), "");
+    return content(request.script_path);
+  }
+  std::string script_of(const std::vector<std::string>& paths, const std::string& quantity) const {
+    return script_of(request(paths, quantity));
+  }
+
+  // The numbers that the script reads, from the first on.
+  std::vector<double> data() const {
+    const std::string bytes = content(in_folder("picture.dat"));
+    std::vector<double> numbers(bytes.size() / sizeof(double));
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    return numbers;
+  }
+
+  std::string refused(const std::vector<std::string>& paths, const std::string& quantity) const {
+    return refusal([&] { plot_files(request(paths, quantity)); });
+  }
+
+  Study study_;
+};
+
+TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
+  const std::string path = write_one();
+  EXPECT_THAT(
+      script_of({path}, ""),
+      AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""), HasSubstr("time (mesh periods)"),
+            HasSubstr("set xrange [0:10]"), HasSubstr("the last 10 periods"),
+            HasSubstr("two gears"), HasSubstr("at {/:Italic ω} = 0.5")));
+  EXPECT_EQ(data().size(), 2U * 10U * 16U);
+  PlotRequest three = request({path}, "time:v1");
+  three.periods = 3;
+  EXPECT_THAT(script_of(three),
+              AllOf(HasSubstr("set xrange [0:3]"), HasSubstr("{/:Italic v}_{1}")));
+  EXPECT_NEAR(data()[1], 1.0, 1e-12);  // cos of whole turns, to rounding
+  three.periods = 30;
+  EXPECT_THAT(script_of(three), AllOf(HasSubstr("set xrange [0:20]"), Not(HasSubstr("the last"))));
+}
+
+TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
+  const std::string script = script_of({write_one()}, "phase");
+  EXPECT_THAT(script,
+              AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""),
+                    HasSubstr("\"{/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\""),
+                    HasSubstr("record=(320)"), HasSubstr("record=(20)"), HasSubstr("\"phase 0\"")));
+  // After the curve: sin and cos at phase 0, to rounding.
+  const std::vector<double> numbers = data();
+  for (std::size_t i = 640; i < numbers.size(); i += 2) {
+    EXPECT_NEAR(numbers[i], 0.0, 1e-12);
+    EXPECT_NEAR(numbers[i + 1], 1.0, 1e-12);
+  }
+  EXPECT_EQ(numbers.size(), 2U * (320U + 20U));
+  EXPECT_THAT(script_of({write_one()}, "phase:dmf:x1"),
+              AllOf(HasSubstr("\"meshing force ("), HasSubstr("\"{/:Italic x}_{1} (")));
+}
+
+// Moments of steps: the end of one and the start of the next are the same.
+TEST_F(PlotTraceTest, ASectionTakesEachPeriodOnce) {
+  Trace trace = made_trace(study_, 5, 16);
+  trace.tau.insert(trace.tau.begin() + 32, trace.tau[32]);
+  for (std::vector<double>& values : trace.values) {
+    values.insert(values.begin() + 32, values[32]);
+  }
+  const std::string script = script_of({write("steps.nc", {trace}, {""})}, "section");
+  EXPECT_THAT(script, AllOf(HasSubstr("record=(5)"), HasSubstr("at phase 0 of each period")));
+  EXPECT_EQ(data().size(), 2U * 5U);
+}
+
+TEST_F(PlotTraceTest, ASpectrumIsInDecibelsOverTheOrder) {
+  PlotRequest spectrum = request({write_one()}, "spectrum:x1");
+  EXPECT_THAT(script_of(spectrum),
+              AllOf(HasSubstr("\"{/:Italic x}_{1} (dB re 1 {/:Italic b}_{n})\""),
+                    HasSubstr("mesh frequency"), HasSubstr("set xrange [0:10]"),
+                    Not(HasSubstr("the last"))));
+  const std::vector<double> numbers = data();
+  ASSERT_EQ(numbers.size(), 2U * (160U + 1U));
+  EXPECT_NEAR(numbers[40], 1.0, 1e-12);  // rounding
+  EXPECT_NEAR(numbers[41], 0.0, 1e-9);   // a sine of amplitude 1 is 0 dB
+  spectrum.orders = 3.0;
+  EXPECT_THAT(script_of(spectrum), HasSubstr("set xrange [0:3]"));
+}
+
+TEST_F(PlotTraceTest, ForceShowsWhereBothFlanksTouch) {
+  Trace trace = made_trace(study_, 2, 16);
+  for (double& contact : trace.values[3]) contact *= 2.0;
+  const std::string path = write("wedged.nc", {trace}, {"omega=0.5"});
+  const std::string free = write("free.nc", {made_trace(study_, 2, 16)}, {"b=9"});
+  EXPECT_THAT(script_of({path}, "force"),
+              AllOf(HasSubstr("\"both flanks (wedged)\""), Not(HasSubstr("\"drive flank\""))));
+  EXPECT_THAT(script_of({path, free}, "force"), HasSubstr("\"both flanks (wedged)\""));
+}
+
+TEST_F(PlotTraceTest, ForceHasTheFlanksBehindIt) {
+  const std::string one = script_of({write_one(2)}, "force");
+  EXPECT_THAT(one, AllOf(HasSubstr("meshing force ({/:Italic k}_{0}{/:Italic b}_{n})"),
+                         HasSubstr("\"drive flank\""), HasSubstr("\"no contact\""),
+                         Not(HasSubstr("back flank"))));
+  // The first band of the drive flank: from half a step after 0 to half a step after sin is last
+  // above 0.1, moment 7 of 16; over the whole height.
+  const std::vector<double> numbers = data();
+  EXPECT_NEAR(numbers[2], 0.5 / 16.0, 1e-12);  // rounding
+  EXPECT_NEAR(numbers[3], 7.5 / 16.0, 1e-12);
+  EXPECT_EQ(numbers[5], 1.0);
+}
+
+// How often a text holds another.
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
+
+TEST_F(PlotTraceTest, APortraitHasHistoryPhaseForceAndSpectrum) {
+  const std::string script = script_of({write_one()}, "portrait");
+  EXPECT_EQ(count(script, "\nplot "), 4U);
+  EXPECT_THAT(script,
+              AllOf(HasSubstr("(a) "), HasSubstr("time history"), HasSubstr("phase portrait"),
+                    HasSubstr("\"phase 0\""), HasSubstr("\"drive flank\""),
+                    HasSubstr("meshing force ("), HasSubstr("(dB re 1 "), HasSubstr("(d) ")));
+  // The histories are of the last 10 periods; phase portrait and spectrum are of all 20.
+  EXPECT_EQ(count(script, "set xrange [0:10]"), 3U);  // the spectrum's orders, too
+  EXPECT_EQ(count(script, "record=(160)"), 2U);
+  EXPECT_THAT(script, AllOf(HasSubstr("record=(320)"), HasSubstr("record=(161)"),
+                            Not(HasSubstr("the last"))));
+  PlotRequest chosen = request({write_one()}, "portrait:x1:dmf");
+  chosen.periods = 3;
+  chosen.orders = 4.0;
+  const std::string other = script_of(chosen);
+  EXPECT_EQ(count(other, "set xrange [0:3]"), 2U);
+  EXPECT_EQ(count(other, "set xrange [0:4]"), 1U);
+  EXPECT_EQ(count(other, "meshing force ("), 2U);  // over x1, and as the force
+}
+
+// They are of four different pairs of axes.
+TEST_F(PlotTraceTest, APortraitsLimitsAndLabelsAreTheHistorys) {
+  PlotRequest limited = request({write_one()}, "portrait");
+  limited.style.xrange = {2.0, 4.0};
+  limited.style.yrange = {-5.0, 5.0};
+  limited.style.xlabel = "turns";
+  limited.style.ylabel = "way";
+  const std::string script = script_of(limited);
+  EXPECT_EQ(count(script, "set xrange [2:4]"), 2U);  // the force's, too
+  EXPECT_EQ(count(script, "\"turns\""), 2U);
+  EXPECT_EQ(count(script, "set yrange [-5:5]"), 1U);
+  EXPECT_EQ(count(script, "\"way\""), 1U);
+}
+
+TEST_F(PlotTraceTest, APortraitForPrintCallsItsPanelsByLetters) {
+  PlotRequest print = request({write_one()}, "portrait");
+  print.style.size.width = 170.0;
+  EXPECT_THAT(script_of(print), AllOf(HasSubstr("\"(d)\""), Not(HasSubstr("time history"))));
+  print.style.size = {170.0, 20.0};
+  EXPECT_THAT(refusal([&] { plot_files(print); }), HasSubstr("no room"));
+}
+
+TEST_F(PlotTraceTest, APortraitWithoutFlanksHasASectionInTheirPlace) {
+  Trace free = made_trace(study_, 20, 16);
+  free.channels.resize(2);
+  free.values.resize(2);
+  const std::string script = script_of({write("free.nc", {free}, {""})}, "portrait");
+  EXPECT_EQ(count(script, "\nplot "), 4U);
+  EXPECT_THAT(script, AllOf(HasSubstr("section at phase 0"), Not(HasSubstr("flank"))));
+}
+
+TEST_F(PlotTraceTest, TracesOfOneFileOrOfSeveralLieOverOneAnother) {
+  const Trace trace = made_trace(study_, 4, 16);
+  const std::string two = write("two.nc", {trace, trace}, {"mu=0", "mu=0.1"});
+  const std::string one = write("one.nc", {trace}, {"mu=0.1"});
+  for (const char* const quantity : {"time", "phase", "section", "spectrum", "force", "portrait"}) {
+    EXPECT_THAT(script_of({two}, quantity),
+                AllOf(HasSubstr("\"{/:Italic μ} = 0\""), HasSubstr("\"{/:Italic μ} = 0.1\"")))
+        << quantity;
+  }
+  // The same label does not tell them apart, so the files do.
+  const std::string other = write("other.nc", {trace}, {"mu=0.1"});
+  EXPECT_THAT(script_of({one, other}, "time"), AllOf(HasSubstr("\"one\""), HasSubstr("\"other\""),
+                                                     HasSubstr("at {/:Italic μ} = 0.1")));
+}
+
+TEST_F(PlotTraceTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
+  const std::string path = write_one();
+  EXPECT_THAT(refused({path}, "tme"), HasSubstr("did you mean 'time'?"));
+  EXPECT_THAT(refused({path}, "time:dfm"), HasSubstr("did you mean 'dmf'?"));
+  EXPECT_THAT(refused({path}, "time:x1:v1"), HasSubstr("one channel"));
+  EXPECT_THAT(refused({path}, "phase:dmf"), HasSubstr("phase:dmf:x1"));
+  EXPECT_THAT(refused({path}, "portrait:dmf"), HasSubstr("portrait:dmf:x1"));
+  EXPECT_THAT(refused({path}, "phase:x2"), HasSubstr("no channel 'x2'"));
+  EXPECT_THAT(refused({write("short.nc", {made_trace(study_, 1, 16)}, {""}), path}, "phase:x1:x2"),
+              HasSubstr("no channel 'x2'"));
+  Trace part = made_trace(study_, 1, 16);
+  part.tau.resize(9);
+  for (std::vector<double>& values : part.values) values.resize(9);
+  EXPECT_THAT(refused({write("part.nc", {part}, {""})}, "spectrum"),
+              HasSubstr("9 of its 16 moments"));
+  part.tau[3] += 0.01;
+  EXPECT_THAT(refused({write("part.nc", {part}, {""})}, "spectrum"),
+              HasSubstr("--samples-per-period 256"));
+  Trace free = made_trace(study_, 1, 16);
+  free.channels.pop_back();
+  free.values.pop_back();
+  EXPECT_THAT(refused({write("free.nc", {free}, {""})}, "force"), HasSubstr("no backlash"));
+  EXPECT_THAT(refused({path, path, path, path, path, path, path}, "time"), HasSubstr("7 are too"));
+  PlotRequest cut = request({path}, "time");
+  cut.at = {{"b", 1.0}};
+  EXPECT_THAT(refusal([&] { plot_files(cut); }), HasSubstr("--at"));
+  PlotRequest orders = request({path}, "time");
+  orders.orders = 3.0;
+  EXPECT_THAT(refusal([&] { plot_files(orders); }), HasSubstr("spectra"));
+  const std::string map = IoTest::write(gearsweep::testing::example_result());
+  EXPECT_THAT(refused({path, map}, "time"), HasSubstr("some of the files hold maps"));
+  EXPECT_THAT(refused({path, in_folder("none.nc")}, "time"), HasSubstr("none.nc"));
+  EXPECT_EQ(files(), 5U);
+}
+
+}  // namespace
+}  // namespace gearsweep

@@ -1,0 +1,195 @@
+// A crew of engines that compute nothing: who gets which tile, who fails, who stops.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <latch>
+#include <memory>
+#include <numeric>
+#include <thread>
+#include <utility>
+
+#include "model/error.hpp"
+#include "sweep_types.h"
+#include "workers/thread_workers.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+// Every output of a point is its number in the plan. The first tile waits until every member of the
+// crew has one, so that all are at work at once.
+class NumberingEngine : public Engine {
+ public:
+  explicit NumberingEngine(std::latch* all_at_work) : all_at_work_(all_at_work) {}
+
+  EngineInfo info() const override { return {"a counter", "", ""}; }
+  std::size_t least_tile() const override { return 1; }
+  std::size_t preferred_tile() const override { return 1; }
+  std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
+                                    const std::vector<double>& initial, const Window& /*window*/,
+                                    const RoundCallback& after_round) override {
+    if (!std::exchange(has_begun_, true)) all_at_work_->arrive_and_wait();
+    if (!work(after_round)) return std::nullopt;
+    TileResult result;
+    result.status.assign(tile.points.size(), STATUS_ok);
+    for (std::size_t i = 0; i < plan.study().selection.output_count(); ++i) {
+      result.outputs.insert(result.outputs.end(), tile.points.begin(), tile.points.end());
+    }
+    result.final_states = initial;
+    return result;
+  }
+  std::optional<std::vector<double>> rows(const Plan& /*plan*/, std::size_t /*point*/,
+                                          const std::vector<double>& /*initial*/,
+                                          std::size_t /*settle*/, std::size_t /*record*/,
+                                          const RoundCallback& /*after_round*/) override {
+    return std::nullopt;
+  }
+
+ private:
+  virtual bool work(const RoundCallback& after_round) { return after_round(1.0); }
+
+  std::latch* all_at_work_;
+  bool has_begun_ = false;
+};
+
+class BrokenEngine final : public NumberingEngine {
+ public:
+  using NumberingEngine::NumberingEngine;
+
+ private:
+  bool work(const RoundCallback& /*after_round*/) override { throw RunError("it is broken"); }
+};
+
+class EndlessEngine final : public NumberingEngine {
+ public:
+  using NumberingEngine::NumberingEngine;
+
+ private:
+  bool work(const RoundCallback& after_round) override {
+    while (after_round(1.0)) {
+    }
+    return false;
+  }
+};
+
+class LocalCrewTest : public ::testing::Test {
+ protected:
+  static constexpr std::size_t kMembers = 3, kPoints = 60;
+  static constexpr std::chrono::minutes kPatience{10};
+
+  template <typename First>
+  LocalCrew crew_with() {
+    std::vector<std::unique_ptr<Engine>> engines;
+    engines.push_back(std::make_unique<First>(&all_at_work_));
+    while (engines.size() < kMembers) {
+      engines.push_back(std::make_unique<NumberingEngine>(&all_at_work_));
+    }
+    return {plan_, std::move(engines)};
+  }
+
+  // Hands out all tiles, and again those of members that fail; what is not a tile's end is left
+  // out.
+  std::vector<CrewReport> ends_of_all_tiles(LocalCrew* crew) {
+    std::vector<std::size_t> waiting(tiles_of(plan_).size());
+    std::iota(waiting.begin(), waiting.end(), std::size_t{0});
+    std::size_t left = waiting.size();
+    std::vector<CrewReport> ends;
+    while (left > 0) {
+      for (; !waiting.empty() && crew->idle() > 0; waiting.pop_back()) {
+        crew->start(waiting.back(), {});
+      }
+      std::optional<CrewReport> report = crew->wait(kPatience);
+      if (!report) throw std::logic_error("the crew says nothing any more");
+      if (report->kind == CrewReport::Kind::lost) waiting.push_back(report->tile);
+      if (report->kind == CrewReport::Kind::finished) --left;
+      if (report->kind != CrewReport::Kind::progress) ends.push_back(*std::move(report));
+    }
+    return ends;
+  }
+
+  // Every point of the plan is in one finished tile.
+  void expect_all_points(const std::vector<CrewReport>& ends) {
+    std::vector<double> numbers, expected(kPoints);
+    for (const CrewReport& end : ends) {
+      const auto points = static_cast<std::ptrdiff_t>(end.result.status.size());
+      const auto first = end.result.outputs.begin();
+      numbers.insert(numbers.end(), first,
+                     first + std::min(points, std::ssize(end.result.outputs)));
+    }
+    std::sort(numbers.begin(), numbers.end());
+    std::iota(expected.begin(), expected.end(), 0.0);
+    EXPECT_EQ(numbers, expected);
+  }
+
+  const Study study_ = read_study(
+      "[[axes]]\nname = 'b'\nfrom = 0.5\nto = 1.5\ncount = 60\n"
+      "[observe]\nquantities = ['x1_rms']\n",
+      "test");
+  const Plan plan_{study_, 2};
+  std::latch all_at_work_{kMembers};
+};
+
+TEST_F(LocalCrewTest, EveryMemberWorksAndEveryTileIsComputedOnce) {
+  LocalCrew crew = crew_with<NumberingEngine>();
+  expect_all_points(ends_of_all_tiles(&crew));
+  EXPECT_EQ(crew.size(), kMembers);
+  EXPECT_EQ(crew.idle(), kMembers);
+}
+
+TEST_F(LocalCrewTest, AMemberThatFailsIsLostAndItsTileCanBeGivenToAnother) {
+  LocalCrew crew = crew_with<BrokenEngine>();
+  const std::vector<CrewReport> ends = ends_of_all_tiles(&crew);
+  expect_all_points(ends);
+  EXPECT_EQ(crew.size(), kMembers - 1);
+  EXPECT_EQ(crew.idle(), kMembers - 1);
+  std::size_t lost = 0;
+  for (const CrewReport& end : ends) {
+    if (end.kind != CrewReport::Kind::lost) continue;
+    ++lost;
+    EXPECT_THROW(std::rethrow_exception(end.failure), RunError);
+  }
+  EXPECT_EQ(lost, 1U);
+}
+
+// Else the results of a fast crew would fill the memory while a slow disk stores the first.
+TEST_F(LocalCrewTest, AMemberIsIdleOnceTheEndOfItsTileIsHeard) {
+  std::latch one_at_work{1};
+  std::vector<std::unique_ptr<Engine>> engines;
+  engines.push_back(std::make_unique<NumberingEngine>(&one_at_work));
+  LocalCrew crew(plan_, std::move(engines));
+  crew.start(0, {});
+  std::optional<CrewReport> report = crew.wait(kPatience);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->kind, CrewReport::Kind::progress);
+  // The tile ends meanwhile.
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_EQ(crew.idle(), 0U);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  report = crew.wait(kPatience);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->kind, CrewReport::Kind::finished);
+  EXPECT_EQ(crew.idle(), 1U);
+}
+
+TEST_F(LocalCrewTest, ARunningTileStopsWhenAskedAndWhenTheCrewIsLeft) {
+  for (const bool asks : {true, false}) {
+    std::latch one_at_work{1};
+    std::vector<std::unique_ptr<Engine>> engines;
+    engines.push_back(std::make_unique<EndlessEngine>(&one_at_work));
+    LocalCrew crew(plan_, std::move(engines));
+    crew.start(0, {});
+    one_at_work.wait();
+    if (!asks) continue;  // its end is the test: it would wait for ever
+    crew.stop();
+    std::optional<CrewReport> report;
+    do {
+      report = crew.wait(kPatience);
+      ASSERT_TRUE(report);
+    } while (report->kind == CrewReport::Kind::progress);
+    EXPECT_EQ(report->kind, CrewReport::Kind::stopped);
+    EXPECT_EQ(crew.idle(), 1U);
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
