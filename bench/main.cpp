@@ -1,6 +1,6 @@
 // The main of the benchmark programs. Beside Google Benchmark's own flags it knows
 //   --all        all benchmarks, the long ones too, each for medians of five
-//   --markdown   prints the tables of the README
+//   --markdown   prints the tables of doc/speed.md
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

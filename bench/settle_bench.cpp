@@ -55,7 +55,7 @@ Case make_case(const std::string& precision, const std::string& law, const Obser
   return result;
 }
 
-// What the README promises something about.
+// What doc/speed.md promises something about.
 std::vector<Case> headline() {
   std::vector<Case> cases;
   for (const char* precision : kPrecisions) {

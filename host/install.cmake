@@ -23,6 +23,10 @@ install(FILES ${pages}/gearsweep.bash RENAME gearsweep
 install(FILES ${pages}/gearsweep.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tool)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+# Their pictures.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/.readme DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool
+        FILES_MATCHING PATTERN *.png)
 # The name that Debian gives it.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT tool)

@@ -1,12 +1,12 @@
-// Examples are what people copy: each study that the README, the manual page or the program itself
-// offers runs in minutes, and its files are small.
+// Examples are what people copy: each study that the pages, the manual or the program itself offers
+// runs in minutes, and its files are small.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <vector>
 
+#include "cli/page.hpp"
 #include "plan/plan.hpp"
 #include "plot/style.hpp"
 #include "result/result_size.hpp"
@@ -24,26 +24,6 @@ constexpr double kMostSteps = 5e10;
 void expect_sensible(const Study& study, const std::string& where) {
   EXPECT_LE(size_of_result(study, {}).file, kMostBytes) << where;
   EXPECT_LE(Plan(study, 1024).total_work(), kMostSteps) << where;
-}
-
-std::string readme() { return read_all(GEARSWEEP_README); }
-
-// The fenced blocks of a language.
-std::vector<std::string> blocks_of(const std::string& text, const std::string& language) {
-  std::vector<std::string> blocks;
-  std::istringstream lines(text);
-  bool is_inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line == "```" + language) {
-      is_inside = true;
-      blocks.emplace_back();
-    } else if (line.starts_with("```")) {
-      is_inside = false;
-    } else if (is_inside) {
-      blocks.back() += line + "\n";
-    }
-  }
-  return blocks;
 }
 
 // The words of a command as a shell takes them, up to a comment or the next command.
@@ -90,41 +70,43 @@ TEST(Examples, BuiltInStudiesAreSensible) {
   for (const auto& [name, text] : builtin_studies()) expect_sensible(read_study(text, name), name);
 }
 
-TEST(Examples, StudiesOfTheReadmeAreSensible) {
-  const std::vector<std::string> studies = blocks_of(readme(), "toml");
+TEST(Examples, StudiesOfThePagesAreSensible) {
   std::size_t count = 0;
-  for (const std::string& study : studies) {
-    if (study.find("[[axes]]") == std::string::npos) continue;
-    ++count;
-    expect_sensible(read_study(study, "README.md"), study);
+  for (const auto& path : all_pages()) {
+    for (const std::string& study : read_page(path).blocks_of("toml")) {
+      if (study.find("[[axes]]") == std::string::npos) continue;
+      ++count;
+      expect_sensible(read_study(study, path.filename()), study);
+    }
   }
-  EXPECT_GT(count, 0U);
+  EXPECT_GT(count, 1U);
 }
 
 // What has no axes is the style of a picture.
-TEST(Examples, StylesOfTheReadmeAreStyles) {
+TEST(Examples, StylesOfThePagesAreStyles) {
   const Folder folder;
   std::size_t count = 0;
-  for (const std::string& style : blocks_of(readme(), "toml")) {
-    if (style.find("[[axes]]") != std::string::npos) continue;
-    ++count;
-    folder.write("style.toml", style);
-    PlotStyle read;
-    EXPECT_NO_THROW(read_style_file(folder / "style.toml", &read)) << style;
+  for (const auto& path : all_pages()) {
+    for (const std::string& style : read_page(path).blocks_of("toml")) {
+      if (style.find("[[axes]]") != std::string::npos) continue;
+      ++count;
+      folder.write("style.toml", style);
+      PlotStyle read;
+      EXPECT_NO_THROW(read_style_file(folder / "style.toml", &read)) << style;
+    }
   }
   EXPECT_GT(count, 0U);
 }
 
-TEST(Examples, CommandsOfTheReadmeAreSensible) {
-  const std::vector<Study> studies = runs_in(readme());
-  EXPECT_GT(studies.size(), 5U);
-  for (const Study& study : studies) expect_sensible(study, study.toml);
-}
-
-TEST(Examples, CommandsOfTheGalleryAreSensible) {
-  const std::vector<Study> studies = runs_in(read_all(GEARSWEEP_GALLERY));
-  EXPECT_GT(studies.size(), 5U);
-  for (const Study& study : studies) expect_sensible(study, study.toml);
+TEST(Examples, CommandsOfThePagesAreSensible) {
+  std::size_t count = 0;
+  for (const auto& path : all_pages()) {
+    for (const Study& study : runs_in(read_page(path).text)) {
+      ++count;
+      expect_sensible(study, path.filename().string() + "\n" + study.toml);
+    }
+  }
+  EXPECT_GT(count, 20U);
 }
 
 // The manual page holds the help of every command.

@@ -30,7 +30,8 @@ endif()
 must(log dpkg-deb -x ${package} ${WORK}/root)
 foreach(file share/man/man1/gearsweep.1 share/man/man5/gearsweep-study.5
         share/bash-completion/completions/gearsweep share/fish/vendor_completions.d/gearsweep.fish share/doc/gearsweep/copyright
-        share/doc/gearsweep/studies/coarse-map.toml)
+        share/doc/gearsweep/studies/coarse-map.toml share/doc/gearsweep/README.md
+        share/doc/gearsweep/doc/studies.md share/doc/gearsweep/.readme/map.png)
   file(SIZE ${WORK}/root/usr/${file} size)
   if(size EQUAL 0)
     message(FATAL_ERROR "${file} is empty")
