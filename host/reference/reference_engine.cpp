@@ -7,8 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "reference/detail/lyapunov_meters.hpp"
-#include "reference/detail/meters.hpp"
+#include "reference/detail/lyapunov_observables.hpp"
+#include "reference/detail/observables.hpp"
 #include "reference/detail/trajectory.hpp"
 #include "sweep_types.h"
 
@@ -35,21 +35,21 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
     orthonormalize_tangents(&trajectory);
   }
   if (warm_up == 0) set_start_tangents(study.selection.tangent_count(), &trajectory);
-  std::vector<std::unique_ptr<Meter>> meters;
+  std::vector<std::unique_ptr<ReferenceObservable>> observables;
   for (const Observer& observer : study.selection.observers) {
-    meters.push_back(make_meter(*study.model, observer, study.selection.period_tolerance));
+    observables.push_back(make_observable(*study.model, observer, study.selection.period_tolerance));
   }
   const std::vector<std::size_t>& sampled = study.selection.poincare;
-  for (const auto& meter : meters) meter->begin(trajectory.state());
+  for (const auto& observable : observables) observable->begin(trajectory.state());
   result.samples.resize(sampled.size() * window.samples);
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
     result.diverged =
         !trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
-          for (const auto& meter : meters) meter->step(before, after, share);
+          for (const auto& observable : observables) observable->step(before, after, share);
         });
     const Eigen::VectorXd growth = orthonormalize_tangents(&trajectory);
-    for (const auto& meter : meters) {
-      meter->period(trajectory.state(), growth, trajectory.period());
+    for (const auto& observable : observables) {
+      observable->period(trajectory.state(), growth, trajectory.period());
     }
     for (std::size_t j = 0; j < sampled.size() && i < window.samples; ++j) {
       result.samples[j * window.samples + i] =
@@ -57,8 +57,8 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
     }
   }
   result.state = trajectory.state();
-  for (const auto& meter : meters) {
-    const std::vector<double> outputs = meter->finish(window);
+  for (const auto& observable : observables) {
+    const std::vector<double> outputs = observable->finish(window);
     result.outputs.insert(result.outputs.end(), outputs.begin(), outputs.end());
   }
   return result;

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "reference/detail/meters.hpp"
+#include "reference/detail/observables.hpp"
 
 namespace gearsweep {
 
@@ -19,9 +19,9 @@ void set_start_tangents(std::size_t count, Trajectory* trajectory);
 Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory);
 
 // Largest exponent, its standard error (NaN with one block), largest exponent times the period.
-std::unique_ptr<Meter> make_lyapunov_max();
+std::unique_ptr<ReferenceObservable> make_lyapunov_max();
 // All exponents, in the order of the vectors.
-std::unique_ptr<Meter> make_lyapunov_spectrum();
-std::unique_ptr<Meter> make_kaplan_yorke();
+std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum();
+std::unique_ptr<ReferenceObservable> make_kaplan_yorke();
 
 }  // namespace gearsweep

@@ -1,4 +1,4 @@
-#include "reference/detail/orbit_meters.hpp"
+#include "reference/detail/orbit_observables.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "reference/detail/lyapunov_meters.hpp"
+#include "reference/detail/lyapunov_observables.hpp"
 
 namespace gearsweep {
 namespace {
@@ -131,9 +131,9 @@ class Sections {
 };
 
 // Collects the sections.
-class SectionMeter : public Meter {
+class SectionObservable : public ReferenceObservable {
  public:
-  SectionMeter(double tolerance, const StateKinds& kinds) : sections_(tolerance, kinds) {}
+  SectionObservable(double tolerance, const StateKinds& kinds) : sections_(tolerance, kinds) {}
   void begin(const Eigen::VectorXd& state) override { sections_.begin(state); }
   void step(const Moment&, const Moment& after, double) override { sections_.pass(after.state); }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
@@ -147,17 +147,17 @@ class SectionMeter : public Meter {
   Sections sections_;
 };
 
-class Period final : public SectionMeter {
+class Period final : public SectionObservable {
  public:
-  using SectionMeter::SectionMeter;
+  using SectionObservable::SectionObservable;
   std::vector<double> finish(const Window&) const override {
     return {static_cast<double>(sections().recurrence().period)};
   }
 };
 
-class Settled final : public SectionMeter {
+class Settled final : public SectionObservable {
  public:
-  using SectionMeter::SectionMeter;
+  using SectionObservable::SectionObservable;
   std::vector<double> finish(const Window& window) const override {
     const Recurrence found = sections().recurrence();
     if (found.period == 0) return {std::numeric_limits<double>::quiet_NaN()};
@@ -165,12 +165,12 @@ class Settled final : public SectionMeter {
   }
 };
 
-class Motion final : public SectionMeter {
+class Motion final : public SectionObservable {
  public:
   Motion(double tolerance, const StateKinds& kinds)
-      : SectionMeter(tolerance, kinds), exponent_(make_lyapunov_max()) {}
+      : SectionObservable(tolerance, kinds), exponent_(make_lyapunov_max()) {}
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
-    SectionMeter::period(state, growth, length);
+    SectionObservable::period(state, growth, length);
     exponent_->period(state, growth, length);
     time_ += length;
   }
@@ -201,11 +201,11 @@ class Motion final : public SectionMeter {
     return std::max(early, late) <= 1.25 * std::min(early, late);
   }
 
-  std::unique_ptr<Meter> exponent_;
+  std::unique_ptr<ReferenceObservable> exponent_;
   double time_ = 0.0;
 };
 
-class SectionBox final : public Meter {
+class SectionBox final : public ReferenceObservable {
  public:
   void begin(const Eigen::VectorXd& state) override { least_ = greatest_ = state; }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
@@ -224,14 +224,14 @@ class SectionBox final : public Meter {
 
 }  // namespace
 
-std::unique_ptr<Meter> make_section() { return std::make_unique<SectionBox>(); }
-std::unique_ptr<Meter> make_period(double tolerance, const StateKinds& kinds) {
+std::unique_ptr<ReferenceObservable> make_section() { return std::make_unique<SectionBox>(); }
+std::unique_ptr<ReferenceObservable> make_period(double tolerance, const StateKinds& kinds) {
   return std::make_unique<Period>(tolerance, kinds);
 }
-std::unique_ptr<Meter> make_settled(double tolerance, const StateKinds& kinds) {
+std::unique_ptr<ReferenceObservable> make_settled(double tolerance, const StateKinds& kinds) {
   return std::make_unique<Settled>(tolerance, kinds);
 }
-std::unique_ptr<Meter> make_motion(double tolerance, const StateKinds& kinds) {
+std::unique_ptr<ReferenceObservable> make_motion(double tolerance, const StateKinds& kinds) {
   return std::make_unique<Motion>(tolerance, kinds);
 }
 

@@ -1,4 +1,4 @@
-#include "reference/detail/meters.hpp"
+#include "reference/detail/observables.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "model/error.hpp"
-#include "reference/detail/lyapunov_meters.hpp"
-#include "reference/detail/orbit_meters.hpp"
-#include "reference/detail/zero_one_meter.hpp"
+#include "reference/detail/lyapunov_observables.hpp"
+#include "reference/detail/orbit_observables.hpp"
+#include "reference/detail/zero_one_observable.hpp"
 
 namespace gearsweep {
 namespace {
@@ -29,7 +29,7 @@ class Channel {
   Eigen::Index index_;
 };
 
-class Extrema final : public Meter {
+class Extrema final : public ReferenceObservable {
  public:
   explicit Extrema(const Channel& channel) : channel_(channel) {}
   void step(const Moment& before, const Moment& after, double) override {
@@ -47,7 +47,7 @@ class Extrema final : public Meter {
 
 // Weighted mean and variance by West's recurrence (Communications of the ACM 22, 1979): each step
 // gives half of its share to each of its ends.
-class Moments final : public Meter {
+class Moments final : public ReferenceObservable {
  public:
   explicit Moments(const Channel& channel) : channel_(channel) {}
   void step(const Moment& before, const Moment& after, double share) override {
@@ -80,7 +80,7 @@ struct Span {
   }
 };
 
-class Contact final : public Meter {
+class Contact final : public ReferenceObservable {
  public:
   explicit Contact(const Model& model)
       : deflection_(model, "deflection"), backlash_(model, "backlash") {}
@@ -142,8 +142,8 @@ class Contact final : public Meter {
 
 }  // namespace
 
-std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer,
-                                  double period_tolerance) {
+std::unique_ptr<ReferenceObservable> make_observable(const Model& model, const Observer& observer,
+                                                     double period_tolerance) {
   const std::string& kind = observer.observable->name;
   if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.channel));
   if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.channel));

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "reference/detail/meters.hpp"
 #include "reference/detail/motion_range.hpp"
+#include "reference/detail/observables.hpp"
 
 namespace gearsweep {
 
@@ -13,6 +13,6 @@ namespace gearsweep {
 // the centring of kernels/observables/zero_one.h. 0 when the samples stay at one value: when their
 // standard deviation is at most `tolerance` times the motion's range. NaN with less than 100 of
 // them.
-std::unique_ptr<Meter> make_zero_one(double tolerance, const StateKinds& kinds);
+std::unique_ptr<ReferenceObservable> make_zero_one(double tolerance, const StateKinds& kinds);
 
 }  // namespace gearsweep

@@ -12,9 +12,9 @@
 namespace gearsweep {
 
 // Measures one trajectory over its recorded periods.
-class Meter {
+class ReferenceObservable {
  public:
-  virtual ~Meter() = default;
+  virtual ~ReferenceObservable() = default;
   // Before anything else: the state at phase 0 where the record begins.
   virtual void begin(const Eigen::VectorXd&) {}
   // One step, with its share of the period.
@@ -28,7 +28,7 @@ class Meter {
 
 // `period_tolerance` is the selection's. Throws RunError for an observable that the reference
 // engine does not know.
-std::unique_ptr<Meter> make_meter(const Model& model, const Observer& observer,
-                                  double period_tolerance);
+std::unique_ptr<ReferenceObservable> make_observable(const Model& model, const Observer& observer,
+                                                     double period_tolerance);
 
 }  // namespace gearsweep

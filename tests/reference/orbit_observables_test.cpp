@@ -1,6 +1,6 @@
 // The reference engine's period, settling and kind of motion: on sections whose answer is plain, on
 // published motions, and beside the kernel's.
-#include "reference/detail/orbit_meters.hpp"
+#include "reference/detail/orbit_observables.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "opencl/opencl_engine.hpp"
-#include "reference/detail/zero_one_meter.hpp"
+#include "reference/detail/zero_one_observable.hpp"
 #include "support/run.hpp"
 
 namespace gearsweep::testing {
@@ -34,20 +34,20 @@ using Sequence = std::function<double(std::size_t)>;
 // Two states of one unit.
 const StateKinds kKinds = {{0, 0}, {}};
 
-// What a meter says of sections whose first component is this sequence, the second half of it, and
-// of perturbations that grow like this (as logarithms). Periods last one unit of time, in which the
-// motion goes through a range of 1.
+// What a observable says of sections whose first component is this sequence, the second half of it,
+// and of perturbations that grow like this (as logarithms). Periods last one unit of time, in which
+// the motion goes through a range of 1.
 double measure(
-    const std::unique_ptr<Meter>& meter, const Window& window, const Sequence& section,
-    const Sequence& growth = [](std::size_t) { return 0.0; }) {
+    const std::unique_ptr<ReferenceObservable>& observable, const Window& window,
+    const Sequence& section, const Sequence& growth = [](std::size_t) { return 0.0; }) {
   const auto state = [&](std::size_t i) { return Eigen::Vector2d(section(i), 0.5 * section(i)); };
-  meter->begin(state(0));
+  observable->begin(state(0));
   for (std::size_t i = 1; i <= window.record; ++i) {
-    meter->step({}, {state(i) + Eigen::Vector2d(0.25, 0.5), {}}, 0.5);
-    meter->step({}, {state(i) - Eigen::Vector2d(0.25, 0.5), {}}, 0.5);
-    meter->period(state(i), Eigen::VectorXd::Constant(1, growth(i - 1)), 1.0);
+    observable->step({}, {state(i) + Eigen::Vector2d(0.25, 0.5), {}}, 0.5);
+    observable->step({}, {state(i) - Eigen::Vector2d(0.25, 0.5), {}}, 0.5);
+    observable->period(state(i), Eigen::VectorXd::Constant(1, growth(i - 1)), 1.0);
   }
-  return meter->finish(window).front();
+  return observable->finish(window).front();
 }
 
 double period_of(std::size_t record, const Sequence& section, double tolerance = kTolerance) {
@@ -296,18 +296,19 @@ TEST(ReferenceOrbits, AreThoseOfTheKernelInChaos) {
       {kChaotic});
 }
 
-// Tells the meters of the motion that an engine's rows are: the start and the end of each step, in
-// one segment a period. The kernel's range comes from one step in eight.
+// Tells the observables of the motion that an engine's rows are: the start and the end of each
+// step, in one segment a period. The kernel's range comes from one step in eight.
 void show_rows(const std::vector<double>& rows, std::size_t steps,
-               const std::vector<Meter*>& meters) {
+               const std::vector<ReferenceObservable*>& observables) {
   const auto state = [&](std::size_t row) {
     return Eigen::Vector2d(rows[2 * row], rows[2 * row + 1]);
   };
-  for (Meter* meter : meters) {
-    meter->begin(state(0));
+  for (ReferenceObservable* observable : observables) {
+    observable->begin(state(0));
     for (std::size_t first = 0; 2 * first < rows.size(); first += steps + 1) {
-      for (std::size_t i = 0; i < steps; i += 8) meter->step({}, {state(first + i + 1), {}}, 0.0);
-      meter->period(state(first + steps), Eigen::VectorXd(), 1.0);
+      for (std::size_t i = 0; i < steps; i += 8)
+        observable->step({}, {state(first + i + 1), {}}, 0.0);
+      observable->period(state(first + steps), Eigen::VectorXd(), 1.0);
     }
   }
 }

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "reference/detail/meters.hpp"
 #include "reference/detail/motion_range.hpp"
+#include "reference/detail/observables.hpp"
 
 namespace gearsweep {
 
@@ -15,12 +15,12 @@ namespace gearsweep {
 // the motion (motion_range.hpp).
 
 // The period of the motion in forcing periods, 0 when there is none.
-std::unique_ptr<Meter> make_period(double tolerance, const StateKinds& kinds);
+std::unique_ptr<ReferenceObservable> make_period(double tolerance, const StateKinds& kinds);
 // Forcing periods until the motion stayed periodic, NaN when it did not.
-std::unique_ptr<Meter> make_settled(double tolerance, const StateKinds& kinds);
+std::unique_ptr<ReferenceObservable> make_settled(double tolerance, const StateKinds& kinds);
 // The kind of motion, a value of motion_class; needs a tangent vector.
-std::unique_ptr<Meter> make_motion(double tolerance, const StateKinds& kinds);
+std::unique_ptr<ReferenceObservable> make_motion(double tolerance, const StateKinds& kinds);
 // Least value of each state, then greatest value of each.
-std::unique_ptr<Meter> make_section();
+std::unique_ptr<ReferenceObservable> make_section();
 
 }  // namespace gearsweep

@@ -1,5 +1,5 @@
 // The reference engine's 0-1 test for chaos on series that its authors and others published.
-#include "reference/detail/zero_one_meter.hpp"
+#include "reference/detail/zero_one_observable.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@ namespace {
 
 // Of a motion that goes through a range of 1 in each period, and is sampled so.
 double zero_one_of(std::size_t record, const std::function<double(std::size_t)>& sample) {
-  const std::unique_ptr<Meter> meter = make_zero_one(1e-6, {{0, 1}, {}});
-  meter->begin(Eigen::Vector2d(0.0, 7.0));
+  const std::unique_ptr<ReferenceObservable> observable = make_zero_one(1e-6, {{0, 1}, {}});
+  observable->begin(Eigen::Vector2d(0.0, 7.0));
   for (std::size_t i = 0; i < record; ++i) {
-    meter->step({}, {Eigen::Vector2d(0.0, 7.0), {}}, 0.5);
-    meter->step({}, {Eigen::Vector2d(1.0, 7.0), {}}, 0.5);
-    meter->period(Eigen::Vector2d(sample(i), 7.0), Eigen::VectorXd(), 1.0);
+    observable->step({}, {Eigen::Vector2d(0.0, 7.0), {}}, 0.5);
+    observable->step({}, {Eigen::Vector2d(1.0, 7.0), {}}, 0.5);
+    observable->period(Eigen::Vector2d(sample(i), 7.0), Eigen::VectorXd(), 1.0);
   }
-  return meter->finish({0, 0, record}).front();
+  return observable->finish({0, 0, record}).front();
 }
 
 // x -> a x (1 - x), after 1000 steps.

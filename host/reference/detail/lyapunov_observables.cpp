@@ -1,4 +1,4 @@
-#include "reference/detail/lyapunov_meters.hpp"
+#include "reference/detail/lyapunov_observables.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -16,7 +16,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-class LyapunovMax final : public Meter {
+class LyapunovMax final : public ReferenceObservable {
  public:
   void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
     growths_.push_back(growth[0]);
@@ -48,7 +48,7 @@ class LyapunovMax final : public Meter {
   std::vector<double> growths_, rates_;
 };
 
-class LyapunovSpectrum final : public Meter {
+class LyapunovSpectrum final : public ReferenceObservable {
  public:
   void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
     if (sums_.size() == 0) sums_ = Eigen::VectorXd::Zero(growth.size());
@@ -63,7 +63,7 @@ class LyapunovSpectrum final : public Meter {
   Eigen::VectorXd sums_;
 };
 
-class KaplanYorke final : public Meter {
+class KaplanYorke final : public ReferenceObservable {
  public:
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
     spectrum_.period(state, growth, length);
@@ -103,8 +103,10 @@ Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {
   return growth;
 }
 
-std::unique_ptr<Meter> make_lyapunov_max() { return std::make_unique<LyapunovMax>(); }
-std::unique_ptr<Meter> make_lyapunov_spectrum() { return std::make_unique<LyapunovSpectrum>(); }
-std::unique_ptr<Meter> make_kaplan_yorke() { return std::make_unique<KaplanYorke>(); }
+std::unique_ptr<ReferenceObservable> make_lyapunov_max() { return std::make_unique<LyapunovMax>(); }
+std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum() {
+  return std::make_unique<LyapunovSpectrum>();
+}
+std::unique_ptr<ReferenceObservable> make_kaplan_yorke() { return std::make_unique<KaplanYorke>(); }
 
 }  // namespace gearsweep

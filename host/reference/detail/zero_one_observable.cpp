@@ -1,4 +1,4 @@
-#include "reference/detail/zero_one_meter.hpp"
+#include "reference/detail/zero_one_observable.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -38,7 +38,7 @@ double growth_of_walk(const Eigen::ArrayXd& series, double angle) {
   return correlation(Eigen::ArrayXd::LinSpaced(lags, 1.0, static_cast<double>(lags)), displacement);
 }
 
-class ZeroOne final : public Meter {
+class ZeroOne final : public ReferenceObservable {
  public:
   ZeroOne(double tolerance, const StateKinds& kinds)
       : tolerance_(tolerance), range_(kinds, tolerance) {}
@@ -76,7 +76,7 @@ class ZeroOne final : public Meter {
 
 }  // namespace
 
-std::unique_ptr<Meter> make_zero_one(double tolerance, const StateKinds& kinds) {
+std::unique_ptr<ReferenceObservable> make_zero_one(double tolerance, const StateKinds& kinds) {
   return std::make_unique<ZeroOne>(tolerance, kinds);
 }
 
