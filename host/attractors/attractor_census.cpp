@@ -18,15 +18,15 @@ constexpr double kSameExtent = 0.25;
 constexpr double kSameBranch = 0.05;
 constexpr double kLeastScale = 1e-3;
 
-bool is_periodic(const Specimen& specimen) { return specimen.motion == MOTION_periodic; }
+bool is_periodic(const TrajectorySummary& summary) { return summary.motion == MOTION_periodic; }
 
-double greatest_number(const Specimen& specimen) {
+double max_magnitude(const TrajectorySummary& summary) {
   double greatest = 0.0;
-  for (const double value : specimen.box) greatest = std::max(greatest, std::abs(value));
+  for (const double value : summary.box) greatest = std::max(greatest, std::abs(value));
   return greatest;
 }
 
-double greatest_difference(const Specimen& a, const Specimen& b) {
+double max_difference(const TrajectorySummary& a, const TrajectorySummary& b) {
   double greatest = 0.0;
   for (std::size_t i = 0; i < a.box.size(); ++i) {
     greatest = std::max(greatest, std::abs(a.box[i] - b.box[i]));
@@ -36,7 +36,7 @@ double greatest_difference(const Specimen& a, const Specimen& b) {
 
 // Whether two trajectories with the same parameters reached the same attractor: `least` is what
 // boxes may always differ by.
-bool same_attractor(const Specimen& a, const Specimen& b, double least) {
+bool same_attractor(const TrajectorySummary& a, const TrajectorySummary& b, double least) {
   if (is_periodic(a) != is_periodic(b)) return false;
   const std::size_t states = a.box.size() / 2;
   for (std::size_t i = 0; i < a.box.size(); ++i) {
@@ -107,22 +107,23 @@ struct Clusters {
 };
 constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
-Clusters cluster(const Study& study, const Sites& sites, const std::vector<Specimen>& specimens) {
+Clusters cluster(const Study& study, const Sites& sites,
+                 const std::vector<TrajectorySummary>& summaries) {
   Clusters clusters;
   clusters.of_site.resize(sites.count());
-  clusters.of_trajectory.assign(specimens.size(), npos);
+  clusters.of_trajectory.assign(summaries.size(), npos);
   std::vector<double> scale(sites.count(), kLeastScale);
-  for (std::size_t i = 0; i < specimens.size(); ++i) {
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
     double& greatest = scale[sites.of_point(i % study.points())];
-    greatest = std::max(greatest, greatest_number(specimens[i]));
+    greatest = std::max(greatest, max_magnitude(summaries[i]));
   }
   const double tolerance = study.integrate.fp64 ? kSameOrbit : kSameOrbitFp32;
-  for (std::size_t i = 0; i < specimens.size(); ++i) {
-    if (!specimens[i].is_known) continue;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    if (!summaries[i].is_known) continue;
     const std::size_t site = sites.of_point(i % study.points());
     std::vector<std::size_t>& here = clusters.of_site[site];
     const auto known = std::find_if(here.begin(), here.end(), [&](std::size_t other) {
-      return same_attractor(specimens[clusters.first[other]], specimens[i],
+      return same_attractor(summaries[clusters.first[other]], summaries[i],
                             tolerance * scale[site]);
     });
     if (known != here.end()) {
@@ -137,16 +138,16 @@ Clusters cluster(const Study& study, const Sites& sites, const std::vector<Speci
 }
 
 // The nearest attractor of its kind among `others`; npos when there is none.
-std::size_t nearest(const std::vector<Specimen>& specimens, const Clusters& clusters,
+std::size_t nearest(const std::vector<TrajectorySummary>& summaries, const Clusters& clusters,
                     std::size_t cluster, const std::vector<std::size_t>& others) {
-  const Specimen& own = specimens[clusters.first[cluster]];
+  const TrajectorySummary& own = summaries[clusters.first[cluster]];
   std::size_t best = npos;
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t other : others) {
-    const Specimen& candidate = specimens[clusters.first[other]];
+    const TrajectorySummary& candidate = summaries[clusters.first[other]];
     if (is_periodic(own) != is_periodic(candidate)) continue;
     if (is_periodic(own) && own.period != candidate.period) continue;
-    const double difference = greatest_difference(own, candidate);
+    const double difference = max_difference(own, candidate);
     if (difference < least) {
       least = difference;
       best = other;
@@ -156,18 +157,19 @@ std::size_t nearest(const std::vector<Specimen>& specimens, const Clusters& clus
 }
 
 // Joins the clusters that are one attractor, followed from one parameter value to the next.
-Sets follow(const Sites& sites, const std::vector<Specimen>& specimens, const Clusters& clusters) {
+Sets follow(const Sites& sites, const std::vector<TrajectorySummary>& summaries,
+            const Clusters& clusters) {
   double scale = 0.0;
-  for (const std::size_t i : clusters.first) scale = std::max(scale, greatest_number(specimens[i]));
+  for (const std::size_t i : clusters.first) scale = std::max(scale, max_magnitude(summaries[i]));
   Sets branches(clusters.first.size());
   for (std::size_t site = 0; site < sites.count(); ++site) {
     for (const std::size_t next : sites.after(site)) {
       for (const std::size_t own : clusters.of_site[site]) {
-        const std::size_t other = nearest(specimens, clusters, own, clusters.of_site[next]);
+        const std::size_t other = nearest(summaries, clusters, own, clusters.of_site[next]);
         if (other == npos) continue;
-        if (nearest(specimens, clusters, other, clusters.of_site[site]) != own) continue;
+        if (nearest(summaries, clusters, other, clusters.of_site[site]) != own) continue;
         const double difference =
-            greatest_difference(specimens[clusters.first[own]], specimens[clusters.first[other]]);
+            max_difference(summaries[clusters.first[own]], summaries[clusters.first[other]]);
         if (difference <= kSameBranch * scale) branches.join(own, other);
       }
     }
@@ -188,19 +190,19 @@ Value most_frequent(const std::map<Value, std::size_t>& counts) {
       ->first;
 }
 
-Attractor describe(const std::vector<Specimen>& specimens,
+Attractor describe(const std::vector<TrajectorySummary>& summaries,
                    const std::vector<std::size_t>& trajectories) {
   std::map<std::size_t, std::size_t> motions;
   std::map<double, std::size_t> periods;
   Attractor attractor;
-  attractor.peak = specimens[trajectories.front()].peak;
+  attractor.peak = summaries[trajectories.front()].peak;
   for (const std::size_t i : trajectories) {
-    const Specimen& specimen = specimens[i];
-    ++motions[specimen.motion];
-    ++periods[specimen.period];
-    attractor.rms += specimen.rms;
-    attractor.exponent += specimen.exponent;
-    attractor.peak = std::max(attractor.peak, specimen.peak);
+    const TrajectorySummary& summary = summaries[i];
+    ++motions[summary.motion];
+    ++periods[summary.period];
+    attractor.rms += summary.rms;
+    attractor.exponent += summary.exponent;
+    attractor.peak = std::max(attractor.peak, summary.peak);
   }
   attractor.trajectories = trajectories.size();
   const auto count = static_cast<double>(trajectories.size());
@@ -213,22 +215,22 @@ Attractor describe(const std::vector<Specimen>& specimens,
 
 }  // namespace
 
-AttractorList find_attractors(const Study& study, const std::vector<Specimen>& specimens) {
+AttractorList find_attractors(const Study& study, const std::vector<TrajectorySummary>& summaries) {
   const Sites sites(study);
-  const Clusters clusters = cluster(study, sites, specimens);
-  Sets branches = follow(sites, specimens, clusters);
+  const Clusters clusters = cluster(study, sites, summaries);
+  Sets branches = follow(sites, summaries, clusters);
 
   std::map<std::size_t, std::vector<std::size_t>> members;  // of each branch, by its first cluster
-  for (std::size_t i = 0; i < specimens.size(); ++i) {
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
     if (clusters.of_trajectory[i] == npos) continue;
     members[branches.find(clusters.of_trajectory[i])].push_back(i);
   }
   std::vector<Branch> order;
   for (const auto& [first, trajectories] : members) {
-    order.push_back({first, describe(specimens, trajectories)});
+    order.push_back({first, describe(summaries, trajectories)});
   }
   const auto box = [&](const Branch& branch) -> const std::vector<double>& {
-    return specimens[clusters.first[branch.cluster]].box;
+    return summaries[clusters.first[branch.cluster]].box;
   };
   std::stable_sort(order.begin(), order.end(), [&](const Branch& a, const Branch& b) {
     const auto kind = [](const Attractor& attractor) {
@@ -244,9 +246,9 @@ AttractorList find_attractors(const Study& study, const std::vector<Specimen>& s
     list.attractors.push_back(branch.attractor);
     numbers[branch.cluster] = list.attractors.size();
   }
-  list.number.assign(specimens.size(), 0);
+  list.number.assign(summaries.size(), 0);
   std::vector<std::set<std::size_t>> reached(study.points());
-  for (std::size_t i = 0; i < specimens.size(); ++i) {
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
     const std::size_t cluster = clusters.of_trajectory[i];
     if (cluster == npos) continue;
     list.number[i] = numbers[branches.find(cluster)];

@@ -1,11 +1,11 @@
 // Tells the attractors of a map apart, by the boxes around their sections.
 //
 // Trajectories with the same parameters reached the same attractor when both boxes agree: those of
-// periodic motion to 1e-3 (1e-2 in fp32) of the greatest number that any of them has at phase 0, or
+// periodic motion to 1e-3 (1e-2 in fp32) of the largest number that any of them has at phase 0, or
 // of 1e-3 where all is less; those of other motion, which fill their boxes by chance, to a quarter
 // of their extent. An attractor at one value of a parameter is the same as one at the next value
 // when both are periodic with the same period, or both are not, each is the other's nearest, and
-// their boxes differ by no more than 5 % of the greatest number in the map.
+// their boxes differ by no more than 5 % of the largest number in the map.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace gearsweep {
 
-// What a survey keeps of one trajectory.
-struct Specimen {
+// What the census keeps of one trajectory.
+struct TrajectorySummary {
   bool is_known = false;  // it ended ok, and its kind of motion is not undecided
   std::size_t motion = 0;
   double period = 0.0, rms = 0.0, peak = 0.0, exponent = 0.0;
-  std::vector<double> box;  // least value of each state at phase 0, then the greatest
+  std::vector<double> box;  // min of each state at phase 0, then the max
 };
 
 struct AttractorList {
@@ -29,7 +29,7 @@ struct AttractorList {
   std::vector<std::size_t> count;     // [point] different ones among the point's trajectories
 };
 
-// specimens: one for each trajectory, in the plan's order.
-AttractorList find_attractors(const Study& study, const std::vector<Specimen>& specimens);
+// summaries: one for each trajectory, in the plan's order.
+AttractorList find_attractors(const Study& study, const std::vector<TrajectorySummary>& summaries);
 
 }  // namespace gearsweep

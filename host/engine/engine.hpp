@@ -14,8 +14,13 @@
 
 namespace gearsweep {
 
-// What a tile took; the seconds are those that a sweep spends on it while others run beside it.
-enum Effort : std::size_t { kSteps, kSeconds, kStopped, kKernelSeconds, kEfforts };
+// What a tile took. The worker measures it.
+struct Effort {
+  double steps = 0.0;           // integration steps
+  double seconds = 0.0;         // that a sweep spends on it while others run beside it
+  double stopped = 0.0;         // points that stopped early, on a periodic orbit
+  double kernel_seconds = 0.0;  // of the seconds
+};
 
 // The answers for the points of a tile, in the tile's order.
 struct TileResult {
@@ -23,8 +28,8 @@ struct TileResult {
   std::vector<double> outputs;       // [output of the selection][point]
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
-  std::vector<double> effort;        // [Effort]; the driver measures it
-  std::string device;                // that computed it; the driver knows
+  Effort effort;
+  std::string device;  // that computed it; the driver knows
 };
 
 // Takes the values of a point that did not end ok.

@@ -30,20 +30,25 @@ constexpr std::size_t kPieceBytes = std::size_t{64} << 20;
 
 constexpr std::size_t kParts = 5;
 
-// visit(part number, vector) for each vector of a result.
-template <class Result, class Visit>
-void visit_parts(Result& result, const Visit& visit) {
+std::vector<double> numbers_of(const Effort& effort) {
+  return {effort.steps, effort.seconds, effort.stopped, effort.kernel_seconds};
+}
+
+// visit(part number, vector) for each vector of a result, and for the numbers of its effort.
+template <class Result, class Numbers, class Visit>
+void visit_parts(Result& result, Numbers& effort, const Visit& visit) {
   visit(0, result.status);
   visit(1, result.outputs);
   visit(2, result.samples);
   visit(3, result.final_states);
-  visit(4, result.effort);
+  visit(4, effort);
 }
 
 std::int64_t checksum_of(std::size_t tile_number, const TileResult& result) {
   Checksum checksum;
   checksum.add(tile_number);
-  visit_parts(result, [&](int, const auto& values) {
+  const std::vector<double> effort = numbers_of(result.effort);
+  visit_parts(result, effort, [&](int, const auto& values) {
     checksum.add(values.size());
     checksum.add(std::as_bytes(std::span(values)));
   });
@@ -205,8 +210,9 @@ std::optional<TileResult> Journal::find(std::size_t tile_number) const {
   if (!row.step()) return std::nullopt;
 
   TileResult result;
+  std::vector<double> effort;
   result.device = row.text(kParts + 1);
-  visit_parts(result, [&](int part, auto& values) {
+  visit_parts(result, effort, [&](int part, auto& values) {
     Statement pieces(*database_,
                      "SELECT data FROM piece WHERE tile = ? AND part = ? ORDER BY position");
     pieces.bind(1, number).bind(2, part);
@@ -221,6 +227,10 @@ std::optional<TileResult> Journal::find(std::size_t tile_number) const {
       database_->refuse(fmt::format("tile {} is incomplete", tile_number));
     }
   });
+  if (effort.size() != numbers_of({}).size()) {
+    database_->refuse(fmt::format("tile {} does not say what it took", tile_number));
+  }
+  result.effort = {effort[0], effort[1], effort[2], effort[3]};
   if (checksum_of(tile_number, result) != row.integer(kParts)) {
     database_->refuse(fmt::format("tile {} was changed after it was stored", tile_number));
   }
@@ -235,9 +245,10 @@ void Journal::store(std::size_t tile_number, const TileResult& result) {
   Statement row(*database_, "INSERT OR REPLACE INTO tile VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement piece(*database_, "INSERT INTO piece VALUES(?, ?, ?, ?)");
   row.bind(1, number).bind(kParts + 2, checksum_of(tile_number, result));
-  row.bind_real(kParts + 3, result.effort.size() > kSeconds ? result.effort[kSeconds] : 0.0);
+  row.bind_real(kParts + 3, result.effort.seconds);
   row.bind(kParts + 4, result.device);
-  visit_parts(result, [&](int part, const auto& values) {
+  const std::vector<double> effort = numbers_of(result.effort);
+  visit_parts(result, effort, [&](int part, const auto& values) {
     row.bind(part + 2, static_cast<std::int64_t>(values.size()));
     const std::span<const std::byte> bytes = std::as_bytes(std::span(values));
     for (std::size_t start = 0; start < bytes.size(); start += kPieceBytes) {

@@ -37,7 +37,8 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   if (warm_up == 0) set_start_tangents(study.selection.tangent_count(), &trajectory);
   std::vector<std::unique_ptr<ReferenceObservable>> observables;
   for (const Observer& observer : study.selection.observers) {
-    observables.push_back(make_observable(*study.model, observer, study.selection.period_tolerance));
+    observables.push_back(
+        make_observable(*study.model, observer, study.selection.period_tolerance));
   }
   const std::vector<std::size_t>& sampled = study.selection.poincare;
   for (const auto& observable : observables) observable->begin(trajectory.state());

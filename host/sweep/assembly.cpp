@@ -36,7 +36,7 @@ Assembly::Assembly(const Study& study) {
   }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
   if (study.is_chained()) final_states_.resize(points * study.model->states.size());
-  if (selection.survey) specimens_.resize(study.trajectories());
+  if (selection.survey) summaries_.resize(study.trajectories());
 }
 
 void Assembly::add(const Tile& tile, const TileResult& result) {
@@ -44,13 +44,13 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
   const std::size_t series = result.samples.size() / count;
   const std::size_t states = result.final_states.size() / count;
   devices_.insert(result.device);
-  result_.steps += result.effort[kSteps];
-  result_.seconds += result.effort[kSeconds];
-  result_.kernel_seconds += result.effort[kKernelSeconds];
-  result_.stopped += static_cast<std::size_t>(result.effort[kStopped]);
+  result_.steps += result.effort.steps;
+  result_.seconds += result.effort.seconds;
+  result_.kernel_seconds += result.effort.kernel_seconds;
+  result_.stopped += static_cast<std::size_t>(result.effort.stopped);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t point = tile.points[i];
-    if (!specimens_.empty()) add_specimen(point, result, i);
+    if (!summaries_.empty()) add_summary(point, result, i);
     // The maps are those of each point's first trajectory.
     if (point >= result_.status.size()) continue;
     result_.status[point] = result.status[i];
@@ -90,28 +90,27 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   return initial;
 }
 
-void Assembly::add_specimen(std::size_t trajectory, const TileResult& result,
-                            std::size_t position) {
+void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std::size_t position) {
   const Survey& survey = *result_.study.selection.survey;
   const std::size_t count = result.status.size();
   const auto output = [&](std::size_t index) { return result.outputs[index * count + position]; };
-  Specimen& specimen = specimens_[trajectory];
+  TrajectorySummary& summary = summaries_[trajectory];
   if (result.status[position] != STATUS_ok || output(survey.motion) == double{MOTION_undecided})
     return;
-  specimen.is_known = true;
-  specimen.motion = static_cast<std::size_t>(output(survey.motion));
-  specimen.period = output(survey.period);
-  specimen.rms = output(survey.rms);
-  specimen.exponent = output(survey.exponent);
-  specimen.peak = survey.peak ? output(*survey.peak) : std::numeric_limits<double>::quiet_NaN();
+  summary.is_known = true;
+  summary.motion = static_cast<std::size_t>(output(survey.motion));
+  summary.period = output(survey.period);
+  summary.rms = output(survey.rms);
+  summary.exponent = output(survey.exponent);
+  summary.peak = survey.peak ? output(*survey.peak) : std::numeric_limits<double>::quiet_NaN();
   const std::size_t states = result_.study.model->states.size();
   for (const std::size_t first : {survey.section_min, survey.section_max}) {
-    for (std::size_t i = 0; i < states; ++i) specimen.box.push_back(output(first + i));
+    for (std::size_t i = 0; i < states; ++i) summary.box.push_back(output(first + i));
   }
 }
 
-void Assembly::survey() {
-  AttractorList list = find_attractors(result_.study, specimens_);
+void Assembly::take_census() {
+  AttractorList list = find_attractors(result_.study, summaries_);
   for (std::size_t j = 0; j < result_.values.size(); ++j) {
     Quantity& quantity = result_.study.selection.quantities[j];
     if (!quantity.is_surveyed) continue;
@@ -128,7 +127,7 @@ void Assembly::survey() {
 }
 
 SweepResult Assembly::take() {
-  if (!specimens_.empty()) survey();
+  if (!summaries_.empty()) take_census();
   result_.engine.device = fmt::format("{}", fmt::join(devices_, "; "));
   return std::move(result_);
 }

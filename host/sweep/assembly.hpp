@@ -23,13 +23,13 @@ class Assembly {
   SweepResult take();
 
  private:
-  void add_specimen(std::size_t trajectory, const TileResult& result, std::size_t position);
-  void survey();
+  void add_summary(std::size_t trajectory, const TileResult& result, std::size_t position);
+  void take_census();
 
   SweepResult result_;
   std::vector<double> final_states_;  // [point][state]
   std::set<std::string> devices_;
-  std::vector<Specimen> specimens_;  // [trajectory]; empty unless the study has a survey
+  std::vector<TrajectorySummary> summaries_;  // [trajectory]; empty unless the study has a survey
 };
 
 }  // namespace gearsweep

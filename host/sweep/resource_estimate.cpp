@@ -37,7 +37,7 @@ double memory_of_maps(const Study& study, std::size_t tiles) {
   // A box grows by doubling; telling the attractors apart takes a few indices more, and a set for
   // each point.
   if (study.selection.survey) {
-    bytes += trajectories * (sizeof(Specimen) + 2.0 * block(4 * sizeof(double) * states));
+    bytes += trajectories * (sizeof(TrajectorySummary) + 2.0 * block(4 * sizeof(double) * states));
   }
   return bytes;
 }

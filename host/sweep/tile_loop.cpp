@@ -107,11 +107,11 @@ void TileLoop::share_time() {
 
 // In kernels for the same part of the tile's time as its worker says.
 void TileLoop::set_time(WorkerReport* report) {
-  std::vector<double>& effort = report->result.effort;
+  Effort& effort = report->result.effort;
   const double seconds = running_.at(report->tile);
   running_.erase(report->tile);
-  if (effort[kSeconds] > 0.0) effort[kKernelSeconds] *= seconds / effort[kSeconds];
-  effort[kSeconds] = seconds;
+  if (effort.seconds > 0.0) effort.kernel_seconds *= seconds / effort.seconds;
+  effort.seconds = seconds;
 }
 
 void TileLoop::hand_back(const WorkerReport& report) {

@@ -36,8 +36,7 @@ class TileRun {
                           add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
                                               callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
-    result_.effort.assign(kEfforts, 0.0);
-    result_.effort[kStopped] = static_cast<double>(stopped_);
+    result_.effort.stopped = static_cast<double>(stopped_);
     return std::move(result_);
   }
 

@@ -98,10 +98,10 @@ WorkerReport ThreadWorkers::compute(const Task& task, Engine* engine) {
       run_tile(plan_, tile, task.initial.empty() ? own_initial_states(plan_, tile) : task.initial,
                engine, callbacks);
   if (!result) return {WorkerReport::Kind::stopped, task.tile, 0.0, {}, {}};
-  result->effort[kSteps] = steps;
-  result->effort[kSeconds] =
+  result->effort.steps = steps;
+  result->effort.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result->effort[kKernelSeconds] = engine->kernel_seconds() - in_kernels;
+  result->effort.kernel_seconds = engine->kernel_seconds() - in_kernels;
   result->device = engine->info().device;
   // Only neighbours in a chain ask for them again.
   if (!plan_.study().is_chained()) result->final_states.clear();

@@ -23,7 +23,7 @@ struct WorkerReport {
   Kind kind = Kind::progress;
   std::size_t tile = 0;  // its number in the plan
   double steps = 0.0;
-  TileResult result;           // effort: steps, seconds, points stopped early, seconds in kernels
+  TileResult result;
   std::exception_ptr failure;  // of a lost worker
 };
 

@@ -1,11 +1,12 @@
 // Telling attractors apart: unit tests with boxes made by hand, and systems whose attractors are
 // known.
+#include "attractors/attractor_census.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "attractors/attractor_census.hpp"
 #include "support/run.hpp"
 
 namespace gearsweep::testing {
@@ -26,8 +27,8 @@ Study branch_study(std::size_t count) {
       "test");
 }
 
-Specimen specimen(std::size_t motion, double period, std::vector<double> box) {
-  Specimen made;
+TrajectorySummary summary(std::size_t motion, double period, std::vector<double> box) {
+  TrajectorySummary made;
   made.is_known = true;
   made.motion = motion;
   made.period = period;
@@ -37,10 +38,10 @@ Specimen specimen(std::size_t motion, double period, std::vector<double> box) {
 
 TEST(Attractors, PeriodicOnesAreTheSameWhenTheirBoxesAgree) {
   const AttractorList list =
-      find_attractors(basin_study(4), {specimen(kPeriodic, 3, {0.5, -0.1, 1.0, 0.2}),
-                                       specimen(kPeriodic, 3, {0.5, -0.1, 1.0005, 0.2}),
-                                       specimen(kPeriodic, 3, {0.5, -0.1, 1.0, 0.21}),
-                                       specimen(kPeriodic, 1, {-0.7, 0.0, -0.7, 0.0})});
+      find_attractors(basin_study(4), {summary(kPeriodic, 3, {0.5, -0.1, 1.0, 0.2}),
+                                       summary(kPeriodic, 3, {0.5, -0.1, 1.0005, 0.2}),
+                                       summary(kPeriodic, 3, {0.5, -0.1, 1.0, 0.21}),
+                                       summary(kPeriodic, 1, {-0.7, 0.0, -0.7, 0.0})});
   // Period 1 comes first, whatever the order of the points.
   EXPECT_EQ(list.number, (std::vector<std::size_t>{2, 2, 3, 1}));
   ASSERT_EQ(list.attractors.size(), 3U);
@@ -50,17 +51,17 @@ TEST(Attractors, PeriodicOnesAreTheSameWhenTheirBoxesAgree) {
 
 TEST(Attractors, ChaosFillsItsBoxOnlyRoughly) {
   const AttractorList list =
-      find_attractors(basin_study(4), {specimen(kChaotic, 0, {-1.0, -1.0, 1.0, 1.0}),
-                                       specimen(kQuasiPeriodic, 0, {-0.9, -1.1, 0.8, 1.0}),
-                                       specimen(kChaotic, 0, {0.1, -1.0, 1.0, 1.0}),
-                                       specimen(kPeriodic, 1, {-1.0, -1.0, 1.0, 1.0})});
+      find_attractors(basin_study(4), {summary(kChaotic, 0, {-1.0, -1.0, 1.0, 1.0}),
+                                       summary(kQuasiPeriodic, 0, {-0.9, -1.1, 0.8, 1.0}),
+                                       summary(kChaotic, 0, {0.1, -1.0, 1.0, 1.0}),
+                                       summary(kPeriodic, 1, {-1.0, -1.0, 1.0, 1.0})});
   EXPECT_EQ(list.number, (std::vector<std::size_t>{2, 2, 3, 1}));
 }
 
 TEST(Attractors, UndecidedTrajectoriesReachNone) {
-  Specimen unknown;
+  TrajectorySummary unknown;
   const AttractorList list =
-      find_attractors(basin_study(2), {unknown, specimen(kPeriodic, 1, {0.0, 0.0, 0.0, 0.0})});
+      find_attractors(basin_study(2), {unknown, summary(kPeriodic, 1, {0.0, 0.0, 0.0, 0.0})});
   EXPECT_EQ(list.number, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(list.count, (std::vector<std::size_t>{0, 1}));
 }
@@ -68,12 +69,12 @@ TEST(Attractors, UndecidedTrajectoriesReachNone) {
 // A branch that moves by little from one value to the next keeps its number; a jump and a change of
 // period end it.
 TEST(Attractors, AreFollowedAlongAParameter) {
-  std::vector<Specimen> specimens;
+  std::vector<TrajectorySummary> summaries;
   for (int i = 0; i < 10; ++i) {
     const double x = i < 5 ? 1.0 + 0.02 * i : 0.2;
-    specimens.push_back(specimen(kPeriodic, i < 8 ? 1.0 : 2.0, {x, 0.0, x, 0.0}));
+    summaries.push_back(summary(kPeriodic, i < 8 ? 1.0 : 2.0, {x, 0.0, x, 0.0}));
   }
-  const AttractorList list = find_attractors(branch_study(10), specimens);
+  const AttractorList list = find_attractors(branch_study(10), summaries);
   EXPECT_EQ(list.number, (std::vector<std::size_t>{2, 2, 2, 2, 2, 1, 1, 1, 3, 3}));
 }
 
