@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "model/eigenvalues.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -121,8 +122,13 @@ Nearest nearest_bifurcation(const Orbit& orbit) {
 }
 
 Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t period) {
+  const std::vector<std::complex<double>> multipliers =
+      eigenvalues(image.monodromy.data(), static_cast<std::size_t>(image.monodromy.rows()));
+  if (multipliers.empty()) throw RunError("the multipliers of an orbit cannot be computed");
   Orbit orbit{state, period, image.monodromy,
-              Eigen::EigenSolver<MatrixXd>(image.monodromy, false).eigenvalues(), image.graze};
+              Eigen::Map<const Eigen::VectorXcd>(multipliers.data(),
+                                                 static_cast<Eigen::Index>(multipliers.size())),
+              image.graze};
   // Of a complex pair, which has one modulus, the member above the real axis comes first.
   std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
                    [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });

@@ -1,10 +1,14 @@
 #include "tile/detail/orbit_convergence.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <utility>
+#include <vector>
 
+#include "model/eigenvalues.hpp"
 #include "tile/detail/state_distance.hpp"
 
 namespace gearsweep {
@@ -32,6 +36,16 @@ Eigen::MatrixXd contracting_metric(const Eigen::MatrixXd& map, double contractio
   return sum;
 }
 
+// NaN, with which nothing ever converges, when the eigenvalues cannot be found.
+double largest_modulus(const Eigen::MatrixXd& map) {
+  const std::vector<std::complex<double>> values =
+      eigenvalues(map.data(), static_cast<std::size_t>(map.rows()));
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double largest = 0.0;
+  for (const std::complex<double>& value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 }  // namespace
 
 OrbitConvergence::OrbitConvergence(OrbitMap orbit) : orbit_(std::move(orbit)) {
@@ -40,7 +54,7 @@ OrbitConvergence::OrbitConvergence(OrbitMap orbit) : orbit_(std::move(orbit)) {
   const Eigen::Map<const Eigen::MatrixXd> derivative(orbit_.derivative.data(), states, states);
   const Eigen::MatrixXd once =
       ranges.cwiseInverse().asDiagonal() * derivative * ranges.asDiagonal();
-  const double multiplier = once.eigenvalues().cwiseAbs().maxCoeff();
+  const double multiplier = largest_modulus(once);
   double left = multiplier;
   for (map_ = once; left > kHalf; left *= multiplier, ++span_) map_ = map_ * once;
   contraction_ = 0.5 * (1.0 + left);

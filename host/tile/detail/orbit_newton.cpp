@@ -1,9 +1,11 @@
 #include "tile/detail/orbit_newton.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
+#include "model/eigenvalues.hpp"
 #include "tile/detail/state_distance.hpp"
 
 namespace gearsweep {
@@ -18,10 +20,9 @@ constexpr double kSlow = 0.2;
 constexpr double kLeast = 1e-30;
 
 std::vector<double> log_moduli(const Eigen::MatrixXd& derivative) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(derivative, false);
   std::vector<double> logs;
-  if (solver.info() != Eigen::Success) return logs;
-  for (const std::complex<double>& value : solver.eigenvalues()) {
+  for (const std::complex<double>& value :
+       eigenvalues(derivative.data(), static_cast<std::size_t>(derivative.rows()))) {
     logs.push_back(std::log(std::max(std::abs(value), kLeast)));
   }
   std::sort(logs.rbegin(), logs.rend());

@@ -1,0 +1,13 @@
+# Headers that most files include are compiled once for all files that are compiled alike. Files
+# include what they need all the same: the preset `sanitize` compiles host/ without this, and stops
+# where one does not.
+set(GEARSWEEP_PRECOMPILE all CACHE STRING
+    "Whose headers are precompiled: all, tests (not those of host/), none")
+
+# gearsweep_precompile(TARGET header...): an object library whose headers others take, beside those of
+# the language and fmt.
+function(gearsweep_precompile target)
+  target_precompile_headers(${target} PRIVATE <fmt/format.h> <fmt/ranges.h> <algorithm> <cmath>
+                            <filesystem> <fstream> <functional> <map> <memory> <optional> <set>
+                            <sstream> <string> <vector> ${ARGN})
+endfunction()

@@ -1,0 +1,1 @@
+// Nothing: the targets that only precompile headers need a file to compile.
