@@ -163,8 +163,8 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       }
       stage += 1;
     }
-    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD, ORBIT_PERIOD)
     end_period(x);
+    OBSERVERS(CHANNEL_PERIOD, STEP_PERIOD, TANGENT_PERIOD, ORBIT_PERIOD)
 #ifdef POINCARE_STATES
     if (round.recorded + period < round.samples) {
       poincare_section(series, round.recorded + period, items, item, x);
