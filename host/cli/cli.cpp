@@ -52,6 +52,7 @@ void add_commands(CLI::App* app, SignalWatch* signals, int* status) {
   add_studies_command(app);
   add_model_command(app);
   add_devices_command(app);
+  add_kernels_command(app);
   add_verify_command(app, signals, status);
   add_completion_command(app);
   add_manual_command(app);
