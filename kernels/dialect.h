@@ -67,6 +67,7 @@ typedef bool mask;
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)
 #define lane_rint(a) rint(a)
+#define lane_log(a) log(a)
 #define lane_sin(a) sin(a)
 #define lane_cos(a) cos(a)
 #define LANE_FN         \

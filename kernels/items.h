@@ -1,8 +1,8 @@
-// What every kernel does with the items of a tile: parameters, states, whole periods of steps.
+// What every kernel does with the items of a tile: parameters, states, distances of states.
 //
 // Build macros: REAL_BITS (32, 64), LANES (1, 2, 4, 8, 16), CONTRACT (0: no fused multiply-add),
 // EVENTS (1: steps that cross a limit of the contact are corrected).
-// The host writes selection.h for each study (sweep.cl); of it these need the model and
+// The host writes selection.h for each study: the model with its integrator, and
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
 //   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
 //   TANGENTS                        tangent vectors that travel with a state
@@ -14,6 +14,8 @@
 #include "dialect.h"
 #include "selection.h"
 #include "sweep_types.h"
+#include "tangent.h"
+#include "walk_types.h"
 
 #define LOAD_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
   parameters.name = (real)(PARAMETER_##name);
@@ -52,17 +54,6 @@ SHARED_FN void store_many(__global real* buffer, uint items, uint item, uint fir
   for (int i = 0; i < count; ++i) buffer[(size_t)(first + i) * items + item] = values[i];
 }
 
-// What a period's end does to a state: marks it where it has diverged, takes full turns out of
-// angles.
-SHARED_FN void end_period(real* x) {
-  const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
-  mask inside = lane_abs(x[0]) < limit;
-  UNROLL
-  for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limit);
-  x[0] = lane_select(inside, x[0], (real)(NAN));
-  model_take_turns(x);
-}
-
 // Loads an item's states and parameters; false when there is nothing to advance.
 SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
                          __global const real* state, real* x, ModelPoint* point) {
@@ -71,27 +62,6 @@ SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE rea
   if (all_lanes(IS_DIVERGED(x))) return false;
   load_point(items, item, uniform, swept, point);
   return true;
-}
-
-// The box of a motion in the space of states.
-typedef struct {
-  real low[MODEL_STATE_COUNT], high[MODEL_STATE_COUNT];
-} Extent;
-
-// An extent is a yardstick: one step in so many does for it.
-#define EXTENT_EVERY 8
-
-SHARED_FN void extent_begin(const real* x, Extent* extent) {
-  UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) extent->low[i] = extent->high[i] = x[i];
-}
-
-SHARED_FN void extent_widen(const real* x, Extent* extent) {
-  UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    extent->low[i] = lane_min(extent->low[i], x[i]);
-    extent->high[i] = lane_max(extent->high[i], x[i]);
-  }
 }
 
 // The smallest difference between two states that is worth telling, in roundings of a state.
@@ -143,40 +113,15 @@ SHARED_FN real greatest_size(const real* components) {
   return greatest;
 }
 
-#include "tangent.h"
-
 // Where the phase grids of a tile lie.
 #define GRID_TABLES                                                         \
   TABLE uint *item_grid, TABLE SweepGrid *grids, TABLE uint *segment_steps, \
       TABLE scalar *segment_fractions, TABLE PhaseCoefs *stages
 
-// Advances a state by whole periods, and with it the tangent vectors, unless w is null. They are
-// kept orthonormal and their growth is summed, unless growth is null. Widens the extent, unless it
-// is null.
-SHARED_FN void advance_periods(uint periods, const ModelPoint* point, SweepGrid grid,
-                               TABLE uint* segment_steps, TABLE scalar* segment_fractions,
-                               TABLE PhaseCoefs* stages, real* x, real* w, real* growth,
-                               Extent* extent) {
-  for (uint period = 0; period < periods; ++period) {
-    TABLE PhaseCoefs* stage = stages + grid.first_stage;
-    for (uint segment = 0; segment < grid.segments; ++segment) {
-      const uint steps = segment_steps[grid.first_segment + segment];
-      const real h = segment_fractions[grid.first_segment + segment] * point->period;
-      const bool is_last = segment + 1 == grid.segments;
-      for (uint step = 0; step < steps; ++step) {
-        if (w) {
-          tangent_step(point, stage, h, x, w);
-          if (growth && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
-            tangent_orthonormalize(w, growth);
-          }
-        } else {
-          rk4_step(point, stage, h, EVENTS, x);
-        }
-        if (extent && step % EXTENT_EVERY == 0) extent_widen(x, extent);
-        stage += RK4_STAGES_PER_STEP;
-      }
-      stage += 1;
-    }
-    end_period(x);
-  }
+SHARED_FN WalkGrid find_grid(uint item, GRID_TABLES) {
+  const SweepGrid place = grids[item_grid[item]];
+  const WalkGrid grid = {place.segments, segment_steps + place.first_segment,
+                         segment_fractions + place.first_segment, stages + place.first_stage};
+  return grid;
 }
+#define FIND_GRID(item) find_grid(item, item_grid, grids, segment_steps, segment_fractions, stages)

@@ -6,6 +6,8 @@
 #undef TANGENTS
 #define TANGENTS MODEL_STATE_COUNT
 #include "items.h"
+#include "unwatched.h"
+#include "walk.h"
 
 // An item's sections are its states at the beginning of an approach and after each of its periods:
 // [period][state]. They stand together, so that each item's stay near in a CPU's memory.
@@ -33,11 +35,11 @@ __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  const WalkGrid grid = FIND_GRID(item);
   __global real* own = sections + (size_t)item * SECTION_NUMBERS;
   if (round.recorded == 0) store_section(own, 0, x);
   for (uint period = 0; period < round.periods; ++period) {
-    advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x,
-                    0, 0, 0);
+    walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
     store_section(own, round.recorded + period + 1, x);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
@@ -53,12 +55,12 @@ __kernel void measure(const SweepRound round, TABLE scalar* uniform, TABLE real*
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  const WalkGrid grid = FIND_GRID(item);
   Extent extent;
   real own[MODEL_STATE_COUNT];
   real shared[MODEL_STATE_COUNT];
   extent_begin(x, &extent);
-  advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x, 0,
-                  0, &extent);
+  walk_period(&point, &grid, EVENTS, x, 0, 0, &extent, 0);
   extent_ranges(&extent, tolerance, own);
   share_ranges(own, shared);
   store_components(ranges, items, item, 0, MODEL_STATE_COUNT, shared);
@@ -187,11 +189,11 @@ __kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE re
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  const WalkGrid grid = FIND_GRID(item);
   for (uint period = round.recorded; period < round.recorded + round.periods; ++period) {
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
-    advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x,
-                    0, 0, 0);
+    walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
     store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
   }
 }
@@ -206,13 +208,13 @@ __kernel void return_map_linearized(const SweepRound round, TABLE scalar* unifor
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  const WalkGrid grid = FIND_GRID(item);
   real w[TANGENT_NUMBERS];
   for (uint period = round.recorded; period < round.recorded + round.periods; ++period) {
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
     load_many(derivative, items, item, 0, TANGENT_NUMBERS, w);
-    advance_periods(1, &point, grids[item_grid[item]], segment_steps, segment_fractions, stages, x,
-                    w, 0, 0);
+    walk_period(&point, &grid, EVENTS, x, w, 0, 0, 0);
     store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
     store_where(is_under_way, derivative, items, item, TANGENT_NUMBERS, w);
   }

@@ -52,17 +52,17 @@ SHARED_FN void tangent_orthonormalize(real* w, real* growth) {
 }
 
 // Advances a state and its tangent vectors by one step.
-SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, real* x,
-                            real* w) {
+SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, bool events,
+                            real* x, real* w) {
   ModelLinear linear[RK4_EVALUATIONS];
   Crossings crossings;
-  rk4_step_linearized(point, stage, h, x, linear, EVENTS ? &crossings : 0);
+  rk4_step_linearized(point, stage, h, x, linear, events ? &crossings : 0);
   // Not unrolled: many vectors do not fit the registers, one does.
   for (int j = 0; j < TANGENTS; ++j) {
     real row[MODEL_STATE_COUNT];
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = w[j * MODEL_STATE_COUNT + i];
-    rk4_tangent_step(point, h, linear, EVENTS ? &crossings : 0, row);
+    rk4_tangent_step(point, h, linear, events ? &crossings : 0, row);
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[j * MODEL_STATE_COUNT + i] = row[i];
   }

@@ -31,6 +31,7 @@ void add_export_command(CLI::App* app);
 void add_top_command(CLI::App* app);
 void add_floquet_command(CLI::App* app);
 void add_devices_command(CLI::App* app);
+void add_kernels_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
 void add_model_command(CLI::App* app);
 void add_verify_command(CLI::App* app, SignalWatch* signals, int* status);

@@ -93,7 +93,7 @@ class OrbitEngine {
                                                 bool with_derivatives,
                                                 const RoundCallback& after_round) = 0;
 
-  // What the observers of kinds tangent and orbit say of the window's record of a periodic orbit,
+  // What the verdicts say of the window's record of a periodic orbit,
   // of which one turn of `length` periods is integrated and the rest is its repetition. growths is
   // [point][tangent vector]: logarithms of their growth in each period. The other outputs and the
   // samples are left empty or without meaning.

@@ -11,12 +11,25 @@ namespace gearsweep {
 // In a count, stands for the model's number of states: 3 + 2 * kPerState is 3 and two per state.
 constexpr int kPerState = 1 << 16;
 
-enum class ObservableKind {
-  channel,  // one instance per state or signal; quantities are CHANNEL_suffix
-  step,     // sees each step; quantities are NAME_suffix
-  section,  // a series of values at phase 0; the quantity is NAME
-  tangent,  // sees the growth of tangent vectors; quantities are NAME or NAME_suffix
-  orbit,    // sees state and growth at phase 0; quantities are NAME or NAME_suffix
+// What an observable is for.
+enum class ObservableRole {
+  measure,  // measures the steps of the recorded window
+  verdict,  // judges the motion from its sections: where a longer window follows, that one counts
+  samples,  // keeps values of each section, and has no outputs
+};
+
+// What the host makes of an output, beside a map.
+enum class OutputRole {
+  none,
+  motion,          // the kind of motion; where it is undecided, a longer window follows
+  period,          // of the motion, in forcing periods
+  settled,         // periods until the motion stayed periodic
+  exponent,        // largest Lyapunov exponent
+  exponent_error,  // its error, to which the host adds
+  section_min,     // the box around the sections
+  section_max,
+  rms,   // of a channel
+  peak,  // the greatest value of a channel
 };
 
 struct ObservableOutput {
@@ -24,13 +37,16 @@ struct ObservableOutput {
   std::string unit;                // empty: the unit of the channel
   std::vector<std::string> flags;  // names of the classes 0, 1, ... when the value is a class
   std::string meaning;
+  OutputRole role = OutputRole::none;
 };
 
+// Its quantities are NAME or NAME_suffix, or CHANNEL_suffix where there is one for each channel.
 struct Observable {
   std::string name;
-  ObservableKind kind;
-  int accumulators;  // numbers that it keeps for each point between rounds; counts in kPerState
-  int tangents;      // tangent vectors that it needs; counts in kPerState
+  ObservableRole role;
+  bool is_per_channel;  // one instance per state or signal
+  int accumulators;     // numbers that it keeps for each point between rounds; counts in kPerState
+  int tangents;         // tangent vectors that it needs; counts in kPerState
   // Name of the dimension of its outputs, one number for each state; empty: plain numbers.
   std::string dimension;
   std::vector<std::string> needed_signals;  // what a model must offer

@@ -143,9 +143,7 @@ class OpenClEngine final : public Engine {
     settle_.setArg(Launcher::set_inputs(&settle_, inputs), state);
     if (!launcher_.run_rounds(&settle_, {}, inputs, settle, after_round)) return std::nullopt;
 
-    Study bare = plan.study();
-    bare.selection = {};  // what is observed does not matter here
-    cl::Kernel trace(launcher_.program(bare, "trace.cl"), "trace");
+    cl::Kernel trace(launcher_.program(plan.study(), "trace.cl"), "trace");
     const PhaseGrid grid = plan.phase_grid_of(tile.points.front());
     const std::size_t rows_per_period = grid.steps + grid.segment_steps.size();
     const std::size_t at_once = std::max<std::size_t>(1, kRowsAtOnce / rows_per_period);

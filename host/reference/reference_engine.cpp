@@ -37,6 +37,7 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   if (warm_up == 0) set_start_tangents(study.selection.tangent_count(), &trajectory);
   std::vector<std::unique_ptr<ReferenceObservable>> observables;
   for (const Observer& observer : study.selection.observers) {
+    if (observer.observable->role == ObservableRole::samples) continue;  // kept below
     observables.push_back(
         make_observable(*study.model, observer, study.selection.period_tolerance));
   }

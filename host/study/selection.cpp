@@ -21,6 +21,8 @@ struct Source {
 struct Offer {
   Quantity quantity;
   Source source;
+
+  OutputRole role() const { return source.observable->outputs[source.output_in_observable].role; }
 };
 
 bool model_has_signals(const Model& model, const Observable& observable) {
@@ -33,7 +35,7 @@ void add_offers(const Observable& observable, const ChannelInfo& channel, std::s
                 std::vector<Offer>* offers) {
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
-    const bool per_channel = observable.kind == ObservableKind::channel;
+    const bool per_channel = observable.is_per_channel;
     const std::string& stem = per_channel ? channel.name : observable.name;
     Quantity quantity;
     quantity.name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
@@ -52,7 +54,7 @@ std::vector<Offer> offers_of(const Model& model) {
   std::vector<Offer> offers;
   for (const Observable& observable : observables()) {
     if (!model_has_signals(model, observable)) continue;
-    if (observable.kind != ObservableKind::channel) {
+    if (!observable.is_per_channel) {
       add_offers(observable, {}, model.states.size(), &offers);
       continue;
     }
@@ -93,35 +95,41 @@ std::size_t first_output_of(const Source& source, std::size_t states, Selection*
     first += observer.outputs;
   }
   const Observable& observable = *source.observable;
-  selection->observers.push_back(
-      {&observable, source.channel, resolve_count(observable.accumulators, states),
-       observable.outputs.size() * (observable.dimension.empty() ? 1 : states),
-       resolve_count(observable.tangents, states)});
+  const std::size_t outputs =
+      observable.role == ObservableRole::samples ? 0 : observable.outputs.size();
+  selection->observers.push_back({&observable, source.channel,
+                                  resolve_count(observable.accumulators, states),
+                                  outputs * (observable.dimension.empty() ? 1 : states),
+                                  resolve_count(observable.tangents, states)});
   return first;
 }
 
-// The output of a quantity that the model offers, with the observer that gives it.
-std::size_t add_output(const std::vector<Offer>& offers, const std::string& name,
-                       std::size_t states, Selection* selection) {
+std::size_t add_output(const Offer& offer, std::size_t states, Selection* selection) {
+  return first_output_of(offer.source, states, selection) +
+         offer.source.output_in_observable * offer.quantity.width;
+}
+
+// The output of this role, with the observer that gives it.
+std::size_t add_role(const std::vector<Offer>& offers, OutputRole role, const std::string& channel,
+                     std::size_t states, Selection* selection) {
   const auto offer = std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
-    return candidate.quantity.name == name;
+    return candidate.role() == role && candidate.source.channel == channel;
   });
-  return first_output_of(offer->source, states, selection) +
-         offer->source.output_in_observable * offer->quantity.width;
+  return add_output(*offer, states, selection);
 }
 
 void add_survey(const Model& model, const std::vector<Offer>& offers, Selection* selection) {
-  const auto output = [&](const std::string& name) {
-    return add_output(offers, name, model.states.size(), selection);
+  const auto output = [&](OutputRole role, const std::string& channel = "") {
+    return add_role(offers, role, channel, model.states.size(), selection);
   };
   Survey survey;
-  survey.motion = output("motion_class");
-  survey.period = output("period");
-  survey.section_min = output("section_min");
-  survey.section_max = output("section_max");
-  survey.rms = output(model.states.front().name + "_rms");
-  survey.exponent = output("lyapunov_max");
-  if (model.find_signal("dmf") >= 0) survey.peak = output("dmf_max");
+  survey.motion = output(OutputRole::motion);
+  survey.period = output(OutputRole::period);
+  survey.section_min = output(OutputRole::section_min);
+  survey.section_max = output(OutputRole::section_max);
+  survey.rms = output(OutputRole::rms, model.states.front().name);
+  survey.exponent = output(OutputRole::exponent);
+  if (model.find_signal("dmf") >= 0) survey.peak = output(OutputRole::peak, "dmf");
   selection->survey = survey;
   selection->motion = survey.motion;
 }
@@ -178,7 +186,9 @@ std::vector<Quantity> offered_quantities(const Model& model) {
 
 std::vector<std::string> motion_names() {
   for (const Observable& observable : observables()) {
-    if (observable.name == "motion") return observable.outputs.front().flags;
+    for (const ObservableOutput& output : observable.outputs) {
+      if (output.role == OutputRole::motion) return output.flags;
+    }
   }
   return {};
 }
@@ -188,6 +198,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
   const std::vector<Offer> offers = offers_of(model);
   const std::vector<std::size_t> sampled = find_states(model, poincare_states);
   const std::vector<Quantity> known = offered_quantities(model);
+  const std::size_t states = model.states.size();
   Selection selection;
   std::set<std::string> listed;
   for (const std::string& name : names) {
@@ -204,23 +215,28 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     if (!listed.insert(name).second) {
       throw InputError(fmt::format("quantity '{}' is listed twice", name));
     }
-    if (name == "poincare") {
-      if (sampled.empty()) throw InputError("observe.poincare names no state");
-      selection.poincare = sampled;
-      continue;
-    }
     Quantity quantity = *found;
     if (quantity.is_surveyed) {
       add_survey(model, offers, &selection);
-    } else {
-      quantity.output = add_output(offers, name, model.states.size(), &selection);
+      selection.quantities.push_back(quantity);
+      continue;
     }
-    if (name == "motion_class") selection.motion = quantity.output;
-    if (name == "lyapunov_max_error") {
-      const std::size_t states = model.states.size();
-      selection.exponent_error = {add_output(offers, "lyapunov_max", states, &selection),
+    const Offer& offer = *std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
+      return candidate.quantity.name == name;
+    });
+    if (offer.source.observable->role == ObservableRole::samples && sampled.empty()) {
+      throw InputError(fmt::format("observe.{} names no state", name));
+    }
+    quantity.output = add_output(offer, states, &selection);
+    if (offer.source.observable->role == ObservableRole::samples) {
+      selection.poincare = sampled;
+      continue;
+    }
+    if (offer.role() == OutputRole::motion) selection.motion = quantity.output;
+    if (offer.role() == OutputRole::exponent_error) {
+      selection.exponent_error = {add_role(offers, OutputRole::exponent, "", states, &selection),
                                   quantity.output,
-                                  add_output(offers, "period", states, &selection)};
+                                  add_role(offers, OutputRole::period, "", states, &selection)};
     }
     selection.quantities.push_back(quantity);
   }

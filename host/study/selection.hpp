@@ -11,7 +11,7 @@
 
 namespace gearsweep {
 
-// One observable at work; `channel` is a state or signal, empty unless the kind is `channel`.
+// One observable at work; `channel` is a state or signal, empty unless there is one for each.
 struct Observer {
   const Observable* observable = nullptr;
   std::string channel;
@@ -46,7 +46,7 @@ struct ExponentError {
 };
 
 struct Selection {
-  std::vector<Observer> observers;    // all but poincare
+  std::vector<Observer> observers;
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
   // Output of motion_class, when an observer looks for kinds of motion.

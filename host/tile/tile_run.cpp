@@ -13,9 +13,16 @@
 namespace gearsweep {
 namespace {
 
-bool observes(const Selection& selection, const std::string& name) {
+// Whether an observer says after how many periods a point has settled.
+bool tells_settling(const Selection& selection) {
+  const auto is_settling = [](const ObservableOutput& output) {
+    return output.role == OutputRole::settled;
+  };
   return std::any_of(selection.observers.begin(), selection.observers.end(),
-                     [&](const Observer& observer) { return observer.observable->name == name; });
+                     [&](const Observer& observer) {
+                       const std::vector<ObservableOutput>& outputs = observer.observable->outputs;
+                       return std::any_of(outputs.begin(), outputs.end(), is_settling);
+                     });
 }
 
 class TileRun {
@@ -27,7 +34,7 @@ class TileRun {
         engine_(engine),
         callbacks_(callbacks),
         windows_(windows_of(study_)),
-        tells_settling_(observes(study_.selection, "settled")),
+        tells_settling_(tells_settling(study_.selection)),
         result_(empty_result(study_, tile.points.size())),
         has_stopped_(tile.points.size(), 0) {}
 
@@ -173,7 +180,7 @@ class TileRun {
   Engine* engine_;
   const TileCallbacks& callbacks_;
   const std::vector<Window> windows_;
-  const bool tells_settling_;  // an observer says after how many periods a point has settled
+  const bool tells_settling_;
   TileResult result_;
   std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit
   std::vector<std::size_t> open_;          // positions

@@ -2,7 +2,7 @@
 // the gap while neither, wedged while both, which takes a negative b'. Where a step crosses a
 // limit, the shares of its time follow from the straight line between its ends.
 
-#define CONTACT_KIND step
+#define CONTACT_ROLE measure
 // The signals that a model must have for it.
 #define CONTACT_SIGNALS(X) X(deflection) X(backlash)
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
@@ -31,7 +31,7 @@ enum {
 #ifdef __OPENCL_VERSION__
 enum { contact_outputs = CONTACT_OUTPUTS(COUNT_OUTPUT) };
 
-SHARED_FN void contact_init(real* sums, const Sample* start) {
+SHARED_FN void contact_init(real* sums, const Moment* start) {
   sums[contact_drive] = 0;
   sums[contact_back] = 0;
   sums[contact_wedged] = 0;
@@ -51,10 +51,12 @@ SHARED_FN real contact_positive_share(real a, real b) {
   return lane_select(total > zero, positive / total, zero);
 }
 
-SHARED_FN void contact_update(real* sums, const Sample* before, const Sample* after,
-                              scalar weight) {
+SHARED_FN void contact_step(real* sums, const Step* step) {
   const real zero = 0;
   const real one = 1;
+  const Moment* before = step->before;
+  const Moment* after = step->after;
+  const scalar weight = step->weight;
   const real drive_before = before->signals.deflection - before->signals.backlash;
   const real drive_after = after->signals.deflection - after->signals.backlash;
   const real back_before = -before->signals.deflection - before->signals.backlash;
@@ -82,7 +84,7 @@ SHARED_FN void contact_update(real* sums, const Sample* before, const Sample* af
 }
 
 // Sums over one period first, so that many short shares keep their digits in fp32.
-SHARED_FN void contact_period(real* sums) {
+SHARED_FN void contact_end_period(real* sums, const Section* section) {
   sums[contact_drive] += sums[contact_period_drive];
   sums[contact_back] += sums[contact_period_back];
   sums[contact_wedged] += sums[contact_period_wedged];

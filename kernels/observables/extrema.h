@@ -1,11 +1,14 @@
 // Least and greatest value of a state or signal over the recorded periods, taken at the steps'
 // ends; at a break phase both one-sided values count.
 
-#define EXTREMA_KIND channel
+#define EXTREMA_ROLE measure
+#define EXTREMA_PER_CHANNEL
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
 #define EXTREMA_OUTPUTS(X)                                \
   X(min, "", "", "least value over the recorded periods") \
   X(max, "", "", "greatest value over the recorded periods")
+// X(suffix, role)
+#define EXTREMA_OUTPUT_ROLES(X) X(max, peak)
 
 enum { extrema_least, extrema_greatest, extrema_accumulators };
 
@@ -17,12 +20,12 @@ SHARED_FN void extrema_init(real* sums, real value) {
   sums[extrema_greatest] = value;
 }
 
-SHARED_FN void extrema_update(real* sums, real before, real after, scalar weight) {
+SHARED_FN void extrema_step(real* sums, real before, real after, scalar weight) {
   sums[extrema_least] = lane_min(sums[extrema_least], lane_min(before, after));
   sums[extrema_greatest] = lane_max(sums[extrema_greatest], lane_max(before, after));
 }
 
-SHARED_FN void extrema_period(real* sums) {}
+SHARED_FN void extrema_end_period(real* sums, const Section* section) {}
 
 SHARED_FN void extrema_finish(const real* sums, SweepRound round, real* out) {
   out[0] = sums[extrema_least];

@@ -3,7 +3,7 @@
 // a state here: for a phase-driven model this is the dimension of the section.
 #include "observables/lyapunov_spectrum.h"
 
-#define KAPLAN_YORKE_KIND tangent
+#define KAPLAN_YORKE_ROLE verdict
 #define KAPLAN_YORKE_TANGENTS PER_STATE
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define KAPLAN_YORKE_OUTPUTS(X) X(, "1", "", "Kaplan-Yorke dimension of the section")
@@ -13,11 +13,14 @@ enum { kaplan_yorke_accumulators = lyapunov_spectrum_accumulators };
 #ifdef __OPENCL_VERSION__
 enum { kaplan_yorke_outputs = 1 };
 
-SHARED_FN void kaplan_yorke_init(real* sums) { lyapunov_spectrum_init(sums); }
+SHARED_FN void kaplan_yorke_init(real* sums, const Moment* start) {
+  lyapunov_spectrum_init(sums, start);
+}
 
-SHARED_FN void kaplan_yorke_period(real* sums, const real* growth, real period, uint number,
-                                   uint record) {
-  lyapunov_spectrum_period(sums, growth, period, number, record);
+SHARED_FN void kaplan_yorke_step(real* sums, const Step* step) {}
+
+SHARED_FN void kaplan_yorke_end_period(real* sums, const Section* section) {
+  lyapunov_spectrum_end_period(sums, section);
 }
 
 SHARED_FN void kaplan_yorke_finish(const real* sums, SweepRound round, real* out) {

@@ -3,13 +3,15 @@
 // The phase's zero exponent is not counted. The host adds to the error of a periodic motion what
 // the steps' length and the distance from the orbit make (host/tile/detail/exponent_error.hpp).
 
-#define LYAPUNOV_MAX_KIND tangent
+#define LYAPUNOV_MAX_ROLE verdict
 #define LYAPUNOV_MAX_TANGENTS 1
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define LYAPUNOV_MAX_OUTPUTS(X)                                   \
   X(, "1/tau", "", "largest Lyapunov exponent")                   \
   X(error, "1/tau", "", "error of the largest Lyapunov exponent") \
   X(per_period, "1", "", "largest Lyapunov exponent times the forcing period")
+// X(suffix, role)
+#define LYAPUNOV_MAX_OUTPUT_ROLES(X) X(, exponent) X(error, exponent_error)
 
 enum {
   lyapunov_max_sum,      // of the periods' rates of growth
@@ -24,17 +26,18 @@ enum {
 #ifdef __OPENCL_VERSION__
 enum { lyapunov_max_outputs = LYAPUNOV_MAX_OUTPUTS(COUNT_OUTPUT), lyapunov_max_blocks = 16 };
 
-SHARED_FN void lyapunov_max_init(real* sums) {
+SHARED_FN void lyapunov_max_init(real* sums, const Moment* start) {
   for (int i = 0; i < lyapunov_max_accumulators; ++i) sums[i] = 0;
 }
 
-// growth: logarithm of how far each tangent vector grew in the period of this number.
-SHARED_FN void lyapunov_max_period(real* sums, const real* growth, real period, uint number,
-                                   uint record) {
-  const uint block = max(record / lyapunov_max_blocks, 1u);
-  const real rate = growth[0] / period;
+SHARED_FN void lyapunov_max_step(real* sums, const Step* step) {}
+
+SHARED_FN void lyapunov_max_end_period(real* sums, const Section* section) {
+  const uint number = section->number;
+  const uint block = max(section->record / lyapunov_max_blocks, 1u);
+  const real rate = section->growth[0] / section->period;
   sums[lyapunov_max_sum] += rate;
-  sums[lyapunov_max_growth] += growth[0];
+  sums[lyapunov_max_growth] += section->growth[0];
   sums[lyapunov_max_block] += rate;
   if ((number + 1) % block != 0) return;
   const real mean = sums[lyapunov_max_block] / (scalar)(block);

@@ -2,7 +2,7 @@
 // largest first as far as the record suffices to tell them apart. The phase's zero exponent is not
 // counted.
 
-#define LYAPUNOV_SPECTRUM_KIND tangent
+#define LYAPUNOV_SPECTRUM_ROLE verdict
 #define LYAPUNOV_SPECTRUM_TANGENTS PER_STATE
 #define LYAPUNOV_SPECTRUM_DIMENSION "exponent"
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
@@ -13,13 +13,14 @@ enum { lyapunov_spectrum_accumulators = PER_STATE };
 #ifdef __OPENCL_VERSION__
 enum { lyapunov_spectrum_outputs = PER_STATE };
 
-SHARED_FN void lyapunov_spectrum_init(real* sums) {
+SHARED_FN void lyapunov_spectrum_init(real* sums, const Moment* start) {
   for (int j = 0; j < TANGENTS; ++j) sums[j] = 0;
 }
 
-SHARED_FN void lyapunov_spectrum_period(real* sums, const real* growth, real period, uint number,
-                                        uint record) {
-  for (int j = 0; j < TANGENTS; ++j) sums[j] += growth[j] / period;
+SHARED_FN void lyapunov_spectrum_step(real* sums, const Step* step) {}
+
+SHARED_FN void lyapunov_spectrum_end_period(real* sums, const Section* section) {
+  for (int j = 0; j < TANGENTS; ++j) sums[j] += section->growth[j] / section->period;
 }
 
 SHARED_FN void lyapunov_spectrum_finish(const real* sums, SweepRound round, real* out) {

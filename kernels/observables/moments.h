@@ -4,12 +4,15 @@
 // own rounding, they cannot bring back: a motion smaller than some units in the last place of its
 // offset is staggered, or stands still. In fp32 such a motion has no standard deviation.
 
-#define MOMENTS_KIND channel
+#define MOMENTS_ROLE measure
+#define MOMENTS_PER_CHANNEL
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
 #define MOMENTS_OUTPUTS(X)                                     \
   X(mean, "", "", "time average over the recorded periods")    \
   X(rms, "", "", "root mean square over the recorded periods") \
   X(std, "", "", "standard deviation over the recorded periods; in fp32 none below 1e-5 of the rms")
+// X(suffix, role)
+#define MOMENTS_OUTPUT_ROLES(X) X(rms, rms)
 
 enum {
   moments_origin,
@@ -32,7 +35,7 @@ SHARED_FN void moments_init(real* sums, real value) {
 }
 
 // `weight` is the step's share of a period.
-SHARED_FN void moments_update(real* sums, real before, real after, scalar weight) {
+SHARED_FN void moments_step(real* sums, real before, real after, scalar weight) {
   const scalar half_weight = (scalar)(0.5) * weight;
   const real a = before - sums[moments_origin];
   const real b = after - sums[moments_origin];
@@ -40,7 +43,7 @@ SHARED_FN void moments_update(real* sums, real before, real after, scalar weight
   sums[moments_period_squares] = sums[moments_period_squares] + half_weight * (a * a + b * b);
 }
 
-SHARED_FN void moments_period(real* sums) {
+SHARED_FN void moments_end_period(real* sums, const Section* section) {
   sums[moments_sum] += sums[moments_period_sum];
   sums[moments_squares] += sums[moments_period_squares];
   sums[moments_period_sum] = 0;

@@ -17,12 +17,14 @@
 #include "observables/lyapunov_max.h"
 #include "observables/period.h"
 
-#define MOTION_KIND orbit
+#define MOTION_ROLE verdict
 #define MOTION_TANGENTS 1
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define MOTION_OUTPUTS(X)                                   \
   X(class, "", "undecided periodic quasi_periodic chaotic", \
     "kind of motion, by recurrence and largest Lyapunov exponent")
+// X(suffix, role)
+#define MOTION_OUTPUT_ROLES(X) X(class, motion)
 
 enum {
   motion_forcing,    // the forcing period
@@ -55,20 +57,22 @@ SHARED_FN real motion_present_extent(const real* sums) {
   return extent;
 }
 
-SHARED_FN void motion_init(real* sums, const real* x) {
+SHARED_FN void motion_init(real* sums, const Moment* start) {
   sums[motion_forcing] = 0;
   sums[motion_extent] = 0;
-  period_init(sums + motion_recurrence, x);
-  lyapunov_max_init(sums + motion_growth);
-  motion_begin_half(sums, x);
+  period_init(sums + motion_recurrence, start);
+  lyapunov_max_init(sums + motion_growth, start);
+  motion_begin_half(sums, start->x);
 }
 
-SHARED_FN void motion_period(real* sums, const real* x, const real* growth, const Extent* extent,
-                             real period, uint number, uint record) {
-  sums[motion_forcing] = period;
-  period_period(sums + motion_recurrence, x, growth, extent, period, number, record);
-  lyapunov_max_period(sums + motion_growth, growth, period, number, record);
-  if (number == record / 2) {
+SHARED_FN void motion_step(real* sums, const Step* step) {}
+
+SHARED_FN void motion_end_period(real* sums, const Section* section) {
+  const real* x = section->x;
+  sums[motion_forcing] = section->period;
+  period_end_period(sums + motion_recurrence, section);
+  lyapunov_max_end_period(sums + motion_growth, section);
+  if (section->number == section->record / 2) {
     sums[motion_extent] = motion_present_extent(sums);
     motion_begin_half(sums, x);
   }

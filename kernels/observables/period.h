@@ -15,9 +15,11 @@
 // between its multiples is nearer than PERIOD_CLEAR times the worst of them; what is not as clear
 // as that stays open. A ratio of two distances: neither units nor offsets nor scales matter.
 
-#define PERIOD_KIND orbit
+#define PERIOD_ROLE verdict
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define PERIOD_OUTPUTS(X) X(, "1", "", "period in forcing periods; 0: none was found")
+// X(suffix, role)
+#define PERIOD_OUTPUT_ROLES(X) X(, period)
 
 enum {
   period_candidate,                                // 0: none
@@ -49,17 +51,19 @@ SHARED_FN void period_take_reference(real* sums, const real* x) {
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) sums[period_reference + i] = x[i];
 }
 
-SHARED_FN void period_init(real* sums, const real* x) {
+SHARED_FN void period_init(real* sums, const Moment* start) {
   for (int i = 0; i < period_accumulators; ++i) sums[i] = 0;
   sums[period_nearest] = INFINITY;
   sums[period_window_nearest] = INFINITY;
-  period_take_reference(sums, x);
+  period_take_reference(sums, start->x);
 }
 
-// x: state at the end of the recorded period of this number, whose extent is given.
-SHARED_FN void period_period(real* sums, const real* x, const real* growth, const Extent* extent,
-                             real period, uint number, uint record) {
-  const uint longest = period_longest_window(record);
+SHARED_FN void period_step(real* sums, const Step* step) {}
+
+SHARED_FN void period_end_period(real* sums, const Section* section) {
+  const real* x = section->x;
+  const uint number = section->number;
+  const uint longest = period_longest_window(section->record);
   uint window = 1;
   uint start = 0;
   while (window < longest && number >= start + window) {
@@ -73,7 +77,7 @@ SHARED_FN void period_period(real* sums, const real* x, const real* growth, cons
 
   real ranges[MODEL_STATE_COUNT];
   real shared[MODEL_STATE_COUNT];
-  extent_ranges(extent, (scalar)(PERIOD_TOLERANCE), ranges);
+  extent_ranges(section->extent, (scalar)(PERIOD_TOLERANCE), ranges);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[period_ranges + i] = lane_max(sums[period_ranges + i], ranges[i]);

@@ -1,18 +1,29 @@
-// Poincare samples: chosen states at phase 0, at the end of each recorded period.
+// Poincare samples: chosen states at phase 0, at the end of each recorded period. The host writes
+// SAMPLED_STATES, their indices as an initialiser.
 
-#define POINCARE_KIND section
+#define POINCARE_ROLE samples
 // X(suffix of the quantity's name, unit (empty: the state's), flag meanings, meaning)
 #define POINCARE_OUTPUTS(X) X(, "", "", "state at phase 0 of each recorded period")
 
 enum { poincare_accumulators = 0 };
 
 #ifdef __OPENCL_VERSION__
-// Writes one sample; series is [sample][chosen state][item], POINCARE_STATES lists the choice.
-SHARED_FN void poincare_section(__global real* series, uint sample, uint items, uint item,
-                                const real* x) {
-#define POINCARE_COUNT(name) +1
-#define POINCARE_WRITE(name) series[(size_t)(row++) * items + item] = x[STATE_##name];
-  size_t row = (size_t)sample * (0 POINCARE_STATES(POINCARE_COUNT));
-  POINCARE_STATES(POINCARE_WRITE)
+enum { poincare_outputs = 0 };  // of the finished record
+
+SHARED_FN void poincare_init(real* sums, const Moment* start) {}
+
+SHARED_FN void poincare_step(real* sums, const Step* step) {}
+
+SHARED_FN void poincare_end_period(real* sums, const Section* section) {
+  const int states[] = SAMPLED_STATES;
+  const uint count = sizeof states / sizeof states[0];
+  const size_t first = (size_t)section->number * count;
+  if (!section->series) return;
+  UNROLL
+  for (uint i = 0; i < count; ++i) {
+    section->series[(first + i) * section->items + section->item] = section->x[states[i]];
+  }
 }
+
+SHARED_FN void poincare_finish(const real* sums, SweepRound round, real* out) {}
 #endif

@@ -4,21 +4,24 @@
 // the periods before the record, or before.
 #include "observables/period.h"
 
-#define SETTLED_KIND orbit
+#define SETTLED_ROLE verdict
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define SETTLED_OUTPUTS(X) \
   X(, "1", "", "forcing periods until the motion stayed periodic; not a number when it did not")
+// X(suffix, role)
+#define SETTLED_OUTPUT_ROLES(X) X(, settled)
 
 enum { settled_accumulators = period_accumulators };
 
 #ifdef __OPENCL_VERSION__
 enum { settled_outputs = SETTLED_OUTPUTS(COUNT_OUTPUT) };
 
-SHARED_FN void settled_init(real* sums, const real* x) { period_init(sums, x); }
+SHARED_FN void settled_init(real* sums, const Moment* start) { period_init(sums, start); }
 
-SHARED_FN void settled_period(real* sums, const real* x, const real* growth, const Extent* extent,
-                              real period, uint number, uint record) {
-  period_period(sums, x, growth, extent, period, number, record);
+SHARED_FN void settled_step(real* sums, const Step* step) {}
+
+SHARED_FN void settled_end_period(real* sums, const Section* section) {
+  period_end_period(sums, section);
 }
 
 SHARED_FN void settled_finish(const real* sums, SweepRound round, real* out) {

@@ -12,7 +12,7 @@
 // k, l = 1 .. n, and C(k + 1, l + 1) = C(k, l) - phi(k) phi(l) + phi(J + k) phi(J + l).
 // So C(1, l), the first and the last samples are all that is kept.
 
-#define ZERO_ONE_KIND orbit
+#define ZERO_ONE_ROLE verdict
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define ZERO_ONE_OUTPUTS(X) \
   X(, "1", "",              \
@@ -35,18 +35,21 @@ enum { zero_one_outputs = ZERO_ONE_OUTPUTS(COUNT_OUTPUT), zero_one_angles = 31 }
 
 SHARED_FN uint zero_one_lags(uint record) { return min(record / 10, (uint)(zero_one_most_lags)); }
 
-SHARED_FN void zero_one_init(real* sums, const real* x) {
+SHARED_FN void zero_one_init(real* sums, const Moment* start) {
   for (int i = 0; i < zero_one_accumulators; ++i) sums[i] = 0;
-  sums[zero_one_origin] = x[0];
+  sums[zero_one_origin] = start->x[0];
 }
 
-SHARED_FN void zero_one_period(real* sums, const real* x, const real* growth, const Extent* extent,
-                               real period, uint number, uint record) {
+SHARED_FN void zero_one_step(real* sums, const Step* step) {}
+
+SHARED_FN void zero_one_end_period(real* sums, const Section* section) {
+  const uint number = section->number;
+  const uint record = section->record;
   const uint lags = zero_one_lags(record);
   const uint i = number + 1;
-  const real sample = x[0] - sums[zero_one_origin];
+  const real sample = section->x[0] - sums[zero_one_origin];
   real ranges[MODEL_STATE_COUNT];
-  extent_ranges(extent, (scalar)(PERIOD_TOLERANCE), ranges);
+  extent_ranges(section->extent, (scalar)(PERIOD_TOLERANCE), ranges);
   sums[zero_one_range] = lane_max(sums[zero_one_range], ranges[0]);
   sums[zero_one_sum] += sample;
   if (i + lags <= record) sums[zero_one_part_sum] += sample;

@@ -193,12 +193,28 @@ TEST(Commands, EveryBuiltInStudyPrintsAsTomlThatReads) {
   EXPECT_GE(studies, 1);
 }
 
+TEST(Commands, KernelsPrintsTheProgramOfTheStudy) {
+  const Folder folder;
+  const Outcome sweep =
+      gearsweep(folder,
+                "kernels coarse-map --set 'observe.quantities=[\"dmf_max\"]' --set "
+                "integrate.precision=fp32 --set integrate.lanes=8");
+  EXPECT_EQ(sweep.status, 0) << sweep.err;
+  EXPECT_THAT(sweep.out, AllOf(HasSubstr("-DREAL_BITS=32 -DLANES=8"), HasSubstr("extrema_step("),
+                               HasSubstr("__kernel void record("), Not(HasSubstr("#include \""))));
+  EXPECT_THAT(gearsweep(folder, "kernels coarse-map --program orbit").out,
+              HasSubstr("__kernel void approach("));
+  const Outcome wrong = gearsweep(folder, "kernels coarse-map --program sweeep");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean 'sweep'?"));
+}
+
 TEST(Commands, EveryCommandHasHelpWithExamples) {
   const Folder folder;
   EXPECT_THAT(gearsweep(folder, "--version").out, StartsWith("gearsweep "));
   for (const char* command :
        {"", "run", "trace", "plot", "export", "floquet", "reproduce", "studies", "model", "devices",
-        "verify", "completion", "manual", "top", "help"}) {
+        "kernels", "verify", "completion", "manual", "top", "help"}) {
     const Outcome help = gearsweep(folder, std::string(command) + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("gearsweep ")) << command;

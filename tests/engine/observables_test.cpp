@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "support/bits.hpp"
@@ -187,6 +188,23 @@ double greatest_growth(double m, double k) {
 
 // One per cent inside the limits the growth is the square root of it times a frequency, 0.01 and
 // more; outside it is zero, which rounding makes some 1e-8.
+// This pendulum turns over and over. Where its angle stands at phase 0 does not depend on how many
+// turns it has made since the last.
+TEST(Observables, SeeTheSectionOfATurningPendulumWithoutItsTurns) {
+  for (const std::string engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result =
+        run("[model]\nname = 'pendulum'\npreset = 'cascade'\n[[axes]]\nname = 'damping'\n"
+            "values = [0.7]\n[integrate]\nsettle = 200\nrecord = 64\nstop = 'never'\n"
+            "[observe]\nquantities = ['period', 'section_min', 'section_max']\n",
+            {"integrate.engine='" + engine + "'"});
+    ASSERT_EQ(map_of(result, "period"), (std::vector<double>{1.0}));
+    const double least = map_of(result, "section_min")[0];
+    EXPECT_LT(std::abs(least), std::numbers::pi);
+    EXPECT_NEAR(map_of(result, "section_max")[0], least, 1e-6);
+  }
+}
+
 TEST(Divergence, PrintedFormFluttersBetweenTwoStiffnesses) {
   for (const double m : {0.04, 0.3507525}) {
     const double low = std::pow(1.0 - std::sqrt(2.0 * m), 2) / m;

@@ -69,6 +69,27 @@ TEST(ProgramSource, HasTheObservablesThatTheStudyAsksFor) {
                             Not(HasSubstr("kernels/observables/poincare.h"))));
 }
 
+TEST(ProgramSource, CallsEachObserverByName) {
+  const std::string source = program_source(
+      some_study("[observe]\nquantities = ['dmf_mean', 'contact_class', 'period', 'poincare']\n"
+                 "poincare = ['v1']\n"),
+      "sweep.cl");
+  EXPECT_THAT(
+      source,
+      AllOf(HasSubstr("real moments_of_dmf[moments_accumulators];"),
+            HasSubstr("moments_init(observers->measures->moments_of_dmf, start->signals.dmf);"),
+            HasSubstr("contact_step(observers->measures->contact, step);"),
+            HasSubstr("period_end_period(observers->verdicts->period, section);"),
+            HasSubstr("poincare_end_period(0, section);"), HasSubstr("{STATE_v1, }")));
+}
+
+TEST(ProgramSource, ObservesOnlyWhereItRecords) {
+  const Study study = some_study("[observe]\nquantities = ['period']\n");
+  for (const std::string file : {"orbit.cl", "trace.cl"}) {
+    EXPECT_THAT(program_source(study, file), Not(HasSubstr("period_init"))) << file;
+  }
+}
+
 TEST(SelectionHeader, ReadsAxesFromTheSweptTable) {
   const std::string header = selection_header(
       read_study("[[axes]]\nname = 'x1'\nvalues = [0.5]\n[[axes]]\nname = 'omega'\n"
@@ -91,6 +112,15 @@ TEST(BuildOptions, SayPrecisionLanesContractionAndEvents) {
 TEST(BuildProgram, AcceptsTheKernels) {
   const Study study = some_study();
   EXPECT_EQ(build_error(program_source(study, "sweep.cl"), build_options(study, 1)), "");
+}
+
+// With no observer at all, and with one of each role.
+TEST(BuildProgram, AcceptsAnySelection) {
+  for (const std::string quantities : {"'status'", "'x1_rms', 'settled', 'poincare'"}) {
+    const Study study = some_study("[observe]\nquantities = [" + quantities + "]\n");
+    EXPECT_EQ(build_error(program_source(study, "sweep.cl"), build_options(study, 1)), "")
+        << quantities;
+  }
 }
 
 // An error that someone makes in kernels/integrators/rk4.h, say.

@@ -9,12 +9,6 @@ namespace {
 // gear5).
 constexpr double kCostOfDerivative = 8.0;
 
-cl::Program orbit_program(const Study& study, Launcher* launcher) {
-  Study bare = study;
-  bare.selection = {};  // what is observed does not matter here
-  return launcher->program(bare, "orbit.cl");
-}
-
 // The identity in each slot: [column][row][slot].
 std::vector<double> identities(std::size_t states, std::size_t slot_count) {
   std::vector<double> out;
@@ -56,7 +50,7 @@ Window window_of_rounds() { return {0, 0, 1, 0, false}; }
 
 OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launcher* launcher)
     : launcher_(launcher),
-      program_(orbit_program(study, launcher)),
+      program_(launcher->program(study, "orbit.cl")),
       approach_(program_, "approach"),
       measure_(program_, "measure"),
       extrapolate_(program_, "extrapolate"),

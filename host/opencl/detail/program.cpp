@@ -8,6 +8,7 @@
 
 #include "model/error.hpp"
 #include "opencl/detail/kernel_sources.hpp"
+#include "opencl/detail/observer_source.hpp"
 
 namespace gearsweep {
 namespace {
@@ -18,12 +19,6 @@ std::string included_file(const std::string& line) {
   if (!line.starts_with(directive)) return "";
   const std::string rest = line.substr(directive.size());
   return rest.substr(0, rest.find('"'));
-}
-
-// How the kernel reads the value of a channel from a Sample.
-std::string channel_value(const Model& model, const std::string& channel) {
-  return model.find_state(channel) >= 0 ? fmt::format("((sample).x[STATE_{}])", channel)
-                                        : fmt::format("((sample).signals.{})", channel);
 }
 
 void write_parameters(const Study& study, std::ostream& out) {
@@ -50,57 +45,6 @@ void write_units(const Model& model, std::ostream& out) {
     if (known == units.end()) units.push_back(state.unit);
   }
   out << "}\n";
-}
-
-void write_observers(const Study& study, std::ostream& out) {
-  std::set<std::string> channels;
-  std::string list;
-  bool watches_orbit = false;
-  for (const Observer& observer : study.selection.observers) {
-    const std::string& name = observer.observable->name;
-    if (observer.observable->kind == ObservableKind::channel) {
-      channels.insert(observer.channel);
-      list += fmt::format(" CHANNEL({0}, {1}, VALUE_{1})", name, observer.channel);
-    } else if (observer.observable->kind == ObservableKind::tangent) {
-      list += fmt::format(" TANGENT({})", name);
-    } else if (observer.observable->kind == ObservableKind::orbit) {
-      watches_orbit = true;
-      list += fmt::format(" ORBIT({})", name);
-    } else {
-      list += fmt::format(" STEP({})", name);
-    }
-  }
-  for (const std::string& channel : channels) {
-    out << fmt::format("#define VALUE_{}(sample) {}\n", channel,
-                       channel_value(*study.model, channel));
-  }
-  out << "#define OBSERVERS(CHANNEL, STEP, TANGENT, ORBIT)" << list << '\n';
-  out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
-  // Only where they matter: a program that differs in nothing else need not be built again.
-  out << fmt::format("#define WATCHES_SECTIONS {}\n", watches_orbit ? 1 : 0);
-  if (watches_orbit) {
-    out << fmt::format("#define PERIOD_TOLERANCE {}\n", study.selection.period_tolerance);
-  }
-  if (study.selection.poincare.empty()) return;
-  out << "#define POINCARE_STATES(X)";
-  for (const std::size_t state : study.selection.poincare) {
-    out << fmt::format(" X({})", study.model->states[state].name);
-  }
-  out << '\n';
-}
-
-// Includes each observable that is at work, once.
-std::string observables_header(const Study& study) {
-  std::set<std::string> names;
-  for (const Observer& observer : study.selection.observers) {
-    names.insert(observer.observable->name);
-  }
-  if (!study.selection.poincare.empty()) names.insert("poincare");
-  std::string out;
-  for (const std::string& name : names) {
-    out += fmt::format("#include \"observables/{}.h\"\n", name);
-  }
-  return out;
 }
 
 // A file with what it includes; nothing when it is among `included`, to which it is added.
@@ -148,7 +92,7 @@ std::string selection_header(const Study& study) {
   out << "}\n";
   write_units(*study.model, out);
   write_parameters(study, out);
-  write_observers(study, out);
+  out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   return out.str();
 }
 
@@ -159,8 +103,10 @@ std::string flatten(const std::string& name, const std::map<std::string, std::st
 
 std::string program_source(const Study& study, const std::string& file) {
   std::map<std::string, std::string> sources = kernel_sources();
-  sources["selection.h"] = selection_header(study);
-  sources["observables.h"] = observables_header(study);
+  Study seen = study;
+  if (file != "sweep.cl") seen.selection = {};  // only there does it matter what is observed
+  sources["selection.h"] = selection_header(seen);
+  sources["observers.h"] = observers_header(seen);
   return flatten(file, sources);
 }
 

@@ -5,22 +5,18 @@
 #include <string>
 
 #include "opencl/detail/cl.hpp"
-#include "study/study.hpp"
+#include "opencl/program_source.hpp"
 
 namespace gearsweep {
 
-// The text of selection.h (see kernels/sweep.cl): the model, where each parameter comes from, the
-// observers. The sweep's own axes are read from `swept` in their order, initial states left out.
+// The text of selection.h (see kernels/items.h): the model, where each parameter comes from, how
+// many tangent vectors there are. The sweep's own axes are read from `swept` in their order,
+// initial states left out.
 std::string selection_header(const Study& study);
 
 // One text from `name` and all that it includes, each file once, marked by #line so that messages
 // of the device compiler name it. `sources` by path. Throws RunError for a missing file.
 std::string flatten(const std::string& name, const std::map<std::string, std::string>& sources);
-
-// The whole text of the program `file` of kernels/.
-std::string program_source(const Study& study, const std::string& file);
-
-std::string build_options(const Study& study, std::size_t lanes);
 
 // Throws RunError with device, options and the device compiler's log.
 cl::Program build_program(const cl::Context& context, const cl::Device& device,

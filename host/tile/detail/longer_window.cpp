@@ -21,8 +21,7 @@ void adopt_verdicts(const Study& study, const std::vector<std::size_t>& position
   const std::size_t points = whole->status.size();
   std::size_t first = 0;
   for (const Observer& observer : study.selection.observers) {
-    const ObservableKind kind = observer.observable->kind;
-    const bool is_verdict = kind == ObservableKind::tangent || kind == ObservableKind::orbit;
+    const bool is_verdict = observer.observable->role == ObservableRole::verdict;
     for (std::size_t output = first; is_verdict && output < first + observer.outputs; ++output) {
       for (std::size_t i = 0; i < positions.size(); ++i) {
         whole->outputs[output * points + positions[i]] =

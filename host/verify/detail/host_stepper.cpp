@@ -5,9 +5,12 @@
 #include <cstring>
 
 #include "dialect.h"
+#include "sweep_types.h"
 
 namespace gearsweep {
 namespace fp64 {
+using std::fabs;
+using std::log;
 using std::sqrt;
 using real = double;
 using scalar = double;
@@ -15,7 +18,9 @@ using scalar = double;
 }  // namespace fp64
 
 namespace fp32 {
-using std::sqrt;  // the one for float too
+using std::fabs;  // the ones for float too
+using std::log;
+using std::sqrt;
 using real = float;
 using scalar = float;
 #include "verify/detail/shared_stepper.h"

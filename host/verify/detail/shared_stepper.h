@@ -1,8 +1,12 @@
 // The settle kernel's arithmetic on the host. Included into a namespace that has `real` and
 // `scalar`; so no include guard and no includes of the standard library.
 #include "models/gear5.h"
-// The integrator needs the model.
+// The integrator needs the model, and the walk needs both.
 #include "integrators/rk4.h"
+#define TANGENTS 0
+#include "tangent.h"
+#include "unwatched.h"
+#include "walk.h"
 
 // The state after `periods` periods, NaN in x[0] when it diverged.
 inline std::vector<double> step_periods(const ModelSetting& setting, const PhaseGrid& grid,
@@ -25,16 +29,11 @@ inline std::vector<double> step_periods(const ModelSetting& setting, const Phase
   }
   real x[MODEL_STATE_COUNT];
   for (std::size_t i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = static_cast<real>(start[i]);
+  const std::vector<scalar> fractions(grid.segment_fractions.begin(), grid.segment_fractions.end());
+  const WalkGrid walked = {static_cast<sweep_uint>(grid.segment_steps.size()),
+                           grid.segment_steps.data(), fractions.data(), stages.data()};
   for (std::size_t period = 0; period < periods; ++period) {
-    const PhaseCoefs* stage = stages.data();
-    for (std::size_t segment = 0; segment < grid.segment_steps.size(); ++segment) {
-      const real h = static_cast<scalar>(grid.segment_fractions[segment]) * point.period;
-      for (std::uint32_t step = 0; step < grid.segment_steps[segment]; ++step) {
-        rk4_step(&point, stage, h, events, x);
-        stage += RK4_STAGES_PER_STEP;
-      }
-      stage += 1;
-    }
+    walk_period(&point, &walked, events, x, nullptr, nullptr, nullptr, nullptr);
   }
   return std::vector<double>(x, x + MODEL_STATE_COUNT);
 }

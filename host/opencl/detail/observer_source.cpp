@@ -1,0 +1,179 @@
+#include "opencl/detail/observer_source.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <set>
+#include <sstream>
+
+namespace gearsweep {
+namespace {
+
+// What an observer is called in the program: motion, moments_of_x1.
+std::string name_of(const Observer& observer) {
+  const std::string& name = observer.observable->name;
+  return observer.channel.empty() ? name : fmt::format("{}_of_{}", name, observer.channel);
+}
+
+bool is_verdict(const Observer& observer) {
+  return observer.observable->role == ObservableRole::verdict;
+}
+
+// Its accumulators; null where it has none.
+std::string sums_of(const Observer& observer) {
+  if (observer.accumulators == 0) return "0";
+  return fmt::format("observers->{}->{}", is_verdict(observer) ? "verdicts" : "measures",
+                     name_of(observer));
+}
+
+// A statement, broken after commas where it is longer than a line.
+std::string wrapped(const std::string& statement) {
+  constexpr std::size_t kColumns = 100;
+  std::string text, line = "  ";
+  std::istringstream words(statement);
+  for (std::string word; words >> word;) {
+    const bool is_first = line.find_first_not_of(' ') == std::string::npos;
+    if (!is_first && line.size() + 1 + word.size() > kColumns) {
+      text += line + "\n";
+      line = "      " + word;
+    } else {
+      line += (is_first ? "" : " ") + word;
+    }
+  }
+  return text + line + "\n";
+}
+
+class ObserverSource {
+ public:
+  explicit ObserverSource(const Study& study)
+      : study_(study), observers_(study.selection.observers) {}
+
+  std::string text() {
+    write_settings();
+    write_includes();
+    write_struct("What the measures keep between rounds, most of it in registers.", "Measures",
+                 false);
+    write_struct(
+        "What the verdicts keep, apart: their loops over it would put the measures in memory, too.",
+        "Verdicts", true);
+    out_ << "typedef struct {\n  Measures* measures;\n  Verdicts* verdicts;\n} Observers;\n";
+    write_function(
+        "init", "const Observers* observers, const Moment* start",
+        [&](const Observer& observer) { return fmt::format(", {}", seen(observer, "start")); });
+    write_function("step", "const Observers* observers, const Step* step",
+                   [&](const Observer& observer) {
+                     if (!observer.observable->is_per_channel) return std::string(", step");
+                     return fmt::format(", {}, {}, step->weight", seen(observer, "step->before"),
+                                        seen(observer, "step->after"));
+                   });
+    write_function("end_period", "const Observers* observers, const Section* section",
+                   [](const Observer&) { return std::string(", section"); });
+    write_finish();
+    write_move("load", "__global const real* accumulators");
+    write_move("store", "__global real* accumulators");
+    return out_.str();
+  }
+
+ private:
+  // What the observables want to know beside what they see. Only where it matters: a program that
+  // differs in nothing else need not be built again.
+  void write_settings() {
+    for (const Observer& observer : observers_) {
+      if (!is_verdict(observer)) continue;
+      out_ << fmt::format("#define PERIOD_TOLERANCE {}\n", study_.selection.period_tolerance);
+      break;
+    }
+    if (study_.selection.poincare.empty()) return;
+    out_ << "#define SAMPLED_STATES {";
+    for (const std::size_t state : study_.selection.poincare) {
+      out_ << fmt::format("STATE_{}, ", study_.model->states[state].name);
+    }
+    out_ << "}\n";
+  }
+
+  void write_includes() {
+    out_ << "#include \"observe.h\"\n";
+    std::set<std::string> names;
+    for (const Observer& observer : observers_) names.insert(observer.observable->name);
+    for (const std::string& name : names) {
+      out_ << fmt::format("#include \"observables/{}.h\"\n", name);
+    }
+  }
+
+  void write_struct(const char* comment, const char* type, bool of_verdicts) {
+    out_ << fmt::format("\n// {}\ntypedef struct {{\n", comment);
+    bool is_empty = true;
+    for (const Observer& observer : observers_) {
+      if (observer.accumulators == 0 || is_verdict(observer) != of_verdicts) continue;
+      out_ << fmt::format("  real {}[{}_accumulators];\n", name_of(observer),
+                          observer.observable->name);
+      is_empty = false;
+    }
+    if (is_empty) out_ << "  int none;  // a struct must have a member\n";
+    out_ << fmt::format("}} {};\n{}", type, of_verdicts ? "\n" : "");
+  }
+
+  // What an observer sees of a moment: all of it, or the value of its channel.
+  std::string seen(const Observer& observer, const std::string& moment) const {
+    if (!observer.observable->is_per_channel) return moment;
+    return study_.model->find_state(observer.channel) >= 0
+               ? fmt::format("{}->x[STATE_{}]", moment, observer.channel)
+               : fmt::format("{}->signals.{}", moment, observer.channel);
+  }
+
+  // A function that calls that of each observable, with its accumulators and what `rest` gives.
+  void write_function(const char* verb, const char* parameters,
+                      const std::function<std::string(const Observer&)>& rest) {
+    out_ << fmt::format("\nSHARED_FN void observers_{}({}) {{\n", verb, parameters);
+    for (const Observer& observer : observers_) {
+      out_ << wrapped(fmt::format("{}_{}({}{});", observer.observable->name, verb,
+                                  sums_of(observer), rest(observer)));
+    }
+    out_ << "}\n";
+  }
+
+  // Outputs stand in the order of the observers.
+  void write_finish() {
+    out_ << "\nSHARED_FN void observers_finish(const Observers* observers, SweepRound round,\n"
+            "                                __global real* outputs, uint items, uint item) {\n";
+    std::size_t first = 0;
+    for (const Observer& observer : observers_) {
+      if (observer.outputs == 0) continue;
+      const std::string& name = observer.observable->name;
+      const std::string out = name_of(observer);
+      out_ << wrapped(fmt::format("real {}[{}_outputs];", out, name))
+           << wrapped(fmt::format("{}_finish({}, round, {});", name, sums_of(observer), out))
+           << wrapped(fmt::format("store_components(outputs, items, item, {}, {}_outputs, {});",
+                                  first, name, out));
+      first += observer.outputs;
+    }
+    out_ << "}\n";
+  }
+
+  // Accumulators stand in the order of the observers, [accumulator][item].
+  void write_move(const std::string& verb, const char* buffer) {
+    out_ << fmt::format(
+        "\nSHARED_FN void observers_{}(const Observers* observers, {},\n"
+        "                              uint items, uint item) {{\n",
+        verb, buffer);
+    std::size_t first = 0;
+    for (const Observer& observer : observers_) {
+      if (observer.accumulators == 0) continue;
+      out_ << wrapped(fmt::format("{}_{}(accumulators, items, item, {}, {}_accumulators, {});",
+                                  verb, is_verdict(observer) ? "many" : "components", first,
+                                  observer.observable->name, sums_of(observer)));
+      first += observer.accumulators;
+    }
+    out_ << "}\n";
+  }
+
+  const Study& study_;
+  const std::vector<Observer>& observers_;
+  std::ostringstream out_;
+};
+
+}  // namespace
+
+std::string observers_header(const Study& study) { return ObserverSource(study).text(); }
+
+}  // namespace gearsweep

@@ -1,0 +1,45 @@
+// What observables see. Each has one life cycle:
+//   NAME_init(sums, start)          at the moment where the record begins
+//   NAME_step(sums, step)           after each step
+//   NAME_end_period(sums, section)  after each recorded period
+//   NAME_finish(sums, round, out)   its outputs, once all periods are recorded
+// sums are the numbers that it keeps for the record. One with NAME_PER_CHANNEL looks at a state or
+// signal: its init gets the value of that at the start, its step the values at both ends and what
+// the step is of a period.
+
+// A moment on the phase grid. At a break phase there are two of them.
+typedef struct {
+  ModelSignals signals;
+  real x[MODEL_STATE_COUNT];
+} Moment;
+
+typedef struct {
+  const Moment* before;
+  const Moment* after;
+  scalar weight;  // the step's share of a period
+} Step;
+
+// The end of a recorded period.
+typedef struct {
+  const real* x;
+  const real* growth;    // logarithm of how far each tangent vector grew in the period
+  const Extent* extent;  // of the motion in the period
+  real period;           // in dimensionless time
+  uint number;           // periods recorded before
+  uint record;           // periods that will be recorded in all
+  // Where samples go, [sample][chosen state][item]; null when none is kept of this section.
+  __global real* series;
+  uint items, item;
+} Section;
+
+SHARED_FN void take_moment(const ModelPoint* point, TABLE PhaseCoefs* stage, const real* x,
+                           Moment* moment) {
+  const PhaseCoefs phase = *stage;
+  model_signals(point, &phase, x, &moment->signals);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) moment->x[i] = x[i];
+}
+
+// Each observable counts its outputs from its list; some have one for each state.
+#define PER_STATE MODEL_STATE_COUNT
+#define COUNT_OUTPUT(suffix, unit, flags, meaning) +1
