@@ -54,9 +54,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
-  Measures measures;
-  Verdicts verdicts;
-  const Observers observers = {&measures, &verdicts};
+  DECLARE_OBSERVERS(observers);
   Watcher watcher;
   watcher.observers = &observers;
   Extent extent;  // of the period
@@ -103,9 +101,7 @@ __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
-  Measures measures;
-  Verdicts verdicts;
-  const Observers observers = {&measures, &verdicts};
+  DECLARE_OBSERVERS(observers);
   Moment start;
   Extent extent;
   real growth[TANGENT_VECTORS];
@@ -141,9 +137,7 @@ __kernel void finish(const SweepRound round, __global const real* accumulators,
   const uint items = round.items;
   const uint item = get_global_id(0);
   if (item >= items) return;
-  Measures measures;
-  Verdicts verdicts;
-  const Observers observers = {&measures, &verdicts};
+  DECLARE_OBSERVERS(observers);
   observers_load(&observers, accumulators, items, item);
   observers_finish(&observers, round, outputs, items, item);
 }

@@ -74,13 +74,12 @@ TEST(ProgramSource, CallsEachObserverByName) {
       some_study("[observe]\nquantities = ['dmf_mean', 'contact_class', 'period', 'poincare']\n"
                  "poincare = ['v1']\n"),
       "sweep.cl");
-  EXPECT_THAT(
-      source,
-      AllOf(HasSubstr("real moments_of_dmf[moments_accumulators];"),
-            HasSubstr("moments_init(observers->measures->moments_of_dmf, start->signals.dmf);"),
-            HasSubstr("contact_step(observers->measures->contact, step);"),
-            HasSubstr("period_end_period(observers->verdicts->period, section);"),
-            HasSubstr("poincare_end_period(0, section);"), HasSubstr("{STATE_v1, }")));
+  EXPECT_THAT(source,
+              AllOf(HasSubstr("real moments_of_dmf_sums[moments_accumulators];"),
+                    HasSubstr("moments_init(observers->moments_of_dmf, start->signals.dmf);"),
+                    HasSubstr("contact_step(observers->contact, step);"),
+                    HasSubstr("period_end_period(observers->period, section);"),
+                    HasSubstr("poincare_end_period(0, section);"), HasSubstr("{STATE_v1, }")));
 }
 
 TEST(ProgramSource, ObservesOnlyWhereItRecords) {

@@ -22,8 +22,7 @@ bool is_verdict(const Observer& observer) {
 // Its accumulators; null where it has none.
 std::string sums_of(const Observer& observer) {
   if (observer.accumulators == 0) return "0";
-  return fmt::format("observers->{}->{}", is_verdict(observer) ? "verdicts" : "measures",
-                     name_of(observer));
+  return fmt::format("observers->{}", name_of(observer));
 }
 
 // A statement, broken after commas where it is longer than a line.
@@ -35,9 +34,9 @@ std::string wrapped(const std::string& statement) {
     const bool is_first = line.find_first_not_of(' ') == std::string::npos;
     if (!is_first && line.size() + 1 + word.size() > kColumns) {
       text += line + "\n";
-      line = "      " + word;
+      line = fmt::format("      {}", word);
     } else {
-      line += (is_first ? "" : " ") + word;
+      line += fmt::format("{}{}", is_first ? "" : " ", word);
     }
   }
   return text + line + "\n";
@@ -51,12 +50,7 @@ class ObserverSource {
   std::string text() {
     write_settings();
     write_includes();
-    write_struct("What the measures keep between rounds, most of it in registers.", "Measures",
-                 false);
-    write_struct(
-        "What the verdicts keep, apart: their loops over it would put the measures in memory, too.",
-        "Verdicts", true);
-    out_ << "typedef struct {\n  Measures* measures;\n  Verdicts* verdicts;\n} Observers;\n";
+    write_struct();
     write_function(
         "init", "const Observers* observers, const Moment* start",
         [&](const Observer& observer) { return fmt::format(", {}", seen(observer, "start")); });
@@ -100,17 +94,25 @@ class ObserverSource {
     }
   }
 
-  void write_struct(const char* comment, const char* type, bool of_verdicts) {
-    out_ << fmt::format("\n// {}\ntypedef struct {{\n", comment);
-    bool is_empty = true;
+  // An array each: of one that is indexed in a loop the compiler makes memory, and a whole struct
+  // of them would follow it out of the registers.
+  void write_struct() {
+    std::string members, arrays, pointers;
     for (const Observer& observer : observers_) {
-      if (observer.accumulators == 0 || is_verdict(observer) != of_verdicts) continue;
-      out_ << fmt::format("  real {}[{}_accumulators];\n", name_of(observer),
-                          observer.observable->name);
-      is_empty = false;
+      if (observer.accumulators == 0) continue;
+      const std::string name = name_of(observer);
+      members += fmt::format("  real* {};\n", name);
+      arrays +=
+          fmt::format("  real {}_sums[{}_accumulators]; \\\n", name, observer.observable->name);
+      pointers += fmt::format("{}{}_sums", pointers.empty() ? "" : ", ", name);
     }
-    if (is_empty) out_ << "  int none;  // a struct must have a member\n";
-    out_ << fmt::format("}} {};\n{}", type, of_verdicts ? "\n" : "");
+    if (members.empty()) {
+      members += "  int none;  // a struct must have a member\n";
+      pointers += "0";
+    }
+    out_ << "\n// What each observer keeps between rounds.\ntypedef struct {\n"
+         << members << "} Observers;\n#define DECLARE_OBSERVERS(observers) \\\n"
+         << arrays << "  const Observers observers = {" << pointers << "}\n";
   }
 
   // What an observer sees of a moment: all of it, or the value of its channel.
