@@ -144,13 +144,15 @@ TEST_F(PlotStyleTest, LogarithmicColoursAndAxes) {
   const std::string line = write(example_result(7, 0));
   EXPECT_THAT(script_of({line}, "x1_rms", style_with("log", {"true"})),
               HasSubstr("set logscale y\n"));
-  for (const auto& [name, path] : {std::pair("range", write(example_result(), "map.nc")),
-                                   std::pair("yrange", write(example_result(7, 0), "line.nc"))}) {
+  const auto logarithmic_from_zero = [&](const std::string& name, const std::string& path) {
     PlotStyle style = style_with(name, {"0:2"});
     set("log", {"true"}, &style);
-    EXPECT_THAT(refusal([&] { script_of({path}, "x1_rms", style); }),
-                HasSubstr(std::string("--") + name + ": with --log its ends must be above 0"));
-  }
+    return refusal([&] { script_of({path}, "x1_rms", style); });
+  };
+  EXPECT_THAT(logarithmic_from_zero("range", write(example_result(), "map.nc")),
+              HasSubstr("--range: with --log its ends must be above 0"));
+  EXPECT_THAT(logarithmic_from_zero("yrange", write(example_result(7, 0), "line.nc")),
+              HasSubstr("--yrange: with --log its ends must be above 0"));
   SweepResult result = example_result();
   for (double& value : result.values[0]) value = -1.0;
   EXPECT_THAT(refusal([&] { script_of({write(result)}, "x1_rms", style_with("log", {"true"})); }),
