@@ -17,6 +17,7 @@ struct DeviceInfo {
   std::size_t lanes_fp64 = 1, lanes_fp32 = 1;  // points per work-item that suit the device
   double memory = 0.0, largest_buffer = 0.0;   // bytes
   bool shares_host_memory = false;             // its memory is that of the machine
+  bool rounds_fp32_division = false;           // correctly, when it is asked to
 };
 
 // All devices of all platforms, CPUs and GPUs; the order gives their numbers. Empty when there is

@@ -78,11 +78,19 @@ SHARED_FN void crossing_locate(const real* p, real flank, Crossing* crossing) {
   for (int i = 0; i < RK4_EVALUATIONS; ++i) ahead[i] = turn * flank * p[i];
   UNROLL
   for (int i = 0; i < 3; ++i) crossing->beyond[i] = lane_select(zero < ahead[i + 1], one, zero);
+  // ahead = ahead[3] + slope r + bend r^2 with r = 1 - u. Of its two roots one lies in the step.
+  // Both ways of writing it divide by, or of, a sum whose terms have the same sign; where the
+  // motion only touches the limit at the step's end, that sum may be 0, and nothing lies behind the
+  // crossing.
   const real twice_bend = (scalar)(4) * ((ahead[0] - ahead[1]) + (ahead[3] - ahead[2]));
   const real slope = (ahead[0] - ahead[3]) - (scalar)(0.5) * twice_bend;
-  const real root = lane_sqrt(slope * slope - (scalar)(2) * twice_bend * ahead[3]);
+  const real square = slope * slope - (scalar)(2) * twice_bend * ahead[3];
+  const real sum = lane_sqrt(lane_max(square, zero)) + lane_abs(slope);
+  const mask rises = zero < slope;
+  const real over = lane_select(rises, -twice_bend, sum);
+  const real share = lane_select(rises, sum, (scalar)(2) * ahead[3]) / over;
   crossing->turn = turn;
-  crossing->after = (scalar)(2) * ahead[3] / (root - slope);
+  crossing->after = lane_select(zero < over, share, zero);
 }
 
 // p of a flank from the contact at each evaluation, or the derivatives of p from those of the

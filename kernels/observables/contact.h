@@ -44,11 +44,14 @@ SHARED_FN void contact_init(real* sums, const Moment* start) {
 }
 
 // The share of a step during which a quantity that goes from a to b in a straight line is positive.
+// It is exactly 1 where the quantity is positive throughout: on GPUs a float divided by itself may
+// differ from 1.
 SHARED_FN real contact_positive_share(real a, real b) {
   const real zero = 0;
+  const real one = 1;
   const real total = lane_abs(a) + lane_abs(b);
   const real positive = lane_max(a, zero) + lane_max(b, zero);
-  return lane_select(total > zero, positive / total, zero);
+  return lane_select(positive < total, positive / total, lane_select(total > zero, one, zero));
 }
 
 SHARED_FN void contact_step(real* sums, const Step* step) {

