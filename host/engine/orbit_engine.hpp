@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,26 +29,37 @@ struct NearReturn {
                      // not drown in rounding
 };
 
-// The states of each point at the beginning of an approach and after each of its periods.
+// The states of each point at the beginning of an approach and after each of its periods. They stay
+// where the engine has them, in its precision: few points are looked at.
 class Sections {
  public:
   Sections() = default;
-  // numbers: those of point i and period k begin at first[i] + k * states * stride, one state in
-  // each stride.
-  Sections(std::vector<double> numbers, std::vector<std::size_t> first, std::size_t stride,
-           std::size_t states)
-      : numbers_(std::move(numbers)), first_(std::move(first)), stride_(stride), states_(states) {}
+  // numbers: doubles where fp64, floats otherwise. Those of point i and period k begin at
+  // first[i] + k * states * stride, one state in each stride.
+  Sections(std::shared_ptr<const void> numbers, bool fp64, std::vector<std::size_t> first,
+           std::size_t stride, std::size_t states)
+      : numbers_(std::move(numbers)),
+        fp64_(fp64),
+        first_(std::move(first)),
+        stride_(stride),
+        states_(states) {}
 
   // period: 0 to ORBIT_LONGEST.
   std::vector<double> state(std::size_t point, std::size_t period) const {
     std::vector<double> out(states_);
     const std::size_t begin = first_[point] + period * states_ * stride_;
-    for (std::size_t i = 0; i < states_; ++i) out[i] = numbers_[begin + i * stride_];
+    for (std::size_t i = 0; i < states_; ++i) out[i] = number(begin + i * stride_);
     return out;
   }
 
  private:
-  std::vector<double> numbers_;
+  double number(std::size_t i) const {
+    return fp64_ ? static_cast<const double*>(numbers_.get())[i]
+                 : static_cast<const float*>(numbers_.get())[i];
+  }
+
+  std::shared_ptr<const void> numbers_;
+  bool fp64_ = true;
   std::vector<std::size_t> first_;
   std::size_t stride_ = 1, states_ = 0;
 };

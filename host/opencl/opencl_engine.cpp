@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/array.hpp"
 #include "model/error.hpp"
+#include "opencl/detail/buffer_plan.hpp"
 #include "opencl/detail/cl.hpp"
 #include "opencl/detail/launcher.hpp"
 #include "opencl/detail/orbit_kernels.hpp"
@@ -17,6 +19,9 @@ namespace gearsweep {
 namespace {
 
 constexpr std::size_t kMostSeriesBytes = std::size_t{256} << 20U;  // of a tile's samples
+// A GPU's compute unit has 512 to 2048 points in flight. A launch takes as long for few points as
+// for these, so a tile has enough for a while after most of its points have stopped on orbits.
+constexpr std::size_t kLeastOfGpuUnit = 1024, kPreferredOfGpuUnit = 4096;
 
 class OpenClEngine final : public Engine {
  public:
@@ -54,12 +59,14 @@ class OpenClEngine final : public Engine {
 
   std::size_t least_tile() const override {
     const DeviceInfo& device = launcher_.device();
-    const std::size_t filling = 4 * device.compute_units * launcher_.local_size();
-    return std::min(preferred_tile(), device.is_cpu ? filling * launcher_.lanes() : 16384);
+    const std::size_t filling = 4 * launcher_.local_size() * launcher_.lanes();
+    return std::min(preferred_tile(),
+                    device.compute_units * (device.is_cpu ? filling : kLeastOfGpuUnit));
   }
 
   std::size_t preferred_tile() const override {
-    const std::size_t points = launcher_.device().is_cpu ? 16384 : 131072;
+    const DeviceInfo& device = launcher_.device();
+    const std::size_t points = device.is_cpu ? 16384 : device.compute_units * kPreferredOfGpuUnit;
     if (series_bytes_per_point_ == 0) return points;
     return std::clamp(kMostSeriesBytes / series_bytes_per_point_, std::size_t{64}, points);
   }
@@ -94,25 +101,20 @@ class OpenClEngine final : public Engine {
     const Study& study = plan.study();
     const TileInputs inputs = launcher_.prepare(plan, tile);
     const std::size_t slot_count = inputs.slots.position.size();
+    const RecordBuffers sizes = record_buffers(study, window.samples, slot_count);
     Buffers buffers;
     buffers.state = launcher_.upload(
         spread_states(initial, study.model->states.size(), inputs.slots), CL_MEM_READ_WRITE);
     buffers.tangents = launcher_.upload(first_tangents(study, slot_count), CL_MEM_READ_WRITE);
-    buffers.accumulators = launcher_.allocate(study.selection.accumulator_count() * slot_count);
-    buffers.outputs = launcher_.allocate(study.selection.output_count() * slot_count);
-    buffers.series =
-        launcher_.allocate(study.selection.poincare.size() * window.samples * slot_count);
+    buffers.accumulators = launcher_.allocate(sizes.accumulators);
+    buffers.outputs = launcher_.allocate(sizes.outputs);
+    buffers.series = launcher_.allocate(sizes.series);
     const bool with_tangents = study.selection.tangent_count() > 0;
-    for (cl::Kernel* kernel : {&settle_, &align_, &record_}) {
-      if (kernel == &align_ && !with_tangents) continue;
-      cl_uint argument = Launcher::set_inputs(kernel, inputs);
-      kernel->setArg(argument++, buffers.state);
-      if (kernel == &settle_) continue;
-      kernel->setArg(argument++, buffers.tangents);
-      if (kernel == &align_) continue;
-      kernel->setArg(argument++, buffers.accumulators);
-      kernel->setArg(argument++, buffers.series);
-    }
+    launcher_.bind(&settle_, inputs, buffers.state);
+    if (with_tangents) launcher_.bind(&align_, inputs, buffers.state, buffers.tangents);
+    launcher_.bind(&record_, inputs, buffers.state, buffers.tangents, buffers.accumulators,
+                   buffers.series);
+    launcher_.bind(&finish_, buffers.accumulators, buffers.outputs);
 
     const std::size_t aligned =
         with_tangents ? std::min(study.integrate.warm_up, window.settle) : 0;
@@ -123,11 +125,8 @@ class OpenClEngine final : public Engine {
         !advance(&record_, window.record)) {
       return std::nullopt;
     }
-    finish_.setArg(0, round_of(window, inputs.slots.items(), 0, window.record));
-    finish_.setArg(1, buffers.accumulators);
-    finish_.setArg(2, buffers.outputs);
-    launcher_.launch(&finish_, inputs.slots.items());
-    return collect(study, window, inputs.slots, buffers);
+    launcher_.launch(&finish_, round_of(window, inputs.slots.items(), 0, window.record));
+    return collect(study, window, inputs.slots, sizes, buffers);
   }
 
   std::optional<std::vector<double>> trace_rows(const Plan& plan, const Tile& tile,
@@ -140,7 +139,7 @@ class OpenClEngine final : public Engine {
     const Slots& slots = inputs.slots;
     const cl::Buffer state =
         launcher_.upload(spread_states(initial, states, slots), CL_MEM_READ_WRITE);
-    settle_.setArg(Launcher::set_inputs(&settle_, inputs), state);
+    launcher_.bind(&settle_, inputs, state);
     if (!launcher_.run_rounds(&settle_, {}, inputs, settle, after_round)) return std::nullopt;
 
     cl::Kernel trace(launcher_.program(plan.study(), "trace.cl"), "trace");
@@ -149,14 +148,11 @@ class OpenClEngine final : public Engine {
     const std::size_t at_once = std::max<std::size_t>(1, kRowsAtOnce / rows_per_period);
     const std::size_t numbers = rows_per_period * states * slots.position.size();
     const cl::Buffer rows = launcher_.allocate(numbers * std::min(at_once, record));
-    cl_uint argument = Launcher::set_inputs(&trace, inputs);
-    trace.setArg(argument++, state);
-    trace.setArg(argument++, rows);
+    launcher_.bind(&trace, inputs, state, rows);
     std::vector<double> out;
     for (std::size_t done = 0; done < record;) {
       const std::size_t now = std::min(at_once, record - done);
-      trace.setArg(0, round_of({}, slots.items(), now, done));
-      launcher_.launch(&trace, slots.items());
+      launcher_.launch(&trace, round_of({}, slots.items(), now, done));
       const std::vector<double> end = launcher_.download(state, states * slots.position.size());
       if (std::isnan(end[0])) break;
       const std::vector<double> block =
@@ -170,24 +166,20 @@ class OpenClEngine final : public Engine {
 
   // Brings a tile's answers home, from slots to the tile's order.
   TileResult collect(const Study& study, const Window& window, const Slots& slots,
-                     const Buffers& buffers) {
-    const std::size_t slot_count = slots.position.size();
+                     const RecordBuffers& sizes, const Buffers& buffers) {
     const std::size_t states = study.model->states.size();
-    const std::size_t outputs = study.selection.output_count();
     const std::size_t sampled = study.selection.poincare.size();
-    const std::size_t samples = window.samples;
-    const std::vector<double> series =
-        launcher_.download(buffers.series, sampled * samples * slot_count);
-
     TileResult result;
-    result.final_states =
-        gather_points(launcher_.download(buffers.state, states * slot_count), slots);
-    result.outputs =
-        gather_components(launcher_.download(buffers.outputs, outputs * slot_count), slots);
-    result.samples.reserve(slots.slot_of.size() * sampled * samples);
+    result.final_states = gather_points(launcher_.download(buffers.state, sizes.state), slots);
+    result.outputs = gather_components(launcher_.download(buffers.outputs, sizes.outputs), slots);
+    const std::vector<double> numbers = launcher_.download(buffers.series, sizes.series);
+    const Array3 series(numbers, sampled, slots.position.size());  // [sample][state][slot]
+    result.samples.reserve(slots.slot_of.size() * sampled * window.samples);
     for (const std::size_t slot : slots.slot_of) {
-      for (std::size_t i = 0; i < sampled * samples; ++i) {
-        result.samples.push_back(series[(i % samples * sampled + i / samples) * slot_count + slot]);
+      for (std::size_t i = 0; i < sampled; ++i) {
+        for (std::size_t sample = 0; sample < window.samples; ++sample) {
+          result.samples.push_back(series[sample][i][slot]);
+        }
       }
     }
     result.status.assign(slots.slot_of.size(), STATUS_ok);

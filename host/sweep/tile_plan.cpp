@@ -40,14 +40,16 @@ std::size_t tile_size(const Study& study, const Engines& engines, const Shard& s
                     std::min(least_tile(engines), most), most);
 }
 
-// Smaller tiles where each would take so long that an interruption hurts (half a minute or so on a
-// few cores).
+// Smaller tiles where each would take so long that an interruption hurts: half a minute or so on
+// two cores, which have some 256 points in flight. A device with more of them does more in that
+// time.
 std::size_t quick_tile_size(const Plan& plan, std::size_t least) {
-  constexpr double kMostWork = 1e10;  // steps
+  constexpr double kMostWorkInFlight = 4e7;  // steps of each point in flight
+  const double most_work = kMostWorkInFlight * std::max(256.0, static_cast<double>(least));
   const std::size_t size = plan.tile_points();
   if (plan.study().integrate.tile > 0) return size;
   const double work_of_point = plan.total_work() / static_cast<double>(plan.study().trajectories());
-  const double quick = kMostWork / work_of_point;
+  const double quick = most_work / work_of_point;
   if (quick >= static_cast<double>(size)) return size;
   return std::max(static_cast<std::size_t>(quick), std::min(size, least));
 }

@@ -41,14 +41,6 @@ TEST(SpreadStates, PutsEachStateBesideItsNeighbours) {
               ElementsAre(1.0, 2.0, 3.0, 3.0, 10.0, 20.0, 30.0, 30.0));
 }
 
-TEST(Pack, KeepsDoublesAndRoundsToFloat) {
-  const std::vector<double> values = {0.1, -0.0, 1e-300, std::numeric_limits<double>::infinity()};
-  EXPECT_EQ(different_bits(unpack(pack(values, true), true), values), 0U);
-  EXPECT_THAT(
-      unpack(pack(values, false), false),
-      ElementsAre(static_cast<double>(0.1F), -0.0, 0.0, std::numeric_limits<double>::infinity()));
-}
-
 TEST(GridTables, LieOneAfterTheOther) {
   const Plan plan(read_study("[[axes]]\nname = 'eps'\nvalues = [1.4, 1.6]\n[integrate]\n"
                              "steps_per_period = 20\n",

@@ -33,7 +33,7 @@ Launcher::Launcher(const Study& study, const cl::Device& device, const DeviceInf
       clock_(std::move(clock)) {
   if (lanes_ == 0) lanes_ = fp64_ ? info.lanes_fp64 : info.lanes_fp32;
   if (local_size_ == 0) local_size_ = info.is_cpu ? 4 : 64;
-  options_ = gearsweep::build_options(study, lanes_);
+  options_ = gearsweep::build_options(study, lanes_, info.rounds_fp32_division);
 }
 
 cl::Program Launcher::program(const Study& study, const std::string& file) {
@@ -56,8 +56,9 @@ cl::Buffer Launcher::upload_bytes(const void* bytes, std::size_t count, cl_mem_f
 }
 
 cl::Buffer Launcher::upload(const std::vector<double>& numbers, cl_mem_flags flags) {
-  const std::vector<std::byte> bytes = pack(numbers, fp64_);
-  return upload_bytes(bytes.data(), bytes.size(), flags);
+  if (fp64_) return upload_bytes(numbers.data(), numbers.size() * sizeof(double), flags);
+  const std::vector<float> rounded(numbers.begin(), numbers.end());
+  return upload_bytes(rounded.data(), rounded.size() * sizeof(float), flags);
 }
 
 cl::Buffer Launcher::upload(const std::vector<std::uint32_t>& numbers) {
@@ -70,16 +71,46 @@ cl::Buffer Launcher::allocate(std::size_t numbers) {
 }
 
 std::vector<double> Launcher::download(const cl::Buffer& buffer, std::size_t numbers) {
-  std::vector<std::byte> bytes(numbers * scalar_bytes());
-  if (numbers > 0) queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, bytes.size(), bytes.data());
-  return unpack(bytes, fp64_);
+  const auto read = [&](auto values) {
+    if (numbers > 0) {
+      queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, numbers * sizeof values[0], values.data());
+    }
+    return values;
+  };
+  if (fp64_) return read(std::vector<double>(numbers));
+  const std::vector<float> values = read(std::vector<float>(numbers));
+  return {values.begin(), values.end()};
 }
 
-void Launcher::set_number(cl::Kernel* kernel, cl_uint argument, double value) {
+std::shared_ptr<const void> Launcher::view(const cl::Buffer& buffer, std::size_t numbers) {
+  const std::size_t bytes = numbers * scalar_bytes();
+  if (info_.shares_host_memory) return map(buffer, bytes, CL_MAP_READ);
+  // Copies of as many bytes follow, so the memory that the device can write fast is kept.
+  if (copy_bytes_ < bytes || copy_.use_count() > 1) {
+    const cl::Buffer pinned(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
+    copy_ = map(pinned, bytes, CL_MAP_READ | CL_MAP_WRITE);
+    copy_bytes_ = bytes;
+  }
+  queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, copy_.get());
+  return copy_;
+}
+
+std::shared_ptr<void> Launcher::map(const cl::Buffer& buffer, std::size_t bytes,
+                                    cl_map_flags flags) {
+  void* mapped = queue_.enqueueMapBuffer(buffer, CL_TRUE, flags, 0, bytes);
+  const auto unmap = [buffer, queue = queue_](void* held) {
+    // The release of the buffer ends the mapping where this fails.
+    clEnqueueUnmapMemObject(queue(), buffer(), held, 0, nullptr, nullptr);
+    clFinish(queue());
+  };
+  return {mapped, unmap};
+}
+
+void Launcher::set_argument(cl::Kernel* kernel, cl_uint number, double value) const {
   if (fp64_) {
-    kernel->setArg(argument, value);
+    kernel->setArg(number, value);
   } else {
-    kernel->setArg(argument, static_cast<float>(value));
+    kernel->setArg(number, static_cast<float>(value));
   }
 }
 
@@ -131,13 +162,9 @@ TileInputs Launcher::prepare(const Plan& plan, const Tile& tile) {
   return inputs;
 }
 
-cl_uint Launcher::set_inputs(cl::Kernel* kernel, const TileInputs& inputs) {
-  cl_uint argument = 1;
-  for (const cl::Buffer& input : inputs.arguments) kernel->setArg(argument++, input);
-  return argument;
-}
-
-double Launcher::launch(cl::Kernel* kernel, std::size_t items) {
+double Launcher::launch(cl::Kernel* kernel, const SweepRound& round) {
+  const std::size_t items = round.items;
+  kernel->setArg(0, round);
   // On a CPU, few items spread evenly over all cores rather than fill work-groups. No other sizes
   // between: a driver may compile a kernel anew for each.
   constexpr std::size_t kGroupsPerCore = 8;
@@ -160,8 +187,7 @@ bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileIn
     const std::size_t length =
         fixed_round_ > 0 ? fixed_round_ : static_cast<std::size_t>(std::clamp(fitting, 1.0, 1e6));
     const std::size_t now = std::min(length, periods - done);
-    kernel->setArg(0, round_of(window, inputs.slots.items(), now, done));
-    const double seconds = launch(kernel, inputs.slots.items());
+    const double seconds = launch(kernel, round_of(window, inputs.slots.items(), now, done));
     const double steps = inputs.steps_per_period * static_cast<double>(now);
     steps_per_second_ = steps / std::max(seconds, 1e-6);
     done += now;

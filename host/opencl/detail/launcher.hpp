@@ -54,14 +54,27 @@ class Launcher {
   cl::Buffer upload(const std::vector<std::uint32_t>& numbers);
   cl::Buffer allocate(std::size_t numbers);
   std::vector<double> download(const cl::Buffer& buffer, std::size_t numbers);
-  void set_number(cl::Kernel* kernel, cl_uint argument, double value);
+  // The buffer's numbers as the device has them, not copied where it shares the host's memory. No
+  // kernel may write the buffer while they are held.
+  std::shared_ptr<const void> view(const cl::Buffer& buffer, std::size_t numbers);
 
   TileInputs prepare(const Plan& plan, const Tile& tile);
-  // Sets arguments 1 and on; the number of the next one.
-  static cl_uint set_inputs(cl::Kernel* kernel, const TileInputs& inputs);
+  // Gives a kernel all its arguments but the first, which is the round of each launch: those that a
+  // tile has in common, then buffers, integers and numbers of the study's precision.
+  template <class... Arguments>
+  void bind(cl::Kernel* kernel, const TileInputs& inputs, const Arguments&... arguments) const {
+    cl_uint number = 1;
+    for (const cl::Buffer& input : inputs.arguments) kernel->setArg(number++, input);
+    (set_argument(kernel, number++, arguments), ...);
+  }
+  template <class... Arguments>
+  void bind(cl::Kernel* kernel, const Arguments&... arguments) const {
+    cl_uint number = 1;
+    (set_argument(kernel, number++, arguments), ...);
+  }
 
   // Returns when the kernel has ended: the seconds that it took.
-  double launch(cl::Kernel* kernel, std::size_t items);
+  double launch(cl::Kernel* kernel, const SweepRound& round);
   const BusyClock& clock() const { return *clock_; }
   // Advances a tile by `periods`, round by round; false when the callback asked to stop.
   bool run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
@@ -74,10 +87,19 @@ class Launcher {
     std::vector<std::size_t> steps;                      // of a period
     std::vector<cl::Buffer> tables;
   };
+  static void set_argument(cl::Kernel* kernel, cl_uint number, const cl::Buffer& buffer) {
+    kernel->setArg(number, buffer);
+  }
+  static void set_argument(cl::Kernel* kernel, cl_uint number, cl_uint value) {
+    kernel->setArg(number, value);
+  }
+  void set_argument(cl::Kernel* kernel, cl_uint number, double value) const;
   std::string failure(const Tile& tile, const cl::Error& error) const;
   // The index of each of the tile's grids in the bank.
   std::vector<std::uint32_t> find_grids(const Plan& plan, const Tile& tile);
   void fill_bank(const Plan& plan, const Tile& tile);
+  // The buffer's bytes in the host's memory, for as long as they are held.
+  std::shared_ptr<void> map(const cl::Buffer& buffer, std::size_t bytes, cl_map_flags flags);
   cl::Buffer upload_bytes(const void* bytes, std::size_t count, cl_mem_flags flags);
 
   const bool fp64_;
@@ -89,6 +111,8 @@ class Launcher {
   cl::Context context_;
   cl::CommandQueue queue_;
   GridBank bank_;
+  std::shared_ptr<void> copy_;  // of a view
+  std::size_t copy_bytes_ = 0;
   const std::shared_ptr<BusyClock> clock_;
   double steps_per_second_ = 0.0;  // of the last round; 0: not known yet
 };

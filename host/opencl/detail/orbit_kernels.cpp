@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "opencl/detail/buffer_plan.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -34,14 +36,15 @@ std::vector<double> spread_numbers(const std::vector<std::uint32_t>& numbers, co
   return spread_states({numbers.begin(), numbers.end()}, 1, slots);
 }
 
-// numbers: [item][period][state][lane].
-Sections sections_of(std::vector<double> numbers, std::size_t states, const Slots& slots) {
+// numbers: [item][period][state][lane], in the device's precision.
+Sections sections_of(std::shared_ptr<const void> numbers, bool fp64, std::size_t states,
+                     const Slots& slots) {
   const std::size_t of_item = (ORBIT_LONGEST + 1) * states * slots.lanes;
   std::vector<std::size_t> first;
   for (const std::size_t slot : slots.slot_of) {
     first.push_back(slot / slots.lanes * of_item + slot % slots.lanes);
   }
-  return {std::move(numbers), std::move(first), slots.lanes, states};
+  return {std::move(numbers), fp64, std::move(first), slots.lanes, states};
 }
 
 Window window_of_rounds() { return {0, 0, 1, 0, false}; }
@@ -90,46 +93,32 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
                                                     const NearReturn& near,
                                                     const RoundCallback& after_round) {
   const TileInputs inputs = launcher_->prepare(plan, tile);
-  const std::size_t slot_count = inputs.slots.position.size();
   const std::size_t state_count = plan.study().model->states.size();
+  const ApproachBuffers sizes = approach_buffers(plan.study(), inputs.slots.position.size());
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
-  const std::size_t section_numbers = (ORBIT_LONGEST + 1) * state_count * slot_count;
-  const cl::Buffer sections = launcher_->allocate(section_numbers);
-  cl_uint argument = Launcher::set_inputs(&approach_, inputs);
-  approach_.setArg(argument++, state);
-  approach_.setArg(argument++, sections);
+  const cl::Buffer sections = launcher_->allocate(sizes.sections);
+  const cl::Buffer ranges = launcher_->allocate(sizes.ranges);
+  const cl::Buffer lengths =
+      launcher_->upload(spread_numbers(excluded, inputs.slots), CL_MEM_READ_WRITE);
+  const cl::Buffer guesses = launcher_->allocate(sizes.guesses);
+  launcher_->bind(&approach_, inputs, state, sections);
+  launcher_->bind(&measure_, inputs, state, sections, near.tolerance, ranges);
+  launcher_->bind(&extrapolate_, state, sections, ranges, near.near, lengths, guesses);
   const Window rounds = window_of_rounds();
-  const cl::Buffer ranges = launcher_->allocate(state_count * slot_count);
-  argument = Launcher::set_inputs(&measure_, inputs);
-  measure_.setArg(argument++, state);
-  measure_.setArg(argument++, sections);
-  launcher_->set_number(&measure_, argument++, near.tolerance);
-  measure_.setArg(argument++, ranges);
   if (!launcher_->run_rounds(&approach_, rounds, inputs, ORBIT_LONGEST - 1, after_round) ||
       !launcher_->run_rounds(&measure_, rounds, inputs, 1, after_round)) {
     return std::nullopt;
   }
-  const cl::Buffer lengths =
-      launcher_->upload(spread_numbers(excluded, inputs.slots), CL_MEM_READ_WRITE);
-  const cl::Buffer guesses = launcher_->allocate(state_count * slot_count);
-  extrapolate_.setArg(0, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
-  extrapolate_.setArg(1, state);
-  extrapolate_.setArg(2, sections);
-  extrapolate_.setArg(3, ranges);
-  launcher_->set_number(&extrapolate_, 4, near.near);
-  extrapolate_.setArg(5, lengths);
-  extrapolate_.setArg(6, guesses);
-  launcher_->launch(&extrapolate_, inputs.slots.items());
+  launcher_->launch(&extrapolate_, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
   Approach found;
-  found.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
-  found.sections =
-      sections_of(launcher_->download(sections, section_numbers), state_count, inputs.slots);
-  found.ranges = gather_points(launcher_->download(ranges, state_count * slot_count), inputs.slots);
-  found.guesses =
-      gather_points(launcher_->download(guesses, state_count * slot_count), inputs.slots);
+  found.states = gather_points(launcher_->download(state, sizes.state), inputs.slots);
+  found.sections = sections_of(launcher_->view(sections, sizes.sections),
+                               plan.study().integrate.fp64, state_count, inputs.slots);
+  found.ranges = gather_points(launcher_->download(ranges, sizes.ranges), inputs.slots);
+  found.guesses = gather_points(launcher_->download(guesses, sizes.guesses), inputs.slots);
   for (const double length :
-       gather_points(launcher_->download(lengths, slot_count), inputs.slots)) {
+       gather_points(launcher_->download(lengths, sizes.lengths), inputs.slots)) {
     found.lengths.push_back(static_cast<std::uint32_t>(length));
   }
   return found;
@@ -144,17 +133,17 @@ std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& t
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const std::size_t slot_count = inputs.slots.position.size();
   const std::size_t state_count = plan.study().model->states.size();
+  const ReturnMapBuffers sizes = return_map_buffers(plan.study(), slot_count);
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
   const cl::Buffer periods =
       launcher_->upload(spread_numbers(lengths, inputs.slots), CL_MEM_READ_ONLY);
   cl::Buffer derivative;
-  cl_uint argument = Launcher::set_inputs(kernel, inputs);
-  kernel->setArg(argument++, state);
-  kernel->setArg(argument++, periods);
   if (with_derivatives) {
     derivative = launcher_->upload(identities(state_count, slot_count), CL_MEM_READ_WRITE);
-    kernel->setArg(argument++, derivative);
+    launcher_->bind(kernel, inputs, state, periods, derivative);
+  } else {
+    launcher_->bind(kernel, inputs, state, periods);
   }
   const std::size_t longest = *std::max_element(lengths.begin(), lengths.end());
   const double cost = with_derivatives ? kCostOfDerivative : 1.0;
@@ -165,10 +154,10 @@ std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& t
     return std::nullopt;
   }
   ReturnMaps maps;
-  maps.states = gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
+  maps.states = gather_points(launcher_->download(state, sizes.state), inputs.slots);
   if (with_derivatives) {
-    const std::size_t numbers = state_count * state_count * slot_count;
-    maps.derivatives = gather_points(launcher_->download(derivative, numbers), inputs.slots);
+    maps.derivatives =
+        gather_points(launcher_->download(derivative, sizes.derivative), inputs.slots);
   }
   return maps;
 }
@@ -176,38 +165,28 @@ std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& t
 std::optional<TileResult> OrbitKernels::replay_tile(
     const Plan& plan, const Tile& tile, const std::vector<double>& states, std::size_t length,
     const std::vector<double>& growths, const Window& window, const RoundCallback& after_round) {
-  const Selection& selection = plan.study().selection;
   const TileInputs inputs = launcher_->prepare(plan, tile);
-  const std::size_t items = inputs.slots.items();
-  const std::size_t slot_count = inputs.slots.position.size();
-  const std::size_t state_count = plan.study().model->states.size();
-  const cl::Buffer state =
-      launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
-  const cl::Buffer accumulators = launcher_->allocate(selection.accumulator_count() * slot_count);
-  const cl::Buffer outputs = launcher_->allocate(selection.output_count() * slot_count);
+  const Study& study = plan.study();
+  const ReplayBuffers sizes = replay_buffers(study, length, inputs.slots.position.size());
+  const cl::Buffer state = launcher_->upload(
+      spread_states(states, study.model->states.size(), inputs.slots), CL_MEM_READ_WRITE);
   const cl::Buffer growth = launcher_->upload(
-      spread_states(growths, selection.tangent_count(), inputs.slots), CL_MEM_READ_ONLY);
-  const cl::Buffer sections = launcher_->allocate(length * state_count * slot_count);
-  cl_uint argument = Launcher::set_inputs(&replay_, inputs);
-  replay_.setArg(argument++, state);
-  replay_.setArg(argument++, growth);
-  replay_.setArg(argument++, static_cast<cl_uint>(length));
-  replay_.setArg(argument++, sections);
-  replay_.setArg(argument++, accumulators);
-  replay_.setArg(0, round_of(window, items, window.record, 0));
-  launcher_->launch(&replay_, items);
-  finish_.setArg(0, round_of(window, items, 0, window.record));
-  finish_.setArg(1, accumulators);
-  finish_.setArg(2, outputs);
-  launcher_->launch(&finish_, items);
+      spread_states(growths, study.selection.tangent_count(), inputs.slots), CL_MEM_READ_ONLY);
+  const cl::Buffer sections = launcher_->allocate(sizes.sections);
+  const cl::Buffer accumulators = launcher_->allocate(sizes.accumulators);
+  const cl::Buffer outputs = launcher_->allocate(sizes.outputs);
+  launcher_->bind(&replay_, inputs, state, growth, static_cast<cl_uint>(length), sections,
+                  accumulators);
+  launcher_->bind(&finish_, accumulators, outputs);
+  const std::size_t items = inputs.slots.items();
+  launcher_->launch(&replay_, round_of(window, items, window.record, 0));
+  launcher_->launch(&finish_, round_of(window, items, 0, window.record));
   if (!after_round(static_cast<double>(length) * inputs.steps_per_period)) return std::nullopt;
 
   TileResult result;
   result.status.assign(tile.points.size(), STATUS_ok);
-  result.final_states =
-      gather_points(launcher_->download(state, state_count * slot_count), inputs.slots);
-  result.outputs = gather_components(
-      launcher_->download(outputs, selection.output_count() * slot_count), inputs.slots);
+  result.final_states = gather_points(launcher_->download(state, sizes.state), inputs.slots);
+  result.outputs = gather_components(launcher_->download(outputs, sizes.outputs), inputs.slots);
   return result;
 }
 

@@ -1,7 +1,5 @@
 #include "opencl/detail/tile_buffers.hpp"
 
-#include <cstring>
-
 #include "plan/start_tangents.hpp"
 
 namespace gearsweep {
@@ -40,33 +38,6 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
     tables.steps.push_back(grid.steps);
   }
   return tables;
-}
-
-std::vector<std::byte> pack(const std::vector<double>& values, bool fp64) {
-  std::vector<std::byte> bytes(values.size() * (fp64 ? sizeof(double) : sizeof(float)));
-  if (fp64) {
-    if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-    return bytes;
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto rounded = static_cast<float>(values[i]);
-    std::memcpy(bytes.data() + i * sizeof rounded, &rounded, sizeof rounded);
-  }
-  return bytes;
-}
-
-std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64) {
-  std::vector<double> values(bytes.size() / (fp64 ? sizeof(double) : sizeof(float)));
-  if (fp64) {
-    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-    return values;
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    float value = 0.0F;
-    std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
-    values[i] = value;
-  }
-  return values;
 }
 
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {

@@ -35,10 +35,6 @@ struct GridTables {
 // Those of these points.
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points);
 
-// Numbers as the device holds them: double, or rounded to float.
-std::vector<std::byte> pack(const std::vector<double>& values, bool fp64);
-std::vector<double> unpack(const std::vector<std::byte>& bytes, bool fp64);
-
 // [parameter axis][slot]: the swept parameters, in the order of the study's axes.
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
 

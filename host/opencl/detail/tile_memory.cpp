@@ -1,9 +1,11 @@
 #include "opencl/detail/tile_memory.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <vector>
 
+#include "opencl/detail/buffer_plan.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -68,7 +70,6 @@ class Estimate {
     buffers.add(scalars(study_.setting.parameters.size()));
     buffers.add(scalars(static_cast<std::size_t>(swept) * slots));
     buffers.add(slots / layout_.lanes * sizeof(sweep_uint));
-    buffers.add(scalars(states_ * slots));
     return buffers;
   }
 
@@ -91,38 +92,33 @@ class Estimate {
     return buffers;
   }
 
-  Buffers recording() const {
+  Buffers stage(std::initializer_list<std::size_t> numbers) const {
     Buffers buffers = inputs(whole_slots());
-    buffers.add(scalars(selection_.tangent_count() * states_ * whole_slots()));
-    buffers.add(scalars(selection_.accumulator_count() * whole_slots()));
-    buffers.add(scalars(selection_.output_count() * whole_slots()));
-    buffers.add(scalars(selection_.poincare.size() * study_.integrate.record * whole_slots()));
+    for (const std::size_t count : numbers) buffers.add(scalars(count));
     return buffers;
+  }
+
+  Buffers recording() const {
+    const auto [state, tangents, accumulators, series, outputs] =
+        record_buffers(study_, study_.integrate.record, whole_slots());
+    return stage({state, tangents, accumulators, series, outputs});
   }
 
   Buffers approach() const {
-    Buffers buffers = inputs(whole_slots());
-    buffers.add(scalars((ORBIT_LONGEST + 1) * states_ * whole_slots()));
-    buffers.add(scalars(whole_slots()));
-    buffers.add(scalars(states_ * whole_slots()));  // guesses
-    buffers.add(scalars(states_ * whole_slots()));  // ranges
-    return buffers;
+    const auto [state, sections, ranges, lengths, guesses] =
+        approach_buffers(study_, whole_slots());
+    return stage({state, sections, ranges, lengths, guesses});
   }
 
   Buffers return_map() const {
-    Buffers buffers = inputs(whole_slots());
-    buffers.add(scalars(whole_slots()));
-    buffers.add(scalars(states_ * states_ * whole_slots()));
-    return buffers;
+    const auto [state, lengths, derivative] = return_map_buffers(study_, whole_slots());
+    return stage({state, lengths, derivative});
   }
 
   Buffers replay() const {
-    Buffers buffers = inputs(whole_slots());
-    buffers.add(scalars(selection_.accumulator_count() * whole_slots()));
-    buffers.add(scalars(selection_.output_count() * whole_slots()));
-    buffers.add(scalars(selection_.tangent_count() * whole_slots()));
-    buffers.add(scalars(ORBIT_LONGEST * states_ * whole_slots()));
-    return buffers;
+    const auto [state, growth, sections, accumulators, outputs] =
+        replay_buffers(study_, ORBIT_LONGEST, whole_slots());
+    return stage({state, growth, sections, accumulators, outputs});
   }
 
   // Beside the answers: what the points start from, the orbits found, and the largest of what is

@@ -1,5 +1,5 @@
-// How much memory a tile takes on a device and beside it: what opencl_engine.cpp, orbit_kernels.cpp
-// and launcher.cpp allocate.
+// How much memory a tile takes on a device (buffer_plan.hpp, and what launcher.cpp uploads of its
+// inputs) and beside it.
 #pragma once
 
 #include <cstddef>
