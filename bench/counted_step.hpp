@@ -2,7 +2,7 @@
 // count; so no include guard and no includes of the standard library.
 #include "models/gear5.h"
 // The integrator needs the model.
-#include "integrators/rk4.h"
+#include "rk4/rk4.h"
 
 // Three rows of coefficients that change with the phase. Any numbers do, as long as no two are
 // alike.
@@ -26,8 +26,7 @@ inline ModelPoint generic_point(const ModelSetting& setting) {
     const double value = setting.parameters[index];
     return real(value * (1.0 + 0.00173 * static_cast<double>(++index)));
   };
-#define SET_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
-  parameters.name = next();
+#define SET_PARAMETER(name, unit, value, min, max, shapes_phase, meaning) parameters.name = next();
   MODEL_PARAMETERS(SET_PARAMETER)
 #undef SET_PARAMETER
   ModelOptions options;

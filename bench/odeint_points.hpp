@@ -76,7 +76,7 @@ inline Pack make_pack(const Plan& plan, const PointList& points, std::size_t fir
   }
   ModelParameters parameters;
   std::size_t index = 0;
-#define SET_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning)      \
+#define SET_PARAMETER(name, unit, value, min, max, shapes_phase, meaning)             \
   parameters.name =                                                                   \
       fill_lanes([&](std::size_t lane) { return settings[lane].parameters[index]; }), \
   ++index;

@@ -4,7 +4,7 @@
 //
 //   periods/s  periods of single points per second, all cores; of the fastest iteration, since what
 //              else the machine does only slows
-//   max_error  greatest error of a section's state after kPeriods, relative to its greatest
+//   max_error  largest error of a section's state after kPeriods, relative to its largest
 //              component, over every kStride-th point; the truth is Dormand-Prince at 1e-15
 //   rms_error  root mean square of these points' errors
 //
@@ -66,7 +66,7 @@ const std::vector<GearState>& truth() {
 }
 
 struct Errors {
-  double greatest = 0.0, rms = 0.0;
+  double max = 0.0, rms = 0.0;
 };
 
 Errors errors_of(const std::vector<GearState>& found) {
@@ -78,20 +78,20 @@ Errors errors_of(const std::vector<GearState>& found) {
       error = std::max(error, std::abs(found[i][j] - truth()[i][j]));
       scale = std::max(scale, std::abs(truth()[i][j]));
     }
-    errors.greatest = std::max(errors.greatest, error / scale);
+    errors.max = std::max(errors.max, error / scale);
     errors.rms += error * error / (scale * scale) / static_cast<double>(found.size());
   }
   errors.rms = std::sqrt(errors.rms);
   return errors;
 }
 
-double greatest(const std::vector<double>& values) {
+double max(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
 void report(benchmark::State& state, const std::vector<double>& rates, const Errors& errors) {
-  state.counters["periods/s"] = greatest(rates);
-  state.counters["max_error"] = errors.greatest;
+  state.counters["periods/s"] = max(rates);
+  state.counters["max_error"] = errors.max;
   state.counters["rms_error"] = errors.rms;
 }
 
@@ -195,7 +195,7 @@ const int kRegistered = [] {
             (name + "/steps:" + count).c_str(),
             [overrides](benchmark::State& state) { measure_kernel(state, overrides); })
             ->UseManualTime()
-            ->ComputeStatistics("fastest", greatest);
+            ->ComputeStatistics("fastest", max);
       }
     }
   }
@@ -204,7 +204,7 @@ const int kRegistered = [] {
         ("dopri5/digits:" + std::to_string(digits)).c_str(),
         [digits](benchmark::State& state) { measure_dopri(state, std::pow(10.0, -digits)); })
         ->UseManualTime()
-        ->ComputeStatistics("fastest", greatest);
+        ->ComputeStatistics("fastest", max);
   }
   return 0;
 }();

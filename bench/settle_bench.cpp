@@ -80,11 +80,11 @@ std::vector<Case> headline() {
 
 // One lane, what suits the device, and twice that.
 std::set<std::size_t> lanes_for(bool fp64) {
-  constexpr std::size_t kMostLanes = 16;
+  constexpr std::size_t kMaxLanes = 16;
   const std::vector<DeviceInfo> devices = list_devices();
   const DeviceInfo& device = devices[default_device(devices)];
   const std::size_t native = fp64 ? device.lanes_fp64 : device.lanes_fp32;
-  return {1, native, std::min(2 * native, kMostLanes)};
+  return {1, native, std::min(2 * native, kMaxLanes)};
 }
 
 // Precision x lanes x backlash law x observables.

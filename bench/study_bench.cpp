@@ -14,7 +14,7 @@
 //   computing_share  of it, in tiles: launches, transfers, packing
 //   busy_share       of it, all cores of the machine
 //   vs_never         how many times as long the run to the end takes
-//   peak_bytes       greatest resident memory of the process
+//   peak_bytes       largest resident memory of the process
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -17,7 +17,7 @@
 #include "tangent.h"
 #include "walk_types.h"
 
-#define LOAD_PARAMETER(name, unit, value, least, greatest, shapes_phase, meaning) \
+#define LOAD_PARAMETER(name, unit, value, min, max, shapes_phase, meaning) \
   parameters.name = (real)(PARAMETER_##name);
 
 // A point that has diverged carries NaN in its first state: from then on it stays out of the maps.
@@ -70,11 +70,11 @@ SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE rea
 // What distances between states are relative to: for each state the range of the motion, whatever
 // the offset. A range must not be so small that `tolerance` times it drowns in rounding.
 SHARED_FN void extent_ranges(const Extent* extent, scalar tolerance, real* ranges) {
-  const scalar least = ROUNDINGS_TOLD / tolerance;
+  const scalar smallest = ROUNDINGS_TOLD / tolerance;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    const real greatest = lane_max(lane_abs(extent->low[i]), lane_abs(extent->high[i]));
-    ranges[i] = lane_max(extent->high[i] - extent->low[i], least * greatest);
+    const real largest = lane_max(lane_abs(extent->low[i]), lane_abs(extent->high[i]));
+    ranges[i] = lane_max(extent->high[i] - extent->low[i], smallest * largest);
   }
 }
 
@@ -104,13 +104,13 @@ SHARED_FN void relative_difference(const real* x, const real* y, const real* ran
   }
 }
 
-SHARED_FN real greatest_size(const real* components) {
-  real greatest = 0;
+SHARED_FN real max_size(const real* components) {
+  real largest = 0;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    greatest = lane_max(greatest, lane_abs(components[i]));
+    largest = lane_max(largest, lane_abs(components[i]));
   }
-  return greatest;
+  return largest;
 }
 
 // Where the phase grids of a tile lie.

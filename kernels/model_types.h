@@ -1,11 +1,11 @@
-// The types that every model has, made from its lists. A model file defines MODEL_STATES,
-// MODEL_PARAMETERS, MODEL_SIGNALS, MODEL_PHASE_COEFS and, when it has any, MODEL_OPTIONS and
-// MODEL_ANGLES (X(state) of each that means the same after a full turn, in radians), then includes
-// this file, then defines its functions. No include guard: the host includes each model
-// into a namespace of its own.
+// The types that every model has, made from its lists, and defaults. A model file defines
+// MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any, MODEL_PHASE_COEFS,
+// MODEL_OPTIONS and MODEL_ANGLES (X(state) of each that means the same after a full turn, in
+// radians), then includes this file, then defines its functions. No include guard: the host
+// includes each model into a namespace of its own.
 
 #define MODEL_STATE_INDEX(name, unit, meaning) STATE_##name,
-#define MODEL_PARAMETER_FIELD(name, unit, value, least, greatest, shapes_phase, meaning) real name;
+#define MODEL_PARAMETER_FIELD(name, unit, value, min, max, shapes_phase, meaning) real name;
 #define MODEL_OPTION_FIELD(name, choices, meaning) int name;
 #define MODEL_SIGNAL_FIELD(name, unit, meaning) real name;
 #define MODEL_PHASE_COEF_FIELD(name, meaning) scalar name;
@@ -25,6 +25,10 @@ typedef struct {
   int none;  // a struct must have a member
 } ModelOptions;
 #endif
+#ifndef MODEL_PHASE_COEFS
+#define MODEL_AUTONOMOUS
+#define MODEL_PHASE_COEFS(X) X(one, "1: nothing depends on the phase")
+#endif
 #ifndef MODEL_ANGLES
 #define MODEL_ANGLES(X)
 #endif
@@ -34,7 +38,7 @@ typedef struct {
 // Takes the full turns out of the angles of a state or of the difference of two: they are between
 // -pi and pi then. Nothing else changes.
 SHARED_FN void model_take_turns(real* x) {
-  const real turn = (scalar)(6.283185307179586476925);
+  const real turn = (scalar)(TWO_PI);
   (void)turn;
   (void)x;
   MODEL_ANGLES(MODEL_TAKE_TURNS)
@@ -53,4 +57,34 @@ typedef struct {
 typedef struct {
   real deflection, backlash;
 } ModelContact;
+#endif
+
+#ifdef MODEL_HOST_PART
+// What holds for most models. A model for which it does not defines a function of the same name,
+// which the compiler prefers to these templates.
+
+// All parameters go together; otherwise it says what is wrong.
+template <class Parameters, class Options>
+std::string model_check(const Parameters&, const Options&) {
+  return "";
+}
+
+// Nothing jumps within a period.
+template <class Parameters, class Options>
+std::vector<double> model_break_phases(const Parameters&, const Options&) {
+  return {0.0};
+}
+
+// At rest without forcing, all states are zero.
+template <class Parameters, class Options>
+void model_equilibrium(const Parameters&, const Options&, double* x) {
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = 0.0;
+}
+
+#ifdef MODEL_AUTONOMOUS
+template <class Parameters, class Options>
+PhaseCoefs model_phase_coefs(const Parameters&, const Options&, double, double) {
+  return {1.0};
+}
+#endif
 #endif

@@ -3,9 +3,9 @@
 //   NAME_step(sums, step)           after each step
 //   NAME_end_period(sums, section)  after each recorded period
 //   NAME_finish(sums, round, out)   its outputs, once all periods are recorded
-// sums are the numbers that it keeps for the record. One with NAME_PER_CHANNEL looks at a state or
-// signal: its init gets the value of that at the start, its step the values at both ends and what
-// the step is of a period.
+// sums are the numbers that an observable keeps during the record. An observable with
+// NAME_PER_CHANNEL looks at one state or signal: its init gets the value at the start; its step
+// gets the values at both ends of the step and the step's share of a period.
 
 // A moment on the phase grid. At a break phase there are two of them.
 typedef struct {
@@ -22,11 +22,11 @@ typedef struct {
 // The end of a recorded period.
 typedef struct {
   const real* x;
-  const real* growth;    // logarithm of how far each tangent vector grew in the period
-  const Extent* extent;  // of the motion in the period
-  real period;           // in dimensionless time
-  uint number;           // periods recorded before
-  uint record;           // periods that will be recorded in all
+  const real* log_stretching;  // logarithm of how far each tangent vector grew in the period
+  const Extent* extent;        // of the motion in the period
+  real period;                 // in dimensionless time
+  uint number;                 // periods recorded before
+  uint record;                 // periods that will be recorded in all
   // Where samples go, [sample][chosen state][item]; null when none is kept of this section.
   __global real* series;
   uint items, item;

@@ -2,18 +2,20 @@
 #include "dialect.h"
 #include "selection.h"
 
-// A return map's derivative takes a tangent vector along each state.
+// The derivative of a return map has one tangent vector for each state.
 #undef TANGENTS
 #define TANGENTS MODEL_STATE_COUNT
 #include "items.h"
 #include "unwatched.h"
 #include "walk.h"
 
-// An item's sections are its states at the beginning of an approach and after each of its periods:
-// [period][state]. They stand together, so that each item's stay near in a CPU's memory.
+// The sections of an item are its states at the beginning of an approach and after each period of
+// it: [period][state]. All sections of an item are contiguous, so that a CPU finds them in its
+// cache.
 #define SECTION_NUMBERS ((ORBIT_LONGEST + 1) * MODEL_STATE_COUNT)
 
-// The distance of the section so many periods before the last from x, relative to the ranges.
+// The distance from x to the section that lies `ago` periods before the last, in units of the
+// ranges.
 SHARED_FN void load_return(__global const real* sections, uint ago, const real* x,
                            const real* ranges, real* distance) {
   real section[MODEL_STATE_COUNT];
@@ -26,8 +28,9 @@ SHARED_FN void store_section(__global real* sections, uint number, const real* x
   store_components(sections, 1, 0, number * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
 }
 
-// Settles by some of the ORBIT_LONGEST periods of an approach in one or more rounds; sections is
-// [item][period][state].
+// An approach: ORBIT_LONGEST periods, of which this kernel integrates a round and keeps the
+// sections
+// ([item][period][state]).
 __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
                        GRID_TABLES, __global real* state, __global real* sections) {
   const uint items = round.items;
@@ -45,8 +48,9 @@ __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
 
-// The last period of an approach. ranges is [state][item]: what distances between the point's
-// states are relative to, when `tolerance` times that must not drown in rounding.
+// The last period of an approach, which also measures the motion. ranges ([state][item]) are the
+// units of distances between states: how far each state moves in the period, but enough that
+// `tolerance` times the unit stays above rounding.
 __kernel void measure(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                       __global real* state, __global real* sections, const scalar tolerance,
                       __global real* ranges) {
@@ -68,16 +72,16 @@ __kernel void measure(const SweepRound round, TABLE scalar* uniform, TABLE real*
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
 
-// Differences of returns that are combined at most. Older ones know less of the orbit.
+// At most so many differences of returns are combined. Older returns say less about the orbit.
 #define EXTRAPOLATED 4
-// What is left of a difference when its share in the others is taken out drowns in rounding when
-// its square is below this, relative to what it was.
+// A difference is made orthogonal to the others. Where this shrinks its square below this share,
+// rounding is all that is left, and the difference is not used.
 #define EXTRAPOLATION_NOISE ((scalar)(REAL_BITS == 64 ? 1e-16 : 1e-6))
 
-// Where the returns after `lag`, 2 lag, ... periods, of which x is the last, lead to: that of their
-// affine combinations which a return would move least, were the map affine (reduced rank
-// extrapolation; Smith, Ford, Sidi, SIAM Review 29 (1987) 199-233), by the modified Gram-Schmidt
-// method.
+// Extrapolates the sequence of returns after `lag`, 2 lag, ... periods, of which x is the last, to
+// its limit. The guess is the affine combination of the returns that the next return would move
+// least, were the map affine (reduced rank extrapolation; Smith, Ford, Sidi, SIAM Review 29 (1987)
+// 199-233). It is found by the modified Gram-Schmidt method.
 SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, const real* x,
                                    const real* ranges, real* guess) {
   const real zero = 0;
@@ -130,12 +134,13 @@ SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, cons
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i] + ranges[i] * way_out[i];
 }
 
-// After an approach: the least number of periods, n, before which the state was within near / n^2
-// (relative to the motion's ranges) of where it is now, and a guess at the orbit that comes back
-// after n periods ([state][item]). Motion on a torus comes back to within about 1 / n^2 of its size
-// for some n by itself (Dirichlet's theorem). lengths is [item]: first the sum of 2^(n - 1) over
-// those n that are out of the question; then n, or 0 where there is none. A kernel of its own,
-// since at the end of the other it would make that one slower (PoCL).
+// After an approach: finds a return and guesses the orbit. A return after n periods is one where
+// the state now and the state n periods ago differ by at most near / n^2, in units of the ranges;
+// the smallest n counts. The limit has n^2, because motion on a torus returns to within about 1 /
+// n^2 of its size for some n without being periodic (Dirichlet's theorem). lengths is [item]: on
+// entry the sum of 2^(n - 1) over the n that are excluded; on exit n, or 0 where there is no
+// return. guesses is [state][item]. This is a kernel of its own, since as the end of `measure` it
+// would make that one slower (PoCL).
 __kernel void extrapolate(const SweepRound round, __global const real* state,
                           __global const real* sections, __global const real* ranges,
                           const scalar near, __global real* lengths, __global real* guesses) {
@@ -151,7 +156,7 @@ __kernel void extrapolate(const SweepRound round, __global const real* state,
   load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   load_components(ranges, items, item, 0, MODEL_STATE_COUNT, shared);
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i];
-  real least = 0;
+  real smallest = 0;
   real excluded = lengths[item];
   for (uint n = 1; n <= ORBIT_LONGEST; ++n) {
     const real others = floor(excluded / two);
@@ -159,16 +164,15 @@ __kernel void extrapolate(const SweepRound round, __global const real* state,
     excluded = others;
     real apart[MODEL_STATE_COUNT];
     load_return(own, n, x, shared, apart);
-    const mask is_near = greatest_size(apart) <= near / (scalar)(n * n);
-    const mask is_least = is_open & (least == zero) & is_near & !IS_DIVERGED(x);
-    if (all_lanes(!is_least)) continue;
+    const mask is_near = max_size(apart) <= near / (scalar)(n * n);
+    const mask is_min = is_open & (smallest == zero) & is_near & !IS_DIVERGED(x);
+    if (all_lanes(!is_min)) continue;
     real orbit[MODEL_STATE_COUNT];
     extrapolate_returns(own, n, x, shared, orbit);
-    least = lane_select(is_least, (real)(n), least);
-    for (int i = 0; i < MODEL_STATE_COUNT; ++i)
-      guess[i] = lane_select(is_least, orbit[i], guess[i]);
+    smallest = lane_select(is_min, (real)(n), smallest);
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = lane_select(is_min, orbit[i], guess[i]);
   }
-  lengths[item] = least;
+  lengths[item] = smallest;
   store_components(guesses, items, item, 0, MODEL_STATE_COUNT, guess);
 }
 
@@ -180,8 +184,7 @@ SHARED_FN void store_where(mask where, __global real* buffer, uint items, uint i
   }
 }
 
-// Goes on to the state after as many periods as lengths says ([item], each lane its own), in one or
-// more rounds.
+// Advances each lane by its own number of periods, lengths ([item]), in one or more rounds.
 __kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
                          GRID_TABLES, __global real* state, TABLE real* lengths) {
   const uint items = round.items;
@@ -198,8 +201,8 @@ __kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE re
   }
 }
 
-// The same with the derivative of this map, which is [column][row][item] and begins as the
-// identity.
+// As return_map, and also advances the derivative of this map ([column][row][item]), which begins
+// as the identity.
 __kernel void return_map_linearized(const SweepRound round, TABLE scalar* uniform,
                                     TABLE real* swept, GRID_TABLES, __global real* state,
                                     TABLE real* lengths, __global real* derivative) {

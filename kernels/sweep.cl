@@ -23,7 +23,7 @@ __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* 
 }
 
 #if TANGENTS > 0
-// As settle, with the tangent vectors, which turn into the directions that grow fastest.
+// As settle, with tangent vectors: they turn into the directions that grow fastest.
 __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                     __global real* state, __global real* tangents) {
   const uint items = round.items;
@@ -33,18 +33,18 @@ __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* s
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   real w[TANGENT_NUMBERS];
-  real growth[TANGENT_VECTORS];
-  for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
+  real log_stretching[TANGENT_VECTORS];
+  for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   for (uint period = 0; period < round.periods; ++period) {
-    walk_period(&point, &grid, EVENTS, x, w, growth, 0, 0);
+    walk_period(&point, &grid, EVENTS, x, w, log_stretching, 0, 0);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
 }
 #endif
 
-// Goes on with the tangent vectors and shows all of it to the observers.
+// Advances states and tangent vectors, and shows steps and periods to the observers.
 __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                      __global real* state, __global real* tangents, __global real* accumulators,
                      __global real* series) {
@@ -59,7 +59,7 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   watcher.observers = &observers;
   Extent extent;  // of the period
   real w[TANGENT_NUMBERS];
-  real growth[TANGENT_VECTORS];
+  real log_stretching[TANGENT_VECTORS];
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   if (round.recorded == 0) {
     take_moment(&point, grid.stages, x, &watcher.before);
@@ -69,11 +69,11 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   }
   for (uint period = 0; period < round.periods; ++period) {
     const uint number = round.recorded + period;
-    for (int j = 0; j < TANGENTS; ++j) growth[j] = 0;
+    for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;
     extent_begin(x, &extent);
-    walk_period(&point, &grid, EVENTS, x, w, growth, &extent, &watcher);
+    walk_period(&point, &grid, EVENTS, x, w, log_stretching, &extent, &watcher);
     const Section section = {.x = x,
-                             .growth = growth,
+                             .log_stretching = log_stretching,
                              .extent = &extent,
                              .period = point.period,
                              .number = number,
@@ -88,12 +88,12 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   observers_store(&observers, accumulators, items, item);
 }
 
-// The record of a periodic orbit, of which `length` periods are integrated and the rest follow from
-// them: what the verdicts see of it. sections is [period][state][item], growths [tangent
-// vector][item], the logarithm of how far each grows in a period. The outputs of measures mean
-// nothing after it.
+// Shows the observers a whole record of a periodic orbit, but no steps. Only `length` periods are
+// integrated; the others repeat their sections ([period][state][item]). log_stretchings ([tangent
+// vector][item]) are known from the multipliers. Afterwards only those outputs have a meaning that
+// follow from sections and stretchings.
 __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                     __global real* state, __global const real* growths, const uint length,
+                     __global real* state, __global const real* log_stretchings, const uint length,
                      __global real* sections, __global real* accumulators) {
   const uint items = round.items;
   const uint item = get_global_id(0);
@@ -104,8 +104,8 @@ __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   DECLARE_OBSERVERS(observers);
   Moment start;
   Extent extent;
-  real growth[TANGENT_VECTORS];
-  for (int j = 0; j < TANGENTS; ++j) growth[j] = growths[(size_t)j * items + item];
+  real log_stretching[TANGENT_VECTORS];
+  for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = log_stretchings[(size_t)j * items + item];
   take_moment(&point, grid.stages, x, &start);
   observers_init(&observers, &start);
   extent_begin(x, &extent);
@@ -118,7 +118,7 @@ __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* 
       load_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
     }
     const Section section = {.x = x,
-                             .growth = growth,
+                             .log_stretching = log_stretching,
                              .extent = &extent,
                              .period = point.period,
                              .number = period,

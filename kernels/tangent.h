@@ -1,39 +1,39 @@
 // Tangent vectors that travel with a state: w is [TANGENTS][MODEL_STATE_COUNT], kept orthonormal by
 // the modified Gram-Schmidt method, whose norms give the Lyapunov exponents (Benettin, Galgani,
 // Giorgilli, Strelcyn, Meccanica 15 (1980) 9-30). A phase-driven model's phase is no state, so its
-// zero exponent is not among them. With TANGENTS 0 all of this is nothing.
+// zero exponent is not among them. With TANGENTS 0 nothing is computed.
 
-// Vectors are made orthonormal at the end of each period, and more often in long segments of it:
-// the shortest must not drown in the longest.
+// Vectors are made orthonormal at the end of each period, and every TANGENT_EVERY steps of long
+// segments: otherwise rounding errors of the longest vector would exceed the shortest.
 #define TANGENT_EVERY 64
 #define TANGENT_IS_DUE(step, is_period_end) (((step) + 1) % TANGENT_EVERY == 0 || (is_period_end))
 
-// Array sizes, which must not be 0.
+// Sizes of arrays. An array must not have 0 elements.
 #define TANGENT_VECTORS (TANGENTS > 0 ? TANGENTS : 1)
 #define TANGENT_NUMBERS (TANGENT_VECTORS * MODEL_STATE_COUNT)
 
-// Divides a vector by its greatest component and returns that, so that no square overflows or
-// vanishes in fp32.
+// Divides a vector by its largest component, and returns that component. After it no square of a
+// component overflows or underflows in fp32.
 SHARED_FN real tangent_tame(real* w) {
   const real one = 1;
-  real greatest = lane_abs(w[0]);
-  for (int i = 1; i < MODEL_STATE_COUNT; ++i) greatest = lane_max(greatest, lane_abs(w[i]));
-  const real scale = one / greatest;
+  real largest = lane_abs(w[0]);
+  for (int i = 1; i < MODEL_STATE_COUNT; ++i) largest = lane_max(largest, lane_abs(w[i]));
+  const real scale = one / largest;
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[i] = w[i] * scale;
-  return greatest;
+  return largest;
 }
 
-// Makes the vectors orthonormal, and adds the logarithm of how far each had grown. Only the loops
-// over pairs of vectors are unrolled: there the time goes, and with the others unrolled a vector on
-// its own would move into the registers that the step of the state needs.
-SHARED_FN void tangent_orthonormalize(real* w, real* growth) {
+// Makes the vectors orthonormal, and adds the logarithm of each vector's stretching. Only the loops
+// over pairs of vectors are unrolled, since they take most of the time. With the others unrolled,
+// too, the compiler would keep a single vector in the registers that the step of the state needs.
+SHARED_FN void tangent_orthonormalize(real* w, real* log_stretching) {
   const real one = 1;
   for (int j = 0; j < TANGENTS; ++j) {
     real* row = w + j * MODEL_STATE_COUNT;
-    const real greatest = tangent_tame(row);
+    const real largest = tangent_tame(row);
     real squares = 0;
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) squares = squares + row[i] * row[i];
-    // The others need not wait for the root.
+    // The loop below needs no square root, which takes long.
     const real inverse_square = one / squares;
     for (int k = j + 1; k < TANGENTS; ++k) {
       real* other = w + k * MODEL_STATE_COUNT;
@@ -47,7 +47,7 @@ SHARED_FN void tangent_orthonormalize(real* w, real* growth) {
     const real length = lane_sqrt(squares);
     const real inverse = one / length;
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = row[i] * inverse;
-    growth[j] = growth[j] + lane_log(greatest * length);
+    log_stretching[j] = log_stretching[j] + lane_log(largest * length);
   }
 }
 
@@ -57,7 +57,7 @@ SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, re
   ModelLinear linear[RK4_EVALUATIONS];
   Crossings crossings;
   rk4_step_linearized(point, stage, h, x, linear, events ? &crossings : 0);
-  // Not unrolled: many vectors do not fit the registers, one does.
+  // This loop is not unrolled: the registers have room for one vector, not for all.
   for (int j = 0; j < TANGENTS; ++j) {
     real row[MODEL_STATE_COUNT];
     UNROLL

@@ -1,13 +1,13 @@
-// The one walk over the phase grid: all kernels, and the host where it checks them, advance a state
-// by it. Before it is included it wants TANGENTS, the type Watcher of who watches steps, and
-//   watch_segment(watcher, point, stage, x)      a segment begins
-//   watch_step(watcher, point, stage, share, x)  a step has ended, which is this share of a period
-// Where nobody watches these are in unwatched.h.
+// The walk over the phase grid. All kernels advance a state by it, and so does the host where it
+// checks the kernels. A file that includes this one defines before it: TANGENTS, the type Watcher,
+// and
+//   watch_segment(watcher, point, stage, x)      called when a segment begins
+//   watch_step(watcher, point, stage, share, x)  called when a step has ended; share: of a period
+// unwatched.h defines a watcher that does nothing.
 
 #include "walk_types.h"
 
-// What a period's end does to a state: marks it where it has diverged, takes full turns out of
-// angles.
+// Ends a period: sets a state that has diverged to NaN, and takes full turns out of angles.
 SHARED_FN void end_period(real* x) {
   const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
   mask inside = lane_abs(x[0]) < limit;
@@ -17,12 +17,15 @@ SHARED_FN void end_period(real* x) {
   model_take_turns(x);
 }
 
-// Advances a state by a period, and with it the tangent vectors, unless w is null. They are kept
-// orthonormal and their growth is added to `growth`, unless that is null. Widens the extent, unless
-// it is null, and shows the steps to the watcher, unless that is null. `events`: steps in which a
-// limit of the contact is crossed are corrected. What is null costs nothing, since this is inlined.
+// Advances a state by a period. Four arguments may be null, and then their work is left out (all of
+// this is inlined, so it costs nothing):
+//   w               tangent vectors, which are advanced, too
+//   log_stretching  the vectors are kept orthonormal, and their log stretching is added here
+//   extent          is widened to what the state moves through
+//   watcher         is shown each segment and step
+// events: steps in which a limit of the contact is crossed are corrected.
 SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool events, real* x,
-                           real* w, real* growth, Extent* extent, Watcher* watcher) {
+                           real* w, real* log_stretching, Extent* extent, Watcher* watcher) {
   TABLE PhaseCoefs* stage = grid->stages;
   for (sweep_uint segment = 0; segment < grid->segments; ++segment) {
     const sweep_uint steps = grid->steps[segment];
@@ -33,8 +36,8 @@ SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool e
     for (sweep_uint step = 0; step < steps; ++step) {
       if (w) {
         tangent_step(point, stage, h, events, x, w);
-        if (growth && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
-          tangent_orthonormalize(w, growth);
+        if (log_stretching && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
+          tangent_orthonormalize(w, log_stretching);
         }
       } else {
         rk4_step(point, stage, h, events, x);

@@ -16,32 +16,32 @@ constexpr double kSameOrbit = 1e-3;
 constexpr double kSameOrbitFp32 = 1e-2;
 constexpr double kSameExtent = 0.25;
 constexpr double kSameBranch = 0.05;
-constexpr double kLeastScale = 1e-3;
+constexpr double kMinScale = 1e-3;
 
 bool is_periodic(const TrajectorySummary& summary) { return summary.motion == MOTION_periodic; }
 
 double max_magnitude(const TrajectorySummary& summary) {
-  double greatest = 0.0;
-  for (const double value : summary.box) greatest = std::max(greatest, std::abs(value));
-  return greatest;
+  double max = 0.0;
+  for (const double value : summary.box) max = std::max(max, std::abs(value));
+  return max;
 }
 
 double max_difference(const TrajectorySummary& a, const TrajectorySummary& b) {
-  double greatest = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < a.box.size(); ++i) {
-    greatest = std::max(greatest, std::abs(a.box[i] - b.box[i]));
+    max = std::max(max, std::abs(a.box[i] - b.box[i]));
   }
-  return greatest;
+  return max;
 }
 
-// Whether two trajectories with the same parameters reached the same attractor: `least` is what
+// Whether two trajectories with the same parameters reached the same attractor: `min` is what
 // boxes may always differ by.
-bool same_attractor(const TrajectorySummary& a, const TrajectorySummary& b, double least) {
+bool same_attractor(const TrajectorySummary& a, const TrajectorySummary& b, double min) {
   if (is_periodic(a) != is_periodic(b)) return false;
   const std::size_t states = a.box.size() / 2;
   for (std::size_t i = 0; i < a.box.size(); ++i) {
     const std::size_t state = i % states;
-    double allowed = least;
+    double allowed = min;
     if (!is_periodic(a)) {
       const double extent =
           std::max(a.box[states + state] - a.box[state], b.box[states + state] - b.box[state]);
@@ -112,10 +112,10 @@ Clusters cluster(const Study& study, const Sites& sites,
   Clusters clusters;
   clusters.of_site.resize(sites.count());
   clusters.of_trajectory.assign(summaries.size(), npos);
-  std::vector<double> scale(sites.count(), kLeastScale);
+  std::vector<double> scale(sites.count(), kMinScale);
   for (std::size_t i = 0; i < summaries.size(); ++i) {
-    double& greatest = scale[sites.of_point(i % study.points())];
-    greatest = std::max(greatest, max_magnitude(summaries[i]));
+    double& max = scale[sites.of_point(i % study.points())];
+    max = std::max(max, max_magnitude(summaries[i]));
   }
   const double tolerance = study.integrate.fp64 ? kSameOrbit : kSameOrbitFp32;
   for (std::size_t i = 0; i < summaries.size(); ++i) {
@@ -142,14 +142,14 @@ std::size_t nearest(const std::vector<TrajectorySummary>& summaries, const Clust
                     std::size_t cluster, const std::vector<std::size_t>& others) {
   const TrajectorySummary& own = summaries[clusters.first[cluster]];
   std::size_t best = npos;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const std::size_t other : others) {
     const TrajectorySummary& candidate = summaries[clusters.first[other]];
     if (is_periodic(own) != is_periodic(candidate)) continue;
     if (is_periodic(own) && own.period != candidate.period) continue;
     const double difference = max_difference(own, candidate);
-    if (difference < least) {
-      least = difference;
+    if (difference < min) {
+      min = difference;
       best = other;
     }
   }

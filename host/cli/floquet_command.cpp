@@ -19,7 +19,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kLeastSteps = 2048;  // per period, unless --steps says otherwise
+constexpr std::size_t kMinSteps = 2048;  // per period, unless --steps says otherwise
 
 struct FloquetArguments {
   std::string study, along;
@@ -86,7 +86,7 @@ Eigen::VectorXd end_state(const Study& study, const std::string& device) {
 
 PeriodMap map_of(const Study& study, std::optional<std::size_t> steps) {
   const std::size_t of_study = Plan(study, 1).steps_of(0);
-  PeriodMap map(*study.model, study.setting, steps.value_or(std::max(kLeastSteps, of_study)));
+  PeriodMap map(*study.model, study.setting, steps.value_or(std::max(kMinSteps, of_study)));
   if (!map.driven()) {
     throw InputError(
         fmt::format("model '{}' is autonomous: floquet is for models that are driven periodically",
@@ -131,16 +131,10 @@ void add_floquet_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
       "floquet", "The periodic orbit at a point, its multipliers, and its bifurcations");
   const auto arguments = std::make_shared<FloquetArguments>();
-  command->add_option("study", arguments->study, "A study file, a built-in study or a result file")
-      ->type_name(kStudyValue)
-      ->required();
-  command
-      ->add_option("--at", arguments->at,
-                   "Where to look: a value for each axis of the study, and for "
-                   "other parameters")
-      ->type_name(kPointValue)
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_study_argument(command, &arguments->study);
+  add_point_option(command, &arguments->at,
+                   "Where to look: a value for each axis of the study, and for other parameters")
+      ->delimiter(',');
   command
       ->add_option("--along", arguments->along,
                    "Follow the orbit and locate its bifurcations; starts where --at says, or else "
@@ -148,7 +142,7 @@ void add_floquet_command(CLI::App* app) {
       ->type_name("NAME=FROM:TO");
   command
       ->add_option("--period", arguments->period,
-                   "The orbit's length in forcing periods (default: the least after which the "
+                   "The orbit's length in forcing periods (default: the smallest after which the "
                    "motion repeats, 64 at most)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 4096));
@@ -156,7 +150,7 @@ void add_floquet_command(CLI::App* app) {
       ->add_option("--steps", arguments->steps,
                    fmt::format("Integration steps per period (default: {} or the study's, if that "
                                "is more)",
-                               kLeastSteps))
+                               kMinSteps))
       ->type_name(kNumberValue)
       ->check(whole_number(16, 65536));
   add_device_option(command, &arguments->device, false);

@@ -33,9 +33,7 @@ void add_kernels_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
       "kernels", "Print the OpenCL program that is written for a study, whole and readable");
   const auto arguments = std::make_shared<KernelsArguments>();
-  command->add_option("study", arguments->study, "A study file, a built-in study, or a result file")
-      ->required()
-      ->type_name(kStudyValue);
+  add_study_argument(command, &arguments->study);
   add_set_option(command, &arguments->overrides);
   add_choice(command, "--program", &arguments->program, {"sweep", "orbit", "trace"},
              "Which: it settles and records, looks for periodic orbits, or keeps every state of a "

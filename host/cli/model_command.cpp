@@ -67,7 +67,7 @@ void print_parameters(const Study& study) {
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
     parameters.add({info.name, fmt::format("{:.10g}", study.setting.parameters[i]), info.unit,
-                    fmt::format("{:g} .. {:g}", info.least, info.greatest),
+                    fmt::format("{:g} .. {:g}", info.min, info.max),
                     fmt::format("{}; {}", info.meaning, origin_of(study, i))});
   }
   answer("{}\noptions\n", parameters.text());
@@ -140,7 +140,7 @@ void print_model_as_json(const Study& study) {
     json["parameters"].push_back({{"name", info.name},
                                   {"value", study.setting.parameters[i]},
                                   {"unit", info.unit},
-                                  {"range", {info.least, info.greatest}},
+                                  {"range", {info.min, info.max}},
                                   {"meaning", info.meaning},
                                   {"origin", origin_of(study, i)}});
   }

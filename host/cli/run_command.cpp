@@ -90,11 +90,7 @@ void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* s
   const auto request = std::make_shared<RunRequest>();
   const auto lanes = std::make_shared<std::optional<std::size_t>>();
   const auto zooms = std::make_shared<std::vector<std::string>>();
-  command
-      ->add_option("study", request->study,
-                   "A study file, a built-in study, or a result file to compute again")
-      ->type_name(kStudyValue)
-      ->required();
+  add_study_argument(command, &request->study, " to compute again");
   command
       ->add_option("-o,--output", request->output,
                    "The result file (default: the study's name with .nc, of a zoom with -zoom.nc)")

@@ -20,7 +20,7 @@ namespace {
 bool open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
-    // It gets the least number that is free, this one. An answer to nobody must fail.
+    // It gets the smallest number that is free, this one. An answer to nobody must fail.
     const int mode = stream == STDOUT_FILENO ? O_RDONLY : O_RDWR;
     if (open("/dev/null", mode) != stream) return false;
   }

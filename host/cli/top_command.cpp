@@ -83,7 +83,7 @@ std::string as_text(const TopArguments& arguments, const ResultMap& map,
     rows.add(
         {value_of(map, peak.value), place_of(map, names, peak), peak.at_edge ? "at the edge" : ""});
   }
-  const std::string what = arguments.search.smallest ? "least" : "greatest";
+  const std::string what = arguments.search.smallest ? "smallest" : "largest";
   return fmt::format("{} of {}, the {} {}, at least {} apart:\n{}", map.name, arguments.result,
                      what, peaks.size() == 1 ? "point" : fmt::format("{} peaks", peaks.size()),
                      describe_distance(map, names, arguments.search.apart), rows.text());
@@ -128,7 +128,7 @@ void run(const TopArguments& arguments) {
 
 void add_top_command(CLI::App* app) {
   CLI::App* command =
-      app->add_subcommand("top", "The greatest or least points of a map, one for each peak");
+      app->add_subcommand("top", "The largest or smallest points of a map, one for each peak");
   const auto arguments = std::make_shared<TopArguments>();
   command->add_option("result", arguments->result, "A result file")
       ->type_name(kResultValue)
@@ -139,12 +139,13 @@ void add_top_command(CLI::App* app) {
   command->add_option("-n,--count", arguments->search.count, "At most so many (default: 5)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 1000));
-  command->add_flag("--smallest", arguments->search.smallest, "The least points, not the greatest");
+  command->add_flag("--smallest", arguments->search.smallest,
+                    "The smallest points, not the largest");
   command
       ->add_option(
           "--apart", arguments->search.apart,
           "Two peaks are further apart than this share of an axis's values, on one axis at "
-          "least (default: 0.05)")
+          "smallest (default: 0.05)")
       ->type_name("SHARE")
       ->check(number_between(0.0, 1.0));
   command->add_flag("--json", arguments->as_json, "For scripts");

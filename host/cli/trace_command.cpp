@@ -179,19 +179,10 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command =
       app->add_subcommand("trace", "The time history of points of a study or of a map");
   const auto arguments = std::make_shared<TraceArguments>();
-  command
-      ->add_option("study", arguments->study,
-                   "A study file, a built-in study, or a result file: then --at means the nearest "
-                   "point of the map")
-      ->type_name(kStudyValue)
-      ->required();
-  command
-      ->add_option(
-          "--at", arguments->at,
-          "A point: a value for each axis, and for other parameters and initial states; may "
-          "be given several times")
-      ->type_name(kPointValue)
-      ->allow_extra_args(false);
+  add_study_argument(command, &arguments->study, ": then --at means the nearest point of the map");
+  add_point_option(command, &arguments->at,
+                   "A point: a value for each axis, and for other parameters and initial states; "
+                   "may be given several times");
   command->add_option("-o,--output", arguments->output, "The traces: .nc or .csv")
       ->type_name(kFileValue)
       ->required();

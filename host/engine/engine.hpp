@@ -10,6 +10,7 @@
 #include "engine/orbit_engine.hpp"
 #include "engine/result.hpp"
 #include "engine/window.hpp"
+#include "model/array.hpp"
 #include "plan/plan.hpp"
 
 namespace gearsweep {
@@ -30,6 +31,21 @@ struct TileResult {
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
   Effort effort;
   std::string device;  // that computed it; the driver knows
+
+  // The vectors as tables. Nothing for a result without points.
+  Array2<double> output_table() { return {outputs, status.size()}; }
+  Array2<const double> output_table() const { return {outputs, status.size()}; }
+  Array2<double> state_table() { return {final_states, final_states.size() / status.size()}; }
+  Array2<const double> state_table() const {
+    return {final_states, final_states.size() / status.size()};
+  }
+  // Of so many chosen states.
+  Array3<double> sample_table(std::size_t chosen) {
+    return {samples, chosen, samples.size() / (status.size() * chosen)};
+  }
+  Array3<const double> sample_table(std::size_t chosen) const {
+    return {samples, chosen, samples.size() / (status.size() * chosen)};
+  }
 };
 
 // Takes the values of a point that did not end ok.
@@ -62,7 +78,7 @@ class Engine {
   virtual double kernel_seconds() const { return 0.0; }
   // Points per tile when the study does not say: what keeps the engine busy, and what suits it
   // best.
-  virtual std::size_t least_tile() const = 0;
+  virtual std::size_t min_tile() const = 0;
   virtual std::size_t preferred_tile() const = 0;
   // initial: [point][state], at the beginning of the window. Nothing when the callback asked to
   // stop. Throws RunError.

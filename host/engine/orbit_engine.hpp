@@ -69,7 +69,8 @@ struct Approach {
   Sections sections;
   // [point][state]: range of the states of the same unit during the last period, at most.
   std::vector<double> ranges;
-  // [point]: the least number of periods before which the state was near where it is now; 0: none.
+  // [point]: the smallest number of periods before which the state was near where it is now; 0:
+  // none.
   std::vector<std::uint32_t> lengths;
   std::vector<double> guesses;  // [point][state]: where the orbit of that length is likely to be
 };
@@ -105,13 +106,13 @@ class OrbitEngine {
                                                 bool with_derivatives,
                                                 const RoundCallback& after_round) = 0;
 
-  // What the verdicts say of the window's record of a periodic orbit,
-  // of which one turn of `length` periods is integrated and the rest is its repetition. growths is
-  // [point][tangent vector]: logarithms of their growth in each period. The other outputs and the
-  // samples are left empty or without meaning.
+  // The verdicts on the window's record of a periodic orbit, of which one turn of `length` periods
+  // is integrated and the rest is its repetition. log_stretchings is [point][tangent vector], the
+  // same in each period. The other outputs and the samples are left empty or without meaning.
   virtual std::optional<TileResult> replay(const Plan& plan, const Tile& tile,
                                            const std::vector<double>& states, std::size_t length,
-                                           const std::vector<double>& growths, const Window& window,
+                                           const std::vector<double>& log_stretchings,
+                                           const Window& window,
                                            const RoundCallback& after_round) = 0;
 };
 

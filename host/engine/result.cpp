@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/array.hpp"
+
 namespace gearsweep {
 
 const std::vector<double>& map_of(const SweepResult& result, const std::string& quantity) {
@@ -14,10 +16,10 @@ const std::vector<double>& map_of(const SweepResult& result, const std::string& 
 }
 
 std::vector<double> samples_of(const SweepResult& result, std::size_t point, std::size_t chosen) {
-  const std::size_t record = result.study.integrate.record;
-  const std::size_t first = (point * result.study.selection.poincare.size() + chosen) * record;
-  const auto begin = result.samples.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(record)};
+  const Array3 samples(result.samples, result.study.selection.poincare.size(),
+                       result.study.integrate.record);
+  const std::span<const double> own = samples[point][chosen];
+  return {own.begin(), own.end()};
 }
 
 }  // namespace gearsweep

@@ -21,7 +21,7 @@ struct EngineInfo {
 struct Attractor {
   std::size_t motion = 0;  // class of motion_class, of most of its trajectories
   double period = 0.0;     // in forcing periods, of most of its trajectories; 0: none
-  // Over its trajectories: mean rms of the model's first state, greatest dmf_max (NaN when the
+  // Over its trajectories: mean rms of the model's first state, largest dmf_max (NaN when the
   // model has none), mean lyapunov_max.
   double rms = 0.0, peak = 0.0, exponent = 0.0;
   std::size_t trajectories = 0;  // that reached it
@@ -42,7 +42,7 @@ struct SweepResult {
   // [quantity of study.selection][point * its width + i]
   std::vector<std::vector<double>> values;
   std::optional<PilotFindings> pilot;  // of a study with a tolerance
-  std::vector<Attractor> attractors;   // empty unless the study has a survey
+  std::vector<Attractor> attractors;   // empty unless the study has a census
   std::vector<double> samples;         // [point][chosen state][sample]; empty without poincare
   // Of all tiles, those of an interrupted run that this one continued included.
   double steps = 0.0;           // integration steps in all

@@ -5,7 +5,10 @@ namespace gearsweep {
 std::vector<Window> windows_of(const Study& study) {
   const Integrate& integrate = study.integrate;
   const std::size_t samples = study.selection.poincare.empty() ? 0 : integrate.record;
-  std::vector<Window> windows = {{0, integrate.settle, integrate.record, samples, false}};
+  std::vector<Window> windows = {{.settle = integrate.settle,
+                                  .record = integrate.record,
+                                  .samples = samples,
+                                  .is_last = false}};
   if (study.selection.motion) {
     for (std::size_t factor = 2; factor <= integrate.extend; factor *= 2) {
       const Window& previous = windows.back();

@@ -10,11 +10,11 @@ namespace gearsweep {
 namespace {
 
 template <class Number>
-Number read(const std::string& note, Number least, Number greatest) {
+Number read(const std::string& note, Number min, Number max) {
   Number number{};
   const char* end = note.data() + note.size();
   const auto [rest, error] = std::from_chars(note.data(), end, number);
-  if (error != std::errc() || rest != end || !(number >= least) || !(number <= greatest)) {
+  if (error != std::errc() || rest != end || !(number >= min) || !(number <= max)) {
     throw InputError(
         fmt::format("the journal is damaged ('{}' stands where a number should); delete it", note));
   }
@@ -23,8 +23,8 @@ Number read(const std::string& note, Number least, Number greatest) {
 
 }  // namespace
 
-std::size_t read_count(const std::string& note, std::size_t least) {
-  return read(note, least, std::size_t{1} << 40U);
+std::size_t read_count(const std::string& note, std::size_t min) {
+  return read(note, min, std::size_t{1} << 40U);
 }
 
 double read_step(const std::string& note) { return read(note, 1e-9, 10.0); }

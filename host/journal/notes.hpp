@@ -21,7 +21,7 @@ inline constexpr const char* kPilot = "pilot";
 }  // namespace notes
 
 // Throw InputError, for a damaged journal, when the note is no number that can be.
-std::size_t read_count(const std::string& note, std::size_t least = 0);
+std::size_t read_count(const std::string& note, std::size_t min = 0);
 double read_step(const std::string& note);
 
 }  // namespace gearsweep

@@ -16,6 +16,7 @@ class Array2 {
   Array2(Vector& numbers, std::size_t columns) : Array2(std::span<T>(numbers), columns) {}
 
   std::size_t rows() const { return columns_ == 0 ? 0 : numbers_.size() / columns_; }
+  std::size_t columns() const { return columns_; }
   std::span<T> operator[](std::size_t row) const {
     return numbers_.subspan(row * columns_, columns_);
   }

@@ -18,8 +18,8 @@ struct ChannelInfo {
 struct ParameterInfo {
   std::string name, unit;
   double default_value = 0.0;
-  double least = 0.0, greatest = 0.0;  // allowed range, both ends included
-  bool shapes_phase = false;           // changes break phases or phase coefficients
+  double min = 0.0, max = 0.0;  // allowed range, both ends included
+  bool shapes_phase = false;    // changes break phases or phase coefficients
   std::string meaning;
 };
 
@@ -54,7 +54,7 @@ class PreparedPoint {
   virtual void signals(const double* coefs, const double* x, double* out) const = 0;
 
   // Of a model that has_contact. out: d(dx_i/dtau)/d(penetration), one number per state.
-  virtual void push(const double* coefs, double* out) const = 0;
+  virtual void force_direction(const double* coefs, double* out) const = 0;
   // Of a model that has_contact. out: d(penetration)/dx_j of a flank, 1 (drive) or -1 (back),
   // touching or not; one number per state.
   virtual void penetration_gradient(const double* coefs, const double* x, double flank,
@@ -74,7 +74,7 @@ struct Model {
   // The longest step of a study that names none, in dimensionless time: at this the Lyapunov
   // exponents of the presets, and of parameters between half and twice theirs, are those at a
   // quarter of it, to within three standard errors of a mean over 32,000 periods, or to a
-  // thousandth of the greatest of them. A model may bring its own (MODEL_MAX_STEP).
+  // thousandth of the largest of them. A model may bring its own (MODEL_MAX_STEP).
   double max_step = 0.05;
 
   // What is wrong with a setting whose ranges are right; empty if nothing.

@@ -10,7 +10,7 @@
 namespace gearsweep {
 namespace {
 
-// Least number of insertions, deletions, substitutions and swaps of neighbours (optimal string
+// Smallest number of insertions, deletions, substitutions and swaps of neighbours (optimal string
 // alignment), case ignored.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   const auto same = [&](std::size_t i, std::size_t j) {

@@ -29,7 +29,7 @@ enum class OutputRole {
   section_min,     // the box around the sections
   section_max,
   rms,   // of a channel
-  peak,  // the greatest value of a channel
+  peak,  // the largest value of a channel
 };
 
 struct ObservableOutput {

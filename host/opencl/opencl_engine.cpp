@@ -18,10 +18,10 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kMostSeriesBytes = std::size_t{256} << 20U;  // of a tile's samples
+constexpr std::size_t kMaxSeriesBytes = std::size_t{256} << 20U;  // of a tile's samples
 // A GPU's compute unit has 512 to 2048 points in flight. A launch takes as long for few points as
 // for these, so a tile has enough for a while after most of its points have stopped on orbits.
-constexpr std::size_t kLeastOfGpuUnit = 1024, kPreferredOfGpuUnit = 4096;
+constexpr std::size_t kMinOfGpuUnit = 1024, kPreferredOfGpuUnit = 4096;
 
 class OpenClEngine final : public Engine {
  public:
@@ -52,23 +52,23 @@ class OpenClEngine final : public Engine {
   }
 
   TileMemory tile_memory(const Plan& plan, const Tile& tile) const override {
-    return most_of_tile(plan, tile, {launcher_.lanes(), launcher_.scalar_bytes()});
+    return max_of_tile(plan, tile, {launcher_.lanes(), launcher_.scalar_bytes()});
   }
 
   double kernel_seconds() const override { return launcher_.clock().seconds(); }
 
-  std::size_t least_tile() const override {
+  std::size_t min_tile() const override {
     const DeviceInfo& device = launcher_.device();
     const std::size_t filling = 4 * launcher_.local_size() * launcher_.lanes();
     return std::min(preferred_tile(),
-                    device.compute_units * (device.is_cpu ? filling : kLeastOfGpuUnit));
+                    device.compute_units * (device.is_cpu ? filling : kMinOfGpuUnit));
   }
 
   std::size_t preferred_tile() const override {
     const DeviceInfo& device = launcher_.device();
     const std::size_t points = device.is_cpu ? 16384 : device.compute_units * kPreferredOfGpuUnit;
     if (series_bytes_per_point_ == 0) return points;
-    return std::clamp(kMostSeriesBytes / series_bytes_per_point_, std::size_t{64}, points);
+    return std::clamp(kMaxSeriesBytes / series_bytes_per_point_, std::size_t{64}, points);
   }
 
   std::optional<std::vector<double>> rows(const Plan& plan, std::size_t point,

@@ -8,7 +8,7 @@ ContactField::ContactField(const Model& model, const PreparedPoint& point)
     : point_(point),
       has_contact_(model.has_contact),
       signals_(model.signals.size()),
-      push_(static_cast<Eigen::Index>(model.states.size())),
+      force_direction_(static_cast<Eigen::Index>(model.states.size())),
       gradient_(static_cast<Eigen::Index>(model.states.size())) {
   if (!has_contact_) return;
   deflection_ = static_cast<std::size_t>(model.find_signal("deflection"));
@@ -31,10 +31,10 @@ Depths ContactField::slope(const double* coefs, const Eigen::VectorXd& state, co
   const Depths seen = depths(coefs, state);
   const Contact actual = contact_of(seen);
   if (actual == held) return seen;
-  point_.push(coefs, push_.data());
+  point_.force_direction(coefs, force_direction_.data());
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (held[i] == actual[i]) continue;
-    *out += (held[i] ? 1.0 : -1.0) * kFlanks[i] * seen[i] * push_;
+    *out += (held[i] ? 1.0 : -1.0) * kFlanks[i] * seen[i] * force_direction_;
   }
   return seen;
 }
@@ -52,9 +52,9 @@ void ContactField::jacobian(const double* coefs, const Eigen::VectorXd& state, c
 
 RowMatrix ContactField::gained(const double* coefs, const Eigen::VectorXd& state,
                                std::size_t flank) {
-  point_.push(coefs, push_.data());
+  point_.force_direction(coefs, force_direction_.data());
   point_.penetration_gradient(coefs, state.data(), kFlanks[flank], gradient_.data());
-  return push_ * gradient_;
+  return force_direction_ * gradient_;
 }
 
 }  // namespace gearsweep

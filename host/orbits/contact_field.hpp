@@ -44,7 +44,7 @@ class ContactField {
   bool has_contact_;
   std::size_t deflection_ = 0, backlash_ = 0;  // which signals
   std::vector<double> signals_;
-  Eigen::VectorXd push_;
+  Eigen::VectorXd force_direction_;
   Eigen::RowVectorXd gradient_;
 };
 

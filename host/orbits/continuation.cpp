@@ -17,9 +17,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Arclength is measured in state sizes and parameter ranges.
-constexpr double kFirstStep = 2e-3, kGreatestStep = 0.02, kLeastStep = 1e-7;
-constexpr std::size_t kMostOrbits = 4000;
-constexpr int kMostCorrections = 12;
+constexpr double kFirstStep = 2e-3, kMaxStep = 0.02, kMinStep = 1e-7;
+constexpr std::size_t kMaxOrbits = 4000;
+constexpr int kMaxCorrections = 12;
 constexpr int kQuickCorrection = 4;    // so many iterations or fewer: the next step is longer
 constexpr double kCorrected = 1e-12;   // residual, of the state's size
 constexpr double kBracket = 1e-6;      // arclength around a bifurcation
@@ -27,7 +27,7 @@ constexpr double kRounding = 1e-11;    // of the range: what the straight line l
 constexpr double kGrazing = 10.0;      // brackets: so near to a limit the motion may touch or not
 constexpr double kJustDoubled = 1e-3;  // half_return of an orbit that has only just doubled
 constexpr double kHalved = 1e-9;       // half_return of an orbit of half the period
-constexpr double kStraight = 0.9;      // least cosine of the angle between neighbours
+constexpr double kStraight = 0.9;      // smallest cosine of the angle between neighbours
 constexpr double kFarLanding = 0.3;    // correction, as a share of the step
 constexpr double kDifference = 1e-6;   // of the range: step of the derivative by the parameter
 
@@ -74,7 +74,7 @@ class Follower {
   std::optional<Solution> correct(const VectorXd& guess, const VectorXd& along) const {
     VectorXd z = guess;
     const Index states = z.size() - 1;
-    for (int iteration = 0; iteration <= kMostCorrections; ++iteration) {
+    for (int iteration = 0; iteration <= kMaxCorrections; ++iteration) {
       const VectorXd state = size_ * z.head(states);
       if (!allowed(z[states] * range_)) return std::nullopt;
       const std::optional<PeriodImage> image = map_at(z[states] * range_).linearize(state, period_);
@@ -108,7 +108,7 @@ class Follower {
 
   bool allowed(double parameter) const {
     const ParameterInfo& info = request_.model->parameters[request_.parameter];
-    return parameter >= info.least && parameter <= info.greatest &&
+    return parameter >= info.min && parameter <= info.max &&
            request_.model->check(setting_at(parameter)).empty();
   }
 
@@ -258,14 +258,14 @@ Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
   }
   branch.orbits.push_back({follower.parameter_of(*last), last->orbit});
   double length = kFirstStep;
-  while (branch.orbits.size() < kMostOrbits) {
+  while (branch.orbits.size() < kMaxOrbits) {
     const VectorXd guess = last->z + length * last->tangent;
     const std::optional<Solution> next = follower.correct(guess, last->tangent);
     // A sharp bend, a far landing or a shorter period may be another branch.
     if (!next || next->tangent.dot(last->tangent) < kStraight ||
         (next->z - guess).norm() > kFarLanding * length || follower.half_return(*next) < kHalved) {
       length *= 0.5;
-      if (length < kLeastStep) {
+      if (length < kMinStep) {
         branch.ended =
             fmt::format("no smooth way on from {} = {:.8g}", name, follower.parameter_of(*last));
         return branch;
@@ -285,9 +285,9 @@ Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
       return branch;
     }
     branch.orbits.push_back({parameter, last->orbit});
-    if (last->iterations <= kQuickCorrection) length = std::min(1.5 * length, kGreatestStep);
+    if (last->iterations <= kQuickCorrection) length = std::min(1.5 * length, kMaxStep);
   }
-  branch.ended = fmt::format("stopped after {} orbits at {} = {:.8g}", kMostOrbits, name,
+  branch.ended = fmt::format("stopped after {} orbits at {} = {:.8g}", kMaxOrbits, name,
                              follower.parameter_of(*last));
   return branch;
 }

@@ -37,7 +37,7 @@ struct FollowRequest {
   std::size_t parameter = 0;  // index of the parameter to follow along
   double from = 0.0;          // the branch is left when the parameter leaves from .. to
   double to = 0.0;            // from < to
-  std::size_t steps = 0;      // least steps per period, as in PeriodMap
+  std::size_t steps = 0;      // minimum number of steps per period, as in PeriodMap
   bool upwards = true;        // direction of the parameter at the start
 };
 

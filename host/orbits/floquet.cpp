@@ -17,8 +17,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kResidual = 1e-12;  // of the state's size, per norm of the monodromy matrix
-constexpr int kMostIterations = 40;
-constexpr int kMostHalvings = 10;    // of a Newton step
+constexpr int kMaxIterations = 40;
+constexpr int kMaxHalvings = 10;     // of a Newton step
 constexpr double kSameOrbit = 1e-8;  // of the state's size: two states of one orbit
 
 double size_of(const VectorXd& v) { return v.cwiseAbs().maxCoeff(); }
@@ -28,8 +28,8 @@ double reachable_residual(const VectorXd& state, const MatrixXd& monodromy) {
   return kResidual * scale_of(state) * std::max(1.0, 1e-2 * monodromy.cwiseAbs().maxCoeff());
 }
 
-// The least divisor of the orbit's period after which the state is back.
-std::size_t least_period(const PeriodMap& map, const Orbit& orbit) {
+// The smallest divisor of the orbit's period after which the state is back.
+std::size_t min_period(const PeriodMap& map, const Orbit& orbit) {
   VectorXd state = orbit.state;
   for (std::size_t divisor = 1; divisor < orbit.period; ++divisor) {
     const std::optional<VectorXd> next = map.advance(state, 1);
@@ -54,9 +54,9 @@ std::vector<VectorXd> section(const PeriodMap& map, const VectorXd& start, std::
   return states;
 }
 
-// The least period after which the last state of a trajectory repeats an earlier one. Close returns
-// come first: a coarse tolerance would take an orbit that has just doubled for the one before. 0
-// when there is none.
+// The smallest period after which the last state of a trajectory repeats an earlier one. Close
+// returns come first: a coarse tolerance would take an orbit that has just doubled for the one
+// before. 0 when there is none.
 std::size_t return_period(const std::vector<VectorXd>& states) {
   const VectorXd& last = states.back();
   for (int digits = 9; digits >= 3; --digits) {
@@ -71,12 +71,12 @@ std::size_t return_period(const std::vector<VectorXd>& states) {
 
 // The state of a trajectory that the `period`-th iterate moves least.
 VectorXd closest_return(const std::vector<VectorXd>& states, std::size_t period) {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   std::size_t best = 0;
   for (std::size_t i = 0; i + period < states.size(); ++i) {
     const double moved = size_of(states[i + period] - states[i]);
-    if (moved < least) {
-      least = moved;
+    if (moved < min) {
+      min = moved;
       best = i;
     }
   }
@@ -141,7 +141,7 @@ std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::siz
   const MatrixXd identity = MatrixXd::Identity(guess.size(), guess.size());
   VectorXd state = guess;
   std::optional<PeriodImage> image = map.linearize(state, period);
-  for (int iteration = 0; image && iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; image && iteration < kMaxIterations; ++iteration) {
     const VectorXd residual = image->state - state;
     const double before = size_of(residual);
     if (before <= reachable_residual(state, image->monodromy)) {
@@ -150,7 +150,7 @@ std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::siz
     const VectorXd step = (image->monodromy - identity).fullPivLu().solve(-residual);
     std::optional<PeriodImage> next;
     double damping = 1.0;
-    for (int halvings = 0; halvings < kMostHalvings; ++halvings, damping *= 0.5) {
+    for (int halvings = 0; halvings < kMaxHalvings; ++halvings, damping *= 0.5) {
       next = map.linearize(state + damping * step, period);
       if (next && size_of(next->state - (state + damping * step)) < before) break;
       next.reset();
@@ -180,16 +180,16 @@ Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<st
                     "another --period, or more --steps",
                     wanted));
   }
-  const std::size_t least = least_period(map, *found);
-  if (least == wanted) return *found;
+  const std::size_t min = min_period(map, *found);
+  if (min == wanted) return *found;
   if (period) {
     throw RunError(fmt::format(
         "Newton's method came to an orbit of period {}, not {}: give --period {}, or another "
         "start (a state in --at)",
-        least, wanted, least));
+        min, wanted, min));
   }
-  const std::optional<PeriodImage> image = map.linearize(found->state, least);
-  return make_orbit(found->state, *image, least);
+  const std::optional<PeriodImage> image = map.linearize(found->state, min);
+  return make_orbit(found->state, *image, min);
 }
 
 }  // namespace gearsweep

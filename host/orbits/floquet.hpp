@@ -26,7 +26,7 @@ std::string name_of(Bifurcation kind);
 
 struct Orbit {
   Eigen::VectorXd state;   // at phase 0
-  std::size_t period = 1;  // in forcing periods; the least
+  std::size_t period = 1;  // in forcing periods; the smallest
   Eigen::MatrixXd monodromy;
   Eigen::VectorXcd multipliers;  // largest modulus first
   Graze graze;
@@ -51,13 +51,13 @@ Orbit make_orbit(const Eigen::VectorXd& state, const PeriodImage& image, std::si
 double scale_of(const Eigen::VectorXd& state);
 
 // Damped Newton's method on the `period`-th iterate from `guess`, to 1e-12 of the state's size.
-// Nothing when it does not converge. The result's period is `period`, be it the least or not.
+// Nothing when it does not converge. The result's period is `period`, be it the smallest or not.
 std::optional<Orbit> shoot(const PeriodMap& map, const Eigen::VectorXd& guess, std::size_t period);
 
-// The greatest period that find_orbit looks for by itself.
+// The largest period that find_orbit looks for by itself.
 constexpr std::size_t kLongestPeriod = 64;
 
-// The periodic orbit that a settled trajectory is on: looks for the least period of at most
+// The periodic orbit that a settled trajectory is on: looks for the smallest period of at most
 // kLongestPeriod at which the state returns, then shoots. With `period`, shoots from where the
 // trajectory comes closest to repeating itself after that many periods, so that an unstable orbit
 // inside chaos can be found. Throws RunError that says what to try when there is no such orbit.

@@ -6,7 +6,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr int kMostEvents = 16;       // in one step; more are rounding
+constexpr int kMaxEvents = 16;        // in one step; more are rounding
 constexpr double kSameShare = 1e-16;  // of a step
 constexpr double kGolden = 0.6180339887498949;
 constexpr double kTurnFound = 1e-9;  // of a step: a minimum is flat
@@ -51,7 +51,7 @@ void Flow::advance(const GridStep& step) {
   for (int events = 0;; ++events) {
     start_ = at_;
     const Seen seen = carry(part, 1.0, &at_);
-    if (events == kMostEvents || !at_.state.allFinite()) return;
+    if (events == kMaxEvents || !at_.state.allFinite()) return;
     const std::optional<Event> event = first_event(part, seen);
     if (!event) return;
     at_ = start_;

@@ -19,7 +19,7 @@ namespace gearsweep {
 struct Graze {
   double distance = std::numeric_limits<double>::infinity();  // from the limit
   double bend = 0.0;                                          // second derivative by time there
-  double jump = 0.0;  // greatest entry of what the field's Jacobian gains at the limit
+  double jump = 0.0;  // largest entry of what the field's Jacobian gains at the limit
 };
 
 class Flow {

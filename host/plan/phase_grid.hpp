@@ -25,8 +25,8 @@ std::vector<double> segment_bounds(const Model& model, const ModelSetting& setti
 // At least `steps` steps in all, each segment a whole number of them.
 PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps);
 
-// The least number of the ladder 16, 20, 24, 28, 32, 40, 48, ... (four per octave) that is at least
-// `wanted`, so that neighbouring points share a phase grid.
+// The smallest number of the ladder 16, 20, 24, 28, 32, 40, 48, ... (four per octave) that is at
+// least `wanted`, so that neighbouring points share a phase grid.
 std::size_t ladder_steps(double wanted);
 
 }  // namespace gearsweep

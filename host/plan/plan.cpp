@@ -11,7 +11,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMostSteps = 65536;  // per period
+constexpr double kMaxSteps = 65536;  // per period
 
 // The same for all points, so that neighbours differ by their parameters alone. The first is zero.
 std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::size_t states) {
@@ -94,12 +94,12 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
   };
   if (study_.integrate.steps_per_period > 0) return longer(study_.integrate.steps_per_period);
   const double wanted = study_.model->period(setting) / study_.integrate.max_step;
-  if (!(wanted <= kMostSteps)) {
+  if (!(wanted <= kMaxSteps)) {
     throw InputError(
         fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
                     "possible: raise integrate.max_step, or give "
                     "integrate.steps_per_period",
-                    wanted, study_.integrate.max_step, kMostSteps));
+                    wanted, study_.integrate.max_step, kMaxSteps));
   }
   return longer(ladder_steps(wanted));
 }

@@ -12,7 +12,7 @@ namespace gearsweep {
 
 struct PlotRequest {
   // Result files, or files of traces. Several are laid over one another.
-  std::vector<std::string> paths;
+  std::vector<std::string> paths = {};
   // Of maps: as for ResultFile::read; empty: along one axis `poincare`, where the file has it,
   // otherwise the first map. `poincare` means its first state; over two axes, and laid over one
   // another, a quantity of several numbers means the first of them. Over one axis several,
@@ -20,17 +20,17 @@ struct PlotRequest {
   // `section`, `spectrum` or `force`, and after a colon what of: "time:v3"; "phase:x3" is x3
   // against v3, "phase:x1:x3" two channels of choice. Without, it is of the model's first state,
   // `force` of the channel dmf.
-  std::string quantity;
-  std::string output_path;  // ends in .png, .svg, .pdf or .tex
+  std::string quantity = {};
+  std::string output_path = {};  // ends in .png, .svg, .pdf or .tex
   // Ends in .gp when not empty: the gnuplot script is kept there, and its data beside it under
   // the same name with the endings .dat and -missing.dat. It runs from any folder, and takes the
   // picture and the data as arguments: gnuplot -c SCRIPT PICTURE DATA.
-  std::string script_path;
+  std::string script_path = {};
   // Axis name and value: draws the other axis alone, at the nearest value of this one.
-  std::optional<std::pair<std::string, double>> at;
+  std::optional<std::pair<std::string, double>> at = {};
   // Only so many last forcing periods of traces; without, 10 in `time` and `force`, else all.
-  std::optional<std::size_t> periods;
-  std::optional<double> orders;  // the highest of `spectrum`; without, 10
+  std::optional<std::size_t> periods = {};
+  std::optional<double> orders = {};  // the highest of `spectrum`; without, 10
   PlotStyle style = {};
 };
 

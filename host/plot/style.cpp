@@ -52,11 +52,10 @@ std::optional<Length> length_in(const std::string& text, const std::string& fall
 }
 
 void ensure_sensible(const Length& length, const std::string& text) {
-  const double least = length.unit == "mm" ? 20.0 : 100.0;
-  const double greatest = length.unit == "mm" ? 1000.0 : 10000.0;
-  if (length.value >= least && length.value <= greatest) return;
-  throw InputError(
-      fmt::format("'{}' is not between {} and {} {}", text, least, greatest, length.unit));
+  const double min = length.unit == "mm" ? 20.0 : 100.0;
+  const double max = length.unit == "mm" ? 1000.0 : 10000.0;
+  if (length.value >= min && length.value <= max) return;
+  throw InputError(fmt::format("'{}' is not between {} and {} {}", text, min, max, length.unit));
 }
 
 void set_size(const std::string& text, PlotStyle* style) {
@@ -95,16 +94,15 @@ void set_font(const std::string& text, PlotStyle* style) {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == ' ' ||
            letter == '-' || letter == '_' || letter == '.';
   });
-  constexpr double kLeast = 3.0, kGreatest = 72.0;
+  constexpr double kMin = 3.0, kMax = 72.0;
   std::optional<double> size;
   if (comma != std::string::npos) size = number_in(text.substr(comma + 1));
-  const bool is_sized =
-      comma == std::string::npos || (size && *size >= kLeast && *size <= kGreatest);
+  const bool is_sized = comma == std::string::npos || (size && *size >= kMin && *size <= kMax);
   if (!is_plain || !is_sized || text.empty()) {
     throw InputError(fmt::format(
         "'{}' is no font; give its name and its size in points ({} to {}), as in 'Times New "
         "Roman,8' (letters, digits, blanks and - _ . make a name)",
-        text, kLeast, kGreatest));
+        text, kMin, kMax));
   }
   if (!name.empty()) style->font = name;
   if (size) style->font_size = *size;
@@ -114,16 +112,14 @@ Limits limits_in(const std::string& text) {
   const std::size_t colon = text.find(':');
   const auto refuse = [&] {
     throw InputError(fmt::format(
-        "'{}' is no range; give LEAST:GREATEST, as in 0.4:2, or leave one end out, as in 0:",
-        text));
+        "'{}' is no range; give MIN:MAX, as in 0.4:2, or leave one end out, as in 0:", text));
   };
   if (colon == std::string::npos || text == ":") refuse();
   Limits limits;
-  if (colon > 0) limits.least = number_in(std::string_view(text).substr(0, colon));
-  if (colon + 1 < text.size())
-    limits.greatest = number_in(std::string_view(text).substr(colon + 1));
-  if ((colon > 0 && !limits.least) || (colon + 1 < text.size() && !limits.greatest)) refuse();
-  if (limits.least && limits.greatest && *limits.least >= *limits.greatest) {
+  if (colon > 0) limits.min = number_in(std::string_view(text).substr(0, colon));
+  if (colon + 1 < text.size()) limits.max = number_in(std::string_view(text).substr(colon + 1));
+  if ((colon > 0 && !limits.min) || (colon + 1 < text.size() && !limits.max)) refuse();
+  if (limits.min && limits.max && *limits.min >= *limits.max) {
     throw InputError(fmt::format("'{}' is no range: its first number must be the smaller", text));
   }
   return limits;
@@ -264,15 +260,15 @@ const std::vector<StyleOption>& style_options() {
 
 void read_style_file(const std::string& path, PlotStyle* style) {
   has_regular_file(path, "a style file");
-  constexpr std::size_t kMostBytes = 100'000;
-  std::string content(kMostBytes + 1, '\0');
+  constexpr std::size_t kMaxBytes = 100'000;
+  std::string content(kMaxBytes + 1, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(content.data(), static_cast<std::streamsize>(content.size()));
   if (!in.is_open() || in.bad()) {
     throw InputError(fmt::format("cannot read the style file '{}'", path));
   }
   content.resize(static_cast<std::size_t>(in.gcount()));
-  if (content.size() > kMostBytes) {
+  if (content.size() > kMaxBytes) {
     throw InputError(fmt::format("'{}' is too large for a style file", path));
   }
   refuse_deep_keys(content, path);

@@ -16,7 +16,7 @@ struct PictureSize {
 
 // Ends of an axis or of the colours; what is not given follows the values.
 struct Limits {
-  std::optional<double> least, greatest;
+  std::optional<double> min, max;
 };
 
 struct Contours {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "model/array.hpp"
 #include "reference/detail/lyapunov_observables.hpp"
 #include "reference/detail/observables.hpp"
 #include "reference/detail/trajectory.hpp"
@@ -49,9 +50,9 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
         !trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
           for (const auto& observable : observables) observable->step(before, after, share);
         });
-    const Eigen::VectorXd growth = orthonormalize_tangents(&trajectory);
+    const Eigen::VectorXd log_stretching = orthonormalize_tangents(&trajectory);
     for (const auto& observable : observables) {
-      observable->period(trajectory.state(), growth, trajectory.period());
+      observable->period(trajectory.state(), log_stretching, trajectory.period());
     }
     for (std::size_t j = 0; j < sampled.size() && i < window.samples; ++j) {
       result.samples[j * window.samples + i] =
@@ -69,7 +70,7 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
 class ReferenceEngine final : public Engine {
  public:
   EngineInfo info() const override { return {"reference engine (Eigen)", "", ""}; }
-  std::size_t least_tile() const override { return 16; }
+  std::size_t min_tile() const override { return 16; }
   std::size_t preferred_tile() const override { return 256; }
 
   std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
@@ -147,7 +148,7 @@ class ReferenceEngine final : public Engine {
       const PointResult& point = points[i];
       result.status.push_back(point.diverged ? STATUS_diverged : STATUS_ok);
       for (std::size_t j = 0; j < outputs; ++j) {
-        result.outputs[j * points.size() + i] = point.diverged ? nan : point.outputs[j];
+        Array2(result.outputs, points.size())[j][i] = point.diverged ? nan : point.outputs[j];
       }
       for (const double sample : point.samples) {
         result.samples.push_back(point.diverged ? nan : sample);

@@ -40,7 +40,7 @@ void read_attributes(const NetcdfFile& file, int variable) {
 
 // In blocks along the first dimension, so that a map of many samples need not fit into memory.
 void read_values(const NetcdfFile& file, int variable) {
-  constexpr std::size_t kMostNumbers = std::size_t{1} << 22U;
+  constexpr std::size_t kMaxNumbers = std::size_t{1} << 22U;
   std::vector<std::size_t> start, count;
   std::size_t row = 1;
   for (const int dimension : file.dimensions_of(variable)) {
@@ -53,7 +53,7 @@ void read_values(const NetcdfFile& file, int variable) {
     return;
   }
   const std::size_t end = count.front();
-  const std::size_t rows = std::max<std::size_t>(1, kMostNumbers / row);
+  const std::size_t rows = std::max<std::size_t>(1, kMaxNumbers / row);
   for (start[0] = 0; start[0] < end; start[0] += rows) {
     count[0] = std::min(rows, end - start[0]);
     file.read(variable, start, count);

@@ -87,7 +87,7 @@ std::size_t middle_of(const Grid& grid, std::vector<std::size_t> points) {
     }
   }
   std::size_t middle = points.front();
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const std::size_t point : points) {
     const std::vector<std::size_t> places = grid.places(point);
     double distance = 0.0;
@@ -95,8 +95,8 @@ std::size_t middle_of(const Grid& grid, std::vector<std::size_t> points) {
       distance += std::pow(static_cast<double>(places[axis]) - mean[axis], 2);
     }
     // Rounding of the mean decides between no two points.
-    if (distance < least - 1e-9) {
-      least = distance;
+    if (distance < min - 1e-9) {
+      min = distance;
       middle = point;
     }
   }

@@ -1,4 +1,4 @@
-// The greatest or least points of a map that do not belong to one and the same peak.
+// The largest or smallest points of a map that do not belong to one and the same peak.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kMostParts = 1000;  // beside each other; a model has far fewer states
+constexpr std::size_t kMaxParts = 1000;  // beside each other; a model has far fewer states
 // Marks of the classic formats and of HDF5.
 constexpr std::string_view kClassicMark = "CDF";
 constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
@@ -58,13 +58,13 @@ ResultAxis read_axis(const NetcdfFile& file, int dimension) {
 
 // Class names by value; empty when the variable is not a class.
 std::vector<std::string> read_flags(const NetcdfFile& file, int variable) {
-  constexpr double kMostClass = std::numeric_limits<signed char>::max();
+  constexpr double kMaxClass = std::numeric_limits<signed char>::max();
   const std::vector<double> values = file.number_attribute(variable, "flag_values");
   const std::vector<std::string> names =
       split_words(text_or_empty(file, variable, "flag_meanings"));
   std::vector<std::string> flags;
   for (std::size_t i = 0; i < std::min(values.size(), names.size()); ++i) {
-    if (!(values[i] >= 0.0 && values[i] <= kMostClass)) continue;
+    if (!(values[i] >= 0.0 && values[i] <= kMaxClass)) continue;
     const auto value = static_cast<std::size_t>(values[i]);
     if (value >= flags.size()) flags.resize(value + 1);
     flags[value] = names[i];
@@ -79,7 +79,7 @@ bool is_map(const NetcdfFile& file, int variable, const std::vector<int>& axes) 
   if (own.size() < axes.size() || !std::equal(axes.begin(), axes.end(), own.begin())) return false;
   if (own.size() == axes.size()) return true;
   const std::size_t parts = file.dimension_size(own[axes.size()]);
-  if (parts == 0 || parts > kMostParts || file.dimension_size(own.back()) == 0) return false;
+  if (parts == 0 || parts > kMaxParts || file.dimension_size(own.back()) == 0) return false;
   const bool is_poincare = file.dimension_name(own[axes.size()]) == "state";
   return own.size() - axes.size() == (is_poincare ? 2 : 1);
 }
@@ -240,15 +240,15 @@ Cut ResultFile::find_cut(const std::string& axis, double value) const {
   Cut cut;
   cut.axis = static_cast<std::size_t>(found - known.begin());
   const std::vector<double>& values = axes_[cut.axis].values;
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
   // Half a mean step beyond the ends is still nearest to a point of the grid.
-  const double reach = 0.5 * (*greatest - *least) /
-                           static_cast<double>(std::max<std::size_t>(1, values.size() - 1)) +
-                       1e-9 * std::max(std::abs(*least), std::abs(*greatest));
-  if (!(value >= *least - reach && value <= *greatest + reach)) {
+  const double reach =
+      0.5 * (*max - *min) / static_cast<double>(std::max<std::size_t>(1, values.size() - 1)) +
+      1e-9 * std::max(std::abs(*min), std::abs(*max));
+  if (!(value >= *min - reach && value <= *max + reach)) {
     throw InputError(
         fmt::format("{} = {} is outside the axis '{}' of '{}', which goes from {} to {}", axis,
-                    value, axis, path_, *least, *greatest));
+                    value, axis, path_, *min, *max));
   }
   const auto nearest = std::min_element(values.begin(), values.end(), [&](double a, double b) {
     return std::abs(a - value) < std::abs(b - value);

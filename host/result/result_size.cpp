@@ -126,7 +126,7 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
       sum.add_channels(study.model->states);
     }
   }
-  if (study.selection.survey) {
+  if (study.selection.census) {
     // Each trajectory may reach an attractor of its own.
     constexpr int kNumbers = 6;
     const auto most = static_cast<double>(study.trajectories());

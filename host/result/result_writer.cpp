@@ -43,7 +43,7 @@ class Writer {
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       write_quantity(study_.selection.quantities[i], result_.values[i]);
     }
-    if (study_.selection.survey) write_attractors();
+    if (study_.selection.census) write_attractors();
     if (!study_.selection.poincare.empty()) write_poincare();
   }
 
@@ -149,10 +149,10 @@ class Writer {
     write(fmt::format("attractor_{}_rms", first.name), first.unit,
           fmt::format("root mean square of {}, mean over the attractor's trajectories", first.name),
           [](const Attractor& a) { return a.rms; });
-    if (study_.selection.survey->peak) {
+    if (study_.selection.census->peak) {
       const auto signal = static_cast<std::size_t>(study_.model->find_signal("dmf"));
       write("attractor_dmf_max", study_.model->signals[signal].unit,
-            "greatest dynamic meshing force of the attractor",
+            "largest dynamic meshing force of the attractor",
             [](const Attractor& a) { return a.peak; });
     }
     write("attractor_lyapunov_max", "1/tau",

@@ -19,7 +19,7 @@ namespace gearsweep {
 namespace {
 
 constexpr const char* kContent = "traces of gearsweep";
-constexpr std::size_t kMostTraces = 10'000;  // of a file; a picture takes far fewer
+constexpr std::size_t kMaxTraces = 10'000;  // of a file; a picture takes far fewer
 
 double parameter_of(const Study& study, const Trace& trace, const std::string& name) {
   return trace.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
@@ -243,7 +243,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   const std::size_t count = file.dimension_size(file.dimensions_of(tau).front());
   const std::vector<std::string> labels = file.read_texts(label);
   const std::vector<double> periods = file.read(period, {0}, {count});
-  if (count == 0 || count > kMostTraces || labels.size() != count) refuse_foreign(path);
+  if (count == 0 || count > kMaxTraces || labels.size() != count) refuse_foreign(path);
   std::vector<StoredTrace> out;
   for (std::size_t i = 0; i < count; ++i) {
     StoredTrace stored;

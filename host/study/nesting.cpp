@@ -41,11 +41,11 @@ void refuse_deep_keys(std::string_view text, const std::string& source) {
       continue;
     }
     if (kBetweenKeys.find(letter) != std::string_view::npos) dots = 0;
-    if (letter == '.' && ++dots >= kMostParts) {
+    if (letter == '.' && ++dots >= kMaxParts) {
       const auto line =
           std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
       throw InputError(
-          fmt::format("{}:{}: a key of more than {} parts", source, line + 1, kMostParts));
+          fmt::format("{}:{}: a key of more than {} parts", source, line + 1, kMaxParts));
     }
     ++at;
   }

@@ -69,11 +69,11 @@ std::vector<Offer> offers_of(const Model& model) {
 }
 
 // Quantities that no observer gives, since they need the whole map.
-std::vector<Quantity> surveyed_quantities() {
+std::vector<Quantity> census_quantities() {
   Quantity attractor;
   attractor.name = "attractor";
   attractor.meaning = "number of the attractor reached, by the file's list; 0: undecided";
-  attractor.is_surveyed = true;
+  attractor.of_census = true;
   Quantity count = attractor;
   count.name = "attractor_count";
   count.meaning = "attractors that the initial states of the ensemble reached; needs an ensemble";
@@ -118,20 +118,20 @@ std::size_t add_role(const std::vector<Offer>& offers, OutputRole role, const st
   return add_output(*offer, states, selection);
 }
 
-void add_survey(const Model& model, const std::vector<Offer>& offers, Selection* selection) {
+void add_census(const Model& model, const std::vector<Offer>& offers, Selection* selection) {
   const auto output = [&](OutputRole role, const std::string& channel = "") {
     return add_role(offers, role, channel, model.states.size(), selection);
   };
-  Survey survey;
-  survey.motion = output(OutputRole::motion);
-  survey.period = output(OutputRole::period);
-  survey.section_min = output(OutputRole::section_min);
-  survey.section_max = output(OutputRole::section_max);
-  survey.rms = output(OutputRole::rms, model.states.front().name);
-  survey.exponent = output(OutputRole::exponent);
-  if (model.find_signal("dmf") >= 0) survey.peak = output(OutputRole::peak, "dmf");
-  selection->survey = survey;
-  selection->motion = survey.motion;
+  CensusOutputs census;
+  census.motion = output(OutputRole::motion);
+  census.period = output(OutputRole::period);
+  census.section_min = output(OutputRole::section_min);
+  census.section_max = output(OutputRole::section_max);
+  census.rms = output(OutputRole::rms, model.states.front().name);
+  census.exponent = output(OutputRole::exponent);
+  if (model.find_signal("dmf") >= 0) census.peak = output(OutputRole::peak, "dmf");
+  selection->census = census;
+  selection->motion = census.motion;
 }
 
 std::vector<std::size_t> find_states(const Model& model, const std::vector<std::string>& names) {
@@ -176,7 +176,7 @@ std::size_t Selection::tangent_count() const {
 std::vector<Quantity> offered_quantities(const Model& model) {
   std::vector<Quantity> out;
   for (const Offer& offer : offers_of(model)) out.push_back(offer.quantity);
-  for (const Quantity& quantity : surveyed_quantities()) out.push_back(quantity);
+  for (const Quantity& quantity : census_quantities()) out.push_back(quantity);
   Quantity status;
   status.name = "status";
   status.meaning = "why the point ended; always there";
@@ -216,8 +216,8 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       throw InputError(fmt::format("quantity '{}' is listed twice", name));
     }
     Quantity quantity = *found;
-    if (quantity.is_surveyed) {
-      add_survey(model, offers, &selection);
+    if (quantity.of_census) {
+      add_census(model, offers, &selection);
       selection.quantities.push_back(quantity);
       continue;
     }

@@ -24,7 +24,7 @@ struct Quantity {
   std::string name, unit, meaning;
   std::vector<std::string> flags;  // class names when the value is a class
   std::size_t output = 0;          // index among the outputs of all observers, in their order
-  bool is_surveyed = false;        // not an output, but found from the whole map (attractors/)
+  bool of_census = false;          // not an output, but found from the whole map (attractors/)
   std::size_t width = 1;           // numbers for each point, next to each other among the outputs
   std::string dimension;           // the name of what they stand along; empty when width = 1
   std::string channel;             // the state or signal that it looks at; empty: none
@@ -32,7 +32,7 @@ struct Quantity {
 
 // What the list of attractors is made of: outputs of observers that run for it. Of the attractor's
 // own look there are the box around its section and what is told of it in the list.
-struct Survey {
+struct CensusOutputs {
   std::size_t motion = 0, period = 0;            // motion_class, period
   std::size_t section_min = 0, section_max = 0;  // the first of one output per state each
   std::size_t rms = 0;                           // of the model's first state
@@ -51,7 +51,7 @@ struct Selection {
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
   // Output of motion_class, when an observer looks for kinds of motion.
   std::optional<std::size_t> motion;
-  std::optional<Survey> survey;                 // when attractors are to be told apart
+  std::optional<CensusOutputs> census;          // when attractors are to be told apart
   std::optional<ExponentError> exponent_error;  // when lyapunov_max_error is asked for
   // Two states at phase 0 are the same when they differ by no more than this, relative to the
   // range of the motion (kernels/observables/period.h).

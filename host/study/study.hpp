@@ -47,7 +47,7 @@ enum class Stop { orbit, never };
 // engine chooses.
 struct Integrate {
   bool fp64 = true;
-  // Greatest step in dimensionless time, when steps_per_period = 0; the model's own by default.
+  // Largest step in dimensionless time, when steps_per_period = 0; the model's own by default.
   double max_step = 0.0;
   double tolerance = 0.0;  // > 0: a pilot run finds the max_step that leaves no greater an error
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0

@@ -23,9 +23,9 @@ std::string sentence(std::string_view words) {
   return text + ".";
 }
 
-StudyKey whole(const std::string& name, std::size_t fallback, double least, double greatest,
+StudyKey whole(const std::string& name, std::size_t fallback, double min, double max,
                const std::string& meaning) {
-  return {name, "whole number", fmt::format("{}", fallback), meaning, least, greatest};
+  return {name, "whole number", fmt::format("{}", fallback), meaning, min, max};
 }
 
 StudyKey one_of(const std::string& name, const std::vector<std::string>& choices,
@@ -86,7 +86,7 @@ StudyTable gear_table() {
                    {}};
   for (const GearKey& key : kGearKeys) {
     table.keys.push_back({std::string(key.name), std::string(key.type), std::string(key.fallback),
-                          sentence(key.meaning), key.least, key.greatest});
+                          sentence(key.meaning), key.min, key.max});
   }
   return table;
 }

@@ -12,9 +12,9 @@ struct StudyKey {
   std::string type;      // in words: "whole number", "string", "number or [pinion, gear]"
   std::string fallback;  // what a study without it has: TOML, or words; "required"; may be empty
   std::string meaning;
-  // The range of a number (in its own unit), both ends included; of a string its greatest length.
+  // The range of a number (in its own unit), both ends included; of a string its largest length.
   // Both 0: not limited here.
-  double least = 0.0, greatest = 0.0;
+  double min = 0.0, max = 0.0;
   std::vector<std::string> choices = {};  // of a string that must be one of them
   bool is_pattern = false;                // the name stands for names of the model
 };

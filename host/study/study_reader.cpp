@@ -22,8 +22,8 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMostPoints = 1e8;
-constexpr double kMostNumbers = 1e9;  // in the result: 8 GB
+constexpr double kMaxPoints = 1e8;
+constexpr double kMaxNumbers = 1e9;  // in the result: 8 GB
 
 toml::table parse(const std::string& text, const std::string& source) {
   if (std::all_of(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; })) {
@@ -61,7 +61,7 @@ void set_parameter(const toml::node& node, const std::string& name, const std::s
   }
   const auto index = static_cast<std::size_t>(found);
   const ParameterInfo& info = model.parameters[index];
-  study->setting.parameters[index] = read_number(node, name, info.least, info.greatest);
+  study->setting.parameters[index] = read_number(node, name, info.min, info.max);
   study->parameter_origins[index] = origin;
 }
 
@@ -241,26 +241,26 @@ void check_size(const toml::table& root, const Study& study) {
   double points = 1.0;
   for (const Axis& axis : study.axes) points *= static_cast<double>(axis.values.size());
   const auto members = static_cast<double>(study.initial.ensemble);
-  if (points * members > kMostPoints) {
+  if (points * members > kMaxPoints) {
     fail_at(*root.get("axes"),
             fmt::format("the axes span {:.3g} points{}; at most {:.0g} are possible", points,
                         members > 1.0 ? fmt::format(" of {} trajectories each", members) : "",
-                        kMostPoints));
+                        kMaxPoints));
   }
-  // A survey keeps the section's box of each trajectory until all are there.
-  const double boxes = study.selection.survey
+  // A census keeps the section's box of each trajectory until all are there.
+  const double boxes = study.selection.census
                            ? members * 2.0 * static_cast<double>(study.model->states.size())
                            : 0.0;
   const double numbers =
       points * (static_cast<double>(study.selection.quantities.size() + 1 +
                                     study.selection.poincare.size() * study.integrate.record) +
                 boxes);
-  if (numbers > kMostNumbers) {
+  if (numbers > kMaxNumbers) {
     throw InputError(
         fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "
                     "possible: sample fewer states or periods (integrate.record), leave out "
                     "'poincare', or take a smaller initial.ensemble",
-                    place_of(root), numbers, kMostNumbers));
+                    place_of(root), numbers, kMaxNumbers));
   }
 }
 

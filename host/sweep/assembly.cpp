@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/array.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -13,8 +14,8 @@ namespace {
 // What to call the values of `attractor`, from 0; empty when there are too many to tell apart by
 // name.
 std::vector<std::string> class_names(const std::vector<Attractor>& attractors) {
-  constexpr std::size_t kMostNames = 30;
-  if (attractors.size() > kMostNames) return {};
+  constexpr std::size_t kMaxNames = 30;
+  if (attractors.size() > kMaxNames) return {};
   std::vector<std::string> names = {"undecided"};
   for (const Attractor& attractor : attractors) {
     const std::string kind = attractor.period > 0.0 ? fmt::format("period_{}", attractor.period)
@@ -36,19 +37,16 @@ Assembly::Assembly(const Study& study) {
   }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
   if (study.is_chained()) final_states_.resize(points * study.model->states.size());
-  if (selection.survey) summaries_.resize(study.trajectories());
+  if (selection.census) summaries_.resize(study.trajectories());
 }
 
 void Assembly::add(const Tile& tile, const TileResult& result) {
-  const std::size_t count = tile.points.size();
-  const std::size_t series = result.samples.size() / count;
-  const std::size_t states = result.final_states.size() / count;
   devices_.insert(result.device);
   result_.steps += result.effort.steps;
   result_.seconds += result.effort.seconds;
   result_.kernel_seconds += result.effort.kernel_seconds;
   result_.stopped += static_cast<std::size_t>(result.effort.stopped);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < tile.points.size(); ++i) {
     const std::size_t point = tile.points[i];
     if (!summaries_.empty()) add_summary(point, result, i);
     // The maps are those of each point's first trajectory.
@@ -56,20 +54,18 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
     result_.status[point] = result.status[i];
     for (std::size_t j = 0; j < result_.values.size(); ++j) {
       const Quantity& quantity = result_.study.selection.quantities[j];
-      if (quantity.is_surveyed) continue;
+      if (quantity.of_census) continue;
+      const std::span<double> value = Array2(result_.values[j], quantity.width)[point];
       for (std::size_t k = 0; k < quantity.width; ++k) {
-        result_.values[j][point * quantity.width + k] =
-            result.outputs[(quantity.output + k) * count + i];
+        value[k] = result.output_table()[quantity.output + k][i];
       }
     }
-    const auto copy = [&](const std::vector<double>& from, std::size_t width,
-                          std::vector<double>* to) {
-      const auto first = from.begin() + static_cast<std::ptrdiff_t>(i * width);
-      std::copy(first, first + static_cast<std::ptrdiff_t>(width),
-                to->begin() + static_cast<std::ptrdiff_t>(point * width));
+    const auto copy = [&](const std::vector<double>& from, std::vector<double>* to) {
+      const std::size_t width = from.size() / tile.points.size();
+      std::ranges::copy(Array2(from, width)[i], Array2(*to, width)[point].begin());
     };
-    copy(result.samples, series, &result_.samples);
-    if (!final_states_.empty()) copy(result.final_states, states, &final_states_);
+    copy(result.samples, &result_.samples);
+    if (!final_states_.empty()) copy(result.final_states, &final_states_);
   }
 }
 
@@ -80,31 +76,28 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   for (const std::size_t point : tile.points) {
     const std::optional<std::size_t> before = plan.predecessor(point);
     if (before && result_.status[*before] == STATUS_ok) {
-      const auto first = final_states_.begin() + static_cast<std::ptrdiff_t>(*before * states);
-      initial.insert(initial.end(), first, first + static_cast<std::ptrdiff_t>(states));
+      append(Array2(final_states_, states)[*before], &initial);
     } else {
-      const std::vector<double> own = plan.own_initial_state(point);
-      initial.insert(initial.end(), own.begin(), own.end());
+      append(plan.own_initial_state(point), &initial);
     }
   }
   return initial;
 }
 
 void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std::size_t position) {
-  const Survey& survey = *result_.study.selection.survey;
-  const std::size_t count = result.status.size();
-  const auto output = [&](std::size_t index) { return result.outputs[index * count + position]; };
+  const CensusOutputs& census = *result_.study.selection.census;
+  const auto output = [&](std::size_t index) { return result.output_table()[index][position]; };
   TrajectorySummary& summary = summaries_[trajectory];
-  if (result.status[position] != STATUS_ok || output(survey.motion) == double{MOTION_undecided})
+  if (result.status[position] != STATUS_ok || output(census.motion) == double{MOTION_undecided})
     return;
   summary.is_known = true;
-  summary.motion = static_cast<std::size_t>(output(survey.motion));
-  summary.period = output(survey.period);
-  summary.rms = output(survey.rms);
-  summary.exponent = output(survey.exponent);
-  summary.peak = survey.peak ? output(*survey.peak) : std::numeric_limits<double>::quiet_NaN();
+  summary.motion = static_cast<std::size_t>(output(census.motion));
+  summary.period = output(census.period);
+  summary.rms = output(census.rms);
+  summary.exponent = output(census.exponent);
+  summary.peak = census.peak ? output(*census.peak) : std::numeric_limits<double>::quiet_NaN();
   const std::size_t states = result_.study.model->states.size();
-  for (const std::size_t first : {survey.section_min, survey.section_max}) {
+  for (const std::size_t first : {census.section_min, census.section_max}) {
     for (std::size_t i = 0; i < states; ++i) summary.box.push_back(output(first + i));
   }
 }
@@ -113,7 +106,7 @@ void Assembly::take_census() {
   AttractorList list = find_attractors(result_.study, summaries_);
   for (std::size_t j = 0; j < result_.values.size(); ++j) {
     Quantity& quantity = result_.study.selection.quantities[j];
-    if (!quantity.is_surveyed) continue;
+    if (!quantity.of_census) continue;
     if (quantity.name == "attractor") quantity.flags = class_names(list.attractors);
     for (std::size_t point = 0; point < result_.status.size(); ++point) {
       const std::size_t value =

@@ -29,7 +29,7 @@ class Assembly {
   SweepResult result_;
   std::vector<double> final_states_;  // [point][state]
   std::set<std::string> devices_;
-  std::vector<TrajectorySummary> summaries_;  // [trajectory]; empty unless the study has a survey
+  std::vector<TrajectorySummary> summaries_;  // [trajectory]; empty unless the study has a census
 };
 
 }  // namespace gearsweep

@@ -79,7 +79,7 @@ void measure_time(const Study& study, const RunContext& run, const SweepOptions&
   for (const std::unique_ptr<Engine>& engine : run.engines()) {
     // Enough points that those on orbits of one length fill a launch.
     constexpr std::size_t kFillings = 16;
-    const std::size_t wanted = std::min(kFillings * engine->least_tile(), run.plan().tile_points());
+    const std::size_t wanted = std::min(kFillings * engine->min_tile(), run.plan().tile_points());
     const Study sample = sample_of(study, wanted);
     const Plan plan(sample, sample.points());
     const Pace pace = best_pace(plan, engine.get(), options.stop);

@@ -13,7 +13,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kMostValues = 12;  // of each axis
+constexpr std::size_t kMaxValues = 12;  // of each axis
 constexpr double kLongestStep = 0.2;
 constexpr double kShortestStep = kLongestStep / 256.0;
 constexpr double kShare = 0.95;           // of the points must agree
@@ -24,7 +24,7 @@ constexpr std::size_t kRecord = 4 * ORBIT_LONGEST;
 // Each point of the sub-grid on its own, all states sampled.
 Study pilot_study(const Study& study) {
   Study pilot = study;
-  for (Axis& axis : pilot.axes) axis.values = thin(axis.values, kMostValues);
+  for (Axis& axis : pilot.axes) axis.values = thin(axis.values, kMaxValues);
   if (pilot.is_chained()) pilot.initial.policy = InitialPolicy::shifted;
   pilot.initial.ensemble = 1;
   pilot.integrate.tolerance = 0.0;
@@ -61,8 +61,8 @@ std::vector<double> ranges_at(const SweepResult& result, double tolerance, std::
   for (std::size_t i = 0; i < states.size(); ++i) {
     const double low = map_of(result, states[i].name + "_min")[point];
     const double high = map_of(result, states[i].name + "_max")[point];
-    const double least = 64.0 * rounding / tolerance * std::max(std::abs(low), std::abs(high));
-    const double own = std::max(high - low, least);
+    const double min = 64.0 * rounding / tolerance * std::max(std::abs(low), std::abs(high));
+    const double own = std::max(high - low, min);
     for (std::size_t j = 0; j < states.size(); ++j) {
       if (states[j].unit == states[i].unit) ranges[j] = std::max(ranges[j], own);
     }
@@ -83,21 +83,21 @@ double share_of(double difference, double range) {
   return difference > 0.0 ? difference / range : 0.0;
 }
 
-// Greatest difference of two orbits of the same period, which may be out of phase by some turns.
+// Largest difference of two orbits of the same period, which may be out of phase by some turns.
 double section_difference(const Orbit& a, const Orbit& b) {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (std::size_t shift = 0; shift < a.period; ++shift) {
-    double greatest = 0.0;
+    double max = 0.0;
     for (std::size_t state = 0; state < a.ranges.size(); ++state) {
       for (std::size_t i = 0; i < a.period; ++i) {
         const double difference =
             std::abs(a.samples[state * kRecord + i] - b.samples[state * kRecord + i + shift]);
-        greatest = std::max(greatest, share_of(difference, a.ranges[state]));
+        max = std::max(max, share_of(difference, a.ranges[state]));
       }
     }
-    least = std::min(least, greatest);
+    min = std::min(min, max);
   }
-  return least;
+  return min;
 }
 
 // The differences of the points that are on an orbit of the same period in both.

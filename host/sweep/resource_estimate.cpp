@@ -36,7 +36,7 @@ double memory_of_maps(const Study& study, std::size_t tiles) {
                  kOfTile * static_cast<double>(tiles);
   // A box grows by doubling; telling the attractors apart takes a few indices more, and a set for
   // each point.
-  if (study.selection.survey) {
+  if (study.selection.census) {
     bytes += trajectories * (sizeof(TrajectorySummary) + 2.0 * block(4 * sizeof(double) * states));
   }
   return bytes;
@@ -55,7 +55,7 @@ double journal_size(const Study& study, std::size_t tiles) {
 }
 
 // Of any plan of the study.
-std::size_t least_tiles(const Study& study) {
+std::size_t min_tiles(const Study& study) {
   const std::size_t stages = study.is_chained() ? study.axes[study.initial.along].values.size() : 1;
   if (study.integrate.tile == 0) return stages;
   const std::size_t points = study.trajectories() / stages;
@@ -72,7 +72,7 @@ double size_of_file(const std::string& path) {
   return error ? 0.0 : static_cast<double>(size);
 }
 
-void take_greatest(const TileMemory& tile, TileMemory* most) {
+void take_max(const TileMemory& tile, TileMemory* most) {
   most->device = std::max(most->device, tile.device);
   most->buffer = std::max(most->buffer, tile.buffer);
   most->host = std::max(most->host, tile.host);
@@ -98,7 +98,7 @@ ResourceEstimate estimate_of(const Study& study, const DeliveryEstimate& deliver
 
 ResourceEstimate estimate_of_study(const Study& study, const DeliveryEstimate& delivery,
                                    const std::string& journal_path) {
-  return estimate_of(study, delivery, journal_path, least_tiles(study));
+  return estimate_of(study, delivery, journal_path, min_tiles(study));
 }
 
 ResourceEstimate estimate_of_plan(const Plan& plan,
@@ -114,7 +114,7 @@ ResourceEstimate estimate_of_plan(const Plan& plan,
     DeviceEstimate device = {engine->info().device, {}, engine->memory()};
     for (const Stage& stage : plan.stages()) {
       for (const Tile& tile : stage.tiles) {
-        take_greatest(engine->tile_memory(plan, tile), &device.tile);
+        take_max(engine->tile_memory(plan, tile), &device.tile);
       }
     }
     estimate.tiles += device.tile.host + (device.memory.is_host ? device.tile.device : 0.0);

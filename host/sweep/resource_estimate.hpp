@@ -1,4 +1,4 @@
-// What a study takes of a machine, before it runs: upper bounds, in bytes.
+// The memory and disk that a study will need, known before it runs. All are upper bounds, in bytes.
 #pragma once
 
 #include <algorithm>
@@ -12,41 +12,41 @@
 
 namespace gearsweep {
 
-// What the caller does with the finished maps; result/result_size.hpp knows.
+// What it takes to write the finished maps (result/result_size.hpp computes it).
 struct DeliveryEstimate {
-  double file = 0.0;    // that is written beside the journal
-  double memory = 0.0;  // while it is written
+  double file = 0.0;    // size of the result file
+  double memory = 0.0;  // host memory while it is written
 };
 
 struct DeviceEstimate {
   std::string name;
-  TileMemory tile;      // the most that the tiles take that it computes at a time
-  DeviceMemory memory;  // that there is
+  TileMemory tile;      // largest need of the tiles that it computes at a time
+  DeviceMemory memory;  // available
 };
 
 struct ResourceEstimate {
-  double program = 0.0;  // host memory that it takes without a study, its compiled kernels included
-  double maps = 0.0;     // host memory of plan, maps and what is kept of each trajectory
-  double tiles = 0.0;    // host memory of the tiles at work, of CPU devices the buffers, too
+  double program = 0.0;   // host memory of the program without a study, with its compiled kernels
+  double maps = 0.0;      // host memory of the plan, the maps and the trajectories' summaries
+  double tiles = 0.0;     // host memory of the tiles at work; of CPU devices their buffers, too
   double delivery = 0.0;  // host memory while the result is written
   double journal = 0.0;   // disk
   double result = 0.0;    // disk
   std::vector<DeviceEstimate> devices;
-  double journal_there = 0.0;  // disk that an interrupted run's journal has already
-  // What there is; nothing where it is not known.
+  double journal_there = 0.0;  // disk, taken already by the journal of an interrupted run
+  // Available; empty where the system does not say.
   std::optional<double> memory_left, disk_left;
 
-  // What tiles give back to the heap is not given back to the system.
+  // A sum, since memory that tiles free stays with the process.
   double memory() const { return program + maps + tiles + delivery; }
-  // A result is mostly smaller than it could be. With a journal to continue from, nothing is lost
-  // by trying.
+  // Most results are smaller than this bound. Therefore a run that continues a journal does not
+  // count the result: if the disk fills up, the journal stays.
   double disk() const {
     return journal_there > 0.0 ? std::max(0.0, journal - journal_there) : journal + result;
   }
 };
 
-// journal_path: empty when there is no journal. Of a study alone, without engines and tiles, the
-// least that it can take.
+// journal_path: empty when there is no journal. estimate_of_study knows no engines and no tiles, so
+// it leaves them out: a study needs at least this much.
 ResourceEstimate estimate_of_study(const Study& study, const DeliveryEstimate& delivery,
                                    const std::string& journal_path);
 ResourceEstimate estimate_of_plan(const Plan& plan,
@@ -57,7 +57,7 @@ ResourceEstimate estimate_of_plan(const Plan& plan,
 // Throws InputError, with the numbers and what would help, when memory or disk do not suffice.
 void refuse_too_large(const ResourceEstimate& estimate, const std::string& journal_path);
 
-// How far the heaviest tile is from what its devices have: a share, above 1 when it does not fit.
+// The memory of the largest tile over the memory of its device; above 1 it does not fit.
 double tile_memory_share(const ResourceEstimate& estimate);
 
 // "1.5 GB".

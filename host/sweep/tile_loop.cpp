@@ -80,7 +80,7 @@ void TileLoop::handle(WorkerReport report) {
       return;
     case WorkerReport::Kind::finished:
       set_time(&report);
-      // Nobody need wait for the disk.
+      // The worker gets its next tile before this one is written to the disk.
       if (!is_stopping_) start_tiles();
       if (journal_ != nullptr) journal_->store(report.tile, report.result);
       add(report.tile, report.result, false);
@@ -96,8 +96,8 @@ void TileLoop::handle(WorkerReport report) {
   }
 }
 
-// Tiles that run side by side share the time, so that those of all tiles add up to that of the
-// sweep.
+// Tiles that run at the same time share it equally, so that the times of all tiles add up to the
+// time of the sweep.
 void TileLoop::share_time() {
   const auto now = std::chrono::steady_clock::now();
   const double passed = std::chrono::duration<double>(now - shared_).count();
@@ -105,7 +105,8 @@ void TileLoop::share_time() {
   for (auto& [number, seconds] : running_) seconds += passed / static_cast<double>(running_.size());
 }
 
-// In kernels for the same part of the tile's time as its worker says.
+// The worker measured how long the tile took and how much of that the kernels took. The tile keeps
+// this ratio, but its time is its share of the sweep's.
 void TileLoop::set_time(WorkerReport* report) {
   Effort& effort = report->result.effort;
   const double seconds = running_.at(report->tile);

@@ -10,13 +10,13 @@
 namespace gearsweep {
 namespace {
 
-// The least points that keep an engine busy, for all of them.
-std::size_t least_tile(const Engines& engines) {
-  std::size_t least = 1;
+// The minimum number of points that keeps every engine busy.
+std::size_t min_tile(const Engines& engines) {
+  std::size_t min = 1;
   for (const std::unique_ptr<Engine>& engine : engines) {
-    least = std::max(least, engine->least_tile());
+    min = std::max(min, engine->min_tile());
   }
-  return least;
+  return min;
 }
 
 // Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
@@ -25,33 +25,33 @@ std::size_t least_tile(const Engines& engines) {
 std::size_t tile_size(const Study& study, const Engines& engines, const Shard& shard,
                       std::size_t processes) {
   constexpr std::size_t kTiles = 16;  // for each engine
-  constexpr std::size_t kMostOfShard = 16384, kLeastOfShard = 256;
+  constexpr std::size_t kMaxOfShard = 16384, kMinOfShard = 256;
   if (study.integrate.tile > 0) return study.integrate.tile;
   std::size_t most = study.trajectories();
   for (const std::unique_ptr<Engine>& engine : engines) {
     most = std::min(most, engine->preferred_tile());
   }
   if (shard.count > 0) {
-    most = std::min(most, kMostOfShard);
-    return std::clamp(study.trajectories() / (kTiles * shard.count), std::min(kLeastOfShard, most),
+    most = std::min(most, kMaxOfShard);
+    return std::clamp(study.trajectories() / (kTiles * shard.count), std::min(kMinOfShard, most),
                       most);
   }
   return std::clamp(study.trajectories() / (kTiles * engines.size() * processes),
-                    std::min(least_tile(engines), most), most);
+                    std::min(min_tile(engines), most), most);
 }
 
 // Smaller tiles where each would take so long that an interruption hurts: half a minute or so on
 // two cores, which have some 256 points in flight. A device with more of them does more in that
 // time.
-std::size_t quick_tile_size(const Plan& plan, std::size_t least) {
-  constexpr double kMostWorkInFlight = 4e7;  // steps of each point in flight
-  const double most_work = kMostWorkInFlight * std::max(256.0, static_cast<double>(least));
+std::size_t quick_tile_size(const Plan& plan, std::size_t min) {
+  constexpr double kMaxWorkInFlight = 4e7;  // steps of each point in flight
+  const double max_work = kMaxWorkInFlight * std::max(256.0, static_cast<double>(min));
   const std::size_t size = plan.tile_points();
   if (plan.study().integrate.tile > 0) return size;
   const double work_of_point = plan.total_work() / static_cast<double>(plan.study().trajectories());
-  const double quick = most_work / work_of_point;
+  const double quick = max_work / work_of_point;
   if (quick >= static_cast<double>(size)) return size;
-  return std::max(static_cast<std::size_t>(quick), std::min(size, least));
+  return std::max(static_cast<std::size_t>(quick), std::min(size, min));
 }
 
 InputError does_not_fit(const ResourceEstimate& estimate, const std::string& what) {
@@ -72,7 +72,7 @@ Plan plan_that_fits(const Study& study, const Engines& engines, const SweepOptio
   const auto processes =
       static_cast<std::size_t>(options.cluster == nullptr ? 1 : options.cluster->size());
   Plan plan(study, tile_size(study, engines, options.shard, processes));
-  std::size_t points = quick_tile_size(plan, options.shard.count > 0 ? 1 : least_tile(engines));
+  std::size_t points = quick_tile_size(plan, options.shard.count > 0 ? 1 : min_tile(engines));
   points = std::min(points, study.trajectories());
   while (true) {
     if (plan.tile_points() != points) plan.cut(points);

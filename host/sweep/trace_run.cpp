@@ -29,9 +29,8 @@ std::optional<std::vector<double>> chained_start(const Study& study, const Sweep
   const std::size_t point =
       study.initial.policy == InitialPolicy::forward ? before.points() - 1 : 0;
   std::vector<double> start;
-  const std::size_t record = study.integrate.record;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    start.push_back(result->samples[(point * states.size() + i + 1) * record - 1]);
+    start.push_back(samples_of(*result, point, i).back());
   }
   return start;
 }

@@ -11,39 +11,33 @@ std::size_t grid_of(const Tile& tile, std::size_t position) {
   return static_cast<std::size_t>(after - tile.grid_starts.begin()) - 1;
 }
 
-Tile part_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
-             std::size_t periods) {
-  Tile part;
+Tile subset_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
+               std::size_t periods) {
+  Tile subset;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (i == 0 || grid_of(tile, positions[i]) != grid_of(tile, positions[i - 1])) {
-      part.grid_starts.push_back(i);
+      subset.grid_starts.push_back(i);
     }
-    part.points.push_back(tile.points[positions[i]]);
-    part.work +=
-        static_cast<double>(plan.steps_of(part.points.back())) * static_cast<double>(periods);
+    subset.points.push_back(tile.points[positions[i]]);
+    subset.work +=
+        static_cast<double>(plan.steps_of(subset.points.back())) * static_cast<double>(periods);
   }
-  return part;
+  return subset;
 }
 
 std::vector<double> own_initial_states(const Plan& plan, const Tile& tile) {
   std::vector<double> initial;
   initial.reserve(tile.points.size() * plan.study().model->states.size());
-  for (const std::size_t point : tile.points) {
-    const std::vector<double> own = plan.own_initial_state(point);
-    initial.insert(initial.end(), own.begin(), own.end());
-  }
+  for (const std::size_t point : tile.points) append(plan.own_initial_state(point), &initial);
   return initial;
 }
 
 std::vector<double> end_states(const TileResult& result,
                                const std::vector<std::size_t>& positions) {
-  const std::size_t states = result.final_states.size() / result.status.size();
+  const Array2<const double> states = result.state_table();
   std::vector<double> ends;
-  ends.reserve(positions.size() * states);
-  for (const std::size_t position : positions) {
-    const auto first = result.final_states.begin() + static_cast<std::ptrdiff_t>(position * states);
-    ends.insert(ends.end(), first, first + static_cast<std::ptrdiff_t>(states));
-  }
+  ends.reserve(positions.size() * states.columns());
+  for (const std::size_t position : positions) append(states[position], &ends);
   return ends;
 }
 
@@ -71,29 +65,20 @@ void require_fit(const Study& study, const Tile& tile, const TileResult& result)
       "(--restart does)");
 }
 
-void put_part(const Study& study, const TileResult& part, const std::vector<std::size_t>& positions,
-              TileResult* whole) {
-  const std::size_t count = positions.size();
-  const std::size_t points = whole->status.size();
-  const std::size_t states = study.model->states.size();
-  const std::size_t outputs = study.selection.output_count();
-  const std::size_t sampled = study.selection.poincare.size();
-  const std::size_t record = study.integrate.record;
-  const std::size_t given = sampled > 0 ? part.samples.size() / (count * sampled) : 0;
-  for (std::size_t i = 0; i < count; ++i) {
+void put_subset(const Study& study, const TileResult& subset,
+                const std::vector<std::size_t>& positions, TileResult* whole) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     const std::size_t position = positions[i];
-    whole->status[position] = part.status[i];
-    for (std::size_t output = 0; output < outputs; ++output) {
-      whole->outputs[output * points + position] = part.outputs[output * count + i];
+    whole->status[position] = subset.status[i];
+    for (std::size_t output = 0; output < study.selection.output_count(); ++output) {
+      whole->output_table()[output][position] = subset.output_table()[output][i];
     }
-    for (std::size_t state = 0; state < states; ++state) {
-      whole->final_states[position * states + state] = part.final_states[i * states + state];
-    }
-    for (std::size_t chosen = 0; chosen < sampled; ++chosen) {
-      for (std::size_t sample = 0; sample < record; ++sample) {
-        whole->samples[(position * sampled + chosen) * record + sample] =
-            part.samples[(i * sampled + chosen) * given + sample % given];
-      }
+    std::ranges::copy(subset.state_table()[i], whole->state_table()[position].begin());
+    const std::size_t chosen = study.selection.poincare.size();
+    for (std::size_t state = 0; state < chosen; ++state) {
+      const std::span<const double> from = subset.sample_table(chosen)[i][state];
+      const std::span<double> to = whole->sample_table(chosen)[position][state];
+      for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[k % from.size()];
     }
   }
 }

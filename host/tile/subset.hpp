@@ -14,8 +14,8 @@ namespace gearsweep {
 std::size_t grid_of(const Tile& tile, std::size_t position);
 
 // The points at these positions, with the work of so many periods.
-Tile part_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
-             std::size_t periods);
+Tile subset_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
+               std::size_t periods);
 
 // [point of the tile][state]: where each starts when no predecessor says.
 std::vector<double> own_initial_states(const Plan& plan, const Tile& tile);
@@ -29,9 +29,9 @@ TileResult empty_result(const Study& study, std::size_t points);
 // Throws InputError when what a journal has of this tile is not of its size.
 void require_fit(const Study& study, const Tile& tile, const TileResult& result);
 
-// Puts the answers of a part into those of its tile. A part that has fewer samples than the tile is
-// a periodic orbit's record, and is repeated.
-void put_part(const Study& study, const TileResult& part, const std::vector<std::size_t>& positions,
-              TileResult* whole);
+// Puts the answers of a subset into those of its tile. A subset that has fewer samples than the
+// tile is a periodic orbit's record, and is repeated.
+void put_subset(const Study& study, const TileResult& subset,
+                const std::vector<std::size_t>& positions, TileResult* whole);
 
 }  // namespace gearsweep

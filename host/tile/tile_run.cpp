@@ -13,7 +13,7 @@
 namespace gearsweep {
 namespace {
 
-// Whether an observer says after how many periods a point has settled.
+// Whether one of the study's outputs is the number of periods after which a point has settled.
 bool tells_settling(const Selection& selection) {
   const auto is_settling = [](const ObservableOutput& output) {
     return output.role == OutputRole::settled;
@@ -48,7 +48,7 @@ class TileRun {
   }
 
  private:
-  // Each of these is false when the callback asked to stop.
+  // The functions below that return a bool return false when the callback asked to stop.
 
   bool search_for_orbits(const std::vector<double>& initial) {
     OrbitSearch search(plan_, tile_, initial, searched_periods(study_), engine_->orbits());
@@ -68,7 +68,8 @@ class TileRun {
     return true;
   }
 
-  // What the orbits found from number `first` on were planned to take still.
+  // The orbits from number `first` on are found: the steps that were planned for the rest of their
+  // window will not be needed.
   void count_as_saved(const OrbitSearch& search, std::size_t first) {
     const Window& whole = windows_.front();
     const auto periods = static_cast<double>(whole.settle - search.settled() + whole.record);
@@ -79,10 +80,11 @@ class TileRun {
     callbacks_.on_work(-steps * periods);
   }
 
-  // Those together that need the same launches, however early each was found.
+  // Orbits that need the same launches are recorded together, however early each was found.
   bool record_orbits(std::vector<FoundOrbit> orbits) {
     const auto launches = [&](const FoundOrbit& orbit) {
-      return std::make_tuple(orbit.length, lead_of(orbit), tells_settling_ ? orbit.settled : 0);
+      return std::make_tuple(orbit.length, phase_offset_of(orbit),
+                             tells_settling_ ? orbit.settled : 0);
     };
     std::sort(orbits.begin(), orbits.end(), [&](const FoundOrbit& a, const FoundOrbit& b) {
       return std::tuple_cat(launches(a), std::tie(a.position)) <
@@ -98,62 +100,69 @@ class TileRun {
     return true;
   }
 
-  // Periods from an orbit's state to that of its sections at which a run to the end would begin to
-  // record.
-  std::size_t lead_of(const FoundOrbit& orbit) const {
+  // A run through the whole window would begin to record at one of the orbit's sections. This many
+  // periods lie between the orbit's state and that section.
+  std::size_t phase_offset_of(const FoundOrbit& orbit) const {
     return (windows_.front().settle - orbit.settled) % orbit.length;
   }
 
-  // Observers of states and signals see one turn, those of tangents and orbits its repetition.
+  // Two passes: in the first, observers of states and signals see one turn of the orbit; in the
+  // second, observers of tangents and sections see this turn repeated for the whole record.
   bool record_alike(const std::vector<FoundOrbit>& orbits) {
     const std::size_t length = orbits.front().length;
     const std::size_t settled = orbits.front().settled;
     std::vector<std::size_t> positions;
-    std::vector<double> states, growths;
+    std::vector<double> states, log_stretchings;
     const std::size_t tangents = study_.selection.tangent_count();
     for (const FoundOrbit& orbit : orbits) {
       positions.push_back(orbit.position);
       states.insert(states.end(), orbit.state.begin(), orbit.state.end());
-      const auto first = orbit.growths.begin();
-      growths.insert(growths.end(), first, first + static_cast<std::ptrdiff_t>(tangents));
+      const auto first = orbit.log_stretchings.begin();
+      log_stretchings.insert(log_stretchings.end(), first,
+                             first + static_cast<std::ptrdiff_t>(tangents));
     }
     const Window& whole = windows_.front();
     const std::size_t samples = whole.samples > 0 ? length : 0;
-    const Window turn = {settled, lead_of(orbits.front()), length, samples, true};
-    const Tile part = part_of(plan_, tile_, positions, turn.settle + 2 * length);
-    callbacks_.on_work(part.work);
+    const Window turn = {.before = settled,
+                         .settle = phase_offset_of(orbits.front()),
+                         .record = length,
+                         .samples = samples,
+                         .is_last = true};
+    const Tile subset = subset_of(plan_, tile_, positions, turn.settle + 2 * length);
+    callbacks_.on_work(subset.work);
     std::optional<TileResult> once =
-        engine_->compute(plan_, part, states, turn, callbacks_.after_round);
+        engine_->compute(plan_, subset, states, turn, callbacks_.after_round);
     if (!once) return false;
-    const Window repeated = {settled, 0, whole.record, 0, whole.is_last};
-    std::optional<TileResult> replayed = engine_->orbits()->replay(
-        plan_, part, once->final_states, length, growths, repeated, callbacks_.after_round);
+    const Window repeated = {.before = settled, .record = whole.record, .is_last = whole.is_last};
+    std::optional<TileResult> replayed =
+        engine_->orbits()->replay(plan_, subset, once->final_states, length, log_stretchings,
+                                  repeated, callbacks_.after_round);
     if (!replayed) return false;
     std::vector<std::size_t> all(positions.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     adopt_verdicts(study_, all, *replayed, &*once);
     once->final_states = std::move(replayed->final_states);
-    put_part(study_, *once, positions, &result_);
+    put_subset(study_, *once, positions, &result_);
     stopped_ += positions.size();
     for (const std::size_t position : positions) has_stopped_[position] = 1;
     return true;
   }
 
-  // What is left runs to the end of the study's own window.
+  // The points that are not on a known orbit run to the end of the study's own window.
   bool record_the_rest() {
     if (open_.empty()) return true;
     Window rest = windows_.front();
     rest.before = settled_;
     rest.settle -= settled_;
-    const Tile part = part_of(plan_, tile_, open_, rest.settle + rest.record);
+    const Tile subset = subset_of(plan_, tile_, open_, rest.settle + rest.record);
     const std::optional<TileResult> recorded =
-        engine_->compute(plan_, part, states_, rest, callbacks_.after_round);
+        engine_->compute(plan_, subset, states_, rest, callbacks_.after_round);
     if (!recorded) return false;
-    put_part(study_, *recorded, open_, &result_);
+    put_subset(study_, *recorded, open_, &result_);
     return true;
   }
 
-  // Undecided points go on into longer windows, packed together.
+  // The points whose verdict is undecided go on into longer windows, as a subset of the tile.
   bool extend() {
     std::vector<std::size_t> open(tile_.points.size());  // positions in the tile
     std::iota(open.begin(), open.end(), std::size_t{0});
@@ -165,9 +174,9 @@ class TileRun {
       const std::vector<double> states = end_states(last, undecided);
       for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
       open.resize(undecided.size());
-      const Tile part = part_of(plan_, tile_, open, windows_[i].settle + windows_[i].record);
-      callbacks_.on_work(part.work);
-      longer = engine_->compute(plan_, part, states, windows_[i], callbacks_.after_round);
+      const Tile subset = subset_of(plan_, tile_, open, windows_[i].settle + windows_[i].record);
+      callbacks_.on_work(subset.work);
+      longer = engine_->compute(plan_, subset, states, windows_[i], callbacks_.after_round);
       if (!longer) return false;
       adopt_verdicts(study_, open, *longer, &result_);
     }

@@ -7,9 +7,9 @@
 
 namespace gearsweep {
 
-bool Compared::holds() const { return strain() <= 1.0; }
+bool Compared::holds() const { return share_of_tolerance() <= 1.0; }
 
-double Compared::strain() const {
+double Compared::share_of_tolerance() const {
   if (expected == seen || (std::isnan(expected) && std::isnan(seen))) return 0.0;
   const double quotient = std::abs(seen - expected) / tolerance;
   return std::isnan(quotient) ? std::numeric_limits<double>::infinity() : quotient;

@@ -12,7 +12,7 @@ struct Compared {
 
   bool holds() const;
   // The difference in tolerances; infinite when it does not hold and has no tolerance.
-  double strain() const;
+  double share_of_tolerance() const;
 };
 
 // "x1_rms: expected 1.25, seen 1.26 (tolerance 1e-07)", with the digits that tell the numbers.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/array.hpp"
 #include "model/error.hpp"
 #include "orbits/floquet.hpp"
 #include "plan/plan.hpp"
@@ -105,7 +106,7 @@ std::vector<Compared> compare_exponent_sum(const Subject& subject) {
   std::vector<Compared> compared;
   for (std::size_t point = 0; point < result.status.size(); ++point) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < width; ++i) sum += spectrum[point * width + i];
+    for (const double exponent : Array2(spectrum, width)[point]) sum += exponent;
     compared.push_back({fmt::format("sum at mu = {:g}, eps = {:g}", plan.axis_value(0, point),
                                     plan.axis_value(1, point)),
                         gear5_exponent_sum(plan.setting_of(point)), sum, 2e-8});

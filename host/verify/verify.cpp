@@ -38,7 +38,8 @@ Outcome judge(const std::vector<Compared>& compared) {
   outcome.numbers = compared.size();
   for (const Compared& one : compared) {
     if (!one.holds()) ++outcome.failed;
-    if (!outcome.worst || one.strain() > outcome.worst->strain()) outcome.worst = one;
+    if (!outcome.worst || one.share_of_tolerance() > outcome.worst->share_of_tolerance())
+      outcome.worst = one;
   }
   outcome.verdict = outcome.failed == 0 && outcome.numbers > 0 ? Verdict::pass : Verdict::fail;
   if (outcome.numbers == 0) outcome.reason = "nothing was compared";

@@ -32,7 +32,7 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
       // While one tile's launches end raggedly, or the host looks at their results, those of
       // another fill the device. Not worth a second start where there are few tiles.
       const bool has_many_tiles =
-          at_once >= kManyTiles * choices.size() * engines.back()->least_tile();
+          at_once >= kManyTiles * choices.size() * engines.back()->min_tile();
       if (has_many_tiles) engines.push_back(make_opencl_engine(study, choices[i], clock));
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;

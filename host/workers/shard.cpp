@@ -7,7 +7,7 @@
 namespace gearsweep {
 
 Shard parse_shard(const std::string& text) {
-  constexpr std::size_t kMostShards = 1'000'000;
+  constexpr std::size_t kMaxShards = 1'000'000;
   const std::size_t slash = text.find('/');
   const bool has_digits_only =
       slash != std::string::npos && text.size() < 20 &&
@@ -16,7 +16,7 @@ Shard parse_shard(const std::string& text) {
       slash > 0 && slash + 1 < text.size();
   Shard shard;
   if (has_digits_only) shard = {std::stoul(text), std::stoul(text.substr(slash + 1))};
-  if (shard.number < 1 || shard.number > shard.count || shard.count > kMostShards) {
+  if (shard.number < 1 || shard.number > shard.count || shard.count > kMaxShards) {
     throw InputError(
         fmt::format("shard '{}': expected K/N, the K-th of N shards, such as 1/8 .. 8/8", text));
   }

@@ -85,19 +85,19 @@ WorkerReport ThreadWorkers::compute(const Task& task, Engine* engine) {
   TileCallbacks callbacks;
   callbacks.after_round = [&](double round_steps) {
     steps += round_steps;
-    report({WorkerReport::Kind::progress, task.tile, round_steps, {}, {}});
+    report({.kind = WorkerReport::Kind::progress, .tile = task.tile, .steps = round_steps});
     const std::lock_guard lock(mutex_);
     return !stops_;
   };
   callbacks.on_work = [&](double more) {
-    report({WorkerReport::Kind::more_work, task.tile, more, {}, {}});
+    report({.kind = WorkerReport::Kind::more_work, .tile = task.tile, .steps = more});
   };
   const auto start = std::chrono::steady_clock::now();
   const double in_kernels = engine->kernel_seconds();
   std::optional<TileResult> result =
       run_tile(plan_, tile, task.initial.empty() ? own_initial_states(plan_, tile) : task.initial,
                engine, callbacks);
-  if (!result) return {WorkerReport::Kind::stopped, task.tile, 0.0, {}, {}};
+  if (!result) return {.kind = WorkerReport::Kind::stopped, .tile = task.tile};
   result->effort.steps = steps;
   result->effort.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -105,7 +105,7 @@ WorkerReport ThreadWorkers::compute(const Task& task, Engine* engine) {
   result->device = engine->info().device;
   // Only neighbours in a chain ask for them again.
   if (!plan_.study().is_chained()) result->final_states.clear();
-  return {WorkerReport::Kind::finished, task.tile, 0.0, std::move(*result), {}};
+  return {.kind = WorkerReport::Kind::finished, .tile = task.tile, .result = std::move(*result)};
 }
 
 std::optional<ThreadWorkers::Task> ThreadWorkers::next_task() {

@@ -23,8 +23,8 @@ struct WorkerReport {
   Kind kind = Kind::progress;
   std::size_t tile = 0;  // its number in the plan
   double steps = 0.0;
-  TileResult result;
-  std::exception_ptr failure;  // of a lost worker
+  TileResult result = {};
+  std::exception_ptr failure = {};  // of a lost worker
 };
 
 class WorkerPool {

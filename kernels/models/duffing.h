@@ -15,7 +15,7 @@
 // Far out the cubic spring makes a quick oscillator: shorter steps than by default.
 #define MODEL_MAX_STEP 0.03
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                              \
   X(damping, "1", 0.05, -10.0, 100.0, 0, "factor of the velocity")       \
   X(linear, "1", 0.0, -1e3, 1e3, 0, "linear stiffness")                  \
@@ -45,7 +45,7 @@ typedef struct {
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
   (void)options;
-  point->period = (scalar)(6.283185307179586476925) / p->omega;
+  point->period = (scalar)(TWO_PI) / p->omega;
   point->damping = p->damping;
   point->linear = p->linear;
   point->cubic = p->cubic;
@@ -92,15 +92,9 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
-inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
-  return {0.0};
-}
-
 inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions&, double psi,
                                     double) {
-  return {std::sin(6.283185307179586476925 * psi + p.phase)};
+  return {std::sin(TWO_PI * psi + p.phase)};
 }
 
 // Rest without forcing: the bottom of the right well, where there are two.

@@ -17,7 +17,7 @@
 // A force that starts at the limits of a backlash: steps that cross one are corrected.
 #define MODEL_CONTACT
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                             \
   X(omega, "varpi", 0.8, 1e-4, 100.0, 0, "mesh frequency")                              \
@@ -71,7 +71,7 @@ typedef struct {
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
   (void)options;
   const real square = p->omega * p->omega;
-  point->period = (scalar)(6.283185307179586476925) / p->omega;
+  point->period = (scalar)(TWO_PI) / p->omega;
   point->b = p->b;
   point->damping = (scalar)(2) * p->z;
   point->load = p->Fm;
@@ -121,17 +121,18 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
 }
 
 // How dx/dtau changes with the penetration.
-SHARED_FN void model_push(const ModelPoint* point, const PhaseCoefs* phase, real* push) {
-  push[STATE_x] = 0;
-  push[STATE_v] = -gear1_stiffness(point, phase);
+SHARED_FN void model_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
+                                     real* direction) {
+  direction[STATE_x] = 0;
+  direction[STATE_v] = -gear1_stiffness(point, phase);
 }
 
-// How dx/dtau changes along a push. That has no position, and so leaves the penetration alone.
-SHARED_FN void model_push_carried(const ModelPoint* point, const PhaseCoefs* phase,
-                                  const real* push, real* dx) {
+// How dx/dtau changes along a direction. That has no position, and so leaves the penetration alone.
+SHARED_FN void model_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
+                                             const real* direction, real* dx) {
   (void)phase;
-  dx[STATE_x] = push[STATE_v];
-  dx[STATE_v] = -point->damping * push[STATE_v];
+  dx[STATE_x] = direction[STATE_v];
+  dx[STATE_v] = -point->damping * direction[STATE_v];
 }
 
 // `scale` times the Jacobian at a phase and a state.
@@ -175,8 +176,6 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
 // The square wave jumps at the end of its soft part.
 inline std::vector<double> model_break_phases(const ModelParameters& p,
                                               const ModelOptions& options) {
@@ -187,7 +186,7 @@ inline std::vector<double> model_break_phases(const ModelParameters& p,
 // `inside` tells which part of the square wave is meant at a jump.
 inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
                                     double psi, double inside) {
-  const double turn = 6.283185307179586476925 * psi;
+  const double turn = TWO_PI * psi;
   PhaseCoefs out = {};
   out.cosine = std::cos(turn);
   out.cosine_2 = std::cos(2.0 * turn);

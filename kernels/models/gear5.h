@@ -24,7 +24,7 @@
 // A force that starts at the limits of a backlash: steps that cross one are corrected.
 #define MODEL_CONTACT
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning).
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                                 \
   X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency")                                  \
@@ -122,7 +122,7 @@ typedef struct {
 } ModelPoint;
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
-  point->period = (scalar)(6.283185307179586476925) / p->omega;
+  point->period = (scalar)(TWO_PI) / p->omega;
   point->load = p->F1;
   point->forcing = p->e0 * p->omega * p->omega;
   point->friction = p->mu;
@@ -274,24 +274,27 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
 }
 
 // How dx/dtau changes with the penetration.
-SHARED_FN void model_push(const ModelPoint* point, const PhaseCoefs* phase, real* push) {
+SHARED_FN void model_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
+                                     real* direction) {
   const Gear5Mesh mesh = gear5_mesh(point, phase);
   UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) push[i] = 0;
-  push[STATE_v1] = -mesh.stiffness;
-  push[STATE_v2] = -point->mass_p * mesh.slide_stiffness;
-  push[STATE_v3] = point->mass_p * mesh.normal_stiffness;
-  push[STATE_v4] = point->mass_g * mesh.slide_stiffness;
-  push[STATE_v5] = -point->mass_g * mesh.normal_stiffness;
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) direction[i] = 0;
+  direction[STATE_v1] = -mesh.stiffness;
+  direction[STATE_v2] = -point->mass_p * mesh.slide_stiffness;
+  direction[STATE_v3] = point->mass_p * mesh.normal_stiffness;
+  direction[STATE_v4] = point->mass_g * mesh.slide_stiffness;
+  direction[STATE_v5] = -point->mass_g * mesh.normal_stiffness;
 }
 
-// How dx/dtau changes along a push. That has no positions, and so leaves the penetration alone.
-SHARED_FN void model_push_carried(const ModelPoint* point, const PhaseCoefs* phase,
-                                  const real* push, real* dx) {
+// How dx/dtau changes along a direction. That has no positions, and so leaves the penetration
+// alone.
+SHARED_FN void model_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
+                                             const real* direction, real* dx) {
   const real zero = 0;
-  const real rate = gear5_deflection(point, push[STATE_v1], push[STATE_v3], push[STATE_v5]);
+  const real rate =
+      gear5_deflection(point, direction[STATE_v1], direction[STATE_v3], direction[STATE_v5]);
   const Gear5Mesh mesh = gear5_mesh(point, phase);
-  gear5_motion(point, &mesh, push, zero, rate, zero, dx);
+  gear5_motion(point, &mesh, direction, zero, rate, zero, dx);
 }
 
 // `scale` times the Jacobian at a phase and a state, worked out once for all tangent vectors. The
@@ -435,7 +438,7 @@ inline double gear5_pair_stiffness(const ModelParameters& p, int shape, double s
 
 // Eq. (7): half of the Fourier series of the total stiffness, carried by each pair at all times.
 inline double gear5_fourier_stiffness(const ModelParameters& p, double psi) {
-  const double turn = 6.283185307179586476925 * psi;
+  const double turn = TWO_PI * psi;
   return 0.5 *
          (1.0 + p.kappa * std::cos(turn + p.phase) + p.kappa_2 * std::cos(2.0 * turn + p.phase_2) +
           p.kappa_3 * std::cos(3.0 * turn + p.phase_3) +
@@ -446,7 +449,7 @@ inline double gear5_fourier_stiffness(const ModelParameters& p, double psi) {
 // between the two break phases that enclose psi.
 inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
                                     double psi, double inside) {
-  const double turn = 6.283185307179586476925;
+  const double turn = TWO_PI;
   const double radians = p.alpha * turn / 360.0;
   const bool printed = options.formulation == FORMULATION_PRINTED;
   PhaseCoefs out = {};

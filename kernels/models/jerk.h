@@ -13,7 +13,7 @@
 // The slope of |x| jumps inside steps, which leaves a lower order: shorter steps than by default.
 #define MODEL_MAX_STEP 0.02
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                          \
   X(damping, "1", 0.6, -10.0, 10.0, 0, "factor of the acceleration") \
   X(period, "1", 1.0, 1e-3, 1e3, 0, "time from section to section")
@@ -23,8 +23,6 @@
 
 // X(name, unit, meaning)
 #define MODEL_SIGNALS(X) X(jerk, "1", "x'''")
-
-#define MODEL_PHASE_COEFS(X) X(one, "1: nothing depends on the phase")
 
 #include "model_types.h"
 
@@ -87,16 +85,6 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
-inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
-  return {0.0};
-}
-
-inline PhaseCoefs model_phase_coefs(const ModelParameters&, const ModelOptions&, double, double) {
-  return {1.0};
-}
-
 // The equilibrium x = -1, which the motion turns about.
 inline void model_equilibrium(const ModelParameters&, const ModelOptions&, double* x) {
   x[STATE_x] = -1.0;

@@ -12,7 +12,7 @@
 // One direction contracts by 15 to 25 per unit of time: shorter steps than by default.
 #define MODEL_MAX_STEP 0.01
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                                         \
   X(sigma, "1", 10.0, 0.0, 1e3, 0, "Prandtl number")                                \
   X(rho, "1", 28.0, 0.0, 1e3, 0, "Rayleigh number / that of the onset")             \
@@ -26,8 +26,6 @@
 
 // X(name, unit, meaning)
 #define MODEL_SIGNALS(X) X(energy, "1", "(x^2 + y^2 + z^2)/2")
-
-#define MODEL_PHASE_COEFS(X) X(one, "1: nothing depends on the phase")
 
 #include "model_types.h"
 
@@ -87,16 +85,6 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
-inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
-  return {0.0};
-}
-
-inline PhaseCoefs model_phase_coefs(const ModelParameters&, const ModelOptions&, double, double) {
-  return {1.0};
-}
-
 // Steady convection, where there is any; otherwise rest.
 inline void model_equilibrium(const ModelParameters& p, const ModelOptions&, double* x) {
   x[STATE_z] = std::fmax(p.rho - 1.0, 0.0);

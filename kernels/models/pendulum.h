@@ -15,7 +15,7 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                              \
   X(damping, "1", 0.05, -10.0, 100.0, 0, "factor of the velocity, 1/Q")  \
   X(drive, "1", 0.6, -1e3, 1e3, 0, "amplitude of the forcing torque")    \
@@ -44,7 +44,7 @@ typedef struct {
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
   (void)options;
-  point->period = (scalar)(6.283185307179586476925) / p->omega;
+  point->period = (scalar)(TWO_PI) / p->omega;
   point->damping = p->damping;
   point->drive = p->drive;
 }
@@ -86,20 +86,8 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
-inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
-  return {0.0};
-}
-
 inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions&, double psi,
                                     double) {
-  return {std::sin(6.283185307179586476925 * psi + p.phase)};
-}
-
-// Hanging at rest.
-inline void model_equilibrium(const ModelParameters&, const ModelOptions&, double* x) {
-  x[STATE_x] = 0.0;
-  x[STATE_v] = 0.0;
+  return {std::sin(TWO_PI * psi + p.phase)};
 }
 #endif

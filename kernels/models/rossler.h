@@ -12,7 +12,7 @@
 // While x is small, z decays by c and more: shorter steps than by default.
 #define MODEL_MAX_STEP 0.02
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                    \
   X(a, "1", 0.2, -10.0, 10.0, 0, "growth of the turning pair") \
   X(b, "1", 0.2, -10.0, 10.0, 0, "constant input of z")        \
@@ -25,8 +25,6 @@
 
 // X(name, unit, meaning)
 #define MODEL_SIGNALS(X) X(radius, "1", "distance of (x, y) from the origin")
-
-#define MODEL_PHASE_COEFS(X) X(one, "1: nothing depends on the phase")
 
 #include "model_types.h"
 
@@ -82,16 +80,6 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
-inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
-  return {0.0};
-}
-
-inline PhaseCoefs model_phase_coefs(const ModelParameters&, const ModelOptions&, double, double) {
-  return {1.0};
-}
-
 // The equilibrium in the middle of the band, x = a z and y = -z with a z^2 - c z + b = 0; where
 // there is none, the vertex of that parabola. The smaller root is written without cancellation.
 inline void model_equilibrium(const ModelParameters& p, const ModelOptions&, double* x) {

@@ -15,7 +15,7 @@
 // than by default.
 #define MODEL_MAX_STEP 0.02
 
-// X(name, unit, default, least, greatest, shapes the phase coefficients, meaning)
+// X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                        \
   X(mu, "1", 3.0, 0.0, 100.0, 0, "strength of the damping")        \
   X(amplitude, "1", 5.0, -1e4, 1e4, 0, "amplitude of the forcing") \
@@ -39,7 +39,7 @@ typedef struct {
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
   (void)options;
-  point->period = (scalar)(6.283185307179586476925) / p->omega;
+  point->period = (scalar)(TWO_PI) / p->omega;
   point->mu = p->mu;
   point->amplitude = p->amplitude;
 }
@@ -84,20 +84,8 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 }
 
 #ifdef MODEL_HOST_PART
-inline std::string model_check(const ModelParameters&, const ModelOptions&) { return ""; }
-
-inline std::vector<double> model_break_phases(const ModelParameters&, const ModelOptions&) {
-  return {0.0};
-}
-
 inline PhaseCoefs model_phase_coefs(const ModelParameters&, const ModelOptions&, double psi,
                                     double) {
-  return {std::sin(6.283185307179586476925 * psi)};
-}
-
-// Rest, which is unstable.
-inline void model_equilibrium(const ModelParameters&, const ModelOptions&, double* x) {
-  x[STATE_x] = 0.0;
-  x[STATE_v] = 0.0;
+  return {std::sin(TWO_PI * psi)};
 }
 #endif

@@ -21,7 +21,7 @@ enum {
   contact_wedged,
   contact_losses,
   contact_gap_seen,
-  contact_least_backlash,
+  contact_min_backlash,
   contact_period_drive,
   contact_period_back,
   contact_period_wedged,
@@ -37,7 +37,7 @@ SHARED_FN void contact_init(real* sums, const Moment* start) {
   sums[contact_wedged] = 0;
   sums[contact_losses] = 0;
   sums[contact_gap_seen] = 0;
-  sums[contact_least_backlash] = start->signals.backlash;
+  sums[contact_min_backlash] = start->signals.backlash;
   sums[contact_period_drive] = 0;
   sums[contact_period_back] = 0;
   sums[contact_period_wedged] = 0;
@@ -83,7 +83,7 @@ SHARED_FN void contact_step(real* sums, const Step* step) {
   sums[contact_period_wedged] += weight * both;
   sums[contact_losses] += losses;
   sums[contact_gap_seen] = lane_select(gap, one, sums[contact_gap_seen]);
-  sums[contact_least_backlash] = lane_min(sums[contact_least_backlash], after->signals.backlash);
+  sums[contact_min_backlash] = lane_min(sums[contact_min_backlash], after->signals.backlash);
 }
 
 // Sums over one period first, so that many short shares keep their digits in fp32.
@@ -104,7 +104,7 @@ SHARED_FN void contact_finish(const real* sums, SweepRound round, real* out) {
   const real one = 1;
   const real two = 2;
   const real three = 3;
-  const mask negative = sums[contact_least_backlash] < zero;
+  const mask negative = sums[contact_min_backlash] < zero;
   const real drive = sums[contact_drive] / periods;
   const real back = sums[contact_back] / periods;
   const real wedged = lane_select(negative, sums[contact_wedged] / periods, zero);

@@ -1,5 +1,5 @@
 // Kaplan-Yorke dimension from all Lyapunov exponents: j + (l_1 + ... + l_j)/|l_(j+1)|, j the
-// greatest number of exponents whose sum is not negative (Kaplan and Yorke 1979). The phase is not
+// largest number of exponents whose sum is not negative (Kaplan and Yorke 1979). The phase is not
 // a state here: for a phase-driven model this is the dimension of the section.
 #include "observables/lyapunov_spectrum.h"
 

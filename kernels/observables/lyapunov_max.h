@@ -14,12 +14,12 @@
 #define LYAPUNOV_MAX_OUTPUT_ROLES(X) X(, exponent) X(error, exponent_error)
 
 enum {
-  lyapunov_max_sum,      // of the periods' rates of growth
-  lyapunov_max_growth,   // of the periods' growths
-  lyapunov_max_block,    // of the rates in the running block
-  lyapunov_max_origin,   // mean rate of the first block
-  lyapunov_max_offsets,  // sum of the blocks' means less the first
-  lyapunov_max_squares,  // and of their squares
+  lyapunov_max_sum,         // of the periods' rates: log stretching over time
+  lyapunov_max_stretching,  // of the periods' log stretchings
+  lyapunov_max_block,       // of the rates in the running block
+  lyapunov_max_origin,      // mean rate of the first block
+  lyapunov_max_offsets,     // sum of the blocks' means less the first
+  lyapunov_max_squares,     // and of their squares
   lyapunov_max_accumulators
 };
 
@@ -35,9 +35,9 @@ SHARED_FN void lyapunov_max_step(real* sums, const Step* step) {}
 SHARED_FN void lyapunov_max_end_period(real* sums, const Section* section) {
   const uint number = section->number;
   const uint block = max(section->record / lyapunov_max_blocks, 1u);
-  const real rate = section->growth[0] / section->period;
+  const real rate = section->log_stretching[0] / section->period;
   sums[lyapunov_max_sum] += rate;
-  sums[lyapunov_max_growth] += section->growth[0];
+  sums[lyapunov_max_stretching] += section->log_stretching[0];
   sums[lyapunov_max_block] += rate;
   if ((number + 1) % block != 0) return;
   const real mean = sums[lyapunov_max_block] / (scalar)(block);
@@ -55,6 +55,6 @@ SHARED_FN void lyapunov_max_finish(const real* sums, SweepRound round, real* out
   const real variance = lane_max(sums[lyapunov_max_squares] / blocks - mean * mean, (real)(0));
   out[0] = sums[lyapunov_max_sum] / (scalar)(round.record);
   out[1] = lane_sqrt(variance / (blocks - 1));
-  out[2] = sums[lyapunov_max_growth] / (scalar)(round.record);
+  out[2] = sums[lyapunov_max_stretching] / (scalar)(round.record);
 }
 #endif

@@ -20,7 +20,7 @@ SHARED_FN void lyapunov_spectrum_init(real* sums, const Moment* start) {
 SHARED_FN void lyapunov_spectrum_step(real* sums, const Step* step) {}
 
 SHARED_FN void lyapunov_spectrum_end_period(real* sums, const Section* section) {
-  for (int j = 0; j < TANGENTS; ++j) sums[j] += section->growth[j] / section->period;
+  for (int j = 0; j < TANGENTS; ++j) sums[j] += section->log_stretching[j] / section->period;
 }
 
 SHARED_FN void lyapunov_spectrum_finish(const real* sums, SweepRound round, real* out) {

@@ -28,23 +28,23 @@
 
 enum {
   motion_forcing,    // the forcing period
-  motion_extent,     // of the section in the first half: the greatest range of any component
+  motion_extent,     // of the section in the first half: the largest range of any component
   motion_recurrence  // then: the accumulators of period and lyapunov_max, the present half's range
 };
-enum { motion_growth = (int)(motion_recurrence) + (int)(period_accumulators) };
-enum { motion_least = (int)(motion_growth) + (int)(lyapunov_max_accumulators) };
-enum { motion_greatest = motion_least + PER_STATE };
-enum { motion_accumulators = motion_greatest + PER_STATE };
+enum { motion_exponent = (int)(motion_recurrence) + (int)(period_accumulators) };
+enum { motion_min = (int)(motion_exponent) + (int)(lyapunov_max_accumulators) };
+enum { motion_max = motion_min + PER_STATE };
+enum { motion_accumulators = motion_max + PER_STATE };
 
 #ifdef __OPENCL_VERSION__
 enum { motion_outputs = MOTION_OUTPUTS(COUNT_OUTPUT) };
-enum { motion_least_neutral = 1000 };  // periods
+enum { motion_min_neutral = 1000 };  // periods
 
 SHARED_FN void motion_begin_half(real* sums, const real* x) {
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    sums[motion_least + i] = x[i];
-    sums[motion_greatest + i] = x[i];
+    sums[motion_min + i] = x[i];
+    sums[motion_max + i] = x[i];
   }
 }
 
@@ -52,7 +52,7 @@ SHARED_FN real motion_present_extent(const real* sums) {
   real extent = 0;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    extent = lane_max(extent, sums[motion_greatest + i] - sums[motion_least + i]);
+    extent = lane_max(extent, sums[motion_max + i] - sums[motion_min + i]);
   }
   return extent;
 }
@@ -61,7 +61,7 @@ SHARED_FN void motion_init(real* sums, const Moment* start) {
   sums[motion_forcing] = 0;
   sums[motion_extent] = 0;
   period_init(sums + motion_recurrence, start);
-  lyapunov_max_init(sums + motion_growth, start);
+  lyapunov_max_init(sums + motion_exponent, start);
   motion_begin_half(sums, start->x);
 }
 
@@ -71,32 +71,32 @@ SHARED_FN void motion_end_period(real* sums, const Section* section) {
   const real* x = section->x;
   sums[motion_forcing] = section->period;
   period_end_period(sums + motion_recurrence, section);
-  lyapunov_max_end_period(sums + motion_growth, section);
+  lyapunov_max_end_period(sums + motion_exponent, section);
   if (section->number == section->record / 2) {
     sums[motion_extent] = motion_present_extent(sums);
     motion_begin_half(sums, x);
   }
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    sums[motion_least + i] = lane_min(sums[motion_least + i], x[i]);
-    sums[motion_greatest + i] = lane_max(sums[motion_greatest + i], x[i]);
+    sums[motion_min + i] = lane_min(sums[motion_min + i], x[i]);
+    sums[motion_max + i] = lane_max(sums[motion_max + i], x[i]);
   }
 }
 
 SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
   real exponent[lyapunov_max_outputs];
-  lyapunov_max_finish(sums + motion_growth, round, exponent);
+  lyapunov_max_finish(sums + motion_exponent, round, exponent);
   const real time = (scalar)(round.record) * sums[motion_forcing];
-  const real growth = exponent[0] * time;
+  const real log_stretching = exponent[0] * time;
   const real error = (scalar)(3) * exponent[1] * time;
   const real turn = 2;
   const real much = 10;
-  const real size = lane_abs(growth);
+  const real size = lane_abs(log_stretching);
   const mask recurs = period_found(sums + motion_recurrence, round.record) > zero;
-  const mask positive = (growth > error) & (growth > turn);
+  const mask positive = (log_stretching > error) & (log_stretching > turn);
   const mask neutral = (size <= turn) | ((size <= error) & (size <= much));
-  const mask decays = (growth < -error) & (growth < -much);
+  const mask decays = (log_stretching < -error) & (log_stretching < -much);
   const real early = sums[motion_extent];
   const real late = motion_present_extent(sums);
   const mask steady = (late <= (scalar)(1.25) * early) & (early <= (scalar)(1.25) * late);
@@ -105,10 +105,10 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const real periodic = MOTION_periodic;
   real bounded = undecided;
   if (round.is_last) bounded = lane_select(decays, periodic, bounded);
-  if (round.is_last || round.record >= motion_least_neutral) {
+  if (round.is_last || round.record >= motion_min_neutral) {
     bounded = lane_select(neutral & steady, (real)(MOTION_quasi_periodic), bounded);
   }
   const real other = lane_select(positive, (real)(MOTION_chaotic), bounded);
-  out[0] = lane_select(recurs, lane_select(growth > error, undecided, periodic), other);
+  out[0] = lane_select(recurs, lane_select(log_stretching > error, undecided, periodic), other);
 }
 #endif

@@ -1,12 +1,12 @@
 // Period of the motion, in forcing periods: after how many the full state at phase 0 recurs. The
 // state is compared with a reference that moves on after 1, 2, 4, ... periods (R. P. Brent, BIT 20
-// (1980) 176-184) and at last each time a window is full: 64 periods, or the greatest power of two
+// (1980) 176-184) and at last each time a window is full: 64 periods, or the largest power of two
 // that is at most a third of the record. Two states are the same when no component differs by more
 // than PERIOD_TOLERANCE times the range of the motion during any period so far (items.h), which
 // knows nothing of offsets and units. A period
 // counts when all its multiples within reach recur and nothing before or between them does, at
-// least two of them, from some reference to the end of the record and for a quarter of the record
-// or more. The longest that counts is half a window.
+// least two of them, from some reference to the end of the record and for a quarter of the
+// record or more. The longest that counts is half a window.
 //
 // A motion that still nears its orbit from alternating sides comes closer to itself after two of
 // its periods than after one, for as long as it moves: it would count with the double (a rotating
@@ -26,11 +26,11 @@ enum {
   period_hits,                                     // times that the candidate recurred
   period_due,                                      // lag at which it recurs next
   period_since,                                    // periods recorded before its reference
-  period_worst,                                    // greatest distance of its recurrences
-  period_nearest,                                  // least distance of all else since then
+  period_worst,                                    // largest distance of its recurrences
+  period_nearest,                                  // smallest distance of all else since then
   period_window_nearest,                           // and in this window
   period_reference,                                // the state to compare with
-  period_ranges = period_reference + PER_STATE,    // of each state during a period, the greatest
+  period_ranges = period_reference + PER_STATE,    // of each state during a period, the largest
   period_accumulators = period_ranges + PER_STATE  // all of them
 };
 
@@ -85,7 +85,7 @@ SHARED_FN void period_end_period(real* sums, const Section* section) {
   share_ranges(sums + period_ranges, shared);
   real apart[MODEL_STATE_COUNT];
   relative_difference(x, sums + period_reference, shared, apart);
-  const real distance = greatest_size(apart);
+  const real distance = max_size(apart);
   const mask same = distance <= (scalar)(PERIOD_TOLERANCE);
   const mask due = sums[period_due] == now;
   const mask hit = due & same;

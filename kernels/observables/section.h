@@ -1,11 +1,11 @@
-// The box around the section: least and greatest value of each state at phase 0 over the record.
+// The box around the section: smallest and largest value of each state at phase 0 over the record.
 
 #define SECTION_ROLE verdict
 #define SECTION_DIMENSION "component"
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define SECTION_OUTPUTS(X)                                                     \
-  X(min, "", "", "least value at phase 0 of each state, in the model's order") \
-  X(max, "", "", "greatest value at phase 0 of each state, in the model's order")
+#define SECTION_OUTPUTS(X)                                                        \
+  X(min, "", "", "smallest value at phase 0 of each state, in the model's order") \
+  X(max, "", "", "largest value at phase 0 of each state, in the model's order")
 // X(suffix, role)
 #define SECTION_OUTPUT_ROLES(X) X(min, section_min) X(max, section_max)
 

@@ -18,22 +18,23 @@
   X(, "1", "",              \
     "0-1 test for chaos of the first state; not a number when less than 100 periods are recorded")
 
-enum { zero_one_most_lags = 128 };
+enum { zero_one_max_lags = 128 };
 enum {
-  zero_one_origin,                                         // the samples below are less this
-  zero_one_range,                                          // of the state, the greatest so far
-  zero_one_sum,                                            // of all samples
-  zero_one_part_sum,                                       // of samples 1 .. J
-  zero_one_head,                                           // the first samples
-  zero_one_ring = zero_one_head + zero_one_most_lags,      // the last samples, i at i % most_lags
-  zero_one_products = zero_one_ring + zero_one_most_lags,  // C(1, 1 + m)
-  zero_one_accumulators = zero_one_products + zero_one_most_lags
+  zero_one_origin,    // the samples below are less this
+  zero_one_range,     // of the state, the largest so far
+  zero_one_sum,       // of all samples
+  zero_one_part_sum,  // of samples 1 .. J
+  zero_one_head,      // the first samples
+  zero_one_ring =
+      zero_one_head + zero_one_max_lags,  // the last samples, i at i % zero_one_max_lags
+  zero_one_products = zero_one_ring + zero_one_max_lags,  // C(1, 1 + m)
+  zero_one_accumulators = zero_one_products + zero_one_max_lags
 };
 
 #ifdef __OPENCL_VERSION__
 enum { zero_one_outputs = ZERO_ONE_OUTPUTS(COUNT_OUTPUT), zero_one_angles = 31 };
 
-SHARED_FN uint zero_one_lags(uint record) { return min(record / 10, (uint)(zero_one_most_lags)); }
+SHARED_FN uint zero_one_lags(uint record) { return min(record / 10, (uint)(zero_one_max_lags)); }
 
 SHARED_FN void zero_one_init(real* sums, const Moment* start) {
   for (int i = 0; i < zero_one_accumulators; ++i) sums[i] = 0;
@@ -53,11 +54,11 @@ SHARED_FN void zero_one_end_period(real* sums, const Section* section) {
   sums[zero_one_range] = lane_max(sums[zero_one_range], ranges[0]);
   sums[zero_one_sum] += sample;
   if (i + lags <= record) sums[zero_one_part_sum] += sample;
-  if (number < zero_one_most_lags) sums[zero_one_head + number] = sample;
-  sums[zero_one_ring + i % zero_one_most_lags] = sample;
+  if (number < zero_one_max_lags) sums[zero_one_head + number] = sample;
+  sums[zero_one_ring + i % zero_one_max_lags] = sample;
   for (uint m = 0; m < lags && m < i; ++m) {
     if (i - m + lags > record) continue;
-    sums[zero_one_products + m] += sample * sums[zero_one_ring + (i - m) % zero_one_most_lags];
+    sums[zero_one_products + m] += sample * sums[zero_one_ring + (i - m) % zero_one_max_lags];
   }
 }
 
@@ -71,7 +72,7 @@ SHARED_FN void zero_one_center(const real* sums, uint record, real* head, real* 
   for (uint m = 0; m < lags; ++m) {
     products[m] = sums[zero_one_products + m] -
                   mean * (sums[zero_one_part_sum] + window_sum - (scalar)(length)*mean);
-    const real last = sums[zero_one_ring + (length + m + 1) % zero_one_most_lags];
+    const real last = sums[zero_one_ring + (length + m + 1) % zero_one_max_lags];
     window_sum = window_sum + last - sums[zero_one_head + m];
     head[m] = sums[zero_one_head + m] - mean;
     tail[m] = last - mean;
@@ -81,7 +82,7 @@ SHARED_FN void zero_one_center(const real* sums, uint record, real* head, real* 
 // K_c for one angle.
 SHARED_FN real zero_one_correlation(const real* head, const real* tail, const real* products,
                                     uint lags, scalar angle) {
-  real rise[zero_one_most_lags];  // of the displacement from n - 1 to n = 1, 2, ...
+  real rise[zero_one_max_lags];  // of the displacement from n - 1 to n = 1, 2, ...
   for (uint n = 0; n < lags; ++n) rise[n] = 0;
   for (uint m = 0; m < lags; ++m) {
     const scalar weight = m == 0 ? (scalar)(1) : (scalar)(2) * cos(angle * (scalar)(m));
@@ -119,9 +120,9 @@ SHARED_FN void zero_one_finish(const real* sums, SweepRound round, real* out) {
   out[0] = NAN;
   if (round.record < 100) return;
   const uint lags = zero_one_lags(round.record);
-  real head[zero_one_most_lags];
-  real tail[zero_one_most_lags];
-  real products[zero_one_most_lags];
+  real head[zero_one_max_lags];
+  real tail[zero_one_max_lags];
+  real products[zero_one_max_lags];
   zero_one_center(sums, round.record, head, tail, products);
   real sorted[zero_one_angles];
   for (int i = 0; i < zero_one_angles; ++i) {
@@ -138,8 +139,8 @@ SHARED_FN void zero_one_finish(const real* sums, SweepRound round, real* out) {
     }
   }
   const real zero = 0;
-  const real least = (scalar)(PERIOD_TOLERANCE)*sums[zero_one_range];
-  const mask varies = products[0] > (scalar)(round.record - lags) * least * least;
+  const real smallest = (scalar)(PERIOD_TOLERANCE)*sums[zero_one_range];
+  const mask varies = products[0] > (scalar)(round.record - lags) * smallest * smallest;
   out[0] = lane_select(varies, sorted[zero_one_angles / 2], zero);
 }
 #endif

@@ -162,10 +162,10 @@ TEST(Section, IsTheBoxThatTheSamplesFillInBothEngines) {
     }
     for (std::size_t chosen = 0; chosen < 2; ++chosen) {
       const std::vector<double> samples = samples_of(longer, point, chosen);
-      const auto [least, greatest] = std::minmax_element(samples.begin(), samples.end());
+      const auto [min, max] = std::minmax_element(samples.begin(), samples.end());
       const std::size_t at = point * 10 + (chosen == 0 ? 1 : 5);
-      EXPECT_EQ(map_of(kernel, "section_min")[at], *least);
-      EXPECT_EQ(map_of(kernel, "section_max")[at], *greatest);
+      EXPECT_EQ(map_of(kernel, "section_min")[at], *min);
+      EXPECT_EQ(map_of(kernel, "section_max")[at], *max);
     }
   }
 }

@@ -281,7 +281,7 @@ TEST_F(BadCommandTest, StylesOfPicturesSayWhatWouldBeRight) {
   expect_refused(plot + "--width wide", {"--width: 'wide'", "as in 85mm"});
   expect_refused(plot + "--font Sans,big", {"--font: 'Sans,big'", "Times New Roman,8"});
   expect_refused(plot + "--range 2:1", {"--range: '2:1'", "the smaller"});
-  expect_refused(plot + "--xrange=-3", {"--xrange: '-3'", "LEAST:GREATEST"});
+  expect_refused(plot + "--xrange=-3", {"--xrange: '-3'", "MIN:MAX"});
   expect_refused(plot + "--colormap jet", {"--colormap: there is no colour map 'jet'", "viridis"});
   expect_refused(plot + "--contours few", {"--contours: 'few'", "as in 6"});
   expect_refused(plot + "--units miles", {"--units: 'miles'", "SI or model"});

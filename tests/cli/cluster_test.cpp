@@ -5,6 +5,7 @@
 
 #include "support/paused_run.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -12,25 +13,13 @@ namespace {
 using ::testing::HasSubstr;
 
 // 32 tiles; each point starts from its neighbour's end when `policy` says so.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 16
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 32
-[integrate]
+const std::string kStudy = coarse_study(16, 32, R"([integrate]
 settle = 100
 record = 20
 tile = 16
 [observe]
 quantities = ["x1_rms", "period"]
-)";
+)");
 
 class ClusterTest : public ::testing::Test {
  protected:

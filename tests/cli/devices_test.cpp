@@ -5,6 +5,7 @@
 #include "journal/detail/database.hpp"
 #include "support/paused_run.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -12,25 +13,13 @@ namespace {
 using ::testing::HasSubstr;
 
 // 16 tiles; exponents and early stopping, so that all kernels are at work.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 16
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 16
-[integrate]
+const std::string kStudy = coarse_study(16, 16, R"([integrate]
 settle = 150
 record = 20
 tile = 16
 [observe]
 quantities = ["x1_rms", "dmf_max", "period", "lyapunov_max"]
-)";
+)");
 
 class DevicesTest : public ::testing::Test {
  protected:

@@ -5,6 +5,7 @@
 
 #include "support/paused_run.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -13,19 +14,7 @@ using ::testing::HasSubstr;
 
 // 16 tiles of 0.8 MB each in the journal, in all 13.2 MB; a result of 5 MB. No limit here is so low
 // that a driver could not keep its compiled kernels.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 32
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 32
-[integrate]
+const std::string kStudy = coarse_study(32, 32, R"([integrate]
 settle = 300
 record = 400
 stop = "never"
@@ -33,7 +22,7 @@ tile = 64
 [observe]
 quantities = ["x1_rms", "poincare"]
 poincare = ["x1", "v1", "x2", "v2"]
-)";
+)");
 
 class DiskTest : public ::testing::Test {
  protected:

@@ -17,13 +17,13 @@ namespace gearsweep::testing {
 namespace {
 
 // As the forecast bounds it; the largest built-in study needs a third of it.
-constexpr double kMostBytes = 2e7;
+constexpr double kMaxBytes = 2e7;
 // A minute or two at 3e8 steps per second, which two cores make.
-constexpr double kMostSteps = 5e10;
+constexpr double kMaxSteps = 5e10;
 
 void expect_sensible(const Study& study, const std::string& where) {
-  EXPECT_LE(size_of_result(study, {}).file, kMostBytes) << where;
-  EXPECT_LE(Plan(study, 1024).total_work(), kMostSteps) << where;
+  EXPECT_LE(size_of_result(study, {}).file, kMaxBytes) << where;
+  EXPECT_LE(Plan(study, 1024).total_work(), kMaxSteps) << where;
 }
 
 // The words of a command as a shell takes them, up to a comment or the next command.

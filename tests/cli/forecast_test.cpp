@@ -8,6 +8,7 @@
 
 #include "support/process.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -31,19 +32,7 @@ quantities = ["x_rms", "poincare"]
 )";
 
 // A large map of next to no work: memory is all that it takes.
-const char* const kLarge = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 640
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 640
-[integrate]
+const std::string kLarge = coarse_study(640, 640, R"([integrate]
 steps_per_period = 16
 settle = 1
 record = 2
@@ -51,29 +40,17 @@ stop = "never"
 [observe]
 quantities = ["x1_rms", "dmf_max", "contact_class", "x1_max", "v1_max", "poincare"]
 poincare = ["x1", "v1"]
-)";
+)");
 
 // All kinds of launches.
-const char* const kOrbits = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 64
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 32
-[integrate]
+const std::string kOrbits = coarse_study(64, 32, R"([integrate]
 settle = 150
 record = 50
 extend = 2
 tile = 2048
 [observe]
 quantities = ["x1_rms", "period", "lyapunov_max", "poincare"]
-)";
+)");
 
 class ForecastTest : public ::testing::Test {
  protected:
@@ -89,7 +66,7 @@ class ForecastTest : public ::testing::Test {
     return nlohmann::json::parse(outcome.out);
   }
 
-  // Runs a study; the greatest memory that the process had, in bytes.
+  // Runs a study; the largest memory that the process had, in bytes.
   double memory_of(const std::string& study) {
     const std::string line = "cd '" + folder_.path().string() + "' && exec " +
                              std::string(GEARSWEEP_BINARY) + " run " + study + " --quiet -o out.nc";
@@ -167,12 +144,12 @@ TEST_F(ForecastTest, BuffersTakeNoMoreThanTold) {
   // When every point runs to its end, all is known before. How many points try an orbit at a time,
   // and how long the orbits are, is not: were it all of them, and the longest, in both tiles that
   // are computed at a time, it would be seven times as much as here.
-  for (const auto& [study, least] : {std::pair{"chaos.toml", 0.95}, std::pair{"large.toml", 0.95},
-                                     std::pair{"orbits.toml", 0.1}}) {
+  for (const auto& [study, min] : {std::pair{"chaos.toml", 0.95}, std::pair{"large.toml", 0.95},
+                                   std::pair{"orbits.toml", 0.1}}) {
     const nlohmann::json device = forecast(study)["devices"][0];
     const auto [all, largest] = buffers_of(study);
     EXPECT_LE(all, device["tile_bytes"]) << study;
-    EXPECT_GE(all, least * device["tile_bytes"].get<double>()) << study;
+    EXPECT_GE(all, min * device["tile_bytes"].get<double>()) << study;
     EXPECT_LE(largest, device["tile_bytes_of_largest_buffer"]) << study;
   }
 }

@@ -4,6 +4,7 @@
 
 #include "support/paused_run.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -11,25 +12,13 @@ namespace {
 using ::testing::HasSubstr;
 
 // 64 tiles.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 32
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 32
-[integrate]
+const std::string kStudy = coarse_study(32, 32, R"([integrate]
 settle = 60
 record = 20
 tile = 16
 [observe]
 quantities = ["x1_rms", "contact_class"]
-)";
+)");
 
 class InterruptTest : public ::testing::Test {
  protected:

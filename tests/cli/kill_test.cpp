@@ -6,24 +6,13 @@
 
 #include "support/paused_run.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
 
 // 16 tiles of every kind of launch, then a result of 6.5 MB before compression.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 32
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 32
-[integrate]
+const std::string kStudy = coarse_study(32, 32, R"([integrate]
 settle = 80
 record = 200
 extend = 1
@@ -31,7 +20,7 @@ tile = 64
 [observe]
 quantities = ["x1_rms", "dmf_max", "contact_class", "period", "lyapunov_max", "poincare"]
 poincare = ["x1", "v1", "x2", "v2"]
-)";
+)");
 
 int chosen_kills() {
   const char* chosen = std::getenv("GEARSWEEP_KILLS");

@@ -4,6 +4,7 @@
 
 #include "support/process.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -11,19 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // 10 tiles of each point's own and of an ensemble's trajectories.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 10
-[[axes]]
-name = "e0"
-from = 0.1
-to = 0.7
-count = 16
-[initial]
+const std::string kStudy = coarse_study(10, 16, R"([initial]
 ensemble = 2
 [integrate]
 settle = 60
@@ -32,7 +21,7 @@ tile = 32
 [observe]
 quantities = ["x1_rms", "period", "attractor_count"]
 poincare = ["x1"]
-)";
+)");
 
 class ShardTest : public ::testing::Test {
  protected:

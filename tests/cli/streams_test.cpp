@@ -9,6 +9,7 @@
 #include "cli/standard_streams.hpp"
 #include "support/process.hpp"
 #include "support/same_result.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -16,20 +17,13 @@ namespace {
 using ::testing::HasSubstr;
 
 // Four tiles.
-const char* const kStudy = R"([model]
-preset = "coarse"
-[[axes]]
-name = "omega"
-from = 0.5
-to = 1.5
-count = 16
-[integrate]
+const std::string kStudy = coarse_study(16, 0, R"([integrate]
 settle = 20
 record = 5
 tile = 4
 [observe]
 quantities = ["x1_rms", "poincare"]
-)";
+)");
 
 class StreamsTest : public ::testing::Test {
  protected:

@@ -42,7 +42,7 @@ TEST_F(TopTest, ItsPlacesArePointsOfTheMap) {
   EXPECT_THAT(gearsweep(folder_, "top map.nc -q dmf_max").out, HasSubstr("  " + place));
   const Outcome trace = gearsweep(folder_, "trace map.nc --at " + place + " -o trace.csv");
   EXPECT_EQ(trace.status, 0) << trace.err;
-  // Its greatest force is that of the map, at a row of the table.
+  // Its largest force is that of the map, at a row of the table.
   gearsweep(folder_, "export map.nc -q dmf_max -o dmf.csv");
   const std::string row = nlohmann::json(peaks[0].at("at").at("omega")).dump() + "," +
                           nlohmann::json(peaks[0].at("at").at("e0")).dump() + "," +
@@ -61,7 +61,7 @@ TEST_F(TopTest, TheLeastComesWithSmallest) {
 TEST_F(TopTest, FewerPeaksThanWereAskedForAreToldOf) {
   const Outcome top = gearsweep(folder_, "top map.nc -q x1_rms -n 40 --apart 1");
   EXPECT_EQ(top.status, 0);
-  EXPECT_THAT(top.out, HasSubstr("the greatest point, "));
+  EXPECT_THAT(top.out, HasSubstr("the largest point, "));
   EXPECT_THAT(top.err, HasSubstr("a smaller --apart may find more"));
 }
 

@@ -32,7 +32,7 @@ std::string parting(const std::string& backlash, const std::string& b,
          "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
 }
 
-// Greatest error of a state after five periods, for 32, 64, ... steps per period, against odeint's
+// Largest error of a state after five periods, for 32, 64, ... steps per period, against odeint's
 // Dormand-Prince at 1e-15: its error, at most 1e-11 where the teeth part, is far below the finest
 // run's.
 std::vector<double> errors(const std::string& study, const std::string& engine,

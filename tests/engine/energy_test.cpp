@@ -31,7 +31,7 @@ double energy(const std::vector<double>& x, double b) {
   return (kinetic + bearings + f * f) / 2.0;
 }
 
-// Greatest relative change of the energy in `periods` periods, in the kernel. There is no loss and
+// Largest relative change of the energy in `periods` periods, in the kernel. There is no loss and
 // no input; `b` decides whether there are impacts: with b = 0 the teeth never part.
 double energy_drift(const std::string& formulation, double b, std::size_t steps,
                     std::size_t periods) {

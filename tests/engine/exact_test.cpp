@@ -175,7 +175,7 @@ TEST(Exact, SumsOfTheShaftsAreFreeOscillators) {
 
 // While the back flank is not touched, nothing but x1 knows b. The states differ in rounding only,
 // and the motions are stable: 1e-13 is ample.
-void expect_translation(const std::string& model, const std::string& omega, double least_class) {
+void expect_translation(const std::string& model, const std::string& omega, double min_class) {
   const SweepResult result =
       run(model +
           "[[axes]]\nname = 'b'\nvalues = [0.375, 0.4, 1.0, 1.7]\n[[axes]]\n"
@@ -189,10 +189,10 @@ void expect_translation(const std::string& model, const std::string& omega, doub
           kAllStates);
   const std::vector<double>& b = result.study.axes[0].values;
   for (std::size_t point = 0; point < result.study.points(); ++point) {
-    const std::size_t first = point / b.size() * b.size();  // the least b at the same omega
+    const std::size_t first = point / b.size() * b.size();  // the smallest b at the same omega
     const double shift = b[point % b.size()] - b[0];
     ASSERT_EQ(map_of(result, "contact_back")[point], 0.0);
-    ASSERT_EQ(map_of(result, "contact_class")[point], least_class);
+    ASSERT_EQ(map_of(result, "contact_class")[point], min_class);
     EXPECT_NEAR(map_of(result, "x1_mean")[point], map_of(result, "x1_mean")[first] + shift, 1e-13);
     for (const char* quantity : {"x1_std", "x2_rms", "dmf_min", "dmf_max", "contact_drive"}) {
       EXPECT_NEAR(map_of(result, quantity)[point], map_of(result, quantity)[first], 1e-13)

@@ -35,7 +35,7 @@ class Field : public ::testing::Test {
     return row;
   }
 
-  // Greatest difference of two fields' components.
+  // Largest difference of two fields' components.
   double distance(const std::vector<double>& coefs_a, const std::vector<double>& a,
                   const std::vector<double>& coefs_b, const std::vector<double>& b) const {
     Eigen::VectorXd slope_a(10), slope_b(10);

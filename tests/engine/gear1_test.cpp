@@ -14,8 +14,8 @@ namespace {
 
 struct Orbit {
   double omega;
-  double x, v;             // at phase 0
-  double least, greatest;  // of x
+  double x, v;      // at phase 0
+  double min, max;  // of x
 };
 
 // From the description of the models, section "Published answers".
@@ -116,8 +116,8 @@ TEST(Gear1, ReferenceOrbits) {
     EXPECT_NEAR(v, outside[1], 1e-8);
     EXPECT_NEAR(x, orbit.x, 1e-7);
     EXPECT_NEAR(v, orbit.v, 1e-7);
-    EXPECT_NEAR(map_of(result, "x_min")[i], orbit.least, 2e-6);
-    EXPECT_NEAR(map_of(result, "x_max")[i], orbit.greatest, 2e-6);
+    EXPECT_NEAR(map_of(result, "x_min")[i], orbit.min, 2e-6);
+    EXPECT_NEAR(map_of(result, "x_max")[i], orbit.max, 2e-6);
     EXPECT_EQ(map_of(result, "deflection_max")[i], map_of(result, "x_max")[i]);
     EXPECT_EQ(map_of(result, "backlash_mean")[i], 1.0);
   }
@@ -174,7 +174,7 @@ double meissner_exponent(double k1, double k2, double T1, double T2, double z) {
 
 // Without backlash a square wave makes a Meissner oscillator. Where its multipliers are real the
 // tangents line up with them, and each period's growth is the multiplier; the rest is the error of
-// the steps, which end on the jumps: h^4 w^5/120 is 8e-9 at the greatest step (0.023, at omega
+// the steps, which end on the jumps: h^4 w^5/120 is 8e-9 at the largest step (0.023, at omega
 // 0.53) during the stiff part (w^2 = 1.6), less on average.
 TEST(Gear1, SquareWaveIsAMeissnerOscillator) {
   const double share = 0.3, k = 0.6, z = 0.1;
@@ -253,7 +253,7 @@ TEST(Gear1, IsGear5WithoutShaftMotion) {
   for (const char* quantity :
        {"deflection_min", "deflection_max", "deflection_mean", "deflection_rms", "dmf_max"}) {
     for (std::size_t i = 0; i < 3; ++i) {
-      // The steps' ends lie elsewhere: (h/2)^2/2 |x''| at an extreme is 5e-7 at the greatest h.
+      // The steps' ends lie elsewhere: (h/2)^2/2 |x''| at an extreme is 5e-7 at the largest h.
       EXPECT_NEAR(map_of(shafts, quantity)[i], map_of(rigid, quantity)[i], 5e-7) << quantity;
     }
   }

@@ -184,12 +184,11 @@ TEST(LyapunovEvents, ExponentsAreConvergedAtTheDefaultStep) {
   const SweepResult plain = run(toml, {"integrate.events=false"});
   const SweepResult fine = run(toml, {"integrate.steps_per_period=2048"});
   const auto error = [&](const SweepResult& found, std::size_t point) {
-    double greatest = 0.0;
+    double max = 0.0;
     for (std::size_t i = 0; i < 10; ++i) {
-      greatest =
-          std::max(greatest, std::abs(spectrum_of(found, point)[i] - spectrum_of(fine, point)[i]));
+      max = std::max(max, std::abs(spectrum_of(found, point)[i] - spectrum_of(fine, point)[i]));
     }
-    return greatest;
+    return max;
   };
   for (std::size_t point = 0; point < 2; ++point) {
     EXPECT_GE(map_of(result, "contact_class")[point], 1.0);

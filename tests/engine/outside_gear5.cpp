@@ -20,8 +20,8 @@ void widen(const OutsideState& before, const OutsideState& after, double h, Outs
     const double r = 1.0 - t;
     const double x1 = r * r * (1.0 + 2.0 * t) * before[0] + t * t * (3.0 - 2.0 * t) * after[0] +
                       h * t * r * (r * before[5] - t * after[5]);
-    range->least = std::min(range->least, x1);
-    range->greatest = std::max(range->greatest, x1);
+    range->min = std::min(range->min, x1);
+    range->max = std::max(range->max, x1);
   }
 }
 

@@ -14,9 +14,9 @@ namespace gearsweep::testing {
 // x1..x5, x1'..x5', then the integrals of x1 and of x1^2 over the phase.
 using OutsideState = std::array<double, 12>;
 
-// Least and greatest x1, between the steps' ends too.
+// Smallest and largest x1, between the steps' ends too.
 struct OutsideRange {
-  double least, greatest;
+  double min, max;
 };
 
 // Sums over the tooth pairs, by the names of the model's equations.

@@ -28,7 +28,7 @@ std::string sweep(const std::string& preset, const std::string& omegas) {
          kQuantities;
 }
 
-// Distance of two recorded sections, by the greatest component, relative to the greatest of all.
+// Distance of two recorded sections, by the largest component, relative to the largest of all.
 class Sections {
  public:
   Sections(const SweepResult& result, std::size_t point) {
@@ -39,9 +39,9 @@ class Sections {
   }
   std::size_t count() const { return states_[0].size(); }
   double distance(std::size_t i, std::size_t j) const {
-    double greatest = 0.0;
-    for (const auto& state : states_) greatest = std::max(greatest, std::abs(state[i] - state[j]));
-    return greatest / scale_;
+    double max = 0.0;
+    for (const auto& state : states_) max = std::max(max, std::abs(state[i] - state[j]));
+    return max / scale_;
   }
 
  private:
@@ -203,7 +203,7 @@ TEST(Motion, AgreesWithPeriodAndExponent) {
     ++seen[static_cast<std::size_t>(motion)];
     if (motion == kPeriodic) {
       EXPECT_GT(period, 0.0);
-      // 2/(200 T) at the greatest omega, where a period T is least.
+      // 2/(200 T) at the largest omega, where a period T is smallest.
       EXPECT_LE(exponent, std::max(error, 0.01 * 1.9 / (2.0 * M_PI)));
     } else if (motion != kUndecided) {
       EXPECT_EQ(period, 0.0);
@@ -212,7 +212,7 @@ TEST(Motion, AgreesWithPeriodAndExponent) {
       EXPECT_GT(exponent, error);
     }
     if (motion == kQuasiPeriodic) {
-      // exp(2) in 1000 periods, again at the greatest omega.
+      // exp(2) in 1000 periods, again at the largest omega.
       EXPECT_LE(std::abs(exponent), std::max(error, 0.002 * 1.9 / (2.0 * M_PI)));
     }
   }

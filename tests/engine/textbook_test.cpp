@@ -46,7 +46,7 @@ struct RegularMotion {
 class DefaultStep : public ::testing::TestWithParam<RegularMotion> {};
 
 // What Model::max_step says of itself: the exponents of a quarter of it, to a thousandth of the
-// greatest. With steps of 0.05 each of these is 1.5 to 60 times as far off.
+// largest. With steps of 0.05 each of these is 1.5 to 60 times as far off.
 TEST_P(DefaultStep, GivesTheExponentsOfAQuarterOfIt) {
   const auto& [name, parameters] = GetParam();
   const std::string study = "[model]\nname = '" + name + "'\n[parameters]\n" + parameters +
@@ -58,10 +58,10 @@ TEST_P(DefaultStep, GivesTheExponentsOfAQuarterOfIt) {
   const SweepResult finer = run(study, {"integrate.max_step=" + std::to_string(quarter)});
   const std::vector<double>& exponents = map_of(result, "lyapunov_spectrum");
   const std::vector<double>& truth = map_of(finer, "lyapunov_spectrum");
-  double greatest = 0.0;
-  for (const double exponent : truth) greatest = std::max(greatest, std::abs(exponent));
+  double max = 0.0;
+  for (const double exponent : truth) max = std::max(max, std::abs(exponent));
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    EXPECT_NEAR(exponents[i], truth[i], 1e-3 * greatest) << i;
+    EXPECT_NEAR(exponents[i], truth[i], 1e-3 * max) << i;
   }
 }
 

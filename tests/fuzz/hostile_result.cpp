@@ -241,7 +241,7 @@ void write_values(int id, int variable, const Variable& from, std::size_t count)
 }
 
 void write(const File& file, const std::string& path) {
-  constexpr std::size_t kMostWritten = 4096;
+  constexpr std::size_t kMaxWritten = 4096;
   int id = -1;
   if (nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id) != NC_NOERR) return;
   std::vector<int> dimensions;
@@ -265,7 +265,7 @@ void write(const File& file, const std::string& path) {
       continue;
     }
     write_attributes(id, made, variable.attributes);
-    if (count <= kMostWritten) {
+    if (count <= kMaxWritten) {
       write_values(id, made, variable, static_cast<std::size_t>(count));
     }
   }
@@ -275,10 +275,10 @@ void write(const File& file, const std::string& path) {
 }  // namespace
 
 void read_hostile_result(const std::string& bytes) {
-  constexpr std::size_t kMostEdits = 24;
+  constexpr std::size_t kMaxEdits = 24;
   Choices choices(bytes);
   File file = choices.below(3) == 2 ? good_traces() : good_map();
-  for (std::size_t i = 0; i < kMostEdits && !choices.empty(); ++i) edit(&choices, &file);
+  for (std::size_t i = 0; i < kMaxEdits && !choices.empty(); ++i) edit(&choices, &file);
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "hostile.nc").string();
   write(file, path);

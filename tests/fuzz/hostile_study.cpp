@@ -11,7 +11,7 @@ namespace gearsweep::testing {
 namespace {
 
 // Larger plans would take the fuzzer's time, and nothing in them differs from smaller ones.
-constexpr std::size_t kMostPoints = 512;
+constexpr std::size_t kMaxPoints = 512;
 
 // Takes "--set PATH=VALUE" lines off the front.
 std::vector<std::string> take_overrides(std::string* text) {
@@ -53,7 +53,7 @@ void read_hostile_study(const std::string& bytes) {
     const Study study = read_study(text, "hostile.toml", overrides);
     read_again(study);
     resolved_settings(study);
-    if (study.trajectories() <= kMostPoints) plan(study);
+    if (study.trajectories() <= kMaxPoints) plan(study);
   } catch (const InputError&) {
   }
 }

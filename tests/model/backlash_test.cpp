@@ -106,8 +106,8 @@ class Backlash : public ::testing::Test {
   std::unique_ptr<PreparedPoint> point_;
 };
 
-// From 1e-12 to 30 centre distances, every direction, centre distances from the least to the
-// greatest: single digits of S - A are never lost, and both forms have their share.
+// From 1e-12 to 30 centre distances, every direction, centre distances from the smallest to the
+// largest: single digits of S - A are never lost, and both forms have their share.
 TEST_F(Backlash, IsRightForAnyCentreDistanceAndAnyDisplacement) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> logarithm(-12.0, 1.5), turn(-1.0, 1.0);

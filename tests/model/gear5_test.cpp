@@ -34,8 +34,8 @@ TEST(Gear5, DefaultsAreThePresetConsistent) {
 TEST(Gear5, DefaultsAreWithinTheirRanges) {
   std::set<std::string> names;
   for (const ParameterInfo& parameter : gear5().parameters) {
-    EXPECT_GE(parameter.default_value, parameter.least) << parameter.name;
-    EXPECT_LE(parameter.default_value, parameter.greatest) << parameter.name;
+    EXPECT_GE(parameter.default_value, parameter.min) << parameter.name;
+    EXPECT_LE(parameter.default_value, parameter.max) << parameter.name;
     EXPECT_FALSE(parameter.unit.empty()) << parameter.name;
     EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
     EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;

@@ -18,7 +18,7 @@ using real = double;
 using scalar = double;
 #include "models/gear1.h"
 // The integrator needs the model.
-#include "integrators/rk4.h"
+#include "rk4/rk4.h"
 }  // namespace fp64
 
 namespace fp32 {
@@ -28,7 +28,7 @@ using real = float;
 using scalar = float;
 #include "models/gear1.h"
 // The integrator needs the model.
-#include "integrators/rk4.h"
+#include "rk4/rk4.h"
 }  // namespace fp32
 
 // The share of the step behind the root of the parabola through p at the step's start, its middle

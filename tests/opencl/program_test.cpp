@@ -126,19 +126,19 @@ TEST(BuildProgram, AcceptsAnySelection) {
   }
 }
 
-// An error that someone makes in kernels/integrators/rk4.h, say.
+// An error that someone makes in kernels/rk4/rk4.h, say.
 TEST(BuildProgram, NamesFileAndLineOfAnError) {
   if (!list_devices().front().is_cpu) GTEST_SKIP() << "NVIDIA's compiler counts lines of the whole";
   const Study study = some_study();
   std::map<std::string, std::string> sources = kernel_sources();
-  std::string& text = sources["integrators/rk4.h"];
+  std::string& text = sources["rk4/rk4.h"];
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   text += "this_is_no_type broken;\n";
   const std::string source = flatten("dialect.h", sources) + flatten("models/gear5.h", sources) +
-                             flatten("integrators/rk4.h", sources);
+                             flatten("rk4/rk4.h", sources);
   const std::string options = build_options(study, 1);
   EXPECT_THAT(build_error(source, options),
-              AllOf(HasSubstr("kernels/integrators/rk4.h:" + std::to_string(lines + 1)),
+              AllOf(HasSubstr("kernels/rk4/rk4.h:" + std::to_string(lines + 1)),
                     HasSubstr("this_is_no_type"), HasSubstr(default_device_name()),
                     HasSubstr("options: " + options)));
 }

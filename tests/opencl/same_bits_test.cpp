@@ -81,14 +81,14 @@ TEST(SameBits, LanesOnBothSidesOfABranch) {
        {std::pair{"fp64", "4"}, std::pair{"fp64", "8"}, std::pair{"fp32", "16"}}) {
     const std::string precise = std::string("integrate.precision=") + precision;
     const SweepResult expected = run(toml, {precise, watched, "integrate.lanes=1"});
-    const std::vector<double>& least = map_of(expected, "backlash_min");
-    const std::vector<double>& greatest = map_of(expected, "backlash_max");
+    const std::vector<double>& min = map_of(expected, "backlash_min");
+    const std::vector<double>& max = map_of(expected, "backlash_max");
     std::size_t across = 0;
-    for (std::size_t i = 0; i < least.size(); ++i) {
+    for (std::size_t i = 0; i < min.size(); ++i) {
       const double b = 0.1 + 0.2 * static_cast<double>(i / 13);  // 13 values of omega
-      if (least[i] - b < 0.9 * limit && greatest[i] - b > 1.1 * limit) ++across;
+      if (min[i] - b < 0.9 * limit && max[i] - b > 1.1 * limit) ++across;
     }
-    EXPECT_GT(across, least.size() / 2);
+    EXPECT_GT(across, min.size() / 2);
     expect_same(expected, toml, {precise, watched, std::string("integrate.lanes=") + count});
   }
 }

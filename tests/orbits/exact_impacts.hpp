@@ -87,7 +87,7 @@ struct ImpactOscillator {
  private:
   static int side_of(const Eigen::Vector2d& at) { return at[0] > 1.0 ? 1 : at[0] < -1.0 ? -1 : 0; }
 
-  // The least time between two at which `passed` holds, which it does at the later one.
+  // The smallest time between two at which `passed` holds, which it does at the later one.
   template <class Passed>
   static double instant(double from, double to, const Passed& passed) {
     while (true) {

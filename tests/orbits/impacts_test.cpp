@@ -11,7 +11,7 @@
 namespace gearsweep::testing {
 namespace {
 
-// The greatest distance of two orbits' multipliers, each to the nearest.
+// The largest distance of two orbits' multipliers, each to the nearest.
 double apart(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
   double most = 0.0;
   for (const std::complex<double>& one : a) {
@@ -44,7 +44,7 @@ struct ExactCase {
 TEST(Impacts, OrbitsAndMultipliersAreTheExactOnes) {
   for (const ExactCase& one : {ExactCase{0.8, 0.02, 0}, ExactCase{0.8, 0.1, 2},
                                ExactCase{0.7, 0.2, 2}, ExactCase{0.7, 0.5, 4}}) {
-    const ImpactOscillator oscillator = {0.05, 0.1, one.Fte, one.w};
+    const ImpactOscillator oscillator = {.Fte = one.Fte, .w = one.w};
     const Example example = oscillator.example();
     const Orbit orbit = shot(example, 2048, example.orbit(400, 128));
     const ImpactOscillator::Image exact = oscillator.orbit(orbit.state);
@@ -95,7 +95,7 @@ TEST(Impacts, MonodromyIsTheDerivativeOfTheMap) {
 TEST(OrbitError, IsMoreThanTheTrueErrorAndNotMuchMore) {
   for (const ExactCase& one : {ExactCase{0.5, 0.2, 0}, ExactCase{0.8, 0.1, 2},
                                ExactCase{0.7, 0.2, 2}, ExactCase{0.7, 0.5, 4}}) {
-    const ImpactOscillator oscillator = {0.05, 0.1, one.Fte, one.w};
+    const ImpactOscillator oscillator = {.Fte = one.Fte, .w = one.w};
     const Example example = oscillator.example();
     const Orbit near = example.orbit(400, 128);
     const ImpactOscillator::Image exact = oscillator.orbit(near.state);

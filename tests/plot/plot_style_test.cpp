@@ -122,8 +122,8 @@ TEST_F(PlotStyleTest, RangesHoldForAxesAndColours) {
   const std::string line = write(example_result(7, 0));
   EXPECT_THAT(script_of({line}, "x1_rms", style_with("yrange", {"0:40"})),
               HasSubstr("set yrange [0:40]"));
-  EXPECT_THAT(refused("range", {"3"}), HasSubstr("LEAST:GREATEST"));
-  EXPECT_THAT(refused("range", {":"}), HasSubstr("LEAST:GREATEST"));
+  EXPECT_THAT(refused("range", {"3"}), HasSubstr("MIN:MAX"));
+  EXPECT_THAT(refused("range", {":"}), HasSubstr("MIN:MAX"));
   EXPECT_THAT(refused("range", {"3:1"}), HasSubstr("must be the smaller"));
   EXPECT_THAT(refused("xrange", {"70:"}), HasSubstr("nothing lies there"));
 }
@@ -213,7 +213,7 @@ TEST_F(PlotStyleTest, AFileHasTheSameKeys) {
   EXPECT_TRUE(style.is_log);
   EXPECT_THAT(style.legend, ::testing::ElementsAre("a", "b"));
   EXPECT_THAT(style.contours.levels, ::testing::ElementsAre(1.0, 2.5));
-  EXPECT_EQ(style.range.greatest, 2.0);
+  EXPECT_EQ(style.range.max, 2.0);
 }
 
 // 2 says how many, [2] which.

@@ -52,9 +52,9 @@ class PlotTest : public gearsweep::testing::IoTest {
 
 TEST_F(PlotTest, TheEndingChoosesTheFormat) {
   const std::string path = write(example_result());
-  EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".png"), StartsWith("\x89PNG"));
-  EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".pdf"), StartsWith("%PDF"));
-  EXPECT_THAT(drawn({{path}, "x1_rms", "", "", {}, {}, {}}, ".svg"), HasSubstr("<svg"));
+  EXPECT_THAT(drawn({.paths = {path}, .quantity = "x1_rms"}, ".png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(drawn({.paths = {path}, .quantity = "x1_rms"}, ".pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(drawn({.paths = {path}, .quantity = "x1_rms"}, ".svg"), HasSubstr("<svg"));
 }
 
 // The locale of this process and of those that it starts, until the end of the scope.
@@ -90,9 +90,11 @@ TEST_F(PlotTest, ThePictureAndItsScriptDrawTheSameInEveryLocale) {
     std::set<std::string> pictures;
     for (const char* const name : {"C", "C.UTF-8", "de_DE.UTF-8"}) {
       const Locale locale(name);
-      EXPECT_GT(script_of({{first, second}, "x1_rms", "", "", {}, {}, {}}, ending).size(), 0U);
+      EXPECT_GT(script_of({.paths = {first, second}, .quantity = "x1_rms"}, ending).size(), 0U);
       pictures.insert(content(in_folder("picture" + ending)));
-      plot_files({{first, second}, "x1_rms", in_folder("own" + ending), "", {}, {}, {}});
+      plot_files({.paths = {first, second},
+                  .quantity = "x1_rms",
+                  .output_path = in_folder("own" + ending)});
       pictures.insert(content(in_folder("own" + ending)));
     }
     EXPECT_EQ(pictures.size(), 1U) << ending;
@@ -100,7 +102,7 @@ TEST_F(PlotTest, ThePictureAndItsScriptDrawTheSameInEveryLocale) {
 }
 
 TEST_F(PlotTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {
-  const std::string script = script_of({{write(example_result())}, "", "", "", {}, {}, {}});
+  const std::string script = script_of({.paths = {write(example_result())}});
   EXPECT_THAT(script, AllOf(HasSubstr("array=(4,3)"), HasSubstr("with image"),
                             HasSubstr("\"half backlash {/:Italic b} ({/:Italic b}_{n})\""),
                             HasSubstr("\"mesh frequency {/:Italic ω}/{/:Italic ϖ}\""),
@@ -113,7 +115,7 @@ TEST_F(PlotTest, AnInitialStateIsCalledByItsSymbol) {
   result.study.axes[0] =
       make_axis("x1", "b_n", "initial torsional mesh displacement", -1.0, 4.0, 4);
   result.study.axes[1] = make_axis("v1", "b_n varpi", "initial velocity of x1", -1.5, 1.5, 3);
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("\"initial {/:Italic x}_{1} ({/:Italic b}_{n})\""),
                     HasSubstr("\"initial {/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\"")));
 }
@@ -122,10 +124,10 @@ TEST_F(PlotTest, AnInitialStateIsCalledByItsSymbol) {
 TEST_F(PlotTest, AnUnevenOrLogarithmicGridIsAnImageToo) {
   SweepResult result = example_result();
   result.study.axes[0].values = {0.1, 1.0, 10.0, 100.0};
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("array=(1000,3)"), Not(HasSubstr("boxxyerror"))));
   result.study.axes[0].logarithmic = true;
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("set logscale x"), HasSubstr("array=(4,3)")));
 }
 
@@ -143,7 +145,7 @@ TEST_F(PlotTest, NoMapAndNoColourBarIsMadeOfShapes) {
   for (const SweepResult& result : {even, uneven}) {
     for (const char* const quantity : {"x1_rms", "contact_class"}) {
       const std::string picture = in_folder("picture.svg");
-      plot_files({{write(result)}, quantity, picture, "", {}, {}, {}});
+      plot_files({.paths = {write(result)}, .quantity = quantity, .output_path = picture});
       const std::string svg = content(picture);
       EXPECT_EQ(count_of("<image", svg), 2U) << quantity;
       // The ground of what diverged and its box in the key.
@@ -155,52 +157,51 @@ TEST_F(PlotTest, NoMapAndNoColourBarIsMadeOfShapes) {
 TEST_F(PlotTest, ClassesHaveNamesAtTheColourBar) {
   const std::string path = write(example_result());
   // Classes that do not occur take no room.
-  EXPECT_THAT(script_of({{path}, "contact_class", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {path}, .quantity = "contact_class"}),
               AllOf(HasSubstr("(\"no impact\" 0, \"single sided\" 1, \"double sided\" 2)"),
                     Not(HasSubstr("\"wedged\""))));
-  EXPECT_THAT(script_of({{path}, "status", "", "", {}, {}, {}}), HasSubstr("\"diverged\" 1"));
+  EXPECT_THAT(script_of({.paths = {path}, .quantity = "status"}), HasSubstr("\"diverged\" 1"));
 }
 
 TEST_F(PlotTest, AMapWithoutAnyValueIsDrawnGrey) {
   SweepResult result = example_result();
   result.status.assign(12, 1);
   for (auto& map : result.values) map.assign(12, kNaN);
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               HasSubstr("12 of 12 points"));
   result.study.axes[0].logarithmic = true;
-  EXPECT_THAT(script_of({{write(result)}, "contact_class", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "contact_class"}),
               HasSubstr("12 of 12 points"));
   SweepResult line = example_result(7, 0);
   line.status.assign(7, 1);
   line.samples.assign(line.samples.size(), kNaN);
   for (auto& map : line.values) map.assign(7, kNaN);
   for (const char* const quantity : {"poincare", "x1_rms", "poincare,x1_rms,contact_class"}) {
-    EXPECT_THAT(drawn({{write(line)}, quantity, "", "", {}, {}, {}}), StartsWith("\x89PNG"));
+    EXPECT_THAT(drawn({.paths = {write(line)}, .quantity = quantity}), StartsWith("\x89PNG"));
   }
 }
 
 TEST_F(PlotTest, OneAxisIsACurveAndACutMakesOne) {
   SweepResult result = example_result(7, 0);
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}), HasSubstr("linespoints"));
-  EXPECT_THAT(script_of({{write(result)}, "contact_class", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
+              HasSubstr("linespoints"));
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "contact_class"}),
               HasSubstr("(\"no impact\" 0"));
-  EXPECT_THAT(script_of({{write(example_result())}, "x1_rms", "", "", {{"b", 1.0}}, {}, {}}),
-              AllOf(HasSubstr("at {/:Italic b} = 0.9 {/:Italic b}_{n}"),
-                    HasSubstr("diverged at 1 of 4 points")));
+  EXPECT_THAT(
+      script_of({.paths = {write(example_result())}, .quantity = "x1_rms", .at = {{"b", 1.0}}}),
+      AllOf(HasSubstr("at {/:Italic b} = 0.9 {/:Italic b}_{n}"),
+            HasSubstr("diverged at 1 of 4 points")));
 }
 
 TEST_F(PlotTest, PoincareIsABifurcationDiagram) {
   const std::string path = write(example_result(7, 0));
-  EXPECT_THAT(script_of({{path}, "", "", "", {}, {}, {}}),
-              HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""));
-  EXPECT_THAT(script_of({{path}, "poincare:v1", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {path}}), HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""));
+  EXPECT_THAT(script_of({.paths = {path}, .quantity = "poincare:v1"}),
               HasSubstr("\"{/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\""));
   const std::string map = write(example_result());
-  EXPECT_THAT(script_of({{map}, "poincare", "", "", {{"omega", 2.0}}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {map}, .quantity = "poincare", .at = {{"omega", 2.0}}}),
               AllOf(HasSubstr("with points"), HasSubstr("{/:Italic ω} = 2")));
-  EXPECT_THAT(refusal([&] {
-                drawn({{map}, "poincare", "", "", {}, {}, {}});
-              }),
+  EXPECT_THAT(refusal([&] { drawn({.paths = {map}, .quantity = "poincare"}); }),
               AllOf(HasSubstr("axes 'omega' and 'b'"), HasSubstr("cut it")));
 }
 
@@ -216,13 +217,13 @@ TEST_F(PlotTest, ManySamplesAreShownByTheirDensity) {
   result.study.integrate.record = 5;
   result.samples.assign(200 * 2 * 5, 0.5);
   result.samples[7] = 0.6;
-  const PlotRequest few = {{write(result)}, "poincare", "", "", {}, {}, {}};
+  const PlotRequest few = {.paths = {write(result)}, .quantity = "poincare"};
   const std::string script = script_of(few);
   EXPECT_THAT(script, HasSubstr("record=(1000)"));
   EXPECT_LT(transparency_in(script), 30);
   result.study.integrate.record = 500;
   result.samples.assign(200 * 2 * 500, 0.5);
-  const std::string dense = script_of({{write(result)}, "poincare", "", "", {}, {}, {}});
+  const std::string dense = script_of({.paths = {write(result)}, .quantity = "poincare"});
   EXPECT_THAT(dense, HasSubstr("record=(100000)"));
   EXPECT_GT(transparency_in(dense), 100);
 }
@@ -236,8 +237,9 @@ TEST_F(PlotTest, DotsOfAVectorPictureAreOneImage) {
     result.samples[i] = std::fmod(0.618034 * static_cast<double>(i), 1.0);
   }
   for (const char* const ending : {".pdf", ".svg"}) {
-    PlotRequest request = {
-        {write(result)}, "poincare", in_folder(std::string("p") + ending), "", {}, {}, {}};
+    PlotRequest request = {.paths = {write(result)},
+                           .quantity = "poincare",
+                           .output_path = in_folder(std::string("p") + ending)};
     request.script_path = in_folder("dots.gp");
     plot_files(request);
     EXPECT_LT(content(request.output_path).size(), 500'000U) << ending;
@@ -249,42 +251,42 @@ TEST_F(PlotTest, DotsOfAVectorPictureAreOneImage) {
 TEST_F(PlotTest, AnExponentOfBothSignsIsWhiteAtZero) {
   const std::string path = write(spectrum_result());
   // Exponent 3 goes from 0 up, 4 from -0.1 to 0.01, 9 stays below zero.
-  const std::string script = script_of({{path}, "lyapunov_spectrum:4", "", "", {}, {}, {}});
+  const std::string script = script_of({.paths = {path}, .quantity = "lyapunov_spectrum:4"});
   EXPECT_THAT(script, AllOf(HasSubstr("0 '#ffffff'"), HasSubstr("set cbrange [-0.1"),
                             HasSubstr("\"Lyapunov exponents 4 (1/{/:Italic τ})\"")));
-  EXPECT_THAT(script_of({{path}, "lyapunov_spectrum:9", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {path}, .quantity = "lyapunov_spectrum:9"}),
               Not(HasSubstr("#ffffff")));
-  EXPECT_THAT(script_of({{path}, "lyapunov_spectrum", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {path}, .quantity = "lyapunov_spectrum"}),
               HasSubstr("Lyapunov exponents 1"));
 }
 
 TEST_F(PlotTest, OverOneAxisASpectrumIsACurveForEachExponent) {
   const std::string path = write(spectrum_result(7, 0));
-  const std::string all = script_of({{path}, "lyapunov_spectrum", "", "", {}, {}, {}});
+  const std::string all = script_of({.paths = {path}, .quantity = "lyapunov_spectrum"});
   EXPECT_THAT(all, AllOf(HasSubstr("format='%11double'"), HasSubstr("using 1:11"),
                          HasSubstr("set label \"exponent 2 to 10\""), HasSubstr("using 1:2 "),
                          HasSubstr("set label \"exponent 1\""), HasSubstr("xzeroaxis"),
                          HasSubstr("diverged at 1 of 7 points")));
-  EXPECT_THAT(script_of({{path}, "lyapunov_spectrum:2", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {path}, .quantity = "lyapunov_spectrum:2"}),
               AllOf(HasSubstr("format='%2double'"), Not(HasSubstr("exponent 2 to"))));
   const std::string map = write(spectrum_result());
-  EXPECT_THAT(script_of({{map}, "lyapunov_spectrum", "", "", {{"b", 1.5}}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {map}, .quantity = "lyapunov_spectrum", .at = {{"b", 1.5}}}),
               AllOf(HasSubstr("{/:Italic b} = 1.5"), HasSubstr("exponent 2 to 10")));
 }
 
 TEST_F(PlotTest, QuantitiesOfOneAxisStandAboveOneAnother) {
   const std::string script = script_of(
-      {{write(spectrum_result(7, 0))}, "lyapunov_max,lyapunov_spectrum", "", "", {}, {}, {}});
+      {.paths = {write(spectrum_result(7, 0))}, .quantity = "lyapunov_max,lyapunov_spectrum"});
   EXPECT_THAT(script, AllOf(HasSubstr("set multiplot"), HasSubstr("\"largest Lyapunov\""),
                             HasSubstr("exponent 2 to 10"), HasSubstr("diverged at 1 of 7 points")));
   // Only the lowest panel has the shared axis.
   EXPECT_EQ(script.find("mesh frequency"), script.rfind("mesh frequency"));
   const std::string line = write(example_result(7, 0));
-  EXPECT_THAT(script_of({{line}, "poincare,x1_rms,contact_class", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {line}, .quantity = "poincare,x1_rms,contact_class"}),
               AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""), HasSubstr("rms of"),
                     HasSubstr("(\"no impact\" 0")));
   const std::string map = write(example_result());
-  EXPECT_THAT(script_of({{map}, "x1_rms,contact_class", "", "", {{"b", 1.0}}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {map}, .quantity = "x1_rms,contact_class", .at = {{"b", 1.0}}}),
               HasSubstr("at {/:Italic b} = 0.9"));
 }
 
@@ -293,7 +295,7 @@ TEST_F(PlotTest, StudiesOfOneAxisLieOverOneAnother) {
   const std::string first = write(result, "first.nc");
   const std::string second = write(result, "second.nc");
   for (const char* const quantity : {"x1_rms", "poincare:v1", "contact_class", "status,x1_rms"}) {
-    EXPECT_THAT(script_of({{first, second}, quantity, "", "", {}, {}, {}}),
+    EXPECT_THAT(script_of({.paths = {first, second}, .quantity = quantity}),
                 AllOf(HasSubstr("set label \"first\""), HasSubstr("set label \"second\"")))
         << quantity;
   }
@@ -301,7 +303,7 @@ TEST_F(PlotTest, StudiesOfOneAxisLieOverOneAnother) {
   result.study.title = "without friction";
   result.study.axes[0].values = {2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0};
   const std::string other = write(result, "other.nc");
-  EXPECT_THAT(script_of({{first, other}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {first, other}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("set label \"without friction\""), HasSubstr("coarse"),
                     HasSubstr("without friction: diverged at 1 of 7 points"), HasSubstr(":5.25]")));
 }
@@ -314,7 +316,7 @@ TEST_F(PlotTest, WhatDoesNotShareOneAxisIsNotLaidOver) {
   const std::string other = write(result, "other.nc");
   const std::string png = in_folder("a.png");
   const auto refused = [&](const std::vector<std::string>& paths, const std::string& quantity) {
-    return refusal([&] { plot_files({paths, quantity, png, "", {}, {}, {}}); });
+    return refusal([&] { plot_files({.paths = paths, .quantity = quantity, .output_path = png}); });
   };
   EXPECT_THAT(refused({map, map}, "x1_rms"),
               AllOf(HasSubstr("'omega' and 'b'"), HasSubstr("--at")));
@@ -322,17 +324,18 @@ TEST_F(PlotTest, WhatDoesNotShareOneAxisIsNotLaidOver) {
   EXPECT_THAT(refused({line, other}, "x1_rms"), HasSubstr("over the axis 'e0'"));
   EXPECT_THAT(refused({line}, "x1_rms,contact_clas"), HasSubstr("did you mean 'contact_class'?"));
   EXPECT_THAT(refused({line, line, line, line, line, line, line}, "x1_rms"), HasSubstr("7 are"));
-  EXPECT_THAT(refusal([&] {
-                plot_files({{line}, "x1_rms", png, "", {}, 3, {}});
-              }),
-              HasSubstr("--periods"));
+  EXPECT_THAT(
+      refusal([&] {
+        plot_files({.paths = {line}, .quantity = "x1_rms", .output_path = png, .periods = 3});
+      }),
+      HasSubstr("--periods"));
   EXPECT_EQ(files(), 3U);
 }
 
 TEST_F(PlotTest, OddGridsAreDrawn) {
-  EXPECT_THAT(script_of({{write(example_result(1, 1))}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(example_result(1, 1))}, .quantity = "x1_rms"}),
               HasSubstr("with image"));
-  EXPECT_THAT(script_of({{write(example_result(1, 0))}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(example_result(1, 0))}, .quantity = "x1_rms"}),
               HasSubstr("set yrange"));
 }
 
@@ -340,7 +343,7 @@ TEST_F(PlotTest, NothingInATitleIsACommand) {
   SweepResult result = example_result();
   const std::string trap = in_folder("trap");
   result.study.title = "`touch " + trap + "` it's \"50 %\" {x}^2 \\n @a & b_c $d '.system('x').'";
-  script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}});
+  script_of({.paths = {write(result)}, .quantity = "x1_rms"});
   EXPECT_FALSE(fs::exists(trap));
 }
 
@@ -374,7 +377,7 @@ TEST_F(PlotTest, EveryTextOfAFileIsShownLetterByLetter) {
     quantity.flags = {"flag" + odd.substr(0, 30), "%d", "100%"};
     const std::string path = write(result);
     const std::string picture = in_folder("picture.svg");
-    plot_files({{path}, "contact_class", picture, "", {}, {}, {}});
+    plot_files({.paths = {path}, .quantity = "contact_class", .output_path = picture});
     const std::string letters = letters_of(content(picture));
     for (const std::string& text :
          {result.study.title, result.study.axes[0].unit, result.study.axes[0].meaning,
@@ -383,7 +386,8 @@ TEST_F(PlotTest, EveryTextOfAFileIsShownLetterByLetter) {
     }
     const std::string second = write(result, "%s{y}^2&z.nc");
     if (!is_map) {
-      plot_files({{path, second}, "contact_class,x1_rms", picture, "", {}, {}, {}});
+      plot_files(
+          {.paths = {path, second}, .quantity = "contact_class,x1_rms", .output_path = picture});
       EXPECT_THAT(letters_of(content(picture)), AllOf(HasSubstr("%s{y}^2&z"), HasSubstr("100%")));
     }
   }
@@ -403,15 +407,15 @@ TEST_F(PlotTest, ATextThatNobodyReadsIsCutShort) {
   result.study.selection.quantities[1].flags = {large, "b", "c"};
   const std::string path = write(result);
   for (const char* const quantity : {"x1_rms", "contact_class", "poincare,x1_rms,contact_class"}) {
-    EXPECT_LT(script_of({{path}, quantity, "", "", {}, {}, {}}).size(), 20'000U);
+    EXPECT_LT(script_of({.paths = {path}, .quantity = quantity}).size(), 20'000U);
   }
   const std::string other = write(result, "other.nc");
-  EXPECT_LT(script_of({{path, other}, "x1_rms", "", "", {}, {}, {}}).size(), 20'000U);
+  EXPECT_LT(script_of({.paths = {path, other}, .quantity = "x1_rms"}).size(), 20'000U);
 }
 
 // Who restyles a script draws other data with it.
 TEST_F(PlotTest, AKeptScriptTakesPictureAndData) {
-  script_of({{write(example_result())}, "x1_rms", "", "", {}, {}, {}});
+  script_of({.paths = {write(example_result())}, .quantity = "x1_rms"});
   fs::rename(in_folder("picture.dat"), in_folder("other.dat"));
   const std::string command = "cd '" + folder_.string() + "' && gnuplot -c picture.gp again.png";
   EXPECT_NE(std::system((command + " 2> said.txt").c_str()), 0);
@@ -421,10 +425,10 @@ TEST_F(PlotTest, AKeptScriptTakesPictureAndData) {
 
 TEST_F(PlotTest, ABarWithPointedEndsLeavesValuesOut) {
   SweepResult result = example_result(50, 40);
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               Not(HasSubstr("polygon")));
   result.values[0][7] = 1e6;
-  EXPECT_THAT(script_of({{write(result)}, "x1_rms", "", "", {}, {}, {}}),
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("set object polygon"), HasSubstr("99.8 %")));
 }
 
@@ -447,20 +451,23 @@ TEST_F(PlotTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
     return refusal([&] { plot_files(request); });
   };
   const std::string png = in_folder("a.png");
-  EXPECT_THAT(refused({{path}, "x1_rms", in_folder("a.jpg"), "", {}, {}, {}}),
+  EXPECT_THAT(refused({.paths = {path}, .quantity = "x1_rms", .output_path = in_folder("a.jpg")}),
               HasSubstr(".png, .svg, .pdf or .tex"));
   EXPECT_THAT(refused({{path}, "x1_rms", png, in_folder("a.txt"), {}, {}, {}}),
               HasSubstr("end in .gp"));
   EXPECT_THAT(refused({{path}, "x1_rsm", png, in_folder("a.gp"), {}, {}, {}}),
               HasSubstr("did you mean"));
-  EXPECT_THAT(refused({{path}, "x1_rms", png, "", {{"b", 9.0}}, {}, {}}),
-              HasSubstr("outside the axis"));
-  EXPECT_THAT(refused({{path}, "x1_rms", in_folder("missing/a.png"), "", {}, {}, {}}),
-              HasSubstr("there is no folder"));
+  EXPECT_THAT(
+      refused({.paths = {path}, .quantity = "x1_rms", .output_path = png, .at = {{"b", 9.0}}}),
+      HasSubstr("outside the axis"));
+  EXPECT_THAT(
+      refused({.paths = {path}, .quantity = "x1_rms", .output_path = in_folder("missing/a.png")}),
+      HasSubstr("there is no folder"));
   EXPECT_EQ(files(), 1U);
   const std::string line = write(example_result(7, 0));
-  EXPECT_THAT(refused({{line}, "x1_rms", png, "", {{"b", 1.0}}, {}, {}}),
-              HasSubstr("has one axis"));
+  EXPECT_THAT(
+      refused({.paths = {line}, .quantity = "x1_rms", .output_path = png, .at = {{"b", 1.0}}}),
+      HasSubstr("has one axis"));
 }
 
 TEST_F(PlotTest, AMissingOrFailingGnuplotIsTold) {
@@ -479,9 +486,8 @@ TEST_F(PlotTest, AMissingOrFailingGnuplotIsTold) {
   const std::string path = write(example_result());
   const std::string before = std::getenv("PATH");
   setenv("PATH", folder_.c_str(), 1);
-  const std::string said = failure([&] {
-    plot_files({{path}, "", in_folder("a.png"), "", {}, {}, {}});
-  });
+  const std::string said = failure(
+      [&] { plot_files({.paths = {path}, .quantity = "", .output_path = in_folder("a.png")}); });
   setenv("PATH", before.c_str(), 1);
   EXPECT_THAT(said, HasSubstr("install it"));
   EXPECT_EQ(files(), 1U);
@@ -494,10 +500,10 @@ TEST(ColourRange, LeavesOutliersOutOnlyWhenTheyTakeTheContrast) {
   values[3] = 1e6;
   values[4] = kNaN;
   EXPECT_TRUE(colour_range(values).clipped);
-  EXPECT_LE(colour_range(values).greatest, 1.0);
+  EXPECT_LE(colour_range(values).max, 1.0);
   const ValueRange constant = colour_range({2.0, 2.0});
-  EXPECT_LT(constant.least, 2.0);
-  EXPECT_GT(constant.greatest, 2.0);
+  EXPECT_LT(constant.min, 2.0);
+  EXPECT_GT(constant.max, 2.0);
 }
 
 TEST(ClassScale, AFewWholeNumbersAreClasses) {

@@ -51,7 +51,7 @@ double measure(
 }
 
 double period_of(std::size_t record, const Sequence& section, double tolerance = kTolerance) {
-  return measure(make_period(tolerance, kKinds), {0, 0, record}, section);
+  return measure(make_period(tolerance, kKinds), {.record = record}, section);
 }
 
 double settled_of(const Window& window, const Sequence& section) {
@@ -140,12 +140,12 @@ TEST(ReferencePeriod, RecursTwice) {
 // seen in the first that holds it. Periods before the record count, too.
 TEST(ReferenceSettled, IsTheReferenceFromWhichThePeriodHolds) {
   for (std::size_t period = 1; period <= 64; ++period) {
-    EXPECT_EQ(settled_of({1000, 50, 400}, cycle(period)),
+    EXPECT_EQ(settled_of({.before = 1000, .settle = 50, .record = 400}, cycle(period)),
               static_cast<double>(1050 + std::bit_ceil(period) - 1));
   }
-  EXPECT_EQ(settled_of({0, 50, 400}, from_section(100, cycle(3))), 50.0 + 127.0);
-  EXPECT_EQ(settled_of({0, 50, 400}, from_section(128, cycle(3))), 50.0 + 255.0);
-  EXPECT_TRUE(std::isnan(settled_of({0, 50, 400}, wander)));
+  EXPECT_EQ(settled_of({.settle = 50, .record = 400}, from_section(100, cycle(3))), 50.0 + 127.0);
+  EXPECT_EQ(settled_of({.settle = 50, .record = 400}, from_section(128, cycle(3))), 50.0 + 255.0);
+  EXPECT_TRUE(std::isnan(settled_of({.settle = 50, .record = 400}, wander)));
 }
 
 double motion_of(const Window& window, const Sequence& section, const Sequence& growth) {
@@ -159,8 +159,8 @@ Sequence grows(double total, double error = 0.0) {
   return [=](std::size_t i) { return total / 160.0 + (i / 10 % 2 == 0 ? a : -a); };
 }
 
-constexpr Window kLast = {0, 100, 160, 0, true};
-constexpr Window kNotLast = {0, 100, 160, 0, false};
+constexpr Window kLast = {.settle = 100, .record = 160, .is_last = true};
+constexpr Window kNotLast = {.settle = 100, .record = 160, .is_last = false};
 
 TEST(ReferenceMotion, FollowsFromAPeriodAndFromGrowth) {
   EXPECT_EQ(motion_of(kNotLast, cycle(3), grows(-5.0)), kPeriodic);
@@ -188,8 +188,10 @@ TEST(ReferenceMotion, IsQuasiPeriodicOnlyWhereTheSectionStaysAsLarge) {
   EXPECT_EQ(motion_of(kLast, widens(1.3), grows(0.0)), kUndecided);
   EXPECT_EQ(motion_of(kLast, widens(1.0 / 1.3), grows(0.0)), kUndecided);
   const Sequence nothing = [](std::size_t) { return 0.0; };
-  EXPECT_EQ(motion_of({0, 100, 1000, 0, false}, wander, nothing), kQuasiPeriodic);
-  EXPECT_EQ(motion_of({0, 100, 999, 0, false}, wander, nothing), kUndecided);
+  EXPECT_EQ(motion_of({.settle = 100, .record = 1000, .is_last = false}, wander, nothing),
+            kQuasiPeriodic);
+  EXPECT_EQ(motion_of({.settle = 100, .record = 999, .is_last = false}, wander, nothing),
+            kUndecided);
 }
 
 const std::string kObserve =
@@ -317,7 +319,7 @@ void show_rows(const std::vector<double>& rows, std::size_t steps,
 // sections does not depend on how trajectories part. The kernel takes the mean out of products of
 // samples, where 1e-8 is left of them when a short transient is all that varies.
 TEST(ReferenceOrbits, AreThoseOfTheKernelOnItsOwnSections) {
-  constexpr Window kWindow = {0, 0, 1400};
+  constexpr Window kWindow = {.record = 1400};
   constexpr std::size_t kSteps = 64;
   const SweepResult kernel =
       run("[model]\nname = 'duffing'\npreset = 'two_well'\n[[axes]]\nname = 'amplitude'\n"

@@ -18,7 +18,7 @@ double zero_one_of(std::size_t record, const std::function<double(std::size_t)>&
     observable->step({}, {Eigen::Vector2d(1.0, 7.0), {}}, 0.5);
     observable->period(Eigen::Vector2d(sample(i), 7.0), Eigen::VectorXd(), 1.0);
   }
-  return observable->finish({0, 0, record}).front();
+  return observable->finish({.record = record}).front();
 }
 
 // x -> a x (1 - x), after 1000 steps.
@@ -31,7 +31,7 @@ std::function<double(std::size_t)> logistic_map(double a) {
 
 // The examples of Gottwald and Melbourne (2009), with 2000 samples: period 8 at a = 3.55, chaos at
 // 3.97; a = 4 has the largest exponent of all, ln 2. A regular walk stays bounded, so that K falls
-// with the greatest lag, 128 here; a tenth is what is left of it.
+// with the largest lag, 128 here; a tenth is what is left of it.
 TEST(ReferenceZeroOne, TellsTheLogisticMapsChaosFromItsPeriods) {
   EXPECT_NEAR(zero_one_of(2000, logistic_map(3.55)), 0.0, 0.1);
   EXPECT_NEAR(zero_one_of(2000, logistic_map(3.97)), 1.0, 0.01);

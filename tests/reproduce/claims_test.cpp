@@ -37,15 +37,15 @@ SweepResult made_map(const std::string& figure, const std::map<std::string, Shap
 }
 
 // One period of x1 between these ends, with a share of each of some orders.
-Trace made_trace(double least, double greatest, const std::map<double, double>& orders = {}) {
+Trace made_trace(double min, double max, const std::map<double, double>& orders = {}) {
   Trace trace;
   trace.period = 1.0;
   trace.channels = {{"x1", "b_n", ""}};
   trace.values.resize(1);
   for (int i = 0; i <= 6 * 2000; ++i) {
     const double t = i / 2000.0;
-    double x = 0.5 * (least + greatest);
-    if (orders.empty()) x += 0.5 * (greatest - least) * std::sin(2.0 * std::numbers::pi * t);
+    double x = 0.5 * (min + max);
+    if (orders.empty()) x += 0.5 * (max - min) * std::sin(2.0 * std::numbers::pi * t);
     for (const auto& [order, amplitude] : orders) {
       x += amplitude * std::sin(2.0 * std::numbers::pi * order * t);
     }
@@ -86,7 +86,7 @@ Measured as_the_paper_says() {
                                                        : b < 0.6 ? 1.0
                                                                  : 2.0; }},
                {"lyapunov_max", [](double b) { return b < 0.5 ? -0.01 : 0.05; }}});
-  measured.jumps["fig7"] = {{0.4975, 0.5, 1, 1}};
+  measured.jumps["fig7"] = {{.below = 0.4975, .above = 0.5, .count_below = 1, .count_above = 1}};
   measured.traces["fig8"] = {made_trace(0.2, 0.4), made_trace(-1.0, 2.0), made_trace(-1.0, 2.0),
                              made_trace(-7.0, 7.0)};
   measured.traces["fig8-late"] = {made_trace(0.25, 0.35)};
@@ -127,7 +127,7 @@ TEST(Claims, AResonanceElsewhereHoldsInPart) {
 
 TEST(Claims, CoexistenceOnBothSidesIsNoBifurcation) {
   Measured measured = as_the_paper_says();
-  measured.jumps["fig7"] = {{0.4975, 0.5, 2, 2}};
+  measured.jumps["fig7"] = {{.below = 0.4975, .above = 0.5, .count_below = 2, .count_above = 2}};
   EXPECT_EQ(verdict_on(measured, 7, 1), Verdict::holds);
   EXPECT_EQ(verdict_on(measured, 7, 2), Verdict::does_not_hold);
 }
@@ -155,7 +155,7 @@ TEST(Claims, AMissingRegimeOfContactHoldsInPart) {
 // A reader who finds two colours in a picture and four in the table asks why.
 TEST(Report, SaysWhyAPictureShowsFewerAttractorsThanTheTableCounts) {
   Measured measured = as_the_paper_says();
-  measured.jumps["fig7"] = {{0.4325, 0.435, 3, 4}};
+  measured.jumps["fig7"] = {{.below = 0.4325, .above = 0.435, .count_below = 3, .count_above = 4}};
   measured.basins = {{"fig7", 0.4325, 2, 3}, {"fig7", 0.435, 2, 4}};
   const std::string text = describe_jumps(measured);
   EXPECT_THAT(text, HasSubstr("| 7 | 0.4325 | 0.4350 | 3 | 4 | change of basin |"));

@@ -38,9 +38,9 @@ TEST(Amplitude, IsThatOfTheWaveAtItsOrder) {
 }
 
 TEST(Range, IsFromTheLeastToTheGreatest) {
-  const auto [least, greatest] = range_of(wave(), "x1");
-  EXPECT_NEAR(least, 2.74, 0.01);
-  EXPECT_NEAR(greatest, 3.26, 0.01);
+  const auto [min, max] = range_of(wave(), "x1");
+  EXPECT_NEAR(min, 2.74, 0.01);
+  EXPECT_NEAR(max, 3.26, 0.01);
 }
 
 TEST(Curve, FindsItsWayAlongTheAxis) {
@@ -52,7 +52,7 @@ TEST(Curve, FindsItsWayAlongTheAxis) {
   result.values = {{1.0, 4.0, 2.0, 9.0}, {0.0, 0.0, 0.0, 0.0}};
   const Curve curve(result, "x1_rms");
   EXPECT_EQ(curve.within(0.15, 0.35), (std::vector<std::size_t>{1, 2}));
-  EXPECT_EQ(curve.greatest_in(0.15, 0.35), 1U);
+  EXPECT_EQ(curve.max_in(0.15, 0.35), 1U);
   EXPECT_EQ(curve.nearest(0.31), 2U);
   EXPECT_EQ(share_of(curve.within(0.0, 1.0), [&](std::size_t i) { return curve[i] > 3.0; }), 0.5);
   EXPECT_EQ(share_of({}, [](std::size_t) { return true; }), 0.0);

@@ -53,7 +53,7 @@ TEST(Peaks, ArePointsThatNoNeighbourExceedsDiagonalsIncluded) {
                                         0, 2, 0, 0,  //
                                         0, 0, 0, 3});
   EXPECT_THAT(points(map, 9), ElementsAre(11, 5));
-  const std::vector<Peak> peaks = find_peaks(map, {9, false, 0.0});
+  const std::vector<Peak> peaks = find_peaks(map, {.count = 9, .smallest = false, .apart = 0.0});
   EXPECT_THAT(peaks[1].places, ElementsAre(1, 1));
   EXPECT_EQ(peaks[1].value, 2.0);
   EXPECT_TRUE(peaks[0].at_edge);
@@ -81,7 +81,8 @@ TEST(Peaks, ThreeAxesAndASinglePointDoToo) {
   values[26] = 0.5;  // a neighbour of 13
   EXPECT_THAT(points(map_of({3, 3, 3}, values), 9), ElementsAre(13));
   EXPECT_THAT(points(map_of({1}, {7}), 9), ElementsAre(0));
-  EXPECT_FALSE(find_peaks(map_of({1}, {7}), {1, false, 0.0}).front().at_edge);
+  EXPECT_FALSE(
+      find_peaks(map_of({1}, {7}), {.count = 1, .smallest = false, .apart = 0.0}).front().at_edge);
 }
 
 }  // namespace

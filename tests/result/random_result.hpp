@@ -91,7 +91,7 @@ inline SweepResult random_result(const Study& study, std::size_t attractors,
   }
   result.samples =
       numbers(study.points() * study.selection.poincare.size() * study.integrate.record);
-  if (!study.selection.survey) return result;
+  if (!study.selection.census) return result;
   for (std::size_t i = 0; i < attractors; ++i) {
     result.attractors.push_back(
         {0, number(*random), number(*random), number(*random), number(*random), 1});

@@ -129,7 +129,9 @@ TEST_F(ResultFileTest, AttractorsAreListedBesideTheMaps) {
   result.study.selection.quantities[0].flags = {"undecided", "1_period_1", "2_chaotic"};
   result.values = {std::vector<double>(12, 2.0)};
   result.samples.clear();
-  result.attractors = {{1, 1.0, 1.25, 0.2, -0.01, 3}, {3, 0.0, 1.5, 0.7, 0.04, 9}};
+  result.attractors = {
+      {.motion = 1, .period = 1.0, .rms = 1.25, .peak = 0.2, .exponent = -0.01, .trajectories = 3},
+      {.motion = 3, .period = 0.0, .rms = 1.5, .peak = 0.7, .exponent = 0.04, .trajectories = 9}};
   const std::string path = write(result);
   const ResultFile file(path);
   EXPECT_THAT(file.quantities(), ElementsAre("status", "attractor"));

@@ -116,11 +116,11 @@ TEST(StudyKeys, RangesEndWhereTheTableSays) {
   for (const StudyTable& table : study_tables()) {
     for (const StudyKey& key : table.keys) {
       if (key.type != "whole number" && key.type != "number") continue;
-      if (key.least == 0.0 && key.greatest == 0.0) continue;
+      if (key.min == 0.0 && key.max == 0.0) continue;
       const auto step = [&](double end) {
         return key.type == "whole number" ? 1.0 : end > 0.0 ? 0.01 * end : 0.01;
       };
-      for (const double value : {key.least - step(key.least), key.greatest + step(key.greatest)}) {
+      for (const double value : {key.min - step(key.min), key.max + step(key.max)}) {
         EXPECT_THAT(refusal(study_with_number(table, key, value)),
                     ::testing::AnyOf(HasSubstr("out of range"), HasSubstr("is possible"),
                                      HasSubstr("is needed")))

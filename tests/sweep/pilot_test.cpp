@@ -26,7 +26,7 @@ double exact_rms(double omega) {
   return 0.7 / std::abs(stiffness) / std::numbers::sqrt2;
 }
 
-double greatest_error(const SweepResult& result) {
+double max_error(const SweepResult& result) {
   double error = 0.0;
   for (std::size_t i = 0; i < result.status.size(); ++i) {
     const double exact = exact_rms(result.study.axes[0].values[i]);
@@ -44,7 +44,7 @@ TEST_P(PilotTolerance, IsKeptAtEveryPointOfASmoothSystem) {
   EXPECT_EQ(result.study.integrate.max_step, result.pilot->step);
   EXPECT_EQ(result.pilot->points, 12U);
   EXPECT_LE(result.pilot->error, tolerance);
-  EXPECT_LE(greatest_error(result), tolerance);
+  EXPECT_LE(max_error(result), tolerance);
   // The next longer step would not have done: its error is 16 times this one's, or the longest
   // step was good enough.
   EXPECT_TRUE(result.pilot->step == 0.2 || result.pilot->error > tolerance / 32.0);

@@ -76,14 +76,14 @@ TEST(Extension, TakesTheUndecidedPointsWithTheirStatesAndPhaseGrids) {
   EXPECT_EQ(positions, (std::vector<std::size_t>{0, 2}));
 
   const Window window = windows_of(study)[1];
-  const Tile part = part_of(plan, tile, positions, window.settle + window.record);
-  EXPECT_THAT(std::vector<std::size_t>(part.points.begin(), part.points.end()),
+  const Tile subset = subset_of(plan, tile, positions, window.settle + window.record);
+  EXPECT_THAT(std::vector<std::size_t>(subset.points.begin(), subset.points.end()),
               ::testing::ElementsAre(tile.points[0], tile.points[2]));
   // Each phase grid of the tile that is still there begins where its first point stands.
-  EXPECT_EQ(part.grid_starts, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(subset.grid_starts, (std::vector<std::size_t>{0, 1}));
   const auto steps =
-      static_cast<double>(plan.steps_of(part.points[0]) + plan.steps_of(part.points[1]));
-  EXPECT_EQ(part.work, steps * (7 + 4));
+      static_cast<double>(plan.steps_of(subset.points[0]) + plan.steps_of(subset.points[1]));
+  EXPECT_EQ(subset.work, steps * (7 + 4));
 
   const std::vector<double> ends = end_states(result, positions);
   ASSERT_EQ(ends.size(), 20U);
@@ -95,12 +95,12 @@ TEST(Extension, ReplacesVerdictsAndKeepsWhatWasMeasured) {
   const Study study = study_of_four();
   TileResult whole = result_of(study, {kUndecided, kPeriodic, kUndecided, kPeriodic});
   const TileResult before = whole;
-  TileResult part = result_of(study, {kChaotic, kPeriodic});
-  for (double& output : part.outputs) output += 100.0;
+  TileResult subset = result_of(study, {kChaotic, kPeriodic});
+  for (double& output : subset.outputs) output += 100.0;
   const std::size_t motion = *study.selection.motion;
-  part.outputs[motion * 2] = kChaotic;
-  part.outputs[motion * 2 + 1] = kPeriodic;
-  adopt_verdicts(study, {0, 2}, part, &whole);
+  subset.outputs[motion * 2] = kChaotic;
+  subset.outputs[motion * 2 + 1] = kPeriodic;
+  adopt_verdicts(study, {0, 2}, subset, &whole);
   for (std::size_t output = 0; output < study.selection.output_count(); ++output) {
     for (std::size_t point = 0; point < 4; ++point) {
       const std::size_t at = output * 4 + point;
@@ -116,9 +116,9 @@ TEST(Extension, ReplacesVerdictsAndKeepsWhatWasMeasured) {
 TEST(Extension, APointThatDivergesInALongerWindowHasNoValueAnywhere) {
   const Study study = study_of_four();
   TileResult whole = result_of(study, {kUndecided, kPeriodic, kUndecided, kPeriodic});
-  TileResult part = result_of(study, {kChaotic, kPeriodic});
-  part.status[1] = STATUS_diverged;
-  adopt_verdicts(study, {0, 2}, part, &whole);
+  TileResult subset = result_of(study, {kChaotic, kPeriodic});
+  subset.status[1] = STATUS_diverged;
+  adopt_verdicts(study, {0, 2}, subset, &whole);
   EXPECT_EQ(whole.status[2], STATUS_diverged);
   for (std::size_t point = 0; point < 4; ++point) {
     for (std::size_t output = 0; output < study.selection.output_count(); ++output) {

@@ -18,22 +18,23 @@ using Map = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 constexpr double kSame = 1e-6;
 
+std::vector<double> numbers_of(const Eigen::MatrixXd& matrix) {
+  return {matrix.data(), matrix.data() + matrix.size()};
+}
+
 OrbitMap orbit_at(const Eigen::VectorXd& state, const Eigen::MatrixXd& derivative,
                   const Eigen::VectorXd& ranges, std::vector<std::size_t> angles = {}) {
-  const auto numbers = [](const auto& matrix) {
-    return std::vector<double>(matrix.data(), matrix.data() + matrix.size());
-  };
-  return {numbers(state), numbers(derivative), numbers(ranges), std::move(angles), kSame};
+  return {numbers_of(state), numbers_of(derivative), numbers_of(ranges), std::move(angles), kSame};
 }
 
 // The verdict on at most so many returns of a map, from a state on.
 Verdict verdict_on(const OrbitMap& orbit, const Map& map, Eigen::VectorXd state,
                    std::size_t returns = 200) {
   OrbitConvergence view(orbit);
-  Verdict verdict = view.add(state.data());
+  Verdict verdict = view.add(numbers_of(state));
   for (std::size_t i = 0; i < returns && verdict == Verdict::open; ++i) {
     state = map(state);
-    verdict = view.add(state.data());
+    verdict = view.add(numbers_of(state));
   }
   return verdict;
 }

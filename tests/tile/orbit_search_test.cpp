@@ -38,12 +38,12 @@ NewtonTry on_map() {
 
 NewtonVerdict step(const AffineMap& map, NewtonTry* one, const NewtonLimits& limits = kLimits) {
   const std::vector<double> mapped = map(one->state);
-  return newton_step(mapped.data(), map.columns.data(), limits, 2, one);
+  return newton_step(mapped, map.columns, limits, 2, one);
 }
 
 NewtonVerdict confirm(const AffineMap& map, NewtonTry* one) {
   const std::vector<double> mapped = map(one->state);
-  return newton_confirm(mapped.data(), map.columns.data(), kLimits, one);
+  return newton_confirm(mapped, map.columns, kLimits, one);
 }
 
 // (I - A)^-1 b = (1, 2), so one step from anywhere is enough, and the next one sees it.
@@ -56,8 +56,8 @@ TEST(NewtonStep, FindsTheFixedPointOfAnAffineMapAtOnce) {
   EXPECT_EQ(confirm(map, &one), NewtonVerdict::found);
   EXPECT_DOUBLE_EQ(one.state[0], 1.0);
   EXPECT_DOUBLE_EQ(one.state[1], 2.0);
-  EXPECT_DOUBLE_EQ(one.multipliers[0], std::log(0.5));
-  EXPECT_DOUBLE_EQ(one.multipliers[1], std::log(0.25));
+  EXPECT_DOUBLE_EQ(one.log_multipliers[0], std::log(0.5));
+  EXPECT_DOUBLE_EQ(one.log_multipliers[1], std::log(0.25));
 }
 
 // What looked like the orbit may lie beyond a kink, where the derivative is another.

@@ -23,7 +23,7 @@ class NumberingEngine : public Engine {
   explicit NumberingEngine(std::latch* all_at_work) : all_at_work_(all_at_work) {}
 
   EngineInfo info() const override { return {"a counter", "", ""}; }
-  std::size_t least_tile() const override { return 1; }
+  std::size_t min_tile() const override { return 1; }
   std::size_t preferred_tile() const override { return 1; }
   std::optional<TileResult> compute(const Plan& plan, const Tile& tile,
                                     const std::vector<double>& initial, const Window& /*window*/,

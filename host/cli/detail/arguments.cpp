@@ -102,14 +102,13 @@ CLI::Validator one_of(const std::vector<std::string>& choices) {
 
 }  // namespace
 
-CLI::Validator whole_number(std::size_t least, std::size_t greatest) {
+CLI::Validator whole_number(std::size_t min, std::size_t max) {
   return CLI::Validator(
-      [least, greatest](const std::string& text) {
+      [min, max](const std::string& text) {
         std::size_t value = 0;
-        const bool right = parse(text, &value) && value >= least && value <= greatest;
-        return right
-                   ? std::string()
-                   : fmt::format("'{}' is not a whole number from {} to {}", text, least, greatest);
+        const bool right = parse(text, &value) && value >= min && value <= max;
+        return right ? std::string()
+                     : fmt::format("'{}' is not a whole number from {} to {}", text, min, max);
       },
       "");
 }
@@ -124,13 +123,13 @@ CLI::Validator positive_number() {
       "");
 }
 
-CLI::Validator number_between(double least, double greatest) {
+CLI::Validator number_between(double min, double max) {
   return CLI::Validator(
-      [least, greatest](const std::string& text) {
+      [min, max](const std::string& text) {
         double value = 0.0;
-        const bool right = parse(text, &value) && value >= least && value <= greatest;
+        const bool right = parse(text, &value) && value >= min && value <= max;
         return right ? std::string()
-                     : fmt::format("'{}' is not a number from {} to {}", text, least, greatest);
+                     : fmt::format("'{}' is not a number from {} to {}", text, min, max);
       },
       "");
 }
@@ -158,6 +157,19 @@ void add_device_option(CLI::App* command, std::string* text, bool several) {
 std::vector<DeviceChoice> chosen_devices(const std::string& text) {
   if (text.empty()) return {};
   return parse_devices(text, list_devices());
+}
+
+void add_study_argument(CLI::App* command, std::string* study, const std::string& more) {
+  command->add_option("study", *study, "A study file, a built-in study or a result file" + more)
+      ->type_name(kStudyValue)
+      ->required();
+}
+
+CLI::Option* add_point_option(CLI::App* command, std::vector<std::string>* at,
+                              const std::string& description) {
+  return command->add_option("--at", *at, description)
+      ->type_name(kPointValue)
+      ->allow_extra_args(false);
 }
 
 void add_set_option(CLI::App* command, std::vector<std::string>* overrides) {

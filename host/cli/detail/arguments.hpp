@@ -27,17 +27,24 @@ constexpr const char* kZoomValue = "AXIS=FROM:TO[:COUNT],...";
 constexpr const char* kPointValue = "NAME=VALUE,...";
 
 // Digits, and a value in the range.
-CLI::Validator whole_number(std::size_t least, std::size_t greatest = 1000000000);
+CLI::Validator whole_number(std::size_t min, std::size_t max = 1000000000);
 
 // Finite and greater than zero.
 CLI::Validator positive_number();
 
 // Both ends included.
-CLI::Validator number_between(double least, double greatest);
+CLI::Validator number_between(double min, double max);
 
 // An option whose value is one of `choices`.
 CLI::Option* add_choice(CLI::App* command, const std::string& name, std::string* value,
                         const std::vector<std::string>& choices, const std::string& description);
+
+// The study that a command begins with; `more` goes on with the description.
+void add_study_argument(CLI::App* command, std::string* study, const std::string& more = "");
+
+// --at, as place.hpp reads it.
+CLI::Option* add_point_option(CLI::App* command, std::vector<std::string>* at,
+                              const std::string& description);
 
 // --device, of a command that uses one or several.
 void add_device_option(CLI::App* command, std::string* text, bool several);

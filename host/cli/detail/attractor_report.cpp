@@ -20,7 +20,7 @@ double share_of(const Attractor& attractor, const SweepResult& result) {
 std::string describe_attractors(const SweepResult& result) {
   const std::vector<Attractor>& list = result.attractors;
   if (list.empty()) return "";
-  constexpr std::size_t kMostRows = 10;
+  constexpr std::size_t kMaxRows = 10;
   std::vector<std::size_t> order(list.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -31,7 +31,7 @@ std::string describe_attractors(const SweepResult& result) {
                                  result.study.model->states.front().name + "_rms");
   if (has_peak) text += fmt::format("  {:>10}", "dmf_max");
   text += fmt::format("  {:>12}  {:>7}\n", "lyapunov_max", "share");
-  for (std::size_t i = 0; i < std::min(kMostRows, order.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxRows, order.size()); ++i) {
     const Attractor& attractor = list[order[i]];
     text += fmt::format(
         "{:>9}  {:<14}  {:>6}  {:>10.6g}", order[i] + 1, motion_names().at(attractor.motion),
@@ -40,8 +40,8 @@ std::string describe_attractors(const SweepResult& result) {
     text += fmt::format("  {:>12.4f}  {:>5.1f} %\n", attractor.exponent,
                         100.0 * share_of(attractor, result));
   }
-  if (order.size() > kMostRows) {
-    text += fmt::format("... and {} more; the file lists them all\n", order.size() - kMostRows);
+  if (order.size() > kMaxRows) {
+    text += fmt::format("... and {} more; the file lists them all\n", order.size() - kMaxRows);
   }
   return text;
 }

@@ -8,7 +8,7 @@
 
 namespace gearsweep {
 
-// A table, the most visited first, of at most ten; empty when the study has no survey.
+// A table, the most visited first, of at most ten; empty when the study has no census.
 std::string describe_attractors(const SweepResult& result);
 
 // All of them, in the order of their numbers.

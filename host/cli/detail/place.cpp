@@ -44,9 +44,9 @@ std::size_t parameter_index(const Model& model, const std::string& name,
 }
 
 void require_in_range(const ParameterInfo& info, double value, const std::string& option) {
-  if (value >= info.least && value <= info.greatest) return;
+  if (value >= info.min && value <= info.max) return;
   throw InputError(fmt::format("{}: {} = {} is out of range; {} .. {} is allowed", option,
-                               info.name, value, info.least, info.greatest));
+                               info.name, value, info.min, info.max));
 }
 
 std::vector<Placed> read_place(const Model& model, const std::vector<std::string>& at) {

@@ -30,9 +30,9 @@ constexpr const char* kOrder =
 // "From 1 to 1024." or "One of fp32, fp64."
 std::string limits_of(const StudyKey& key) {
   if (!key.choices.empty()) return fmt::format(" One of {}.", fmt::join(key.choices, ", "));
-  if (key.least == 0.0 && key.greatest == 0.0) return "";
-  if (key.type == "string") return fmt::format(" At most {:g} characters.", key.greatest);
-  return fmt::format(" From {:g} to {:g}.", key.least, key.greatest);
+  if (key.min == 0.0 && key.max == 0.0) return "";
+  if (key.type == "string") return fmt::format(" At most {:g} characters.", key.max);
+  return fmt::format(" From {:g} to {:g}.", key.min, key.max);
 }
 
 std::string default_of(const StudyKey& key) {

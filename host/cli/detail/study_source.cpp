@@ -17,12 +17,12 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::uintmax_t kMostStudyBytes = std::uintmax_t{16} << 20U;
+constexpr std::uintmax_t kMaxStudyBytes = std::uintmax_t{16} << 20U;
 
 std::string read_text(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  if (!error && bytes > kMostStudyBytes) {
+  if (!error && bytes > kMaxStudyBytes) {
     throw InputError(fmt::format("{}: too large for a study; a study is a short TOML text", path));
   }
   std::ifstream in(path, std::ios::binary);

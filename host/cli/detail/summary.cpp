@@ -71,7 +71,7 @@ std::size_t count_wedged(const SweepResult& result) {
   const std::vector<double>* backlash = find_map(result, "backlash_min");
   if (backlash == nullptr) return 0;
   return static_cast<std::size_t>(
-      std::ranges::count_if(*backlash, [](double least) { return least < 0.0; }));
+      std::ranges::count_if(*backlash, [](double min) { return min < 0.0; }));
 }
 
 // A set of points, and what to call it.
@@ -203,7 +203,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
     if (quantity.flags.empty()) continue;
     json["classes"][quantity.name] = counts_as_json(count_classes(quantity, result.values[i]));
   }
-  if (result.study.selection.survey) json["attractors"] = attractors_as_json(result);
+  if (result.study.selection.census) json["attractors"] = attractors_as_json(result);
   json["seconds"] = result.seconds;
   json["kernel_seconds"] = result.kernel_seconds;
   json["steps"] = result.steps;

@@ -32,7 +32,7 @@ ReplayBuffers replay_buffers(const Study& study, std::size_t length, std::size_t
   const Selection& selection = study.selection;
   const std::size_t states = study.model->states.size();
   return {.state = states * slots,
-          .growth = selection.tangent_count() * slots,
+          .log_stretching = selection.tangent_count() * slots,
           .sections = length * states * slots,
           .accumulators = selection.accumulator_count() * slots,
           .outputs = selection.output_count() * slots};

@@ -33,7 +33,7 @@ ReturnMapBuffers return_map_buffers(const Study& study, std::size_t slots);
 
 // To repeat one turn of `length` periods of an orbit.
 struct ReplayBuffers {
-  std::size_t state, growth, sections, accumulators, outputs;
+  std::size_t state, log_stretching, sections, accumulators, outputs;
 };
 ReplayBuffers replay_buffers(const Study& study, std::size_t length, std::size_t slots);
 

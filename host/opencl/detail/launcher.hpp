@@ -81,7 +81,7 @@ class Launcher {
                   std::size_t periods, const RoundCallback& after_round);
 
  private:
-  // The phase grids of the last tile that was whole: its parts find theirs here.
+  // The phase grids of the last tile that was whole: its subsets find theirs here.
   struct GridBank {
     std::map<std::vector<double>, std::uint32_t> index;  // by Plan::grid_key()
     std::vector<std::size_t> steps;                      // of a period

@@ -80,11 +80,15 @@ std::optional<ReturnMaps> OrbitKernels::return_maps(const Plan& plan, const Tile
       tile, [&] { return map_tile(plan, tile, states, lengths, with_derivatives, after_round); });
 }
 
-std::optional<TileResult> OrbitKernels::replay(
-    const Plan& plan, const Tile& tile, const std::vector<double>& states, std::size_t length,
-    const std::vector<double>& growths, const Window& window, const RoundCallback& after_round) {
-  return launcher_->guard(
-      tile, [&] { return replay_tile(plan, tile, states, length, growths, window, after_round); });
+std::optional<TileResult> OrbitKernels::replay(const Plan& plan, const Tile& tile,
+                                               const std::vector<double>& states,
+                                               std::size_t length,
+                                               const std::vector<double>& log_stretchings,
+                                               const Window& window,
+                                               const RoundCallback& after_round) {
+  return launcher_->guard(tile, [&] {
+    return replay_tile(plan, tile, states, length, log_stretchings, window, after_round);
+  });
 }
 
 std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile& tile,
@@ -162,20 +166,24 @@ std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& t
   return maps;
 }
 
-std::optional<TileResult> OrbitKernels::replay_tile(
-    const Plan& plan, const Tile& tile, const std::vector<double>& states, std::size_t length,
-    const std::vector<double>& growths, const Window& window, const RoundCallback& after_round) {
+std::optional<TileResult> OrbitKernels::replay_tile(const Plan& plan, const Tile& tile,
+                                                    const std::vector<double>& states,
+                                                    std::size_t length,
+                                                    const std::vector<double>& log_stretchings,
+                                                    const Window& window,
+                                                    const RoundCallback& after_round) {
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const Study& study = plan.study();
   const ReplayBuffers sizes = replay_buffers(study, length, inputs.slots.position.size());
   const cl::Buffer state = launcher_->upload(
       spread_states(states, study.model->states.size(), inputs.slots), CL_MEM_READ_WRITE);
-  const cl::Buffer growth = launcher_->upload(
-      spread_states(growths, study.selection.tangent_count(), inputs.slots), CL_MEM_READ_ONLY);
+  const cl::Buffer log_stretching = launcher_->upload(
+      spread_states(log_stretchings, study.selection.tangent_count(), inputs.slots),
+      CL_MEM_READ_ONLY);
   const cl::Buffer sections = launcher_->allocate(sizes.sections);
   const cl::Buffer accumulators = launcher_->allocate(sizes.accumulators);
   const cl::Buffer outputs = launcher_->allocate(sizes.outputs);
-  launcher_->bind(&replay_, inputs, state, growth, static_cast<cl_uint>(length), sections,
+  launcher_->bind(&replay_, inputs, state, log_stretching, static_cast<cl_uint>(length), sections,
                   accumulators);
   launcher_->bind(&finish_, accumulators, outputs);
   const std::size_t items = inputs.slots.items();

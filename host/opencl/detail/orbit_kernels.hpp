@@ -23,7 +23,7 @@ class OrbitKernels final : public OrbitEngine {
                                         const RoundCallback& after_round) override;
   std::optional<TileResult> replay(const Plan& plan, const Tile& tile,
                                    const std::vector<double>& states, std::size_t length,
-                                   const std::vector<double>& growths, const Window& window,
+                                   const std::vector<double>& log_stretchings, const Window& window,
                                    const RoundCallback& after_round) override;
 
  private:
@@ -37,8 +37,8 @@ class OrbitKernels final : public OrbitEngine {
                                      bool with_derivatives, const RoundCallback& after_round);
   std::optional<TileResult> replay_tile(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states, std::size_t length,
-                                        const std::vector<double>& growths, const Window& window,
-                                        const RoundCallback& after_round);
+                                        const std::vector<double>& log_stretchings,
+                                        const Window& window, const RoundCallback& after_round);
 
   Launcher* launcher_;
   cl::Program program_;

@@ -85,7 +85,7 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
 std::string selection_header(const Study& study) {
   std::ostringstream out;
   out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
-  out << "#include \"integrators/rk4.h\"\n#define MODEL_OPTION_VALUES {";
+  out << "#include \"rk4/rk4.h\"\n#define MODEL_OPTION_VALUES {";
   for (const int option : study.setting.options) out << option << ", ";
   // OpenCL C knows no empty initialiser; a model without options has one dummy member.
   if (study.setting.options.empty()) out << 0;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPrograms = 64;
+constexpr std::size_t kMaxPrograms = 64;
 constexpr std::string_view kSuffix = ".gearsweep-program";  // an unfinished file's name goes on
 constexpr std::size_t kHashDigits = 16;
 
@@ -77,7 +77,7 @@ void remove_oldest(const fs::path& folder) {
     if (!gone) entries.emplace_back(time, i->path());
   }
   std::sort(entries.begin(), entries.end());
-  for (std::size_t i = 0; i + kMostPrograms < entries.size(); ++i) {
+  for (std::size_t i = 0; i + kMaxPrograms < entries.size(); ++i) {
     fs::remove(entries[i].second, error);
   }
 }

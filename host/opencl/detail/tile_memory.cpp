@@ -15,8 +15,8 @@ namespace {
 class Buffers {
  public:
   void add(std::size_t bytes) {
-    constexpr std::size_t kLeast = 64;
-    const auto size = static_cast<double>(std::max(kLeast, bytes));
+    constexpr std::size_t kMin = 64;
+    const auto size = static_cast<double>(std::max(kMin, bytes));
     total_ += size;
     largest_ = std::max(largest_, size);
   }
@@ -56,7 +56,7 @@ class Estimate {
  private:
   std::size_t scalars(std::size_t count) const { return count * layout_.scalar_bytes; }
 
-  // Slots of a part of the tile whose points stand in so many groups, at most.
+  // Slots of a subset of the tile whose points stand in so many groups, at most.
   std::size_t slots(std::size_t groups) const {
     const std::size_t points = tile_.points.size();
     return points + std::min(points, groups) * (layout_.lanes - 1);
@@ -116,9 +116,9 @@ class Estimate {
   }
 
   Buffers replay() const {
-    const auto [state, growth, sections, accumulators, outputs] =
+    const auto [state, log_stretching, sections, accumulators, outputs] =
         replay_buffers(study_, ORBIT_LONGEST, whole_slots());
-    return stage({state, growth, sections, accumulators, outputs});
+    return stage({state, log_stretching, sections, accumulators, outputs});
   }
 
   // Beside the answers: what the points start from, the orbits found, and the largest of what is
@@ -127,7 +127,7 @@ class Estimate {
     const std::size_t wide = sizeof(double);
     const std::size_t both = wide + layout_.scalar_bytes;
     const std::size_t sampled = selection_.poincare.size() * study_.integrate.record;
-    // A second set of answers is that of the part that was recorded last; its samples come from a
+    // A second set of answers is that of the subset that was recorded last; its samples come from a
     // series in the device's order.
     const std::size_t recorded =
         wide * (2 * sampled + states_) + (both + 2 * wide) * selection_.output_count();
@@ -156,7 +156,7 @@ class Estimate {
 
 }  // namespace
 
-TileMemory most_of_tile(const Plan& plan, const Tile& tile, const BufferLayout& layout) {
+TileMemory max_of_tile(const Plan& plan, const Tile& tile, const BufferLayout& layout) {
   return Estimate(plan, tile, layout).most();
 }
 

@@ -14,6 +14,6 @@ struct BufferLayout {
 };
 
 // Upper bounds: how many points come to an orbit, and how long it is, shows only when they run.
-TileMemory most_of_tile(const Plan& plan, const Tile& tile, const BufferLayout& layout);
+TileMemory max_of_tile(const Plan& plan, const Tile& tile, const BufferLayout& layout);
 
 }  // namespace gearsweep

@@ -99,15 +99,15 @@ std::pair<std::string, std::string> end_colours(const std::string& name) {
   return {colours.front(), colours.back()};
 }
 
-std::string palette_line(const std::string& name, double least, double greatest) {
+std::string palette_line(const std::string& name, double min, double max) {
   const std::vector<std::string> colours = colours_of(name);
-  const bool has_middle = is_diverging(name) && least < 0.0 && greatest > 0.0;
+  const bool has_middle = is_diverging(name) && min < 0.0 && max > 0.0;
   std::vector<std::string> anchors;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(colours.size() - 1);
     double place = share;
     if (has_middle) {
-      place = share < 0.5 ? (1.0 - 2.0 * share) * least : (2.0 * share - 1.0) * greatest;
+      place = share < 0.5 ? (1.0 - 2.0 * share) * min : (2.0 * share - 1.0) * max;
     }
     anchors.push_back(fmt::format("{:.6g} '{}'", place, colours[i]));
   }

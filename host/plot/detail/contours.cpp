@@ -62,7 +62,7 @@ std::vector<double> contour_levels(const Contours& contours, const ValueRange& r
   const auto parts = static_cast<double>(contours.count + 1);
   for (std::size_t i = 1; i <= contours.count; ++i) {
     const double share = static_cast<double>(i) / parts;
-    levels.push_back(between(range.least, range.greatest, share, is_log));
+    levels.push_back(between(range.min, range.max, share, is_log));
   }
   return levels;
 }

@@ -34,8 +34,8 @@ std::size_t append_samples(const ResultMap& map, std::string* data) {
 }
 
 std::string axes_of_raster(const AxisRange& x, const AxisRange& y) {
-  std::string text = fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.least, x.greatest,
-                                 y.least, y.greatest);
+  std::string text =
+      fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.min, x.max, y.min, y.max);
   if (x.logarithmic) text += "set logscale x\n";
   if (y.logarithmic) text += "set logscale y\n";
   return text;

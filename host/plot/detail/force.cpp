@@ -107,7 +107,7 @@ TracePanel force_panel(const Page& page, const TracePicture& picture, PlotScript
   ValueRange range = padded_range(all_values(picture, picture.channel.name));
   if (several) {
     const double part = kStrip * static_cast<double>(picture.layers.size());
-    range.least -= (range.greatest - range.least) * part / (1.0 - part);
+    range.min -= (range.max - range.min) * part / (1.0 - part);
   }
   TracePanel panel;
   panel.kind = "force and flanks";

@@ -25,7 +25,7 @@ std::vector<std::ptrdiff_t> cells_at(const ResultAxis& axis, const AxisRange& ra
   std::vector<std::ptrdiff_t> cells;
   for (std::size_t i = 0; i < pixels; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(pixels);
-    const double place = between(range.least, range.greatest, share, range.logarithmic);
+    const double place = between(range.min, range.max, share, range.logarithmic);
     const auto above = std::upper_bound(edges.begin(), edges.end(), place);
     const bool is_inside = above != edges.begin() && above != edges.end();
     cells.push_back(is_inside ? above - edges.begin() - 1 : -1);
@@ -43,7 +43,7 @@ std::size_t pixels_of(const ResultAxis& axis, const AxisRange& range, std::size_
     is_even = cells[i] == static_cast<std::ptrdiff_t>(i);
   }
   const std::vector<double> edges = cell_edges(axis);
-  const bool is_whole = edges.front() == range.least && edges.back() == range.greatest;
+  const bool is_whole = edges.front() == range.min && edges.back() == range.max;
   // Uneven cells may have their pixels' middles right by chance.
   const auto place = [&](double value) { return range.logarithmic ? std::log(value) : value; };
   const double step = (place(edges.back()) - place(edges.front())) / static_cast<double>(count);
@@ -102,7 +102,7 @@ struct Colours {
     const PlotStyle& style = page.style();
     is_log = style.is_log;
     range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
-    const bool has_both_signs = range.least < 0.0 && range.greatest > 0.0;
+    const bool has_both_signs = range.min < 0.0 && range.max > 0.0;
     name_ = !style.colormap.empty()                              ? style.colormap
             : map.name.starts_with("lyapunov") && has_both_signs ? "signed"
                                                                  : "viridis";
@@ -110,9 +110,9 @@ struct Colours {
 
   std::string palette() const {
     if (classes) return classes->palette();
-    return palette_line(name_, range.least, range.greatest) +
-           fmt::format("{}set cbrange [{}:{}]\n", is_log ? "set logscale cb\n" : "", range.least,
-                       range.greatest);
+    return palette_line(name_, range.min, range.max) +
+           fmt::format("{}set cbrange [{}:{}]\n", is_log ? "set logscale cb\n" : "", range.min,
+                       range.max);
   }
   // Values as they are coloured: classes by their index.
   double shade(double value) const {
@@ -128,7 +128,7 @@ struct Colours {
     for (std::size_t i = 0; i < raster.rows; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(raster.rows);
       const double value = classes ? std::floor(share * static_cast<double>(classes->names.size()))
-                                   : between(range.least, range.greatest, share, is_log);
+                                   : between(range.min, range.max, share, is_log);
       raster.values.insert(raster.values.end(), 2, value);
     }
     return raster;
@@ -136,8 +136,8 @@ struct Colours {
   std::pair<std::string, std::string> ends() const { return end_colours(name_); }
   Tics tics(const Page& page, double length) const {
     if (classes) return {classes->tics(page, "y2", false), classes->widest(page)};
-    Tics out = tics_of(page, "y2", {range.least, range.greatest, is_log}, length, true);
-    out.lines = fmt::format("set y2range [{}:{}]\n", range.least, range.greatest) + out.lines;
+    Tics out = tics_of(page, "y2", {range.min, range.max, is_log}, length, true);
+    out.lines = fmt::format("set y2range [{}:{}]\n", range.min, range.max) + out.lines;
     return out;
   }
 

@@ -197,10 +197,10 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
     return draw_stack(page, {{{std::move(picture)}}, {""}});
   }
   ensure_tellable(request.paths.size());
-  constexpr std::size_t kMostPanels = 8;
-  if (quantities.size() > kMostPanels) {
+  constexpr std::size_t kMaxPanels = 8;
+  if (quantities.size() > kMaxPanels) {
     throw InputError(fmt::format("{} quantities are too many for one picture; it holds {}",
-                                 quantities.size(), kMostPanels));
+                                 quantities.size(), kMaxPanels));
   }
   Stack stack;
   for (const std::string& quantity : quantities) {

@@ -19,14 +19,14 @@ constexpr double kSvgPixelsPerInch = 96.0;
 // a point of size 1.
 constexpr double kLetterScale = 96.0 / 72.0, kPointDiameter = 6.0;
 constexpr double kRasterPerInch = 400.0;  // of dots, at most
-constexpr double kMostPixels = 1.2e6;     // of which dots make some 400 kB
+constexpr double kMaxPixels = 1.2e6;      // of which dots make some 400 kB
 constexpr double kLine = 0.5;             // points that linewidth 1 is wide
 constexpr double kDot = 2.0;              // points across of pointsize dot
 
 // Pixels of dots per point.
 double raster_scale(const Frame& frame) {
   return std::min(kRasterPerInch / kPointsPerInch,
-                  std::sqrt(kMostPixels / (frame.width() * frame.height())));
+                  std::sqrt(kMaxPixels / (frame.width() * frame.height())));
 }
 
 double points_of(double mm) { return mm / kMmPerInch * kPointsPerInch; }
@@ -184,12 +184,12 @@ std::string scientific_text(double value, double step) {
 
 // Tics at multiples of `step`, with `small` parts between them.
 std::vector<Tic> even_tics(const AxisRange& range, double step, int small) {
-  const double greatest = std::max(std::abs(range.least), std::abs(range.greatest));
-  const bool is_plain = greatest < 1e5 && step >= 1e-4;
+  const double max = std::max(std::abs(range.min), std::abs(range.max));
+  const bool is_plain = max < 1e5 && step >= 1e-4;
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   const double fine = step / small;
-  const double first = std::ceil(range.least / fine - 1e-6);
-  const double last = std::floor(range.greatest / fine + 1e-6);
+  const double first = std::ceil(range.min / fine - 1e-6);
+  const double last = std::floor(range.max / fine + 1e-6);
   std::vector<Tic> tics;
   constexpr double kMost = 1000.0;  // where rounding leaves the ends far apart
   for (double i = first; i <= last && i < first + kMost; i += 1.0) {
@@ -206,7 +206,7 @@ std::vector<Tic> even_tics(const AxisRange& range, double step, int small) {
 std::vector<Tic> even_tics(const Page& page, const AxisRange& range, double length,
                            bool is_upright) {
   constexpr double kMost = 8.0;
-  const double span = range.greatest - range.least;
+  const double span = range.max - range.min;
   if (!(span > 0.0 && std::isfinite(span))) return {};
   const double unit = std::pow(10.0, std::floor(std::log10(span)) - 1.0);
   std::vector<Tic> coarser;
@@ -230,15 +230,15 @@ std::vector<Tic> even_tics(const Page& page, const AxisRange& range, double leng
 }
 
 std::vector<Tic> logarithmic_tics(const AxisRange& range, std::size_t most) {
-  const double low = std::floor(std::log10(range.least) + 1e-9);
-  const double high = std::ceil(std::log10(range.greatest) - 1e-9);
-  const double decades = std::log10(range.greatest / range.least);
+  const double low = std::floor(std::log10(range.min) + 1e-9);
+  const double high = std::ceil(std::log10(range.max) - 1e-9);
+  const double decades = std::log10(range.max / range.min);
   const double every = std::max(1.0, std::ceil(decades / static_cast<double>(most)));
   std::vector<Tic> tics;
   for (double exponent = low; exponent <= high; exponent += 1.0) {
     for (int digit = 1; digit < 10; ++digit) {
       const double place = digit * std::pow(10.0, exponent);
-      if (place < range.least * (1 - 1e-9) || place > range.greatest * (1 + 1e-9)) continue;
+      if (place < range.min * (1 - 1e-9) || place > range.max * (1 + 1e-9)) continue;
       const bool has_room = decades < 0.7   ? true
                             : decades < 2.0 ? digit == 1 || digit == 2 || digit == 5
                                             : digit == 1;

@@ -68,7 +68,7 @@ class Page {
 
 // The ends of an axis that is drawn.
 struct AxisRange {
-  double least = 0.0, greatest = 1.0;
+  double min = 0.0, max = 1.0;
   bool logarithmic = false;
 };
 

@@ -49,7 +49,7 @@ AxisRange value_range(const Page& page, const std::vector<Picture>& layers, bool
   const bool is_log = style.is_log && !layers.front().map.is_poincare();
   const ValueRange range = scale_range(padded_range(values), values,
                                        is_first ? style.yrange : Limits{}, is_log, "--yrange");
-  return {range.least, range.greatest, is_log};
+  return {range.min, range.max, is_log};
 }
 
 // One panel: a quantity of one or several studies.
@@ -232,7 +232,7 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
     if (is_last) script.text += draw_key(page, key, script.height);
     const ResultMap& first = panel.layers.front().map;
     if (!first.is_poincare()) script.text += grid_lines();
-    if (!panel.classes && panel.y.range.least < 0.0 && panel.y.range.greatest > 0.0 &&
+    if (!panel.classes && panel.y.range.min < 0.0 && panel.y.range.max > 0.0 &&
         !first.is_poincare()) {
       script.text += "set xzeroaxis linetype 1 linewidth 1 linecolor rgb '#777777'\n";
     }

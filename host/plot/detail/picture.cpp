@@ -156,12 +156,12 @@ std::string panel_lines(const Page& page, const Frame& frame, double height, con
   std::string text = fmt::format(
       "reset\nunset key\nunset colorbox\nset border linewidth 1\nset x2range [0:1]\n"
       "set y2range [0:1]\n{}set xrange [{}:{}]\n{}",
-      page.margins(frame, height), x.range.least, x.range.greatest,
+      page.margins(frame, height), x.range.min, x.range.max,
       tics_of(page, "x", x.range, frame.width(), x.has_numbers).lines);
   if (y.classes != nullptr) {
     text += y.classes->tics(page, "y", true);
   } else {
-    text += fmt::format("set yrange [{}:{}]\n{}", y.range.least, y.range.greatest,
+    text += fmt::format("set yrange [{}:{}]\n{}", y.range.min, y.range.max,
                         tics_of(page, "y", y.range, frame.height(), y.has_numbers).lines);
   }
   double below = frame.bottom - em * ((x.has_numbers ? 1.75 : 0.5) + 0.5 * kLine);
@@ -220,11 +220,11 @@ std::vector<std::string> label_lines(const Page& page, const std::string& markup
 AxisRange axis_range(const ResultAxis& axis, const Limits& limits, const std::string& option) {
   const std::vector<double> edges = cell_edges(axis);
   const ValueRange range = limited({edges.front(), edges.back(), false}, limits, option);
-  if (axis.logarithmic && range.least <= 0.0) {
+  if (axis.logarithmic && range.min <= 0.0) {
     throw InputError(
         fmt::format("{}: the axis is logarithmic, so its ends must be above 0", option));
   }
-  return {range.least, range.greatest, axis.logarithmic};
+  return {range.min, range.max, axis.logarithmic};
 }
 
 ChannelInfo shown_by(const Picture& picture) {

@@ -126,23 +126,23 @@ ClassScale numbered_classes(const std::set<double>& numbers) {
 }
 
 ValueRange not_empty(const ValueRange& range) {
-  const double smallest = std::max(1e-9 * std::abs(range.least), 1e-300);
-  if (range.greatest - range.least >= smallest) return range;
-  const double half = range.least == 0.0 ? 0.5 : 0.05 * std::abs(range.least);
-  return {range.least - half, range.least + half, false};
+  const double smallest = std::max(1e-9 * std::abs(range.min), 1e-300);
+  if (range.max - range.min >= smallest) return range;
+  const double half = range.min == 0.0 ? 0.5 : 0.05 * std::abs(range.min);
+  return {range.min - half, range.min + half, false};
 }
 
-// From the least value that has a logarithm.
+// From the smallest value that has a logarithm.
 ValueRange above_zero(const ValueRange& range, const std::vector<double>& values) {
-  if (range.least > 0.0) return range;
-  double least = std::numeric_limits<double>::infinity();
+  if (range.min > 0.0) return range;
+  double min = std::numeric_limits<double>::infinity();
   for (const double value : values) {
-    if (value > 0.0) least = std::min(least, value);
+    if (value > 0.0) min = std::min(min, value);
   }
-  if (!(least < range.greatest)) {
+  if (!(min < range.max)) {
     throw InputError("--log: no value is greater than 0, so none has a logarithm");
   }
-  return {least, range.greatest, range.clipped};
+  return {min, range.max, range.clipped};
 }
 
 }  // namespace
@@ -284,22 +284,22 @@ void tell_classes_apart(const ResultMap* motion, const ResultMap* contact, Resul
 
 ValueRange limited(const ValueRange& range, const Limits& limits, const std::string& option) {
   ValueRange out = range;
-  if (limits.least) out.least = *limits.least;
-  if (limits.greatest) out.greatest = *limits.greatest;
-  if (limits.least && limits.greatest) out.clipped = false;
-  if (out.least < out.greatest) return out;
+  if (limits.min) out.min = *limits.min;
+  if (limits.max) out.max = *limits.max;
+  if (limits.min && limits.max) out.clipped = false;
+  if (out.min < out.max) return out;
   throw InputError(fmt::format("{}: nothing lies there; the values go from {:.6g} to {:.6g}",
-                               option, range.least, range.greatest));
+                               option, range.min, range.max));
 }
 
 ValueRange scale_range(const ValueRange& range, const std::vector<double>& values,
                        const Limits& limits, bool is_log, const std::string& option) {
   if (!is_log) return limited(range, limits, option);
-  for (const std::optional<double>& end : {limits.least, limits.greatest}) {
+  for (const std::optional<double>& end : {limits.min, limits.max}) {
     if (!end || *end > 0.0) continue;
     throw InputError(fmt::format("{}: with --log its ends must be above 0, not {}", option, *end));
   }
-  return limited(limits.least ? range : above_zero(range, values), limits, option);
+  return limited(limits.min ? range : above_zero(range, values), limits, option);
 }
 
 ValueRange colour_range(const std::vector<double>& values) {
@@ -308,11 +308,11 @@ ValueRange colour_range(const std::vector<double>& values) {
   std::sort(sorted.begin(), sorted.end());
   const std::size_t left_out = sorted.size() / 1000;
   ValueRange range = {sorted.front(), sorted.back(), false};
-  const double least = sorted[left_out];
-  const double greatest = sorted[sorted.size() - 1 - left_out];
+  const double min = sorted[left_out];
+  const double max = sorted[sorted.size() - 1 - left_out];
   constexpr double kMuchWider = 3.0;
-  if (greatest > least && sorted.back() - sorted.front() > kMuchWider * (greatest - least)) {
-    range = {least, greatest, true};
+  if (max > min && sorted.back() - sorted.front() > kMuchWider * (max - min)) {
+    range = {min, max, true};
   }
   return not_empty(range);
 }
@@ -320,9 +320,9 @@ ValueRange colour_range(const std::vector<double>& values) {
 ValueRange padded_range(const std::vector<double>& values) {
   const std::vector<double> known = finite(values);
   if (known.empty()) return {};
-  const auto [least, greatest] = std::minmax_element(known.begin(), known.end());
-  const double margin = 0.04 * (*greatest - *least);
-  return not_empty({*least - margin, *greatest + margin, false});
+  const auto [min, max] = std::minmax_element(known.begin(), known.end());
+  const double margin = 0.04 * (*max - *min);
+  return not_empty({*min - margin, *max + margin, false});
 }
 
 }  // namespace gearsweep

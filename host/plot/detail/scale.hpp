@@ -53,7 +53,7 @@ std::optional<ClassScale> class_scale(const ResultMap& map);
 void tell_classes_apart(const ResultMap* motion, const ResultMap* contact, ResultMap* map);
 
 struct ValueRange {
-  double least = 0.0, greatest = 1.0;
+  double min = 0.0, max = 1.0;
   bool clipped = false;
 };
 

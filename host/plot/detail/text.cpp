@@ -91,7 +91,7 @@ std::string name_markup(const std::string& name) {
   if (!symbol.empty()) return symbol;
   static const std::map<std::string, std::string> kAverages = {{"_max", "largest "},
                                                                {"_mean", "mean of "},
-                                                               {"_min", "least "},
+                                                               {"_min", "smallest "},
                                                                {"_rms", "rms of "},
                                                                {"_std", "standard deviation of "}};
   for (const auto& [ending, words] : kAverages) {

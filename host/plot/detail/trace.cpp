@@ -78,7 +78,7 @@ std::vector<std::string> axis_text(const std::optional<std::string>& given,
 
 AxisRange shown_range(const ValueRange& range, const Limits& limits, const std::string& option) {
   const ValueRange own = limited(range, limits, option);
-  return {own.least, own.greatest, false};
+  return {own.min, own.max, false};
 }
 
 PanelAxis across_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
@@ -91,9 +91,9 @@ ValueRange section_range(const std::vector<double>& section, const std::vector<d
   constexpr double kNarrowest = 0.02;  // of the whole motion
   ValueRange range = padded_range(section);
   const ValueRange whole = padded_range(trace);
-  const double least = kNarrowest * (whole.greatest - whole.least);
-  const double more = 0.5 * std::max(0.0, least - (range.greatest - range.least));
-  return {range.least - more, range.greatest + more};
+  const double min = kNarrowest * (whole.max - whole.min);
+  const double more = 0.5 * std::max(0.0, min - (range.max - range.min));
+  return {range.min - more, range.max + more};
 }
 
 // Velocities are called after their positions, so these say it all.
@@ -244,10 +244,10 @@ TracePanel section_panel(const Page& page, const TracePicture& picture, PlotScri
 
 TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
   constexpr double kShown = 100.0, kAbove = 5.0;  // dB
-  constexpr double kLeast = 1e-300;               // of an amplitude that has a logarithm
+  constexpr double kMin = 1e-300;                 // of an amplitude that has a logarithm
   TracePanel panel;
   panel.kind = "spectrum";
-  double greatest = kLeast;
+  double max = kMin;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const Trace& trace = picture.layers[i].trace;
     const int channel = find_channel(trace, picture.channel.name);
@@ -257,9 +257,9 @@ TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScr
         next_records(*script, spectrum.amplitude.size(), 2), layer_line(i));
     for (std::size_t bin = 0; bin < spectrum.amplitude.size(); ++bin) {
       const double order = static_cast<double>(bin) * spectrum.order_step;
-      const double amplitude = std::max(spectrum.amplitude[bin], kLeast);
+      const double amplitude = std::max(spectrum.amplitude[bin], kMin);
       append_numbers({order, decibels(amplitude)}, &script->data);
-      if (order <= picture.orders) greatest = std::max(greatest, amplitude);
+      if (order <= picture.orders) max = std::max(max, amplitude);
     }
   }
   const std::string unit =
@@ -271,7 +271,7 @@ TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScr
   panel.y = {axis_text(page.style().ylabel,
                        fmt::format("{} (dB re 1{})", quantity_label(picture.channel.name, ""),
                                    typeset(unit))),
-             shown_range({decibels(greatest) + kAbove - kShown, decibels(greatest) + kAbove},
+             shown_range({decibels(max) + kAbove - kShown, decibels(max) + kAbove},
                          page.style().yrange, "--yrange")};
   panel.lines = grid_lines();
   return panel;

@@ -1,5 +1,5 @@
 // What a Runge-Kutta step misses when a limit of the backlash is crossed inside it: the reference
-// engine's own version of kernels/integrators/crossing.h, which explains the correction.
+// engine's own version of kernels/rk4/crossing.h, which explains the correction.
 #pragma once
 
 #include <Eigen/Core>

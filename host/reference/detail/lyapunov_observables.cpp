@@ -18,12 +18,13 @@ double mean(const std::vector<double>& values) {
 
 class LyapunovMax final : public ReferenceObservable {
  public:
-  void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
-    growths_.push_back(growth[0]);
-    rates_.push_back(growth[0] / length);
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd& log_stretching,
+              double length) override {
+    log_stretchings_.push_back(log_stretching[0]);
+    rates_.push_back(log_stretching[0] / length);
   }
   std::vector<double> finish(const Window&) const override {
-    return {mean(rates_), standard_error(), mean(growths_)};
+    return {mean(rates_), standard_error(), mean(log_stretchings_)};
   }
 
  private:
@@ -45,14 +46,15 @@ class LyapunovMax final : public ReferenceObservable {
     return std::sqrt(squares / (count * (count - 1.0)));
   }
 
-  std::vector<double> growths_, rates_;
+  std::vector<double> log_stretchings_, rates_;
 };
 
 class LyapunovSpectrum final : public ReferenceObservable {
  public:
-  void period(const Eigen::VectorXd&, const Eigen::VectorXd& growth, double length) override {
-    if (sums_.size() == 0) sums_ = Eigen::VectorXd::Zero(growth.size());
-    sums_ += growth / length;
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd& log_stretching,
+              double length) override {
+    if (sums_.size() == 0) sums_ = Eigen::VectorXd::Zero(log_stretching.size());
+    sums_ += log_stretching / length;
   }
   std::vector<double> finish(const Window& window) const override {
     const Eigen::VectorXd exponents = sums_ / static_cast<double>(window.record);
@@ -65,8 +67,9 @@ class LyapunovSpectrum final : public ReferenceObservable {
 
 class KaplanYorke final : public ReferenceObservable {
  public:
-  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
-    spectrum_.period(state, growth, length);
+  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
+              double length) override {
+    spectrum_.period(state, log_stretching, length);
   }
   std::vector<double> finish(const Window& window) const override {
     std::vector<double> exponents = spectrum_.finish(window);
@@ -98,9 +101,9 @@ Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {
   const Eigen::Index count = grown.cols();
   if (count == 0) return {};
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(grown);
-  const Eigen::VectorXd growth = qr.matrixQR().diagonal().cwiseAbs().array().log();
+  const Eigen::VectorXd log_stretching = qr.matrixQR().diagonal().cwiseAbs().array().log();
   trajectory->set_tangents(qr.householderQ() * Eigen::MatrixXd::Identity(grown.rows(), count));
-  return growth;
+  return log_stretching;
 }
 
 std::unique_ptr<ReferenceObservable> make_lyapunov_max() { return std::make_unique<LyapunovMax>(); }

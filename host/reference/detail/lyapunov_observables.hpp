@@ -1,7 +1,7 @@
 // The reference engine's Lyapunov exponents, by Householder's QR decomposition of all tangent
 // vectors once a period (Eckmann and Ruelle, Reviews of Modern Physics 57 (1985) 617-656). Between
 // two decompositions the vectors keep 16 digits in all, so a period must not be so long that the
-// least exponent's share of them vanishes beside the largest's.
+// smallest exponent's share of them vanishes beside the largest's.
 #pragma once
 
 #include <Eigen/Core>

@@ -20,7 +20,7 @@ StateKinds state_kinds(const Model& model) {
 }
 
 MotionRange::MotionRange(StateKinds kinds, double tolerance)
-    : kinds_(std::move(kinds)), least_(64.0 * std::numeric_limits<double>::epsilon() / tolerance) {}
+    : kinds_(std::move(kinds)), min_(64.0 * std::numeric_limits<double>::epsilon() / tolerance) {}
 
 void MotionRange::widen(const Eigen::VectorXd& state) {
   low_ = low_.cwiseMin(state);
@@ -28,8 +28,8 @@ void MotionRange::widen(const Eigen::VectorXd& state) {
 }
 
 void MotionRange::end_period(const Eigen::VectorXd& state) {
-  const Eigen::VectorXd greatest = low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
-  const Eigen::VectorXd range = (high_ - low_).cwiseMax(least_ * greatest);
+  const Eigen::VectorXd max = low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
+  const Eigen::VectorXd range = (high_ - low_).cwiseMax(min_ * max);
   if (ranges_.size() == 0) ranges_ = Eigen::VectorXd::Zero(range.size());
   ranges_ = ranges_.cwiseMax(range);
   begin(state);
@@ -41,7 +41,7 @@ double MotionRange::distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     double& turn = apart[static_cast<Eigen::Index>(angle)];
     turn = std::remainder(turn, 2.0 * std::numbers::pi);
   }
-  double greatest = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < kinds_.units.size(); ++i) {
     const double size = std::abs(apart[static_cast<Eigen::Index>(i)]);
     if (size == 0.0) continue;
@@ -50,9 +50,9 @@ double MotionRange::distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
       if (kinds_.units[j] != kinds_.units[i]) continue;
       range = std::max(range, ranges_[static_cast<Eigen::Index>(j)]);
     }
-    greatest = std::max(greatest, size / range);
+    max = std::max(max, size / range);
   }
-  return greatest;
+  return max;
 }
 
 }  // namespace gearsweep

@@ -28,7 +28,7 @@ class MotionRange {
   void widen(const Eigen::VectorXd& state);
   void end_period(const Eigen::VectorXd& state);
 
-  // The greatest component of the difference of two states, relative to the largest range during
+  // The largest component of the difference of two states, relative to the largest range during
   // any period of the states of its unit; angles differ by half a turn at most.
   double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   // The largest range of one state during any period.
@@ -36,7 +36,7 @@ class MotionRange {
 
  private:
   StateKinds kinds_;
-  double least_;
+  double min_;
   Eigen::VectorXd low_, high_;
   Eigen::VectorXd ranges_;  // empty before the first period
 };

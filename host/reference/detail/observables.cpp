@@ -34,15 +34,15 @@ class Extrema final : public ReferenceObservable {
   explicit Extrema(const Channel& channel) : channel_(channel) {}
   void step(const Moment& before, const Moment& after, double) override {
     const auto [low, high] = std::minmax({channel_(before), channel_(after)});
-    least_ = std::min(least_, low);
-    greatest_ = std::max(greatest_, high);
+    min_ = std::min(min_, low);
+    max_ = std::max(max_, high);
   }
-  std::vector<double> finish(const Window&) const override { return {least_, greatest_}; }
+  std::vector<double> finish(const Window&) const override { return {min_, max_}; }
 
  private:
   Channel channel_;
-  double least_ = std::numeric_limits<double>::infinity();
-  double greatest_ = -std::numeric_limits<double>::infinity();
+  double min_ = std::numeric_limits<double>::infinity();
+  double max_ = -std::numeric_limits<double>::infinity();
 };
 
 // Weighted mean and variance by West's recurrence (Communications of the ACM 22, 1979): each step
@@ -99,7 +99,7 @@ class Contact final : public ReferenceObservable {
     const bool open = std::max(backlash_(before), backlash_(after)) > 0.0;
     const double touching = drive.length() + back.length() - both;
     if (touching <= 0.0 || (open && touching < 1.0)) seen_gap_ = true;
-    least_backlash_ = std::min({least_backlash_, backlash_(before), backlash_(after)});
+    min_backlash_ = std::min({min_backlash_, backlash_(before), backlash_(after)});
   }
 
   std::vector<double> finish(const Window& window) const override {
@@ -107,7 +107,7 @@ class Contact final : public ReferenceObservable {
     const bool on_drive = drive_ > 0.0;
     const bool on_back = back_ > 0.0;
     double contact_class = 0.0;
-    if (least_backlash_ < 0.0) {
+    if (min_backlash_ < 0.0) {
       contact_class = 3.0;
     } else if (on_drive && on_back) {
       contact_class = 2.0;
@@ -115,7 +115,7 @@ class Contact final : public ReferenceObservable {
       contact_class = 1.0;
     }
     // Without a negative backlash both flanks touch by rounding only.
-    const double wedged = least_backlash_ < 0.0 ? wedged_ : 0.0;
+    const double wedged = min_backlash_ < 0.0 ? wedged_ : 0.0;
     const double gap = seen_gap_ ? std::max(0.0, 1.0 - (drive_ + back_ + wedged) / count) : 0.0;
     return {drive_ / count, gap, back_ / count, wedged / count, losses_ / count, contact_class};
   }
@@ -136,7 +136,7 @@ class Contact final : public ReferenceObservable {
 
   Channel deflection_, backlash_;
   double drive_ = 0.0, back_ = 0.0, wedged_ = 0.0, losses_ = 0.0;
-  double least_backlash_ = std::numeric_limits<double>::infinity();
+  double min_backlash_ = std::numeric_limits<double>::infinity();
   bool seen_gap_ = false;
 };
 

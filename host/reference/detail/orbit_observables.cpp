@@ -52,14 +52,14 @@ class Sections {
     return {};
   }
 
-  // The greatest range of any component among the sections from `first` to `final`.
+  // The largest range of any component among the sections from `first` to `final`.
   double extent(std::size_t first, std::size_t final) const {
-    Eigen::ArrayXd least = states_[first], greatest = states_[first];
+    Eigen::ArrayXd min = states_[first], max = states_[first];
     for (std::size_t i = first; i <= final; ++i) {
-      least = least.min(states_[i].array());
-      greatest = greatest.max(states_[i].array());
+      min = min.min(states_[i].array());
+      max = max.max(states_[i].array());
     }
-    return (greatest - least).maxCoeff();
+    return (max - min).maxCoeff();
   }
 
  private:
@@ -67,8 +67,8 @@ class Sections {
   struct Reference {
     std::size_t section, window_end;
   };
-  // How often sections recurred, and since which reference; the greatest distance among those that
-  // did, the least among the others.
+  // How often sections recurred, and since which reference; the largest distance among those that
+  // did, the smallest among the others.
   struct Stretch {
     std::size_t recurrences = 0, since = 0;
     double worst = 0.0, nearest = std::numeric_limits<double>::infinity();
@@ -169,9 +169,10 @@ class Motion final : public SectionObservable {
  public:
   Motion(double tolerance, const StateKinds& kinds)
       : SectionObservable(tolerance, kinds), exponent_(make_lyapunov_max()) {}
-  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& growth, double length) override {
-    SectionObservable::period(state, growth, length);
-    exponent_->period(state, growth, length);
+  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
+              double length) override {
+    SectionObservable::period(state, log_stretching, length);
+    exponent_->period(state, log_stretching, length);
     time_ += length;
   }
   std::vector<double> finish(const Window& window) const override {
@@ -183,14 +184,14 @@ class Motion final : public SectionObservable {
 
   Kind kind(const Window& window) const {
     const std::vector<double> exponent = exponent_->finish(window);
-    const double growth = exponent[0] * time_;
+    const double log_stretching = exponent[0] * time_;
     const double error = 3.0 * exponent[1] * time_;
-    if (sections().recurrence().period > 0) return growth > error ? undecided : periodic;
-    if (growth > std::max(error, 2.0)) return chaotic;
-    const bool neutral = std::abs(growth) <= std::max(2.0, std::min(error, 10.0));
+    if (sections().recurrence().period > 0) return log_stretching > error ? undecided : periodic;
+    if (log_stretching > std::max(error, 2.0)) return chaotic;
+    const bool neutral = std::abs(log_stretching) <= std::max(2.0, std::min(error, 10.0));
     const bool is_long = window.is_last || window.record >= 1000;
     if (neutral && is_long && is_steady()) return quasi_periodic;
-    return window.is_last && growth < -std::max(error, 10.0) ? periodic : undecided;
+    return window.is_last && log_stretching < -std::max(error, 10.0) ? periodic : undecided;
   }
 
   // Whether the section is as large in the second half as in the first, within a quarter.
@@ -207,19 +208,19 @@ class Motion final : public SectionObservable {
 
 class SectionBox final : public ReferenceObservable {
  public:
-  void begin(const Eigen::VectorXd& state) override { least_ = greatest_ = state; }
+  void begin(const Eigen::VectorXd& state) override { min_ = max_ = state; }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
-    least_ = least_.cwiseMin(state);
-    greatest_ = greatest_.cwiseMax(state);
+    min_ = min_.cwiseMin(state);
+    max_ = max_.cwiseMax(state);
   }
   std::vector<double> finish(const Window&) const override {
-    std::vector<double> box(least_.begin(), least_.end());
-    box.insert(box.end(), greatest_.begin(), greatest_.end());
+    std::vector<double> box(min_.begin(), min_.end());
+    box.insert(box.end(), max_.begin(), max_.end());
     return box;
   }
 
  private:
-  Eigen::VectorXd least_, greatest_;
+  Eigen::VectorXd min_, max_;
 };
 
 }  // namespace

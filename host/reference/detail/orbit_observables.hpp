@@ -20,7 +20,7 @@ std::unique_ptr<ReferenceObservable> make_period(double tolerance, const StateKi
 std::unique_ptr<ReferenceObservable> make_settled(double tolerance, const StateKinds& kinds);
 // The kind of motion, a value of motion_class; needs a tangent vector.
 std::unique_ptr<ReferenceObservable> make_motion(double tolerance, const StateKinds& kinds);
-// Least value of each state, then greatest value of each.
+// Smallest value of each state, then largest value of each.
 std::unique_ptr<ReferenceObservable> make_section();
 
 }  // namespace gearsweep

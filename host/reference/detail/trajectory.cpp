@@ -96,8 +96,8 @@ void Trajectory::correct_crossings(std::size_t row, double h, const std::array<B
     const auto weights = crossing_weights(p, flank);
     if (!weights) continue;
     Eigen::VectorXd first(states), last(states);
-    point_->push(coefs(0), first.data());
-    point_->push(coefs(2), last.data());
+    point_->force_direction(coefs(0), first.data());
+    point_->force_direction(coefs(2), last.data());
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(states, states);
     point_->jacobian(coefs(2), state_.data(), jacobian.data());
     const Eigen::VectorXd carry = first - last + h * jacobian * last;

@@ -9,7 +9,7 @@
 
 namespace gearsweep {
 
-// K of the first state at the end of each recorded period, with the angles, the greatest lag and
+// K of the first state at the end of each recorded period, with the angles, the largest lag and
 // the centring of kernels/observables/zero_one.h. 0 when the samples stay at one value: when their
 // standard deviation is at most `tolerance` times the motion's range. NaN with less than 100 of
 // them.

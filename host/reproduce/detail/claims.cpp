@@ -21,8 +21,8 @@ Verdict by_count(const std::vector<bool>& conditions) {
   return met > 0 ? Verdict::in_part : Verdict::does_not_hold;
 }
 
-bool inside(std::pair<double, double> range, double least, double greatest) {
-  return range.first >= least && range.second <= greatest;
+bool inside(std::pair<double, double> range, double min, double max) {
+  return range.first >= min && range.second <= max;
 }
 
 std::string show(std::pair<double, double> range) {
@@ -67,15 +67,15 @@ class Judge {
     std::vector<bool> met;
     std::string found;
     for (const double resonance : {0.25, 0.5}) {
-      const double at = curve.x(curve.greatest_in(resonance - 0.1, resonance + 0.08));
+      const double at = curve.x(curve.max_in(resonance - 0.1, resonance + 0.08));
       met.push_back(std::abs(at - resonance) <= reach + 1e-9);
       found += fmt::format("{}{:.3f}", found.empty() ? "" : " and ", at);
     }
     add(4, "Resonances at omega = 0.25 and 0.5, a quarter and a half of the natural frequency.",
-        fmt::format("the greatest {} (mu = 0) in 0.15 .. 0.33 and in 0.40 .. 0.58 lies within {} "
+        fmt::format("the largest {} (mu = 0) in 0.15 .. 0.33 and in 0.40 .. 0.58 lies within {} "
                     "of them; in part: one of the two",
                     quantity, reach),
-        fmt::format("greatest at {}", found), by_count(met));
+        fmt::format("largest at {}", found), by_count(met));
   }
 
   void friction_and_rms() {
@@ -236,7 +236,7 @@ class Judge {
     add(8, "At b = 1.2 the motion is chaotic, within -8 .. 8, with negative force.",
         "a largest exponent above 0.003; x1 beyond -5 and 5, within -8 .. 8; a negative force; in "
         "part: not all of them",
-        fmt::format("exponent {:.4f}, x1 {}, least force {:.3f}", exponent[3], show(wide),
+        fmt::format("exponent {:.4f}, x1 {}, smallest force {:.3f}", exponent[3], show(wide),
                     force[3]),
         by_count({exponent[3] > kChaotic,
                   wide.first < -5.0 && wide.second > 5.0 && inside(wide, -8.0, 8.0),

@@ -28,7 +28,7 @@ std::vector<std::size_t> Curve::within(double from, double to) const {
   return points;
 }
 
-std::size_t Curve::greatest_in(double from, double to) const {
+std::size_t Curve::max_in(double from, double to) const {
   const std::vector<std::size_t> points = within(from, to);
   if (points.empty()) throw std::logic_error("a curve has no points there");
   return *std::max_element(points.begin(), points.end(),
@@ -63,8 +63,8 @@ double amplitude_at(const Trace& trace, const std::string& channel, double order
 
 std::pair<double, double> range_of(const Trace& trace, const std::string& channel) {
   const std::vector<double>& values = channel_of(trace, channel);
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  return {*least, *greatest};
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  return {*min, *max};
 }
 
 }  // namespace gearsweep

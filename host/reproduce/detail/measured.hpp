@@ -24,8 +24,8 @@ class Curve {
   double operator[](std::size_t i) const { return values_[i]; }
   const std::vector<double>& values() const { return values_; }
 
-  // Where the greatest value with from <= x <= to is. Throws std::logic_error when there is none.
-  std::size_t greatest_in(double from, double to) const;
+  // Where the largest value with from <= x <= to is. Throws std::logic_error when there is none.
+  std::size_t max_in(double from, double to) const;
   // The indices with from <= x <= to.
   std::vector<std::size_t> within(double from, double to) const;
   std::size_t nearest(double x) const;
@@ -42,7 +42,7 @@ double share_of(const std::vector<std::size_t>& points,
 // whole periods of that: the Fourier coefficient by the trapezoidal rule between its moments.
 double amplitude_at(const Trace& trace, const std::string& channel, double order);
 
-// Least and greatest value of a channel.
+// Smallest and largest value of a channel.
 std::pair<double, double> range_of(const Trace& trace, const std::string& channel);
 
 struct Measured {
@@ -65,7 +65,7 @@ struct Measured {
     std::size_t shown = 0, counted = 0;
   };
   std::vector<Basins> basins;
-  // Greatest relative change of the energy in three periods, undamped and unforced, in contact.
+  // Largest relative change of the energy in three periods, undamped and unforced, in contact.
   double drift_consistent = 0.0, drift_printed = 0.0;
 };
 

@@ -16,7 +16,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kLargeForce = 0.6;  // beyond it, figures 7 and 10 have jumped
-constexpr std::size_t kMostJumps = 12;
+constexpr std::size_t kMaxJumps = 12;
 
 constexpr std::size_t kWholeSixths = 96;  // periods, so that sixths of the mesh order are lines
 constexpr std::size_t kSamples = 256;     // per period, for spectra
@@ -133,7 +133,7 @@ class Runs {
     const Curve force(measured_.maps.at(figure), "dmf_max");
     std::vector<Measured::Jump> jumps;
     std::set<double> values;
-    for (std::size_t i = 1; i < force.size() && jumps.size() < kMostJumps; ++i) {
+    for (std::size_t i = 1; i < force.size() && jumps.size() < kMaxJumps; ++i) {
       if ((force[i] > kLargeForce) == (force[i - 1] > kLargeForce)) continue;
       jumps.push_back({force.x(i - 1), force.x(i), 0, 0});
       values.insert({force.x(i - 1), force.x(i)});
@@ -193,7 +193,7 @@ class Runs {
   }
 
   // Undamped, unforced, frictionless, with mesh stiffness 1 and no backlash, from a state away from
-  // rest: greatest relative change of (v1^2 + sum v^2/m + k x^2 + D^2)/2 over three periods.
+  // rest: largest relative change of (v1^2 + sum v^2/m + k x^2 + D^2)/2 over three periods.
   double energy_drift(const std::string& formulation) const {
     const SweepResult result = compute(read_study(
         fmt::format(

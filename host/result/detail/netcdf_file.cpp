@@ -250,7 +250,7 @@ std::vector<double> NetcdfFile::number_attribute(int variable, const std::string
 // A few bytes can claim any size for what was never written; what was written cannot have been
 // deflated further than this.
 void NetcdfFile::refuse_too_large(int variable) const {
-  constexpr double kMostDeflation = 1100.0;
+  constexpr double kMaxDeflation = 1100.0;
   nc_type type = NC_NAT;
   std::size_t width = 0;
   check(nc_inq_vartype(id_, variable, &type), "read the type of a variable");
@@ -259,7 +259,7 @@ void NetcdfFile::refuse_too_large(int variable) const {
   for (const int dimension : dimensions_of(variable)) {
     bytes *= static_cast<double>(dimension_size(dimension));
   }
-  if (bytes > kMostDeflation * bytes_) {
+  if (bytes > kMaxDeflation * bytes_) {
     throw InputError(
         fmt::format("'{}' says that '{}' holds {:.3g} bytes, more than a file of {} bytes can",
                     shown_name_, variable_name(variable), bytes, bytes_));
@@ -282,16 +282,16 @@ std::vector<double> NetcdfFile::read(int variable, const std::vector<std::size_t
 
 std::vector<std::string> NetcdfFile::read_texts(int variable) const {
   // Names of states, labels of traces: far fewer, and each takes much more memory than in the file.
-  constexpr std::size_t kMostTexts = 10'000, kLongestText = 10'000;
+  constexpr std::size_t kMaxTexts = 10'000, kLongestText = 10'000;
   const std::vector<int> dimensions = dimensions_of(variable);
   if (dimensions.size() != 2) check(NC_EDIMSIZE, "read a list of texts");
   const std::size_t count = dimension_size(dimensions[0]);
   const std::size_t width = dimension_size(dimensions[1]);
-  if (count > kMostTexts || width > kLongestText) {
+  if (count > kMaxTexts || width > kLongestText) {
     throw InputError(
         fmt::format("'{}' says that '{}' holds {} texts of {} characters; no list is "
                     "larger than {} of {}",
-                    shown_name_, variable_name(variable), count, width, kMostTexts, kLongestText));
+                    shown_name_, variable_name(variable), count, width, kMaxTexts, kLongestText));
   }
   refuse_too_large(variable);
   std::string all(count * width, '\0');

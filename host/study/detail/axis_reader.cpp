@@ -12,7 +12,7 @@
 namespace gearsweep {
 namespace {
 
-double most_values() { return find_key(study_table("axes"), "count")->greatest; }
+double max_values() { return find_key(study_table("axes"), "count")->max; }
 
 // Fills what the axis has from the parameter or state that it sweeps; its allowed range.
 std::pair<double, double> bind_axis(const Model& model, const toml::node& place, Axis* axis) {
@@ -21,7 +21,7 @@ std::pair<double, double> bind_axis(const Model& model, const toml::node& place,
     const ParameterInfo& info = model.parameters[axis->index];
     axis->unit = info.unit;
     axis->meaning = info.meaning;
-    return {info.least, info.greatest};
+    return {info.min, info.max};
   }
   if (const int state = model.find_state(axis->name); state >= 0) {
     axis->index = static_cast<std::size_t>(state);
@@ -75,9 +75,9 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
     fail_at(*count_node,
             fmt::format("axis '{}' has count = {}; at least 1 is needed", axis->name, *count));
   }
-  if (static_cast<double>(*count) > most_values()) {
+  if (static_cast<double>(*count) > max_values()) {
     fail_at(*count_node, fmt::format("axis '{}' has count = {}; at most {} is possible", axis->name,
-                                     *count, most_values()));
+                                     *count, max_values()));
   }
   if (*count > 1 && !(to > from)) {
     fail_at(place, fmt::format("axis '{}' goes from {} to {}; 'to' must be greater than 'from' "
@@ -113,9 +113,9 @@ Axis read_axis(const toml::table& table, const Model& model) {
     }
   }
   const toml::array* list = values->as_array();
-  if (list != nullptr && static_cast<double>(list->size()) > most_values()) {
+  if (list != nullptr && static_cast<double>(list->size()) > max_values()) {
     fail_at(*values, fmt::format("axis '{}' has {} values; at most {} are possible", axis.name,
-                                 list->size(), most_values()));
+                                 list->size(), max_values()));
   }
   axis.values = reader.numbers("values", range.first, range.second);
   if (axis.values.empty()) {

@@ -18,7 +18,7 @@ namespace gearsweep {
 // without the key has) are in words.
 struct GearKey {
   std::string_view name;
-  double least, greatest;
+  double min, max;
   std::string_view meaning;
   std::string_view type = "number", fallback = "required";
 };
@@ -78,7 +78,7 @@ class GearReader {
   }
 
   std::optional<double> optional(const GearKey& key) {
-    return reader_.optional_number(std::string(key.name), key.least, key.greatest);
+    return reader_.optional_number(std::string(key.name), key.min, key.max);
   }
 
   double required(const GearKey& key) {
@@ -89,7 +89,7 @@ class GearReader {
   // `count` numbers, or one that stands for all of them.
   std::vector<double> list(const GearKey& key, std::size_t count) {
     need(key);
-    std::vector<double> values = reader_.numbers(std::string(key.name), key.least, key.greatest);
+    std::vector<double> values = reader_.numbers(std::string(key.name), key.min, key.max);
     if (!node(key).is_array()) values.assign(count, values.front());
     if (values.size() != count) {
       fail_at(node(key), fmt::format("{} has {} numbers; it needs one number or a list of {}",

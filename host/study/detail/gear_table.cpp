@@ -22,12 +22,12 @@ class Parameters {
   void add(std::string_view name, double value, const GearKey& origin, std::string note) {
     const auto index = static_cast<std::size_t>(model_.find_parameter(name));
     const ParameterInfo& info = model_.parameters[index];
-    if (!(value >= info.least && value <= info.greatest)) {
+    if (!(value >= info.min && value <= info.max)) {
       fail_at(
           in_.node(origin),
           fmt::format("{} gives {} = {:.6g}, out of range; from {:g} to {:g} is allowed ({}: {})",
-                      in_.has(origin) ? origin.name : "[gear]", name, value, info.least,
-                      info.greatest, info.meaning, note));
+                      in_.has(origin) ? origin.name : "[gear]", name, value, info.min, info.max,
+                      info.meaning, note));
     }
     list_.push_back({std::string(name), value, std::move(note), std::string(origin.name)});
   }

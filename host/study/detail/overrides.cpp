@@ -78,8 +78,8 @@ void apply_override(const std::string& assignment, toml::table* study) {
     throw InputError(fmt::format("{}: expected PATH=VALUE, as in integrate.record=20", source));
   }
   const std::vector<std::string> parts = split_path(assignment.substr(0, equals));
-  if (parts.size() > kMostParts) {
-    throw InputError(fmt::format("{}: a key of more than {} parts", source, kMostParts));
+  if (parts.size() > kMaxParts) {
+    throw InputError(fmt::format("{}: a key of more than {} parts", source, kMaxParts));
   }
   toml::table parsed = parse_value(assignment.substr(equals + 1), source);
   toml::node* node = study;

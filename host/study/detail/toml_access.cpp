@@ -39,7 +39,7 @@ void fail_at(const toml::node& node, const std::string& message) {
   throw InputError(fmt::format("{}: {}", place_of(node), message));
 }
 
-double read_number(const toml::node& node, const std::string& what, double least, double greatest) {
+double read_number(const toml::node& node, const std::string& what, double min, double max) {
   if (!node.is_number()) {
     fail_at(node, fmt::format("{} must be a number, not {}", what, describe(node)));
   }
@@ -49,9 +49,9 @@ double read_number(const toml::node& node, const std::string& what, double least
   if (!std::isfinite(value)) {
     fail_at(node, fmt::format("{} must be finite, not {}", what, value));
   }
-  if (value < least || value > greatest) {
-    fail_at(node, fmt::format("{} = {} is out of range; from {} to {} is allowed", what, value,
-                              least, greatest));
+  if (value < min || value > max) {
+    fail_at(node, fmt::format("{} = {} is out of range; from {} to {} is allowed", what, value, min,
+                              max));
   }
   return value;
 }
@@ -86,18 +86,17 @@ const toml::table* TableReader::table(const std::string& key) {
 
 double TableReader::number(const std::string& key, double fallback) {
   const StudyKey& range = declared(key);
-  return number(key, fallback, range.least, range.greatest);
+  return number(key, fallback, range.min, range.max);
 }
 
-double TableReader::number(const std::string& key, double fallback, double least, double greatest) {
-  return optional_number(key, least, greatest).value_or(fallback);
+double TableReader::number(const std::string& key, double fallback, double min, double max) {
+  return optional_number(key, min, max).value_or(fallback);
 }
 
-std::optional<double> TableReader::optional_number(const std::string& key, double least,
-                                                   double greatest) {
+std::optional<double> TableReader::optional_number(const std::string& key, double min, double max) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  return read_number(*node, key, least, greatest);
+  return read_number(*node, key, min, max);
 }
 
 std::size_t TableReader::count(const std::string& key, std::size_t fallback) {
@@ -107,7 +106,7 @@ std::size_t TableReader::count(const std::string& key, std::size_t fallback) {
   if (!node->is_integer()) {
     fail_at(*node, fmt::format("{} must be a whole number, not {}", key, describe(*node)));
   }
-  return static_cast<std::size_t>(read_number(*node, key, range.least, range.greatest));
+  return static_cast<std::size_t>(read_number(*node, key, range.min, range.max));
 }
 
 bool TableReader::boolean(const std::string& key, bool fallback) {
@@ -125,7 +124,7 @@ std::string TableReader::text(const std::string& key, const std::string& fallbac
   }
   const std::string& value = node->as_string()->get();
   const StudyKey* limits = declared_ == nullptr ? nullptr : find_key(*declared_, key);
-  const double most = limits == nullptr ? 0.0 : limits->greatest;
+  const double most = limits == nullptr ? 0.0 : limits->max;
   const auto length = static_cast<double>(characters_of(value));
   if (most > 0.0 && length > most) {
     fail_at(*node, fmt::format("{} has {} characters; at most {} are possible", key, length, most));
@@ -165,13 +164,13 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
   return out;
 }
 
-std::vector<double> TableReader::numbers(const std::string& key, double least, double greatest) {
+std::vector<double> TableReader::numbers(const std::string& key, double min, double max) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
-  if (!node->is_array()) return {read_number(*node, key, least, greatest)};
+  if (!node->is_array()) return {read_number(*node, key, min, max)};
   std::vector<double> out;
   for (const toml::node& element : *node->as_array()) {
-    out.push_back(read_number(element, key, least, greatest));
+    out.push_back(read_number(element, key, min, max));
   }
   return out;
 }

@@ -18,8 +18,8 @@ std::string place_of(const toml::node& node);
 // Throws InputError "place: message".
 [[noreturn]] void fail_at(const toml::node& node, const std::string& message);
 
-// A finite number (integer or float) within [least, greatest]; `what` names it in the message.
-double read_number(const toml::node& node, const std::string& what, double least, double greatest);
+// A finite number (integer or float) within [min, max]; `what` names it in the message.
+double read_number(const toml::node& node, const std::string& what, double min, double max);
 
 // One table of a study; a missing table (nullptr) reads as empty. All throw InputError.
 class TableReader {
@@ -36,8 +36,8 @@ class TableReader {
   const toml::table* table(const std::string& key);
 
   double number(const std::string& key, double fallback);
-  double number(const std::string& key, double fallback, double least, double greatest);
-  std::optional<double> optional_number(const std::string& key, double least, double greatest);
+  double number(const std::string& key, double fallback, double min, double max);
+  std::optional<double> optional_number(const std::string& key, double min, double max);
   std::size_t count(const std::string& key, std::size_t fallback);
   bool boolean(const std::string& key, bool fallback);
   // Of a key that is declared no longer than that says.
@@ -48,7 +48,7 @@ class TableReader {
                      const std::vector<std::string>& choices);
   std::vector<std::string> texts(const std::string& key);
   // An array of numbers; a single number reads as an array of one.
-  std::vector<double> numbers(const std::string& key, double least, double greatest);
+  std::vector<double> numbers(const std::string& key, double min, double max);
 
   // Adds to the names that refuse_unknown() accepts and suggests.
   void know(const std::string& key);

@@ -58,8 +58,8 @@ std::optional<double> left_of_address_space() {
 
 std::optional<double> available_memory() {
   constexpr double kKilobyte = 1024.0;
-  std::optional<double> least = number_after("/proc/meminfo", "MemAvailable:");
-  if (least) *least *= kKilobyte;
+  std::optional<double> min = number_after("/proc/meminfo", "MemAvailable:");
+  if (min) *min *= kKilobyte;
   const std::string groups = "/sys/fs/cgroup";
   std::vector<std::optional<double>> others = {left_of_address_space()};
   for (const std::string& group : {groups, groups + group_of_this_process()}) {
@@ -70,9 +70,9 @@ std::optional<double> available_memory() {
   others.push_back(left_in_group(old + "/memory.limit_in_bytes", old + "/memory.usage_in_bytes",
                                  old + "/memory.stat", "total_inactive_file"));
   for (const std::optional<double>& other : others) {
-    if (other) least = std::max(0.0, least ? std::min(*least, *other) : *other);
+    if (other) min = std::max(0.0, min ? std::min(*min, *other) : *other);
   }
-  return least;
+  return min;
 }
 
 std::optional<double> available_disk(const std::string& folder) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sweep_types.h"
+#include "tile/detail/on_all_cores.hpp"
 #include "tile/detail/orbit_newton.hpp"
 #include "tile/subset.hpp"
 
@@ -22,7 +23,7 @@ OnOrbits periodic_points(const Study& study, const TileResult& result, const Cho
   const std::size_t points = result.status.size();
   OnOrbits out;
   for (std::size_t i = 0; i < points; ++i) {
-    const double period = result.outputs[study.selection.exponent_error->period * points + i];
+    const double period = result.output_table()[study.selection.exponent_error->period][i];
     if (result.status[i] != STATUS_ok || !(period >= 1.0 && period <= ORBIT_LONGEST)) continue;
     if (!is_chosen(i)) continue;
     out.positions.push_back(i);
@@ -40,16 +41,16 @@ std::optional<std::vector<double>> largest_exponents(const Plan& plan, const Til
   if (points.positions.empty()) return std::vector<double>();
   const Model& model = *plan.study().model;
   const std::size_t states = model.states.size();
-  const Tile part = part_of(plan, tile, points.positions, 1);
+  const Tile subset = subset_of(plan, tile, points.positions, 1);
   const std::optional<ReturnMaps> maps =
-      engine->return_maps(plan, part, points.states, points.lengths, true, after_round);
+      engine->return_maps(plan, subset, points.states, points.lengths, true, after_round);
   if (!maps) return std::nullopt;
-  std::vector<double> exponents;
-  for (std::size_t i = 0; i < points.positions.size(); ++i) {
-    const double time = points.lengths[i] * model.period(plan.setting_of(part.points[i]));
-    const double* derivative = maps->derivatives.data() + i * states * states;
-    exponents.push_back(largest_log_multiplier(derivative, states) / time);
-  }
+  const Array2 derivatives(maps->derivatives, states * states);
+  std::vector<double> exponents(points.positions.size());
+  for_each_on_all_cores(exponents.size(), [&](std::size_t i) {
+    const double time = points.lengths[i] * model.period(plan.setting_of(subset.points[i]));
+    exponents[i] = largest_log_multiplier(derivatives[i], states) / time;
+  });
   return exponents;
 }
 
@@ -65,12 +66,11 @@ bool add_exponent_errors(const Plan& plan, const Tile& tile,
                          const RoundCallback& after_round, TileResult* result) {
   const Study& study = plan.study();
   if (engine == nullptr || !study.selection.exponent_error) return true;
-  const std::size_t count = result->status.size();
-  const auto output = [&](std::size_t number) { return result->outputs.data() + number * count; };
-  const double* told = output(study.selection.exponent_error->exponent);
-  double* error = output(study.selection.exponent_error->error);
+  const Array2<double> outputs = result->output_table();
+  const std::span<const double> told = outputs[study.selection.exponent_error->exponent];
+  const std::span<double> error = outputs[study.selection.exponent_error->error];
 
-  std::vector<double> exponents(told, told + count);  // [point] of the return map
+  std::vector<double> exponents(told.begin(), told.end());  // [point] of the return map
   const OnOrbits going_on =
       periodic_points(study, *result, [&](std::size_t i) { return has_stopped[i] == 0; });
   const auto own = largest_exponents(plan, tile, going_on, engine, after_round);

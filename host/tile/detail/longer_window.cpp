@@ -5,34 +5,30 @@
 namespace gearsweep {
 
 std::vector<std::size_t> undecided_positions(const Study& study, const TileResult& result) {
-  const std::size_t points = result.status.size();
-  const auto first_class =
-      result.outputs.begin() + static_cast<std::ptrdiff_t>(*study.selection.motion * points);
+  const std::span<const double> motion = result.output_table()[*study.selection.motion];
   std::vector<std::size_t> positions;
-  for (std::size_t i = 0; i < points; ++i) {
-    const bool undecided = first_class[static_cast<std::ptrdiff_t>(i)] == double{MOTION_undecided};
-    if (result.status[i] == STATUS_ok && undecided) positions.push_back(i);
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const bool is_undecided = motion[i] == double{MOTION_undecided};
+    if (result.status[i] == STATUS_ok && is_undecided) positions.push_back(i);
   }
   return positions;
 }
 
 void adopt_verdicts(const Study& study, const std::vector<std::size_t>& positions,
-                    const TileResult& part, TileResult* whole) {
-  const std::size_t points = whole->status.size();
+                    const TileResult& subset, TileResult* whole) {
   std::size_t first = 0;
   for (const Observer& observer : study.selection.observers) {
     const bool is_verdict = observer.observable->role == ObservableRole::verdict;
     for (std::size_t output = first; is_verdict && output < first + observer.outputs; ++output) {
       for (std::size_t i = 0; i < positions.size(); ++i) {
-        whole->outputs[output * points + positions[i]] =
-            part.outputs[output * positions.size() + i];
+        whole->output_table()[output][positions[i]] = subset.output_table()[output][i];
       }
     }
     first += observer.outputs;
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (part.status[i] == STATUS_ok) continue;
-    whole->status[positions[i]] = part.status[i];
+    if (subset.status[i] == STATUS_ok) continue;
+    whole->status[positions[i]] = subset.status[i];
     blank_point(positions[i], whole);
   }
 }

@@ -74,9 +74,9 @@ bool OrbitConvergence::is_explained(const Eigen::VectorXd& distance) const {
   return norm(distance - map_ * first) <= 0.5 * (1.0 - contraction_) * before;
 }
 
-OrbitConvergence::Verdict OrbitConvergence::add(const double* state) {
+OrbitConvergence::Verdict OrbitConvergence::add(std::span<const double> state) {
   const Eigen::VectorXd distance =
-      relative_difference(state, orbit_.state.data(), orbit_.ranges, orbit_.angles);
+      relative_difference(state, orbit_.state, orbit_.ranges, orbit_.angles);
   if (!distance.allFinite()) return Verdict::leaves;
   const double now = norm(distance);
   if (last_.empty() || now <= kHalf * surprised_from_) {

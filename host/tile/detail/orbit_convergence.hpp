@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <deque>
+#include <span>
 #include <vector>
 
 namespace gearsweep {
@@ -35,7 +36,7 @@ class OrbitConvergence {
   explicit OrbitConvergence(OrbitMap orbit);
 
   // The state of the trajectory one period of the orbit after the last one that was added.
-  Verdict add(const double* state);
+  Verdict add(std::span<const double> state);
 
  private:
   double norm(const Eigen::VectorXd& distance) const;

@@ -17,27 +17,28 @@ constexpr double kStable = 0.99;
 // Where Newton's method converges, each step does better than this, soon much better.
 constexpr double kSlow = 0.2;
 // What stands for the logarithm of zero.
-constexpr double kLeast = 1e-30;
+constexpr double kMin = 1e-30;
 
 std::vector<double> log_moduli(const Eigen::MatrixXd& derivative) {
   std::vector<double> logs;
   for (const std::complex<double>& value :
        eigenvalues(derivative.data(), static_cast<std::size_t>(derivative.rows()))) {
-    logs.push_back(std::log(std::max(std::abs(value), kLeast)));
+    logs.push_back(std::log(std::max(std::abs(value), kMin)));
   }
   std::sort(logs.rbegin(), logs.rend());
   return logs;
 }
 
 // How far the map carries the guess, relative to the ranges.
-Eigen::VectorXd moved(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
-  return relative_difference(mapped, one.state.data(), one.ranges, limits.angles);
+Eigen::VectorXd moved(std::span<const double> mapped, const NewtonLimits& limits,
+                      const NewtonTry& one) {
+  return relative_difference(mapped, one.state, one.ranges, limits.angles);
 }
 
 // The map's derivative, relative to the ranges.
-Eigen::MatrixXd relative_derivative(const double* derivative, const NewtonTry& one) {
+Eigen::MatrixXd relative_derivative(std::span<const double> derivative, const NewtonTry& one) {
   const auto states = static_cast<Eigen::Index>(one.state.size());
-  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, states, states);
+  const Eigen::Map<const Eigen::MatrixXd> slope(derivative.data(), states, states);
   const Eigen::Map<const Eigen::VectorXd> ranges(one.ranges.data(), states);
   return ranges.cwiseInverse().asDiagonal() * slope * ranges.asDiagonal();
 }
@@ -59,18 +60,18 @@ bool correct(const Eigen::VectorXd& correction, NewtonTry* one) {
 
 }  // namespace
 
-double largest_log_multiplier(const double* derivative, std::size_t states) {
+double largest_log_multiplier(std::span<const double> derivative, std::size_t states) {
   const auto size = static_cast<Eigen::Index>(states);
-  const Eigen::Map<const Eigen::MatrixXd> slope(derivative, size, size);
+  const Eigen::Map<const Eigen::MatrixXd> slope(derivative.data(), size, size);
   const std::vector<double> logs = slope.allFinite() ? log_moduli(slope) : std::vector<double>();
   return logs.empty() ? std::numeric_limits<double>::quiet_NaN() : logs.front();
 }
 
-bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one) {
+bool comes_back(std::span<const double> mapped, const NewtonLimits& limits, const NewtonTry& one) {
   return moved(mapped, limits, one).lpNorm<Eigen::Infinity>() <= limits.same;
 }
 
-NewtonVerdict newton_step(const double* mapped, const double* derivative,
+NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double> derivative,
                           const NewtonLimits& limits, std::size_t tangents, NewtonTry* one) {
   const Eigen::VectorXd by_map = moved(mapped, limits, *one);
   const Eigen::MatrixXd slope = relative_derivative(derivative, *one);
@@ -82,22 +83,22 @@ NewtonVerdict newton_step(const double* mapped, const double* derivative,
   const Eigen::VectorXd step = correction(by_map, slope);
   if (!correct(step, one)) return NewtonVerdict::failed;
   const Eigen::VectorXd away =
-      relative_difference(one->state.data(), one->start.data(), one->ranges, limits.angles);
+      relative_difference(one->state, one->start, one->ranges, limits.angles);
   if (away.lpNorm<Eigen::Infinity>() > limits.far) return NewtonVerdict::failed;
   one->step = step.lpNorm<Eigen::Infinity>();
   if (one->step > limits.close) return NewtonVerdict::going_on;
 
-  one->multipliers = log_moduli(slope);
-  if (one->multipliers.empty()) return NewtonVerdict::failed;
-  if (one->multipliers.front() > std::log(kStable)) return NewtonVerdict::unstable;
-  if (tangents > 1 &&
-      one->multipliers[tangents - 1] - one->multipliers.front() < std::log(limits.weakest)) {
+  one->log_multipliers = log_moduli(slope);
+  if (one->log_multipliers.empty()) return NewtonVerdict::failed;
+  if (one->log_multipliers.front() > std::log(kStable)) return NewtonVerdict::unstable;
+  if (tangents > 1 && one->log_multipliers[tangents - 1] - one->log_multipliers.front() <
+                          std::log(limits.weakest)) {
     return NewtonVerdict::failed;
   }
   return NewtonVerdict::close;
 }
 
-NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
+NewtonVerdict newton_confirm(std::span<const double> mapped, std::span<const double> derivative,
                              const NewtonLimits& limits, NewtonTry* one) {
   const bool is_back = comes_back(mapped, limits, *one);
   const Eigen::VectorXd step =

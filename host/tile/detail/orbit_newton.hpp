@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace gearsweep {
@@ -12,7 +13,7 @@ struct NewtonLimits {
   double same;     // a state that comes back to within this is the orbit's
   double close;    // where a step is no longer than this, the derivative is that at the orbit
   double far;      // the orbit sought lies no farther from where the trajectory is
-  double weakest;  // least multiplier, relative to the largest, that rounding leaves
+  double weakest;  // smallest multiplier, relative to the largest, that rounding leaves
   std::vector<std::size_t> angles = {};  // states that mean the same after a full turn
 };
 
@@ -33,24 +34,24 @@ struct NewtonTry {
   // The length of the last step that came close: how far from the orbit the derivative was taken.
   double step = 0.0;
   // Logarithms of the absolute values of the multipliers over the whole map, largest first.
-  std::vector<double> multipliers;
+  std::vector<double> log_multipliers;
 };
 
 // The logarithm of the largest absolute value of a multiplier, of a return map's derivative
 // ([column][row]); NaN when there is none.
-double largest_log_multiplier(const double* derivative, std::size_t states);
+double largest_log_multiplier(std::span<const double> derivative, std::size_t states);
 
 // Whether a state comes back: it is the same as its map.
-bool comes_back(const double* mapped, const NewtonLimits& limits, const NewtonTry& one);
+bool comes_back(std::span<const double> mapped, const NewtonLimits& limits, const NewtonTry& one);
 
 // One step, from the map of one->state and its derivative ([column][row]). `tangents`: of so many
 // multipliers the values are needed. Never `found`.
-NewtonVerdict newton_step(const double* mapped, const double* derivative,
+NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double> derivative,
                           const NewtonLimits& limits, std::size_t tangents, NewtonTry* one);
 
 // What a `close` state turns out to be, from its map alone and the derivative of the step before
 // (with which the state takes one step more): found or going_on.
-NewtonVerdict newton_confirm(const double* mapped, const double* derivative,
+NewtonVerdict newton_confirm(std::span<const double> mapped, std::span<const double> derivative,
                              const NewtonLimits& limits, NewtonTry* one);
 
 }  // namespace gearsweep

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/array.hpp"
 #include "sweep_types.h"
 #include "tile/detail/on_all_cores.hpp"
 #include "tile/subset.hpp"
@@ -13,7 +14,7 @@ namespace {
 // The orbit that a trajectory settles on is not farther than this from where the trajectory nearly
 // comes back, in ranges of the motion.
 constexpr double kFar = 1e-1;
-constexpr std::size_t kMostSteps = 5;  // of Newton's method
+constexpr std::size_t kMaxSteps = 5;  // of Newton's method
 
 // `close` is where a step of Newton's method leaves only its square. In fp32 the map's rounding,
 // which a multiplier near 1 makes a step some 30 times as long, asks for more.
@@ -49,7 +50,7 @@ OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engi
 
 bool OrbitPursuit::find(const Attempts& attempts, const RoundCallback& after_round) {
   Attempts open = attempts;
-  for (std::size_t i = 0; i < kMostSteps && !open.empty(); ++i) {
+  for (std::size_t i = 0; i < kMaxSteps && !open.empty(); ++i) {
     if (!step(open, after_round) || !confirm(those_with(open, NewtonVerdict::close), after_round) ||
         !shorten(those_with(open, NewtonVerdict::found), after_round)) {
       return false;
@@ -67,23 +68,23 @@ std::optional<ReturnMaps> OrbitPursuit::maps_of(const Attempts& attempts,
   std::vector<double> guesses;
   for (const OrbitAttempt* attempt : attempts) {
     positions.push_back(attempt->position);
-    guesses.insert(guesses.end(), attempt->newton.state.begin(), attempt->newton.state.end());
+    append(attempt->newton.state, &guesses);
   }
-  const Tile part = part_of(plan_, tile_, positions, 1);
-  return engine_->return_maps(plan_, part, guesses, lengths, with_derivatives, after_round);
+  const Tile subset = subset_of(plan_, tile_, positions, 1);
+  return engine_->return_maps(plan_, subset, guesses, lengths, with_derivatives, after_round);
 }
 
 // A step of Newton's method for each.
 bool OrbitPursuit::step(const Attempts& attempts, const RoundCallback& after_round) {
   const std::optional<ReturnMaps> maps = maps_of(attempts, lengths_of(attempts), true, after_round);
   if (!maps) return false;
+  const Array2 states(maps->states, states_), derivatives(maps->derivatives, states_ * states_);
   for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
     OrbitAttempt& attempt = *attempts[i];
-    const double* derivative = maps->derivatives.data() + i * states_ * states_;
-    attempt.verdict = newton_step(maps->states.data() + i * states_, derivative, limits_, tangents_,
-                                  &attempt.newton);
+    const std::span<const double> derivative = derivatives[i];
+    attempt.verdict = newton_step(states[i], derivative, limits_, tangents_, &attempt.newton);
     if (attempt.verdict == NewtonVerdict::close) {
-      attempt.derivative.assign(derivative, derivative + states_ * states_);
+      attempt.derivative.assign(derivative.begin(), derivative.end());
     }
   });
   return true;
@@ -94,9 +95,9 @@ bool OrbitPursuit::confirm(const Attempts& close, const RoundCallback& after_rou
   if (close.empty()) return true;
   const std::optional<ReturnMaps> maps = maps_of(close, lengths_of(close), false, after_round);
   if (!maps) return false;
+  const Array2 states(maps->states, states_);
   for_each_on_all_cores(close.size(), [&](std::size_t i) {
-    close[i]->verdict = newton_confirm(maps->states.data() + i * states_,
-                                       close[i]->derivative.data(), limits_, &close[i]->newton);
+    close[i]->verdict = newton_confirm(states[i], close[i]->derivative, limits_, &close[i]->newton);
   });
   return true;
 }
@@ -116,7 +117,7 @@ bool OrbitPursuit::shorten(const Attempts& found, const RoundCallback& after_rou
       Attempts shorter;
       for (std::size_t i = 0; i < divisible.size(); ++i) {
         OrbitAttempt& attempt = *divisible[i];
-        if (!comes_back(maps->states.data() + i * states_, limits_, attempt.newton)) continue;
+        if (!comes_back(Array2(maps->states, states_)[i], limits_, attempt.newton)) continue;
         attempt.length = lengths[i];
         attempt.verdict = NewtonVerdict::going_on;
         attempt.newton.distance = std::numeric_limits<double>::infinity();
@@ -134,12 +135,11 @@ bool OrbitPursuit::sharpen(Attempts found, const RoundCallback& after_round) {
   if (tangents_ == 0 || found.empty()) return true;
   const std::optional<ReturnMaps> maps = maps_of(found, lengths_of(found), true, after_round);
   if (!maps) return false;
+  const Array2 states(maps->states, states_), derivatives(maps->derivatives, states_ * states_);
   for_each_on_all_cores(found.size(), [&](std::size_t i) {
     NewtonTry last = found[i]->newton;
     last.distance = std::numeric_limits<double>::infinity();
-    const NewtonVerdict verdict =
-        newton_step(maps->states.data() + i * states_,
-                    maps->derivatives.data() + i * states_ * states_, limits_, tangents_, &last);
+    const NewtonVerdict verdict = newton_step(states[i], derivatives[i], limits_, tangents_, &last);
     if (verdict != NewtonVerdict::close) found[i]->verdict = verdict;
     found[i]->newton = std::move(last);
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/array.hpp"
 #include "sweep_types.h"
 #include "tile/detail/on_all_cores.hpp"
 #include "tile/subset.hpp"
@@ -11,9 +12,10 @@
 namespace gearsweep {
 namespace {
 
-// A trajectory that comes back to within this much of the motion's ranges is worth a try.
+// A return is near when the distance, relative to the motion's ranges, is at most this. From there
+// Newton's method is tried.
 constexpr double kNear = 3e-2;
-// In `excluded` of an approach: no length at all.
+// In `excluded` of an approach: all lengths are excluded.
 constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
 
 }  // namespace
@@ -39,7 +41,7 @@ bool OrbitSearch::can_advance() const {
 }
 
 bool OrbitSearch::advance(const RoundCallback& after_round) {
-  const Tile part = part_of(plan_, tile_, open_, ORBIT_LONGEST);
+  const Tile subset = subset_of(plan_, tile_, open_, ORBIT_LONGEST);
   settled_ += ORBIT_LONGEST;
   std::vector<std::uint32_t> excluded;
   for (const std::size_t position : open_) {
@@ -47,7 +49,7 @@ bool OrbitSearch::advance(const RoundCallback& after_round) {
     excluded.push_back(waits ? kAnyLength : hopeless_[position]);
   }
   std::optional<Approach> approach =
-      engine_->approach(plan_, part, states_, excluded,
+      engine_->approach(plan_, subset, states_, excluded,
                         {kNear, plan_.study().selection.period_tolerance}, after_round);
   if (!approach) return false;
   states_ = std::move(approach->states);
@@ -58,13 +60,13 @@ bool OrbitSearch::advance(const RoundCallback& after_round) {
   return true;
 }
 
-// By phase grid, as a part wants them; the longest first, so that those that share a work-item take
-// about as long.
+// One attempt for each open point with a near return. They are sorted by phase grid, as a subset
+// needs them, and then by length, so that attempts in the same work-item take about as long.
 std::vector<OrbitAttempt> OrbitSearch::attempts_from(const Approach& approach) const {
   const std::size_t states = plan_.study().model->states.size();
   const auto numbers_of = [&](const std::vector<double>& all, std::size_t point) {
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(point * states);
-    return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(states));
+    const std::span<const double> own = Array2(all, states)[point];
+    return std::vector<double>(own.begin(), own.end());
   };
   std::vector<OrbitAttempt> attempts;
   for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -75,7 +77,7 @@ std::vector<OrbitAttempt> OrbitSearch::attempts_from(const Approach& approach) c
     attempt.newton.start = numbers_of(states_, i);
     attempt.newton.state = numbers_of(approach.guesses, i);
     attempt.newton.ranges = numbers_of(approach.ranges, i);
-    // A unit in which nothing moves is measured by itself.
+    // Where a component does not move, distances are absolute.
     std::replace(attempt.newton.ranges.begin(), attempt.newton.ranges.end(), 0.0, 1.0);
     attempts.push_back(std::move(attempt));
   }
@@ -96,7 +98,7 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
   for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
     OrbitAttempt& attempt = attempts[i];
     const std::size_t position = attempt.position;
-    // The longer it takes, the less it costs to wait.
+    // The wait grows with the time that has passed, so that failed attempts cost a bounded share.
     next_try_[position] = settled_ + settled_ / 2;
     if (attempt.verdict == NewtonVerdict::unstable) {
       hopeless_[position] |= 1U << (attempt.length - 1);
@@ -117,11 +119,12 @@ void OrbitSearch::watch(const Sections& sections) {
     const bool is_new = candidate->settled == settled_;
     const std::size_t length = candidate->orbit.length;
     for (std::size_t period = is_new ? 0 : 1; period <= ORBIT_LONGEST; ++period) {
-      // Periods since the candidate's own state, which may be -ORBIT_LONGEST.
+      // The periods since the candidate's own state, modulo the length. They are negative for the
+      // sections before it, by at most ORBIT_LONGEST.
       const std::size_t phase =
           (settled_ - candidate->settled + period + ORBIT_LONGEST * (length - 1)) % length;
       if (phase != 0 || candidate->verdict != OrbitConvergence::Verdict::open) continue;
-      candidate->verdict = candidate->view.add(sections.state(i, period).data());
+      candidate->verdict = candidate->view.add(sections.state(i, period));
     }
   });
 }
@@ -142,9 +145,9 @@ bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
   for (OrbitAttempt* orbit : arrivals) {
     const std::size_t position = orbit->position;
     if (orbit->verdict == NewtonVerdict::found) {
-      for (double& growth : orbit->newton.multipliers) growth /= orbit->length;
+      for (double& log : orbit->newton.log_multipliers) log /= orbit->length;
       found_.push_back({position, orbit->length, candidates_[position]->settled,
-                        std::move(orbit->newton.state), std::move(orbit->newton.multipliers)});
+                        std::move(orbit->newton.state), std::move(orbit->newton.log_multipliers)});
       is_found_[position] = 1;
     }
     candidates_[position].reset();
@@ -152,23 +155,22 @@ bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
   return true;
 }
 
-// Takes out of the open points what was found, and what has diverged.
+// Removes the points that were found or have diverged from the open points.
 void OrbitSearch::close_points() {
-  const std::size_t states = plan_.study().model->states.size();
+  const Array2 states(states_, plan_.study().model->states.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < open_.size(); ++i) {
     if (is_found_[open_[i]] != 0) continue;
-    if (std::isnan(states_[i * states])) {
+    if (std::isnan(states[i].front())) {
       diverged_.push_back(open_[i]);
       continue;
     }
     open_[kept] = open_[i];
-    std::copy_n(states_.begin() + static_cast<std::ptrdiff_t>(i * states), states,
-                states_.begin() + static_cast<std::ptrdiff_t>(kept * states));
+    std::ranges::copy(states[i], states[kept].begin());
     ++kept;
   }
   open_.resize(kept);
-  states_.resize(kept * states);
+  states_.resize(kept * states.columns());
 }
 
 std::size_t searched_periods(const Study& study) {

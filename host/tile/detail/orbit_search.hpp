@@ -25,7 +25,7 @@ struct FoundOrbit {
   std::uint32_t length = 0;  // periods of the forcing that it takes to come back
   std::size_t settled = 0;   // periods behind the state
   std::vector<double> state;
-  std::vector<double> growths;  // log |multiplier| per forcing period, largest first
+  std::vector<double> log_stretchings;  // log |multiplier| per forcing period, largest first
 };
 
 class OrbitSearch {

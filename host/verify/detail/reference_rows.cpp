@@ -23,20 +23,20 @@ std::size_t nearest_section(const ReferenceRow& row, const std::vector<double>& 
 
 // By how much the figures may differ.
 struct Tolerances {
-  double section, least, greatest, mean, rms, force, fractions;
+  double section, min, max, mean, rms, force, fractions;
 };
 
 Tolerances tolerances_of(const ReferenceRow& row, bool fp64) {
   // fp32 has a unit roundoff of 6e-8, and the damping forgets the rounding of all but some 1e4
   // steps: even if it all added up, that would be 6e-4 of a state of size 1. `paper` forgets too
   // little.
-  if (!fp64) return {1e-3, 1e-3, 1e-3 * row.greatest, 1e-3 * row.mean, 1e-3 * row.rms, 1e-3, 1e-5};
+  if (!fp64) return {1e-3, 1e-3, 1e-3 * row.max, 1e-3 * row.mean, 1e-3 * row.rms, 1e-3, 1e-5};
   Tolerances tolerances{};
   // Half of the seventh decimal that is stated, and 5e-9 for the steps and what is left of the
   // start.
   tolerances.section = 5e-8 + 5e-9;
   // Half of the fifth decimal; sampling adds (h/2)^2/2 |x1''|, which is less than 2e-6.
-  tolerances.least = tolerances.greatest = 5e-6;
+  tolerances.min = tolerances.max = 5e-6;
   // Half of the sixth decimal; the trapezoidal rule adds 1e-8.
   tolerances.mean = tolerances.rms = 5e-7;
   // The table's own tolerance: the force jumps at break phases.
@@ -134,12 +134,12 @@ std::vector<Compared> compare_row(const ReferenceRow& row, const SweepResult& re
   return {
       {name("x1 at phase 0"), row.x1, x1[section], tolerances.section},
       {name("v1 at phase 0"), row.v1, v1[section], tolerances.section},
-      {name("x1_min"), row.least, value("x1_min"), tolerances.least},
-      {name("x1_max"), row.greatest, value("x1_max"), tolerances.greatest},
+      {name("x1_min"), row.min, value("x1_min"), tolerances.min},
+      {name("x1_max"), row.max, value("x1_max"), tolerances.max},
       {name("x1_mean"), row.mean, value("x1_mean"), tolerances.mean},
       {name("x1_rms"), row.rms, value("x1_rms"), tolerances.rms},
-      {name("dmf_min"), row.dmf_least, value("dmf_min"), tolerances.force},
-      {name("dmf_max"), row.dmf_greatest, value("dmf_max"), tolerances.force},
+      {name("dmf_min"), row.dmf_min, value("dmf_min"), tolerances.force},
+      {name("dmf_max"), row.dmf_max, value("dmf_max"), tolerances.force},
       {name("sum of the fractions of contact"), 1.0, fractions, tolerances.fractions},
   };
 }

@@ -2,8 +2,8 @@
 // the model's description, section "Reference numbers". Section = state at psi = 0 after `settle`
 // periods; the other figures are over the `record` periods that follow.
 //
-// That table's least, greatest, mean and rms of x1 are averages and extremes of samples, off by up
-// to 3.1e-5 and 5.2e-6. The ones here are from an outside integration (Boost.odeint's
+// That table's smallest, largest, mean and rms of x1 are averages and extremes of samples, off by
+// up to 3.1e-5 and 5.2e-6. The ones here are from an outside integration (Boost.odeint's
 // Dormand-Prince at 1e-12, the integrals of x1 and x1^2 as two more states, extremes between the
 // steps too), which outside_opinion_test.cpp repeats. So is all of the row with a wedged tooth,
 // which that table has not.
@@ -25,9 +25,9 @@ struct ReferenceRow {
   std::string parameters;  // what [parameters] says
   std::size_t settle, record;
   double x1, v1;
-  double least, greatest;  // of x1
-  double mean, rms;        // of x1
-  double dmf_least, dmf_greatest;
+  double min, max;   // of x1
+  double mean, rms;  // of x1
+  double dmf_min, dmf_max;
 };
 
 const std::vector<ReferenceRow>& reference_rows();
@@ -39,7 +39,7 @@ const ReferenceRow& reference_row(const std::string& name);
 std::string study_of(const ReferenceRow& row, const std::string& integrate);
 
 // For [integrate]: the steps per period at which the motions are converged in fp64, and at which
-// least and greatest of the steps' ends are those of the motion.
+// smallest and largest of the steps' ends are those of the motion.
 std::string converged_steps(const ReferenceRow& row);
 
 // The figures of study_of(row, ...), computed in fp64 with converged_steps() or in fp32 with at

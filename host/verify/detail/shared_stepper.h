@@ -2,7 +2,7 @@
 // `scalar`; so no include guard and no includes of the standard library.
 #include "models/gear5.h"
 // The integrator needs the model, and the walk needs both.
-#include "integrators/rk4.h"
+#include "rk4/rk4.h"
 #define TANGENTS 0
 #include "tangent.h"
 #include "unwatched.h"

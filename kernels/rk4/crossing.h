@@ -9,7 +9,7 @@
 // difference leaves an error of fourth order. Once a limit is crossed back within the same step,
 // nothing is seen. Each flank has its own limit and its own penetration, D - b' and D + b', whose
 // corrections add up: where the backlash is negative both flanks touch at once. All this asks for a
-// penetration that depends on positions and a push on velocities.
+// penetration that depends on positions and a direction on velocities.
 
 #ifdef MODEL_CONTACT
 
@@ -24,8 +24,8 @@ typedef struct {
 typedef struct {
   bool any;  // a lane crosses a limit; otherwise the rest is not set
   Crossing drive, back;
-  // The step's end moves by push times the integral of p plus carry times that of (1 - u) p.
-  real push[MODEL_STATE_COUNT], carry[MODEL_STATE_COUNT];
+  // The step's end moves by direction times the integral of p plus carry times that of (1 - u) p.
+  real direction[MODEL_STATE_COUNT], carry[MODEL_STATE_COUNT];
 } Crossings;
 
 // Integral of p and of (1 - u) p behind the crossing, less what the evaluations saw of them; p
@@ -58,7 +58,7 @@ SHARED_FN void crossing_correct(const Crossings* crossings, const Crossing* cros
   crossing_defect(crossing, p, &sum, &moment);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    const real moved = x[i] + (crossings->push[i] * sum + crossings->carry[i] * moment);
+    const real moved = x[i] + (crossings->direction[i] * sum + crossings->carry[i] * moment);
     x[i] = lane_select(zero < crossing->turn * crossing->turn, moved, x[i]);
   }
 }
@@ -131,13 +131,13 @@ SHARED_FN void crossings_correct(const ModelPoint* point, const PhaseCoefs* star
   real before[MODEL_STATE_COUNT];
   real carried[MODEL_STATE_COUNT];
 
-  model_push(point, start, before);
-  model_push(point, end, crossings->push);
-  model_push_carried(point, end, crossings->push, carried);
+  model_force_direction(point, start, before);
+  model_force_direction(point, end, crossings->direction);
+  model_force_direction_carried(point, end, crossings->direction, carried);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    crossings->carry[i] = h * ((before[i] - crossings->push[i]) + h * carried[i]);
-    crossings->push[i] = h * crossings->push[i];
+    crossings->carry[i] = h * ((before[i] - crossings->direction[i]) + h * carried[i]);
+    crossings->direction[i] = h * crossings->direction[i];
   }
   crossing_apply(crossings, contact, one, &crossings->drive, x);
   crossing_apply(crossings, contact, -one, &crossings->back, x);

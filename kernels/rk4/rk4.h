@@ -5,7 +5,7 @@
 #define RK4_STAGES_PER_STEP 2
 #define RK4_EVALUATIONS 4
 
-#include "integrators/crossing.h"
+#include "rk4/crossing.h"
 
 // Where the contact is at each evaluation; nothing in a model without it.
 #ifdef MODEL_CONTACT

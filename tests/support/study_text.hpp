@@ -1,0 +1,22 @@
+// Studies as text, as a user writes them into a file.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace gearsweep::testing {
+
+// The coarse gear over omega from 0.5 to 1.5 and, unless it has no values, e0 from 0.1 to 0.7.
+// rest: the other tables.
+inline std::string coarse_study(std::size_t omega_count, std::size_t e0_count,
+                                const std::string& rest) {
+  const auto axis = [](const char* name, double from, double to, std::size_t count) {
+    return fmt::format("[[axes]]\nname = '{}'\nfrom = {}\nto = {}\ncount = {}\n", name, from, to,
+                       count);
+  };
+  return "[model]\npreset = 'coarse'\n" + axis("omega", 0.5, 1.5, omega_count) +
+         (e0_count > 0 ? axis("e0", 0.1, 0.7, e0_count) : "") + rest;
+}
+
+}  // namespace gearsweep::testing
