@@ -32,20 +32,21 @@ int run_study(const RunRequest& request) {
   // 4. Find the engines: one or two on each device, with the kernels built for this study.
   run.find_engines();
 
-  // 5. Plan: points, their phase grids, and tiles that keep the engines busy and fit the machine.
+  // 5. Plan: points, and tiles of them that keep the engines busy and fit the machine.
   run.plan_tiles();
 
   // 6. Open the journal, which may have tiles of an interrupted run.
   run.open_journal();
 
-  // 7. Compute the tiles that it does not have; each is journaled when it is finished.
+  // 7. Compute the tiles that it does not have. A finished tile goes into the journal and the maps.
   if (!run.compute_tiles()) return report.interrupted();
   if (options.shard.count > 0) return report.shard_done();
 
-  // 8. Assemble the maps.
+  // 8. Take the maps, whose attractors are told apart now that all points are there.
   const SweepResult maps = run.assemble_maps();
 
-  // 9. Write the file; then nothing needs the journal any more.
+  // 9. Write the file, after which nothing needs the journal any more; draw it if that is asked
+  // for.
   output.write(maps);
   run.close_journal();
   return report.finished(maps);
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
   if (!gearsweep::open_standard_streams()) return EXIT_FAILURE;
   const int status = gearsweep::run_cli(argc, argv, gearsweep::run_study);
   if (status != 1) return status;
-  // A NetCDF file that could not be written to its end crashes the HDF5 library on its way out.
+  // After a failed write the HDF5 library's exit handlers crash, so they are left out.
   std::fflush(nullptr);
   std::_Exit(status);
 }

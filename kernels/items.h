@@ -64,7 +64,8 @@ SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE rea
   return true;
 }
 
-// The smallest difference between two states that is worth telling, in roundings of a state.
+// The smallest difference between two states that is taken for real, relative to the state: 64
+// units in the last place.
 #define ROUNDINGS_TOLD ((scalar)(REAL_BITS == 64 ? 64 * 2.220446e-16 : 64 * 1.1920929e-7))
 
 // What distances between states are relative to: for each state the range of the motion, whatever

@@ -40,10 +40,10 @@ __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   __global real* own = sections + (size_t)item * SECTION_NUMBERS;
-  if (round.recorded == 0) store_section(own, 0, x);
+  if (round.done == 0) store_section(own, 0, x);
   for (uint period = 0; period < round.periods; ++period) {
     walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
-    store_section(own, round.recorded + period + 1, x);
+    store_section(own, round.done + period + 1, x);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
@@ -92,8 +92,8 @@ SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, cons
   real moved[MODEL_STATE_COUNT];               // by the last return
   real rest[MODEL_STATE_COUNT];                // how far a return would move the guess
   real way_out[MODEL_STATE_COUNT];             // from x to the guess
-  real bend[EXTRAPOLATED][MODEL_STATE_COUNT];  // orthonormal: what takes a share of the rest away
-  real way[EXTRAPOLATED][MODEL_STATE_COUNT];   // and where the guess goes for it
+  real bend[EXTRAPOLATED][MODEL_STATE_COUNT];  // second differences, made orthonormal
+  real way[EXTRAPOLATED][MODEL_STATE_COUNT];   // the same combinations of the returns themselves
   load_return(sections, lag, x, ranges, later);
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     way_out[i] = 0;
@@ -193,7 +193,7 @@ __kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE re
   ModelPoint point;
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
-  for (uint period = round.recorded; period < round.recorded + round.periods; ++period) {
+  for (uint period = round.done; period < round.done + round.periods; ++period) {
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
     walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
@@ -213,7 +213,7 @@ __kernel void return_map_linearized(const SweepRound round, TABLE scalar* unifor
   if (!take_item(items, item, uniform, swept, state, x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   real w[TANGENT_NUMBERS];
-  for (uint period = round.recorded; period < round.recorded + round.periods; ++period) {
+  for (uint period = round.done; period < round.done + round.periods; ++period) {
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
     load_many(derivative, items, item, 0, TANGENT_NUMBERS, w);

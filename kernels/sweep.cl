@@ -61,14 +61,14 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   real w[TANGENT_NUMBERS];
   real log_stretching[TANGENT_VECTORS];
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
-  if (round.recorded == 0) {
+  if (round.done == 0) {
     take_moment(&point, grid.stages, x, &watcher.before);
     observers_init(&observers, &watcher.before);
   } else {
     observers_load(&observers, accumulators, items, item);
   }
   for (uint period = 0; period < round.periods; ++period) {
-    const uint number = round.recorded + period;
+    const uint number = round.done + period;
     for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;
     extent_begin(x, &extent);
     walk_period(&point, &grid, EVENTS, x, w, log_stretching, &extent, &watcher);
@@ -90,8 +90,8 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
 
 // Shows the observers a whole record of a periodic orbit, but no steps. Only `length` periods are
 // integrated; the others repeat their sections ([period][state][item]). log_stretchings ([tangent
-// vector][item]) are known from the multipliers. Afterwards only those outputs have a meaning that
-// follow from sections and stretchings.
+// vector][item]) are known from the multipliers. Only outputs of the role verdict have a meaning
+// afterwards.
 __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
                      __global real* state, __global const real* log_stretchings, const uint length,
                      __global real* sections, __global real* accumulators) {
@@ -108,10 +108,10 @@ __kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* 
   for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = log_stretchings[(size_t)j * items + item];
   take_moment(&point, grid.stages, x, &start);
   observers_init(&observers, &start);
-  extent_begin(x, &extent);
   for (uint period = 0; period < round.record; ++period) {
     const uint first_component = period % length * MODEL_STATE_COUNT;
     if (period < length) {
+      extent_begin(x, &extent);
       walk_period(&point, &grid, EVENTS, x, 0, 0, &extent, 0);
       store_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
     } else {

@@ -23,11 +23,13 @@ struct MergeArguments {
 };
 
 int merge(const MergeArguments& arguments) {
-  std::error_code error;
-  if (std::filesystem::exists(arguments.output, error) && !is_netcdf(arguments.output)) {
+  require_result_path(arguments.output);
+  for (const std::string& journal : arguments.journals) {
+    if (!is_netcdf(journal)) continue;
     throw InputError(fmt::format(
-        "{}: exists and is no result file; it would be lost: give another output, -o OUT.nc",
-        arguments.output));
+        "'{}' is a result, not a journal; merge takes what 'gearsweep run --shard' left: "
+        "OUT.nc.shard-*.journal",
+        journal));
   }
   ensure_writable(arguments.output);
   const SweepResult result = merge_shards(arguments.journals);

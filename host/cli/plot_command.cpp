@@ -62,6 +62,7 @@ PlotStyle style_of(const StyleArguments& given, const std::string& file) {
     const auto found = given.find(option.name);
     if (found == given.end()) continue;
     try {
+      style.demanded.insert(option.name);
       option.set(option.is_list ? split(found->second, ',') : std::vector{found->second}, &style);
     } catch (const InputError& error) {
       throw InputError(fmt::format("--{}: {}", option.name, error.what()));

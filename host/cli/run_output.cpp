@@ -72,12 +72,7 @@ std::string output_path(const RunRequest& request) {
                     "-o OUT.nc",
                     request.study));
   }
-  if (std::filesystem::is_regular_file(path, error) && !is_netcdf(path)) {
-    throw InputError(
-        fmt::format("{}: exists and is no result file; it would be lost: give another "
-                    "output, -o OUT.nc",
-                    path));
-  }
+  require_result_path(path);
   return path;
 }
 

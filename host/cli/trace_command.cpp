@@ -111,7 +111,11 @@ std::string label_of(const Model& model, const std::vector<Placed>& place) {
 
 Study load(const TraceArguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
-  if (arguments.settle) overrides.push_back(fmt::format("integrate.settle={}", *arguments.settle));
+  if (arguments.settle) {
+    // Exactly so many, also where the point has settled on a periodic orbit before.
+    overrides.push_back(fmt::format("integrate.settle={}", *arguments.settle));
+    overrides.push_back("integrate.stop=never");
+  }
   if (arguments.record) overrides.push_back(fmt::format("integrate.record={}", *arguments.record));
   Study study = load_study(arguments.study, overrides);
   if (study.integrate.tolerance > 0.0) {

@@ -15,12 +15,12 @@
 
 namespace gearsweep {
 
-// What a tile took. The worker measures it.
+// What a tile took.
 struct Effort {
   double steps = 0.0;           // integration steps
-  double seconds = 0.0;         // that a sweep spends on it while others run beside it
+  double seconds = 0.0;         // the worker's wall time; in a sweep the tile's share of its time
   double stopped = 0.0;         // points that stopped early, on a periodic orbit
-  double kernel_seconds = 0.0;  // of the seconds
+  double kernel_seconds = 0.0;  // of these in kernels
 };
 
 // The answers for the points of a tile, in the tile's order.
@@ -30,7 +30,7 @@ struct TileResult {
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
   Effort effort;
-  std::string device;  // that computed it; the driver knows
+  std::string device;  // name of the device; the worker sets it
 
   // The vectors as tables. Nothing for a result without points.
   Array2<double> output_table() { return {outputs, status.size()}; }

@@ -202,4 +202,12 @@ Stage Plan::stage_of(const std::vector<Group>& groups) const {
   return stage;
 }
 
+std::vector<const Tile*> tiles_of(const Plan& plan) {
+  std::vector<const Tile*> tiles;
+  for (const Stage& stage : plan.stages()) {
+    for (const Tile& tile : stage.tiles) tiles.push_back(&tile);
+  }
+  return tiles;
+}
+
 }  // namespace gearsweep

@@ -78,4 +78,7 @@ class Plan {
   std::vector<Stage> stages_;
 };
 
+// The tiles of a plan, by number: those of the first stage first.
+std::vector<const Tile*> tiles_of(const Plan& plan);
+
 }  // namespace gearsweep

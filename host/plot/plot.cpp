@@ -27,12 +27,20 @@ constexpr std::string_view kScriptEnding = ".gp";
 PlotScript draw(const Page& page, const PlotRequest& request) {
   const auto traces = std::count_if(request.paths.begin(), request.paths.end(), is_trace_file);
   if (traces == 0) return draw_maps(page, request);
-  if (traces == std::ssize(request.paths)) return draw_traces(page, request);
+  if (traces == std::ssize(request.paths)) {
+    request.style.refuse("contours", "it is for maps, not for traces");
+    return draw_traces(page, request);
+  }
   // What is neither says so itself.
   for (const std::string& path : request.paths) {
     if (!is_trace_file(path)) ResultFile{path};
   }
   throw InputError("some of the files hold maps and some traces; draw either by themselves");
+}
+
+std::string content_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // Whether a picture ends as its format does: gnuplot does not always say when a disk is full.
@@ -41,10 +49,21 @@ bool is_whole(const std::string& file, const std::string& name) {
                            : name.ends_with(".pdf") ? "%%EOF"
                            : name.ends_with(".tex") ? "\\endgroup"
                                                     : "</svg>";
-  std::ifstream in(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  const std::string content = content_of(file);
   return content.find(mark, content.size() - std::min<std::size_t>(content.size(), 32)) !=
          std::string::npos;
+}
+
+// Tells programs that place a PNG file how large it is: a pHYs chunk after the header, 300 dots per
+// inch or 11811 per metre, with its check sum (PNG specification, 11.3.5.3).
+void put_resolution(const std::string& file) {
+  constexpr std::string_view kChunk(
+      "\x00\x00\x00\x09pHYs\x00\x00\x2e\x23\x00\x00\x2e\x23\x01\x78\xa5\x3f\x76", 21);
+  constexpr std::size_t kHeader = 33;  // the signature and the chunk IHDR
+  std::string content = content_of(file);
+  if (content.size() < kHeader || content.find("pHYs") < 100) return;
+  content.insert(kHeader, kChunk);
+  std::ofstream(file, std::ios::binary) << content;
 }
 
 // The lines before the picture's own: where its files are and where the picture goes. Whatever
@@ -73,7 +92,7 @@ std::string preamble(const fs::path& script, const std::string& output, const Pa
 constexpr std::string_view kTex = ".tex";
 
 // Of the image that LaTeX's picture includes; empty of other formats. Throws InputError where LaTeX
-// would take the name for more than a name.
+// would take the name for more than a name, and where the image would replace another picture.
 std::string image_of(const std::string& output) {
   if (!output.ends_with(kTex)) return "";
   const std::string stem = fs::path(output).stem().string();
@@ -85,7 +104,14 @@ std::string image_of(const std::string& output) {
         "cannot draw '{}': LaTeX includes it by its name, which may have letters, digits and - _ .",
         output));
   }
-  return output.substr(0, output.size() - kTex.size()) + ".pdf";
+  const std::string image = output.substr(0, output.size() - kTex.size()) + ".pdf";
+  if (fs::exists(image) && !fs::exists(output)) {
+    throw InputError(fmt::format(
+        "'{}' brings an image along, '{}', which exists and is another picture; it would be lost: "
+        "give another name",
+        output, image));
+  }
+  return image;
 }
 
 // Where gnuplot draws, and what becomes of it.
@@ -106,7 +132,7 @@ class Drawing {
     if (image_) {
       const std::string drawn = place();
       const std::string stem = drawn.substr(0, drawn.size() - kTex.size());
-      std::string text = content(drawn);
+      std::string text = content_of(drawn);
       // As it is found beside the text, wherever it was drawn.
       const std::string name = fs::path(stem).filename().string();
       for (std::size_t at = 0; (at = text.find(stem, at)) != std::string::npos;) {
@@ -123,11 +149,6 @@ class Drawing {
   }
 
  private:
-  static std::string content(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
   static void ensure_whole(const std::string& file, const std::string& name) {
     if (is_whole(file, name)) return;
     throw RunError(fmt::format("gnuplot wrote no whole picture for '{}'; is the disk full?", name));
@@ -169,6 +190,7 @@ void plot_files(const PlotRequest& request) {
   write_file(script.string(), preamble(script, request.output_path, page, drawn) + drawn.text);
 
   run_gnuplot(script.string(), drawing.place());
+  if (page.is_for_print() && request.output_path.ends_with(".png")) put_resolution(drawing.place());
   drawing.commit();
 }
 

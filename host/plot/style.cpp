@@ -224,6 +224,10 @@ std::vector<std::string> texts_of(const toml::node& node, const StyleOption& opt
 
 }  // namespace
 
+void PlotStyle::refuse(const std::string& option, const std::string& why) const {
+  if (demanded.contains(option)) throw InputError(fmt::format("--{}: {}", option, why));
+}
+
 const std::vector<StyleOption>& style_options() {
   static const std::vector<StyleOption> kOptions = {
       one("size", "WxH", "Width and height: 85x64mm (also cm, in; px for .png and .svg)", set_size),

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct Contours {
   bool any() const { return count > 0 || !levels.empty(); }
 };
 
-// Everything has a default; an empty title leaves the title out. What does not concern a picture
-// (such as the colours of a curve) is left aside, so that one style serves many.
+// Everything has a default; an empty title leaves the title out. What a style file says and does
+// not concern a picture (such as contours for a curve) is left aside, so that one style serves
+// many.
 struct PlotStyle {
   PictureSize size;  // in mm, or in pixels
   std::string font = "DejaVu Sans";
@@ -38,6 +40,11 @@ struct PlotStyle {
   bool is_log = false;
   Contours contours;
   bool is_si = false;
+  std::set<std::string> demanded;  // options of the command line: they must concern the picture
+
+  // Throws InputError when the option was given for a picture that it does not concern. why: "'x'
+  // is a map of classes".
+  void refuse(const std::string& option, const std::string& why) const;
 };
 
 // An option of the command line, which is a key of style files too.

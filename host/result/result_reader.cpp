@@ -15,6 +15,7 @@
 #include "result/detail/netcdf_file.hpp"
 #include "result/result_file.hpp"
 #include "result/si_units.hpp"
+#include "result/trace_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -25,6 +26,12 @@ constexpr std::string_view kClassicMark = "CDF";
 constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
 
 [[noreturn]] void refuse_foreign(const std::string& path, const std::string& lacks) {
+  if (is_trace_file(path)) {
+    throw InputError(fmt::format(
+        "'{}' holds traces, not maps: 'gearsweep plot' draws it, and 'gearsweep trace -o OUT.csv' "
+        "writes a table; give a result of 'gearsweep run'",
+        path));
+  }
   throw InputError(
       fmt::format("'{}' is a NetCDF file that gearsweep did not write: it has no {}; "
                   "give a result of 'gearsweep run'",

@@ -170,7 +170,9 @@ class Writer {
     if (known >= 0) return file_.dimensions_of(known).front();
     const int dimension = file_.define_dimension(name, size);
     const int variable = file_.define_variable(name, NC_INT, {dimension});
-    notes_.describe(variable, "", fmt::format("number of the {}", name));
+    notes_.describe(
+        variable, "",
+        fmt::format("number of the {}", name == "attractor_number" ? "attractor" : name));
     std::vector<double> numbers(size);
     std::iota(numbers.begin(), numbers.end(), 1.0);
     put_all(variable, numbers);

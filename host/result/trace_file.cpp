@@ -118,6 +118,7 @@ class Writer {
     const int dimension = file_.define_dimension("label_width", width);
     const int variable = file_.define_variable("label", NC_CHAR, {trace_, dimension});
     file_.put_attribute(variable, "long_name", "what each trace is of");
+    file_.put_attribute(variable, "_Encoding", "utf-8");
     for (std::size_t i = 0; i < labels.size(); ++i) {
       std::string padded = labels[i];
       padded.resize(width, ' ');

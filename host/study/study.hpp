@@ -43,8 +43,7 @@ enum class EngineKind { opencl, reference };
 // Whether a point that settles on a periodic orbit stops there, or runs on to the end.
 enum class Stop { orbit, never };
 
-// How to integrate. The last five never change a result, only how it is computed; 0 means that the
-// engine chooses.
+// How to integrate.
 struct Integrate {
   bool fp64 = true;
   // Largest step in dimensionless time, when steps_per_period = 0; the model's own by default.
@@ -58,11 +57,12 @@ struct Integrate {
   std::size_t extend = 16;           // an undecided point is recorded for up to so many records
   Stop stop = Stop::orbit;
   EngineKind engine = EngineKind::opencl;
+  // Four that never change a result, only how it is computed; 0: the engine chooses.
   std::size_t lanes = 0;       // points per work-item
   std::size_t tile = 0;        // points per tile
   std::size_t local_size = 0;  // work-items per work-group
   std::size_t round = 0;       // periods per kernel launch
-  bool contract = true;        // fused multiply-add allowed
+  bool contract = true;        // fused multiply-add allowed: other rounding
 };
 
 // Dimensional scales of a study that was given as a [gear] table; zero when it was not.
@@ -100,8 +100,8 @@ struct Study {
   std::size_t trajectories() const { return points() * initial.ensemble; }
 };
 
-// Reads a study file, the study in a result file (by its NetCDF attribute, see io), or a built-in
-// study by name is the cli's business; this reads TOML text. `source` names it in messages.
+// Makes a study from TOML text. cli/ finds the text: a file, the study in a result file, a built-in
+// study. `source` names it in messages.
 // Each override is "path=value", as in "integrate.record=20" or "axes.omega.count=40". Each zoom,
 // applied after these, is "axis=from:to" or "axis=from:to:count". Throws InputError.
 Study read_study(const std::string& text, const std::string& source,

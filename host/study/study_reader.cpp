@@ -220,6 +220,12 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   reader.refuse_unknown();
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;
+  if (quantities.empty()) {
+    fail_at(*place,
+            fmt::format("observe.quantities is empty, so there would be no map; name at least "
+                        "one, such as '{}_rms'",
+                        first_state));
+  }
   try {
     study->selection = select_quantities(*study->model, quantities, states);
     study->selection.period_tolerance = tolerance;

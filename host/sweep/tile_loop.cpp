@@ -19,7 +19,7 @@ TileLoop::TileLoop(const Plan& plan, const SweepOptions& options, WorkerPool* wo
 bool TileLoop::run() {
   std::size_t first = 0;
   for (const Stage& stage : plan_.stages()) {
-    take_from_journal(first, stage.tiles.size());
+    queue_tiles(first, stage.tiles.size());
     while (!waiting_.empty() || !running_.empty()) {
       stop_if_asked();
       start_tiles();
@@ -36,7 +36,7 @@ bool TileLoop::run() {
   return true;
 }
 
-void TileLoop::take_from_journal(std::size_t first, std::size_t count) {
+void TileLoop::queue_tiles(std::size_t first, std::size_t count) {
   for (std::size_t number = first; number < first + count; ++number) {
     if (!options_.shard.has(number)) continue;
     std::optional<TileResult> result;
@@ -100,8 +100,8 @@ void TileLoop::handle(WorkerReport report) {
 // time of the sweep.
 void TileLoop::share_time() {
   const auto now = std::chrono::steady_clock::now();
-  const double passed = std::chrono::duration<double>(now - shared_).count();
-  shared_ = now;
+  const double passed = std::chrono::duration<double>(now - last_share_).count();
+  last_share_ = now;
   for (auto& [number, seconds] : running_) seconds += passed / static_cast<double>(running_.size());
 }
 

@@ -26,7 +26,8 @@ class TileLoop {
   bool run();
 
  private:
-  void take_from_journal(std::size_t first, std::size_t count);
+  // Adds the tiles that the journal has; the others wait for a worker.
+  void queue_tiles(std::size_t first, std::size_t count);
   void stop_if_asked();
   void start_tiles();
   void handle(WorkerReport report);
@@ -43,8 +44,8 @@ class TileLoop {
   Assembly* assembly_;
   Progress progress_;
   std::deque<std::size_t> waiting_;
-  std::map<std::size_t, double> running_;  // [tile] seconds of the sweep, shared between those
-  std::chrono::steady_clock::time_point shared_ = std::chrono::steady_clock::now();
+  std::map<std::size_t, double> running_;  // [tile] its share of the sweep's seconds so far
+  std::chrono::steady_clock::time_point last_share_ = std::chrono::steady_clock::now();
   bool is_stopping_ = false;
   std::exception_ptr failure_;  // of the worker that was lost last
 };

@@ -123,6 +123,7 @@ class TileRun {
     }
     const Window& whole = windows_.front();
     const std::size_t samples = whole.samples > 0 ? length : 0;
+    // The verdicts of this window are replaced by those of the next.
     const Window turn = {.before = settled,
                          .settle = phase_offset_of(orbits.front()),
                          .record = length,
@@ -194,7 +195,7 @@ class TileRun {
   std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit
   std::vector<std::size_t> open_;          // positions
   std::vector<double> states_;             // [open point][state]
-  std::size_t settled_ = 0;                // periods behind the open points
+  std::size_t settled_ = 0;                // periods integrated before these states
   std::size_t stopped_ = 0;                // points
 };
 

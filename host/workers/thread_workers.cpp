@@ -5,14 +5,6 @@
 
 namespace gearsweep {
 
-std::vector<const Tile*> tiles_of(const Plan& plan) {
-  std::vector<const Tile*> tiles;
-  for (const Stage& stage : plan.stages()) {
-    for (const Tile& tile : stage.tiles) tiles.push_back(&tile);
-  }
-  return tiles;
-}
-
 ThreadWorkers::ThreadWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> engines)
     : plan_(plan), tiles_(tiles_of(plan)), engines_(std::move(engines)), size_(engines_.size()) {
   for (const std::unique_ptr<Engine>& engine : engines_) {

@@ -44,7 +44,4 @@ class WorkerPool {
   virtual void stop() = 0;
 };
 
-// The tiles of a plan, by number: those of the first stage first.
-std::vector<const Tile*> tiles_of(const Plan& plan);
-
 }  // namespace gearsweep

@@ -68,8 +68,8 @@ SHARED_FN void contact_step(real* sums, const Step* step) {
                       lane_select((back_before > zero) & (back_after <= zero), one, zero);
   const real drive = contact_positive_share(drive_before, drive_after);
   const real back = contact_positive_share(back_before, back_after);
-  // Shares that begin, or end, together overlap in the shorter one. Of one that ends and one that
-  // begins, what they are more than the whole.
+  // Two shares at the same end of the step overlap in the shorter one; shares at opposite ends
+  // overlap by what their sum exceeds 1.
   const mask apart = ((drive_before > zero) != (back_before > zero)) &
                      ((drive_after > zero) != (back_after > zero));
   const real excess = (drive + back) - one;
@@ -83,7 +83,9 @@ SHARED_FN void contact_step(real* sums, const Step* step) {
   sums[contact_period_wedged] += weight * both;
   sums[contact_losses] += losses;
   sums[contact_gap_seen] = lane_select(gap, one, sums[contact_gap_seen]);
-  sums[contact_min_backlash] = lane_min(sums[contact_min_backlash], after->signals.backlash);
+  // Both ends: a backlash may jump at a break phase.
+  sums[contact_min_backlash] = lane_min(
+      sums[contact_min_backlash], lane_min(before->signals.backlash, after->signals.backlash));
 }
 
 // Sums over one period first, so that many short shares keep their digits in fp32.

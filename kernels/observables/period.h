@@ -3,10 +3,9 @@
 // (1980) 176-184) and at last each time a window is full: 64 periods, or the largest power of two
 // that is at most a third of the record. Two states are the same when no component differs by more
 // than PERIOD_TOLERANCE times the range of the motion during any period so far (items.h), which
-// knows nothing of offsets and units. A period
-// counts when all its multiples within reach recur and nothing before or between them does, at
-// least two of them, from some reference to the end of the record and for a quarter of the
-// record or more. The longest that counts is half a window.
+// knows nothing of offsets and units. A period counts when, from some reference to the end of the
+// record, all its multiples recur and nothing between them does: at least two of them, and for a
+// quarter of the record or more. The longest that counts is half a window.
 //
 // A motion that still nears its orbit from alternating sides comes closer to itself after two of
 // its periods than after one, for as long as it moves: it would count with the double (a rotating

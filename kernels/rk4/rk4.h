@@ -47,8 +47,8 @@ SHARED_FN Rk4Lengths rk4_lengths(real h) {
 }
 
 // Advances x by h (dimensionless time). Unless `linear` is null, it keeps the linearisation at each
-// of the RK4_EVALUATIONS, scaled as rk4_tangent_step wants it. Unless `crossings` is null, a step
-// in which a limit of the contact is crossed is corrected.
+// of the RK4_EVALUATIONS, times h/2, h/2, h and h/6, as rk4_tangent_step wants it. Unless
+// `crossings` is null, a step in which a limit of the contact is crossed is corrected.
 SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
                                    real* x, ModelLinear* linear, Crossings* crossings) {
   const Rk4Lengths lengths = rk4_lengths(h);

@@ -260,6 +260,12 @@ TEST_F(BadCommandTest, WrongArgumentsAreRefused) {
   expect_refused("studies nothing", {"no built-in study"});
 }
 
+TEST_F(BadCommandTest, AnAxisByItsNameAloneIsNoKey) {
+  expect_refused("run coarse-map -o map.nc --set omega.count=10",
+                 {"--set omega.count=10", "did you mean 'axes.omega.count'?"});
+  expect_refused("run coarse-map -o map.nc --set 'observe.quantities=[]'", {"no map", "x1_rms"});
+}
+
 // No huge range, no -1 that becomes 18446744073709551615.
 TEST_F(BadCommandTest, NumbersMustBeNumbersInRange) {
   const std::string no_device = "is no list of numbers";
@@ -288,6 +294,27 @@ TEST_F(BadCommandTest, StylesOfPicturesSayWhatWouldBeRight) {
   expect_refused(plot + "--style none.toml", {"none.toml"});
   folder_.write("thesis.toml", "width = '85mm'\nfnt = 'Sans,8'\n");
   expect_refused(plot + "--style thesis.toml", {"thesis.toml:2: ", "did you mean 'font'?"});
+}
+
+// What a style file says and does not concern a picture is left aside; what a command says must.
+TEST_F(BadCommandTest, OptionsOfPicturesMustConcernThem) {
+  ASSERT_EQ(gearsweep(folder_,
+                      "run coarse-map --quiet -o map.nc --set axes.omega.count=3 --set "
+                      "axes.e0.count=3 --set integrate.settle=5 --set integrate.record=2")
+                .status,
+            0);
+  for (const char* option : {"--log", "--contours 3"}) {
+    expect_refused(std::string("plot map.nc -q contact_class -o map.png ") + option,
+                   {std::string(option).substr(0, 5), "'contact_class' is a map of classes"});
+  }
+  folder_.write("thesis.toml", "width = '85mm'\nlog = true\ncontours = 3\n");
+  EXPECT_EQ(
+      gearsweep(folder_, "plot map.nc -q contact_class -o map.png --style thesis.toml").status, 0);
+  // 300 dots per inch: 11811 per metre.
+  EXPECT_THAT(read_all(folder_ / "map.png"),
+              HasSubstr(std::string("pHYs\0\0\x2e\x23\0\0\x2e\x23\x01", 13)));
+  folder_.write("figure.pdf", "another picture");
+  expect_refused("plot map.nc -o figure.tex", {"'figure.pdf'", "another name"});
 }
 
 TEST_F(BadCommandTest, PlotAndExportRefuseWhatIsNoResult) {

@@ -80,6 +80,17 @@ TEST(Commands, AResultFileRunsAgainToTheSameMaps) {
   EXPECT_EQ(gearsweep(folder, "run map.nc").status, 2) << "it would replace its own study";
 }
 
+TEST(Commands, ATableIsExportedAndNeverTheNameOfAResult) {
+  for (const char* name : {"map.csv", "map.npy"}) {
+    const Folder folder;
+    const Outcome outcome = gearsweep(folder, std::string("run coarse-map -o ") + name + kSmall);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(std::string("-o ") + name));
+    EXPECT_THAT(outcome.err, HasSubstr("gearsweep export"));
+    EXPECT_TRUE(folder.files().empty());
+  }
+}
+
 TEST(Commands, ATraceIsDrawnInEveryWayAndOverAnother) {
   const Folder folder;
   const std::string trace =

@@ -115,8 +115,8 @@ TEST_F(TopTest, AZoomWithoutAnOutputReplacesNoOther) {
   expect_refused(run + "omega=1.6:1.8:3", "map-zoom.nc: holds the result of another study");
   const Outcome given = gearsweep(folder_, run + "omega=1.6:1.8:3 -o map-zoom.nc");
   EXPECT_EQ(given.status, 0);
-  EXPECT_THAT(given.err, HasSubstr("map-zoom.nc holds the result of another study, 'Meshing force "
-                                   "of the coarse gear'; this run will replace it"));
+  EXPECT_THAT(given.err, HasSubstr("map-zoom.nc holds the result of another study, 'Coarse gear "
+                                   "pair'; this run will replace it"));
   expect_refused(run + "omega=1:2 -o map.nc", "would replace its own study");
 }
 
@@ -134,8 +134,8 @@ TEST_F(TopTest, AResultOfAnotherStudyIsReplacedWithAWarning) {
   EXPECT_EQ(gearsweep(folder_, run + "3").err, "");
   EXPECT_THAT(gearsweep(folder_, run + "4 --dry-run").err, Not(HasSubstr("replace")));
   EXPECT_EQ(gearsweep(folder_, run + "4").err,
-            "gearsweep: warning: map.nc holds the result of another study, 'Meshing force of the "
-            "coarse gear'; this run will replace it\n");
+            "gearsweep: warning: map.nc holds the result of another study, 'Coarse gear pair'; "
+            "this run will replace it\n");
   EXPECT_EQ(gearsweep(folder_, run + "4").err, "");
 }
 

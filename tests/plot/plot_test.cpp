@@ -538,6 +538,23 @@ TEST(ClassScale, NumbersHaveTheirColoursAndNoneIsWhite) {
   EXPECT_THAT(class_scale(map)->names, ElementsAre("3", "12"));
 }
 
+// Sixteen attractors have a colour each; the others share one, and a name that says so.
+TEST(ClassScale, NoColourStandsForTwoAttractors) {
+  ResultMap map;
+  map.name = "attractor";
+  map.flags = {"undecided"};
+  for (int i = 1; i <= 20; ++i) map.flags.push_back(std::to_string(i) + "_quasi_periodic");
+  for (int i = 0; i <= 20; ++i) map.values.push_back(i);
+  const auto scale = class_scale(map);
+  ASSERT_TRUE(scale.has_value());
+  ASSERT_EQ(scale->names.size(), 18U);
+  EXPECT_EQ(scale->names[16], "others");
+  EXPECT_THAT(scale->names[15], HasSubstr("quasi-periodic"));
+  EXPECT_EQ(scale->index_of(17.0), 16.0);
+  EXPECT_EQ(scale->index_of(20.0), 16.0);
+  EXPECT_EQ(std::set<std::string>(scale->colours.begin(), scale->colours.end()).size(), 18U);
+}
+
 TEST(ClassScale, ManyWholeNumbersThatAreNoPeriodsAreShades) {
   ResultMap map;
   map.name = "settled";

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
+#include "model/error.hpp"
 #include "model/names.hpp"
+#include "result/result_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -189,6 +192,27 @@ void add_units_option(CLI::App* command, TableUnits* units) {
           "SI: rpm, N, um, s in a table, of a study with a [gear] table (default: model)")
       ->type_name("SI|model")
       ->check(one_of({"SI", "model"}));
+}
+
+void require_result_path(const std::string& path) {
+  for (const char* ending : {".csv", ".npy"}) {
+    if (!path.ends_with(ending)) continue;
+    throw InputError(
+        fmt::format("{}: a result is a NetCDF file; give -o OUT.nc, then: gearsweep export OUT.nc "
+                    "-q QUANTITY -o {}",
+                    path, path));
+  }
+  for (const char* ending : {".png", ".svg", ".pdf", ".tex", ".gp", ".toml"}) {
+    if (!path.ends_with(ending)) continue;
+    throw InputError(
+        fmt::format("{}: a result is a NetCDF file, not a '{}'; give -o OUT.nc", path, ending));
+  }
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error) && !is_netcdf(path)) {
+    throw InputError(fmt::format(
+        "{}: exists and is no result file; it would be lost: give another output, -o OUT.nc",
+        path));
+  }
 }
 
 std::string shell_quoted(const std::string& text) {

@@ -58,6 +58,10 @@ void add_set_option(CLI::App* command, std::vector<std::string>* overrides);
 // --units, of a command that writes tables.
 void add_units_option(CLI::App* command, TableUnits* units);
 
+// Throws InputError where a result at `path` would replace a file that is none, or would bear the
+// name of a table or a picture.
+void require_result_path(const std::string& path);
+
 // As a shell takes it back.
 std::string shell_quoted(const std::string& text);
 

@@ -85,14 +85,14 @@ std::vector<double> Launcher::download(const cl::Buffer& buffer, std::size_t num
 std::shared_ptr<const void> Launcher::view(const cl::Buffer& buffer, std::size_t numbers) {
   const std::size_t bytes = numbers * scalar_bytes();
   if (info_.shares_host_memory) return map(buffer, bytes, CL_MAP_READ);
-  // Copies of as many bytes follow, so the memory that the device can write fast is kept.
-  if (copy_bytes_ < bytes || copy_.use_count() > 1) {
-    const cl::Buffer pinned(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
-    copy_ = map(pinned, bytes, CL_MAP_READ | CL_MAP_WRITE);
-    copy_bytes_ = bytes;
+  // Pinned memory, which the device writes fast, is kept for the next view.
+  if (pinned_bytes_ < bytes || pinned_.use_count() > 1) {
+    const cl::Buffer buffer_of_host(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
+    pinned_ = map(buffer_of_host, bytes, CL_MAP_READ | CL_MAP_WRITE);
+    pinned_bytes_ = bytes;
   }
-  queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, copy_.get());
-  return copy_;
+  queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, pinned_.get());
+  return pinned_;
 }
 
 std::shared_ptr<void> Launcher::map(const cl::Buffer& buffer, std::size_t bytes,

@@ -39,7 +39,8 @@ class Launcher {
   // The program of `file` in kernels/, for this study. Throws RunError.
   cl::Program program(const Study& study, const std::string& file);
 
-  // What `work` on a tile gives; throws RunError where the device fails.
+  // Calls work() and returns its answer; a failure of the device becomes a RunError that names the
+  // tile.
   template <class Work>
   auto guard(const Tile& tile, const Work& work) const {
     try {
@@ -81,7 +82,8 @@ class Launcher {
                   std::size_t periods, const RoundCallback& after_round);
 
  private:
-  // The phase grids of the last tile that was whole: its subsets find theirs here.
+  // The phase grids that were uploaded last. A tile all of whose grids are among them, as a
+  // subset's are, uploads none.
   struct GridBank {
     std::map<std::vector<double>, std::uint32_t> index;  // by Plan::grid_key()
     std::vector<std::size_t> steps;                      // of a period
@@ -111,8 +113,8 @@ class Launcher {
   cl::Context context_;
   cl::CommandQueue queue_;
   GridBank bank_;
-  std::shared_ptr<void> copy_;  // of a view
-  std::size_t copy_bytes_ = 0;
+  std::shared_ptr<void> pinned_;  // host memory that views are copied into
+  std::size_t pinned_bytes_ = 0;
   const std::shared_ptr<BusyClock> clock_;
   double steps_per_second_ = 0.0;  // of the last round; 0: not known yet
 };

@@ -152,7 +152,8 @@ class ObserverSource {
     out_ << "}\n";
   }
 
-  // Accumulators stand in the order of the observers, [accumulator][item].
+  // Accumulators stand in the order of the observers, [accumulator][item]. Verdicts have many, and
+  // the loop over them is not unrolled.
   void write_move(const std::string& verb, const char* buffer) {
     out_ << fmt::format(
         "\nSHARED_FN void observers_{}(const Observers* observers, {},\n"

@@ -79,10 +79,10 @@ void add_bands(const Trace& trace, TracePanel* panel, PlotScript* script) {
 
 constexpr double kStrip = 0.045;  // of the height
 
-// A strip of each trace in its colour, the first at the top: nothing on the drive flank, a tint
+// A strip of each trace in its colour, the first at the top: a tint on the drive flank, nothing
 // without contact, full on the back flank, black on both.
 void add_strips(const TracePicture& picture, TracePanel* panel, PlotScript* script) {
-  bool any_gap = false, any_back = false, any_wedged = false;
+  bool any_drive = false, any_back = false, any_wedged = false;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const double bottom = kStrip * static_cast<double>(picture.layers.size() - 1 - i);
     const std::vector<Band> bands = bands_of(picture.layers[i].trace);
@@ -91,11 +91,11 @@ void add_strips(const TracePicture& picture, TracePanel* panel, PlotScript* scri
                        script);
     };
     const std::string transparent = fmt::format("#b0{}", layer_colour(i).substr(1));
-    any_gap = add(0, transparent) || any_gap;
+    any_drive = add(1, transparent) || any_drive;
     any_back = add(-1, layer_colour(i)) || any_back;
     any_wedged = add(2, "#000000") || any_wedged;
   }
-  if (any_gap) add_entry("#cccccc", "no contact", panel);
+  if (any_drive) add_entry("#cccccc", "drive flank", panel);
   if (any_back) add_entry("#555555", "back flank", panel);
   if (any_wedged) add_entry("#000000", "both flanks (wedged)", panel);
 }

@@ -98,8 +98,12 @@ struct Colours {
   bool is_log = false;
 
   Colours(const Page& page, const ResultMap& map) : classes(class_scale(map)) {
-    if (classes) return;
     const PlotStyle& style = page.style();
+    if (classes) {
+      const std::string why = fmt::format("'{}' is a map of classes or counts", map.name);
+      for (const char* option : {"log", "contours"}) style.refuse(option, why);
+      return;
+    }
     is_log = style.is_log;
     range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
     const bool has_both_signs = range.min < 0.0 && range.max > 0.0;
@@ -122,9 +126,9 @@ struct Colours {
   }
   // The bar, from its foot to its top.
   Raster bar() const {
-    constexpr std::size_t kSteps = 256;
-    Raster raster{2, classes ? classes->names.size() : kSteps, {}};
-    raster.rows = std::max<std::size_t>(raster.rows, 2);
+    // Many rows for a class: a viewer that smooths images blurs no more than one of them.
+    constexpr std::size_t kSteps = 256, kStepsOfClass = 64;
+    Raster raster{2, classes ? kStepsOfClass * classes->names.size() : kSteps, {}};
     for (std::size_t i = 0; i < raster.rows; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(raster.rows);
       const double value = classes ? std::floor(share * static_cast<double>(classes->names.size()))

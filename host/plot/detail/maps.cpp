@@ -93,7 +93,7 @@ std::string cut_remark(const ResultFile& file, const Cut& cut, bool is_si) {
   }
   const std::string symbol = symbol_of(axis.name);
   const std::string shown = unit.empty() || unit == "1" ? "" : fmt::format(" {}", typeset(unit));
-  return fmt::format("at {} = {:.6g}{}", symbol.empty() ? literal(axis.name) : symbol, value,
+  return fmt::format("at {} = {:.4g}{}", symbol.empty() ? literal(axis.name) : symbol, value,
                      shown);
 }
 

@@ -191,8 +191,8 @@ std::vector<Tic> even_tics(const AxisRange& range, double step, int small) {
   const double first = std::ceil(range.min / fine - 1e-6);
   const double last = std::floor(range.max / fine + 1e-6);
   std::vector<Tic> tics;
-  constexpr double kMost = 1000.0;  // where rounding leaves the ends far apart
-  for (double i = first; i <= last && i < first + kMost; i += 1.0) {
+  constexpr double kMax = 1000.0;  // where rounding leaves the ends far apart
+  for (double i = first; i <= last && i < first + kMax; i += 1.0) {
     const bool is_major = std::abs(std::remainder(i, small)) < 0.5;
     const double place = i == 0.0 ? 0.0 : i * fine;  // not -0
     tics.push_back({place, !is_major  ? ""
@@ -205,7 +205,7 @@ std::vector<Tic> even_tics(const AxisRange& range, double step, int small) {
 // The finest round steps whose numbers stand apart, but not so many that nobody reads them.
 std::vector<Tic> even_tics(const Page& page, const AxisRange& range, double length,
                            bool is_upright) {
-  constexpr double kMost = 8.0;
+  constexpr double kMax = 8.0;
   const double span = range.max - range.min;
   if (!(span > 0.0 && std::isfinite(span))) return {};
   const double unit = std::pow(10.0, std::floor(std::log10(span)) - 1.0);
@@ -221,7 +221,7 @@ std::vector<Tic> even_tics(const Page& page, const AxisRange& range, double leng
       widest = std::max(widest, page.width_of(tic.text));
     }
     const double room = is_upright ? 1.9 * page.em() : widest + 0.9 * page.em();
-    const bool fits = length * step / span >= room && span / step <= kMost;
+    const bool fits = length * step / span >= room && span / step <= kMax;
     if (!fits && majors >= 2 && !coarser.empty()) return coarser;
     coarser = std::move(tics);
     if (!fits && majors >= 2) return coarser;

@@ -46,7 +46,9 @@ std::optional<ClassScale> classes_of(const std::vector<Picture>& layers) {
 AxisRange value_range(const Page& page, const std::vector<Picture>& layers, bool is_first) {
   const PlotStyle& style = page.style();
   const std::vector<double> values = all_values(layers);
-  const bool is_log = style.is_log && !layers.front().map.is_poincare();
+  const bool is_poincare = layers.front().map.is_poincare();
+  if (is_poincare) style.refuse("log", "samples of a state have both signs");
+  const bool is_log = style.is_log && !is_poincare;
   const ValueRange range = scale_range(padded_range(values), values,
                                        is_first ? style.yrange : Limits{}, is_log, "--yrange");
   return {range.min, range.max, is_log};

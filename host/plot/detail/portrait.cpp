@@ -97,30 +97,39 @@ void lay_out(const Page& page, const TracePicture& picture, const std::vector<Tr
   Grid grid;
   grid.columns = is_alone ? 1 : 2;
   const std::size_t rows = (panels.size() + grid.columns - 1) / grid.columns;
-  const double column_width = page.width() / static_cast<double>(grid.columns);
   grid.bottom.resize(rows);
   grid.left.resize(grid.columns);
   grid.caption = is_alone ? 0.0 : kCaption * em;
   grid.gap = 0.4 * em;
   std::vector<PanelAxis> x, y;
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const std::size_t row = i / grid.columns;
-    x.push_back(panels[i].x);
-    x.back().label = label_lines(page, panels[i].x.label.front(), column_width);
-    grid.bottom[row] = std::max(grid.bottom[row], bottom_room(page, x.back()));
-  }
-  grid.height =
-      (script->height - foot - head - sum(grid.bottom) - grid.caption * static_cast<double>(rows) -
-       grid.gap * static_cast<double>(rows - 1)) /
-      static_cast<double>(rows);
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const std::size_t column = i % grid.columns;
-    y.push_back(panels[i].y);
-    y.back().label = label_lines(page, panels[i].y.label.front(), grid.height);
-    grid.left[column] = std::max(grid.left[column], left_room(page, y[i], grid.height));
-  }
-  grid.width =
-      (page.width() - sum(grid.left)) / static_cast<double>(grid.columns) - edge_room(page);
+  // A label may be as wide as its column: first with the whole column's width, from which the
+  // frames' follows, then with what a frame and the room at the page's edge leave.
+  const auto fit = [&](double label_width) {
+    x.clear();
+    y.clear();
+    std::fill(grid.bottom.begin(), grid.bottom.end(), 0.0);
+    std::fill(grid.left.begin(), grid.left.end(), 0.0);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const std::size_t row = i / grid.columns;
+      x.push_back(panels[i].x);
+      x.back().label = label_lines(page, panels[i].x.label.front(), label_width);
+      grid.bottom[row] = std::max(grid.bottom[row], bottom_room(page, x.back()));
+    }
+    grid.height =
+        (script->height - foot - head - sum(grid.bottom) -
+         grid.caption * static_cast<double>(rows) - grid.gap * static_cast<double>(rows - 1)) /
+        static_cast<double>(rows);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const std::size_t column = i % grid.columns;
+      y.push_back(panels[i].y);
+      y.back().label = label_lines(page, panels[i].y.label.front(), grid.height);
+      grid.left[column] = std::max(grid.left[column], left_room(page, y[i], grid.height));
+    }
+    grid.width =
+        (page.width() - sum(grid.left)) / static_cast<double>(grid.columns) - edge_room(page);
+  };
+  fit(page.width() / static_cast<double>(grid.columns));
+  if (!is_alone) fit(grid.width + edge_room(page));
 
   const double top = script->height - head;
   script->text = "set multiplot\n";

@@ -22,6 +22,9 @@ namespace {
 // "muted" (2021). Black, grey and white are kept for what is no class of its own.
 constexpr std::array<const char*, 8> kDistinct = {"#99ddff", "#d55e00", "#0072b2", "#e69f00",
                                                   "#009e73", "#f0e442", "#cc79a7", "#882255"};
+// More, of "muted" and "bright" (Tol 2021), for attractors beyond the eighth.
+constexpr std::array<const char*, 8> kFurther = {"#332288", "#ee6677", "#6699cc", "#117733",
+                                                 "#ddcc77", "#661100", "#aa4499", "#44aa99"};
 constexpr const char *kOthersColour = "#999933", *kNoneColour = "#ffffff";  // "olive" of "muted"
 constexpr const char *kQuasiPeriodicColour = "#919191", *kChaoticColour = "#3d3d3d";
 
@@ -59,7 +62,10 @@ std::string class_name(const std::string& flag) {
   constexpr std::size_t kLongestName = 40;  // that leaves room for the picture
   std::string name = shortened(flag, kLongestName);
   std::replace(name.begin(), name.end(), '_', ' ');
-  if (name == "quasi periodic") return "quasi-periodic";
+  constexpr std::string_view kTorn = "quasi periodic";
+  if (const std::size_t at = name.find(kTorn); at != std::string::npos) {
+    name.replace(at, kTorn.size(), "quasi-periodic");
+  }
   return literal(name);
 }
 
@@ -81,8 +87,23 @@ ClassScale named_classes(const ResultMap& map) {
     scale.colours.push_back(colour);
   };
   std::size_t colour = 0;
+  bool has_others = false;
   for (std::size_t i = 0; i < map.flags.size(); ++i) {
-    if (!own_colour(map.flags[i])) add(i, kDistinct[colour++ % kDistinct.size()]);
+    if (own_colour(map.flags[i])) continue;
+    if (colour < kDistinct.size()) {
+      add(i, kDistinct[colour]);
+    } else if (colour < kDistinct.size() + kFurther.size()) {
+      add(i, kFurther[colour - kDistinct.size()]);
+    } else {
+      has_others = has_others || present.contains(static_cast<double>(i));
+    }
+    ++colour;
+  }
+  // No colour stands for two classes: these are one.
+  if (has_others) {
+    scale.values.push_back(std::nan(""));
+    scale.names.emplace_back("others");
+    scale.colours.emplace_back(kOthersColour);
   }
   for (std::size_t i = map.flags.size(); i-- > 0;) {
     if (const auto own = own_colour(map.flags[i])) add(i, *own);

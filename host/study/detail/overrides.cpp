@@ -1,6 +1,7 @@
 #include "study/detail/overrides.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <sstream>
@@ -69,6 +70,18 @@ toml::node* descend(toml::node* node, const std::string& part, const std::string
   return table->get(part);
 }
 
+// An axis by its name alone, as in omega.count.
+void refuse_bare_axis(const std::vector<std::string>& parts, const toml::table& study,
+                      const std::string& source) {
+  const toml::array* axes = study["axes"].as_array();
+  if (parts.size() < 2 || axes == nullptr || study.contains(parts.front())) return;
+  for (const toml::node& axis : *axes) {
+    if (!axis.is_table() || (*axis.as_table())["name"].value_or("") != parts.front()) continue;
+    throw InputError(
+        fmt::format("{}: no such key; did you mean 'axes.{}'?", source, fmt::join(parts, ".")));
+  }
+}
+
 }  // namespace
 
 void apply_override(const std::string& assignment, toml::table* study) {
@@ -81,6 +94,7 @@ void apply_override(const std::string& assignment, toml::table* study) {
   if (parts.size() > kMaxParts) {
     throw InputError(fmt::format("{}: a key of more than {} parts", source, kMaxParts));
   }
+  refuse_bare_axis(parts, *study, source);
   toml::table parsed = parse_value(assignment.substr(equals + 1), source);
   toml::node* node = study;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = descend(node, parts[i], source);

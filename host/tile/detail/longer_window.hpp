@@ -13,8 +13,9 @@ namespace gearsweep {
 std::vector<std::size_t> undecided_positions(const Study& study, const TileResult& result);
 
 // Replaces what `whole` says of these points' kind of motion, exponents and recurrence (verdicts)
-// by what `subset` says. Averages, extremes and samples stay those of the study's own window, and
-// so does the final state; a point that diverged in the longer window has diverged.
+// by what `subset` says; the boxes of their sections are among these. Averages, extremes and
+// samples stay those of the study's own window, and so does the final state; a point that diverged
+// in the longer window has diverged.
 void adopt_verdicts(const Study& study, const std::vector<std::size_t>& positions,
                     const TileResult& subset, TileResult* whole);
 

@@ -116,15 +116,18 @@ void OrbitSearch::watch(const Sections& sections) {
   for_each_on_all_cores(open_.size(), [&](std::size_t i) {
     Candidate* candidate = candidates_[open_[i]].get();
     if (candidate == nullptr) return;
+    // The approach's section 0 is the last section of the one before, which an old candidate has
+    // seen.
     const bool is_new = candidate->settled == settled_;
     const std::size_t length = candidate->orbit.length;
     for (std::size_t period = is_new ? 0 : 1; period <= ORBIT_LONGEST; ++period) {
-      // The periods since the candidate's own state, modulo the length. They are negative for the
-      // sections before it, by at most ORBIT_LONGEST.
+      // settled_ counts this approach already, so the section lies settled_ - ORBIT_LONGEST +
+      // period periods from the start. Its distance to the candidate's state is taken modulo the
+      // length; a multiple of the length is added, as it may be negative.
       const std::size_t phase =
           (settled_ - candidate->settled + period + ORBIT_LONGEST * (length - 1)) % length;
       if (phase != 0 || candidate->verdict != OrbitConvergence::Verdict::open) continue;
-      candidate->verdict = candidate->view.add(sections.state(i, period));
+      candidate->verdict = candidate->convergence.add(sections.state(i, period));
     }
   });
 }

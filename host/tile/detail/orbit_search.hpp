@@ -23,7 +23,7 @@ namespace gearsweep {
 struct FoundOrbit {
   std::size_t position = 0;  // of the point in the tile
   std::uint32_t length = 0;  // periods of the forcing that it takes to come back
-  std::size_t settled = 0;   // periods behind the state
+  std::size_t settled = 0;   // periods integrated before this state
   std::vector<double> state;
   std::vector<double> log_stretchings;  // log |multiplier| per forcing period, largest first
 };
@@ -54,8 +54,8 @@ class OrbitSearch {
   // An orbit that a point may be on its way to.
   struct Candidate {
     OrbitAttempt orbit;
-    std::size_t settled;    // periods behind orbit.newton.start
-    OrbitConvergence view;  // of the trajectory's returns to the orbit
+    std::size_t settled;           // periods integrated before orbit.newton.start
+    OrbitConvergence convergence;  // of the trajectory's returns to the orbit
     OrbitConvergence::Verdict verdict = OrbitConvergence::Verdict::open;
   };
 
