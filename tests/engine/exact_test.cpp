@@ -1,7 +1,7 @@
 // What the solutions of gear5 must be, exactly, in special cases and under symmetries.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include "engine/outside_gear5.hpp"
 #include "plan/plan.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "support/text.hpp"
@@ -78,7 +79,7 @@ TEST(Exact, NaturalFrequenciesOfTheField) {
     point->rhs(coefs.data(), down.data(), slope_down.data());
     jacobian.col(column) = (slope_up - slope_down) / 0.02;
   }
-  const Eigen::VectorXcd roots = Eigen::EigenSolver<Eigen::MatrixXd>(jacobian).eigenvalues();
+  const Eigen::VectorXcd roots = eigenvalues_of(jacobian);
   std::vector<double> found;
   for (const std::complex<double>& root : roots) {
     EXPECT_NEAR(root.real(), 0.0, 1e-12);

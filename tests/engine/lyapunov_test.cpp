@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -15,6 +15,7 @@
 #include "plan/plan.hpp"
 #include "reference/detail/trajectory.hpp"
 #include "support/bits.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "support/text.hpp"
@@ -266,7 +267,7 @@ std::vector<double> floquet_exponents(const Plan& plan, std::size_t point) {
     monodromy.col(j) = (ahead(j, kOffset) - ahead(j, -kOffset)) / (2.0 * kOffset);
   }
   std::vector<double> exponents;
-  for (const std::complex<double>& multiplier : monodromy.eigenvalues()) {
+  for (const std::complex<double>& multiplier : eigenvalues_of(monodromy)) {
     exponents.push_back(std::log(std::abs(multiplier)) / orbit.period());
   }
   std::sort(exponents.begin(), exponents.end(), std::greater<>());

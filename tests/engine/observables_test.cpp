@@ -3,12 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "support/bits.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "sweep_types.h"
@@ -183,7 +184,7 @@ double max_growth(double m, double k) {
     point->rhs(coefs.data(), down.data(), slope_down.data());
     jacobian.col(i) = (slope_up - slope_down) / 0.02;
   }
-  return Eigen::EigenSolver<Eigen::MatrixXd>(jacobian).eigenvalues().real().maxCoeff();
+  return eigenvalues_of(jacobian).real().maxCoeff();
 }
 
 // One per cent inside the limits the growth is the square root of it times a frequency, 0.01 and

@@ -2,7 +2,7 @@
 // in closed form but for the instants of the impacts, which a bisection finds to rounding.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <numbers>

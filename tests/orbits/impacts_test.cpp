@@ -7,6 +7,7 @@
 
 #include "orbits/exact_impacts.hpp"
 #include "orbits/orbit_error.hpp"
+#include "support/eigenvalues.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -50,7 +51,7 @@ TEST(Impacts, OrbitsAndMultipliersAreTheExactOnes) {
     const ImpactOscillator::Image exact = oscillator.orbit(orbit.state);
     ASSERT_EQ(exact.impacts, one.impacts);
     EXPECT_LT((orbit.state - exact.state).norm(), 1e-10) << one.w << ' ' << one.Fte;
-    EXPECT_LT(apart(orbit.multipliers, exact.monodromy.eigenvalues()), 1e-10)
+    EXPECT_LT(apart(orbit.multipliers, eigenvalues_of(exact.monodromy)), 1e-10)
         << one.w << ' ' << one.Fte;
   }
 }
@@ -104,7 +105,7 @@ TEST(OrbitError, IsMoreThanTheTrueErrorAndNotMuchMore) {
       const OrbitError error = error_of(orbit, example.map(steps / 2));
       EXPECT_FALSE(error.grazing);
       EXPECT_LT((orbit.state - exact.state).cwiseAbs().maxCoeff(), error.state) << steps;
-      const double wrong = apart(orbit.multipliers, exact.monodromy.eigenvalues());
+      const double wrong = apart(orbit.multipliers, eigenvalues_of(exact.monodromy));
       EXPECT_LT(wrong, error.multipliers.maxCoeff()) << steps;
       EXPECT_GT(200.0 * wrong, error.multipliers.maxCoeff()) << steps;
     }
@@ -122,7 +123,7 @@ TEST(OrbitError, TellsThatAMotionGrazesALimit) {
     for (const std::size_t steps : {128U, 512U, 2048U}) {
       const Orbit orbit = shoot(example.map(steps), exact.state, 1).value();
       const OrbitError error = error_of(orbit, example.map(steps / 2));
-      EXPECT_LT(apart(orbit.multipliers, exact.monodromy.eigenvalues()),
+      EXPECT_LT(apart(orbit.multipliers, eigenvalues_of(exact.monodromy)),
                 error.multipliers.maxCoeff())
           << beyond << ' ' << steps;
       // At 128 steps the state has an error of 5e-7 at most, at 2048 of 1e-11.
@@ -141,7 +142,7 @@ TEST(Impacts, ATouchShorterThanAStepIsSeen) {
   const ImpactOscillator::Image exact = oscillator.orbit(oscillator.linear_state());
   ASSERT_EQ(exact.impacts, 2);
   const Orbit orbit = shoot(oscillator.example().map(2048), exact.state, 1).value();
-  EXPECT_LT(apart(orbit.multipliers, exact.monodromy.eigenvalues()), 1e-7);
+  EXPECT_LT(apart(orbit.multipliers, eigenvalues_of(exact.monodromy)), 1e-7);
 }
 
 TEST(OrbitError, IsInfiniteWhereCoarserStepsFindNoOrbit) {

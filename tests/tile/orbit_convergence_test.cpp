@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <random>
+
+#include "support/eigenvalues.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -50,7 +52,7 @@ Example any_example(std::mt19937* random) {
   const auto any = [&] { return uniform(*random); };
   Example example;
   example.derivative = Eigen::MatrixXd::NullaryExpr(4, 4, any);
-  const double largest = example.derivative.eigenvalues().cwiseAbs().maxCoeff();
+  const double largest = eigenvalues_of(example.derivative).cwiseAbs().maxCoeff();
   example.derivative *= (0.5 + 0.46 * std::abs(any())) / largest;
   example.orbit = 100.0 * Eigen::VectorXd::NullaryExpr(4, any);
   example.start = example.orbit + 0.1 * Eigen::VectorXd::NullaryExpr(4, any);
