@@ -50,7 +50,8 @@ inline double count_step(const ModelSetting& setting, bool events, std::size_t t
   ModelLinear linear[RK4_EVALUATIONS];
   Crossings crossings;
   Crossings* const corrected = events ? &crossings : nullptr;
-  rk4_step_linearized(&point, stages.data(), h, x, tangents > 0 ? linear : nullptr, corrected);
+  rk4_step_linearized(&point, stages.data(), h, x, nullptr, tangents > 0 ? linear : nullptr,
+                      corrected);
   for (std::size_t j = 0; j < tangents; ++j) {
     real w[MODEL_STATE_COUNT];
     for (real& number : w) number = next();

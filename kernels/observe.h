@@ -1,11 +1,11 @@
 // What observables see. Each has one life cycle:
 //   NAME_init(sums, start)          at the moment where the record begins
-//   NAME_step(sums, step)           after each step
+//   NAME_step(sums, step)           after each step, whose middle it sees, too
 //   NAME_end_period(sums, section)  after each recorded period
 //   NAME_finish(sums, round, out)   its outputs, once all periods are recorded
 // sums are the numbers that an observable keeps during the record. An observable with
 // NAME_PER_CHANNEL looks at one state or signal: its init gets the value at the start; its step
-// gets the values at both ends of the step and the step's share of a period.
+// gets the values at the step's four moments, and the step.
 
 // A moment on the phase grid. At a break phase there are two of them.
 typedef struct {
@@ -13,10 +13,17 @@ typedef struct {
   real x[MODEL_STATE_COUNT];
 } Moment;
 
+// `smooth` is set in a lane where no limit of the contact lies between the three moments of a step.
+// There a quantity follows the cubic through these and the moment half a step before them, whose
+// third difference counts with `cubic`: 1/6, or 0 where that moment is out of reach.
 typedef struct {
+  const Moment* earlier;  // half a step before `before`
   const Moment* before;
+  const Moment* middle;
   const Moment* after;
   scalar weight;  // the step's share of a period
+  mask smooth;
+  real cubic;
 } Step;
 
 // The end of a recorded period.

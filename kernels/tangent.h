@@ -51,12 +51,12 @@ SHARED_FN void tangent_orthonormalize(real* w, real* log_stretching) {
   }
 }
 
-// Advances a state and its tangent vectors by one step.
+// Advances a state and its tangent vectors by one step; `middle` as in rk4_step.
 SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, bool events,
-                            real* x, real* w) {
+                            real* x, real* middle, real* w) {
   ModelLinear linear[RK4_EVALUATIONS];
   Crossings crossings;
-  rk4_step_linearized(point, stage, h, x, linear, events ? &crossings : 0);
+  rk4_step_linearized(point, stage, h, x, middle, linear, events ? &crossings : 0);
   // This loop is not unrolled: the registers have room for one vector, not for all.
   for (int j = 0; j < TANGENTS; ++j) {
     real row[MODEL_STATE_COUNT];

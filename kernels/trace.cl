@@ -19,7 +19,7 @@ SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, TABLE Ph
 }
 
 SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE PhaseCoefs* stage,
-                          scalar share, const real* x) {
+                          scalar share, const real* middle, const real* x) {
   keep_row(watcher, x);
 }
 

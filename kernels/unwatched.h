@@ -10,6 +10,6 @@ SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, TABLE Ph
 }
 
 SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE PhaseCoefs* stage,
-                          scalar share, const real* x) {
-  (void)watcher, (void)point, (void)stage, (void)share, (void)x;
+                          scalar share, const real* middle, const real* x) {
+  (void)watcher, (void)point, (void)stage, (void)share, (void)middle, (void)x;
 }

@@ -1,8 +1,10 @@
 // The walk over the phase grid. All kernels advance a state by it, and so does the host where it
 // checks the kernels. A file that includes this one defines before it: TANGENTS, the type Watcher,
 // and
-//   watch_segment(watcher, point, stage, x)      called when a segment begins
-//   watch_step(watcher, point, stage, share, x)  called when a step has ended; share: of a period
+//   watch_segment(watcher, point, stage, x)  called when a segment begins
+//   watch_step(watcher, point, stage, share, middle, x)
+//                                            called when a step has ended, with the states in its
+//                                            middle and at its end; share: of a period
 // unwatched.h defines a watcher that does nothing.
 
 #include "walk_types.h"
@@ -27,6 +29,7 @@ SHARED_FN void end_period(real* x) {
 SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool events, real* x,
                            real* w, real* log_stretching, Extent* extent, Watcher* watcher) {
   TABLE PhaseCoefs* stage = grid->stages;
+  real middle[MODEL_STATE_COUNT];
   for (sweep_uint segment = 0; segment < grid->segments; ++segment) {
     const sweep_uint steps = grid->steps[segment];
     const scalar share = grid->fractions[segment];
@@ -35,16 +38,16 @@ SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool e
     if (watcher) watch_segment(watcher, point, stage, x);
     for (sweep_uint step = 0; step < steps; ++step) {
       if (w) {
-        tangent_step(point, stage, h, events, x, w);
+        tangent_step(point, stage, h, events, x, watcher ? middle : 0, w);
         if (log_stretching && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
           tangent_orthonormalize(w, log_stretching);
         }
       } else {
-        rk4_step(point, stage, h, events, x);
+        rk4_step(point, stage, h, events, x, watcher ? middle : 0);
       }
       if (extent && step % EXTENT_EVERY == 0) extent_widen(x, extent);
       stage += RK4_STAGES_PER_STEP;
-      if (watcher) watch_step(watcher, point, stage, share, x);
+      if (watcher) watch_step(watcher, point, stage, share, middle, x);
     }
     stage += 1;
   }

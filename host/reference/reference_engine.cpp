@@ -46,10 +46,9 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   for (const auto& observable : observables) observable->begin(trajectory.state());
   result.samples.resize(sampled.size() * window.samples);
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
-    result.diverged =
-        !trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
-          for (const auto& observable : observables) observable->step(before, after, share);
-        });
+    result.diverged = !trajectory.advance_period([&](const TrajectoryStep& step) {
+      for (const auto& observable : observables) observable->step(step);
+    });
     const Eigen::VectorXd log_stretching = orthonormalize_tangents(&trajectory);
     for (const auto& observable : observables) {
       observable->period(trajectory.state(), log_stretching, trajectory.period());
@@ -123,15 +122,14 @@ class ReferenceEngine final : public Engine {
     const PhaseGrid grid = plan.phase_grid_of(point);
     for (std::size_t period = 0; period < settle + record; ++period) {
       std::size_t segment = 0, step = 0;
-      const bool alive = trajectory.advance_period(
-          [&](const Moment& before, const Moment& after, double /*share*/) {
-            if (period < settle) return;
-            if (step == 0) keep(before);
-            keep(after);
-            if (++step < grid.segment_steps[segment]) return;
-            step = 0;
-            ++segment;
-          });
+      const bool alive = trajectory.advance_period([&](const TrajectoryStep& taken) {
+        if (period < settle) return;
+        if (step == 0) keep(taken.before);
+        keep(taken.after);
+        if (++step < grid.segment_steps[segment]) return;
+        step = 0;
+        ++segment;
+      });
       if (!alive) break;
       if (!after_round(static_cast<double>(grid.steps))) return std::nullopt;
     }

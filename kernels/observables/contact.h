@@ -1,6 +1,7 @@
 // Contact regime of the teeth: on the drive flank while D > b', on the back flank while D < -b', in
-// the gap while neither, wedged while both, which takes a negative b'. Where a step crosses a
-// limit, the shares of its time follow from the straight line between its ends.
+// the gap while neither, wedged while both, which takes a negative b'. Inside a step the distance
+// from a limit follows the cubic of observe.h; its roots give the shares of the step's time. So a
+// flank that is touched, or left, and left, or touched, again within one step counts.
 
 #define CONTACT_ROLE measure
 // The signals that a model must have for it.
@@ -43,15 +44,90 @@ SHARED_FN void contact_init(real* sums, const Moment* start) {
   sums[contact_period_wedged] = 0;
 }
 
-// The share of a step during which a quantity that goes from a to b in a straight line is positive.
-// It is exactly 1 where the quantity is positive throughout: on GPUs a float divided by itself may
-// differ from 1.
-SHARED_FN real contact_positive_share(real a, real b) {
-  const real zero = 0;
+// How far the deflection is beyond the limit of a flank, 1 (drive) or -1 (back).
+SHARED_FN real contact_depth(const Moment* moment, real flank) {
+  return flank * moment->signals.deflection - moment->signals.backlash;
+}
+
+// The depth inside a step: middle + b t + a t^2 + c (t^3 - t), where t is -1 at the step's start
+// and 1 at its end.
+typedef struct {
+  real middle, a, b, c;
+} ContactDepth;
+
+SHARED_FN real contact_depth_at(const ContactDepth* depth, real t) {
   const real one = 1;
-  const real total = lane_abs(a) + lane_abs(b);
-  const real positive = lane_max(a, zero) + lane_max(b, zero);
-  return lane_select(positive < total, positive / total, lane_select(total > zero, one, zero));
+  return depth->middle + t * (depth->b + depth->a * t + depth->c * (t * t - one));
+}
+
+// The root of the depth between t = from and t = to, where its signs differ, and between which it
+// is monotone: bisection, then Newton's method, which does not leave the bracket.
+SHARED_FN real contact_root(const ContactDepth* depth, real from, real to, mask is_on) {
+  const real zero = 0;
+  const real one_half = (scalar)(0.5);
+  const real two = 2;
+  const real three = 3;
+  real low = from;
+  real high = to;
+  for (int i = 0; i < 3; ++i) {
+    const real middle = one_half * (low + high);
+    const mask before = (contact_depth_at(depth, middle) > zero) == is_on;
+    low = lane_select(before, middle, low);
+    high = lane_select(before, high, middle);
+  }
+  real t = one_half * (low + high);
+  for (int i = 0; i < 3; ++i) {
+    const real slope = (depth->b - depth->c) + t * (two * depth->a + three * depth->c * t);
+    const real next = t - contact_depth_at(depth, t) / slope;
+    t = lane_select(slope != zero, lane_clamp(next, low, high), t);
+  }
+  return t;
+}
+
+// The share of a step during which a flank is touched; adds the contact losses.
+SHARED_FN real contact_share(const Step* step, real flank, real* losses) {
+  const real zero = 0;
+  const real one_half = (scalar)(0.5);
+  const real one = 1;
+  const real two = 2;
+  const real three = 3;
+  const real before = contact_depth(step->before, flank);
+  const real after = contact_depth(step->after, flank);
+  ContactDepth depth;
+  depth.middle = contact_depth(step->middle, flank);
+  depth.a = one_half * ((before - depth.middle) + (after - depth.middle));
+  depth.b = one_half * (after - before);
+  depth.c = step->cubic *
+            ((after - contact_depth(step->earlier, flank)) + three * (before - depth.middle));
+  const mask on_before = before > zero;
+  const mask on_after = after > zero;
+  const real whole = lane_select(on_before, one, zero);
+  // The extremum on the other side of the limit, if there is one inside: before and after it the
+  // depth is monotone.
+  const mask turns = lane_abs(depth.b + two * depth.c) < two * lane_abs(depth.a);
+  const mask may_cross_twice =
+      turns & (on_before == on_after) & (on_before == (depth.a > zero)) &
+      (lane_abs(depth.middle) < lane_abs(depth.a) + lane_abs(depth.b) + lane_abs(depth.c));
+  const mask crosses = on_before != on_after;
+  if (all_lanes(!(crosses | may_cross_twice))) return whole;
+  const real square = depth.a * depth.a - three * depth.c * (depth.b - depth.c);
+  const real root = lane_sqrt(lane_max(square, zero));
+  const real sum = lane_select(depth.a < zero, depth.a - root, depth.a + root);
+  const real turn = lane_select(turns, (depth.c - depth.b) / lane_select(turns, sum, one), one);
+  const mask on_turn = contact_depth_at(&depth, turn) > zero;
+  const mask in_first = on_turn != on_before;  // the sign changes before the extremum
+  const mask in_second = on_turn != on_after;
+  const real first = contact_root(&depth, -one, turn, on_before);
+  const real second = all_lanes(!in_second) ? one : contact_root(&depth, turn, one, on_turn);
+  const real end = lane_select(in_first, first, turn);     // of what began the step
+  const real begin = lane_select(in_second, second, one);  // of what ends it
+  const real on_first = lane_select(on_before, end + one, zero);
+  const real on_middle = lane_select(on_turn, begin - end, zero);
+  const real on_last = lane_select(on_after, one - begin, zero);
+  *losses = *losses + lane_select(in_first & on_before, one, zero) +
+            lane_select(in_second & on_turn, one, zero);
+  const mask changes = in_first | in_second;
+  return lane_select(changes, one_half * (on_first + on_middle + on_last), whole);
 }
 
 SHARED_FN void contact_step(real* sums, const Step* step) {
@@ -60,18 +136,13 @@ SHARED_FN void contact_step(real* sums, const Step* step) {
   const Moment* before = step->before;
   const Moment* after = step->after;
   const scalar weight = step->weight;
-  const real drive_before = before->signals.deflection - before->signals.backlash;
-  const real drive_after = after->signals.deflection - after->signals.backlash;
-  const real back_before = -before->signals.deflection - before->signals.backlash;
-  const real back_after = -after->signals.deflection - after->signals.backlash;
-  const real losses = lane_select((drive_before > zero) & (drive_after <= zero), one, zero) +
-                      lane_select((back_before > zero) & (back_after <= zero), one, zero);
-  const real drive = contact_positive_share(drive_before, drive_after);
-  const real back = contact_positive_share(back_before, back_after);
+  real losses = 0;
+  const real drive = contact_share(step, one, &losses);
+  const real back = contact_share(step, -one, &losses);
   // Two shares at the same end of the step overlap in the shorter one; shares at opposite ends
   // overlap by what their sum exceeds 1.
-  const mask apart = ((drive_before > zero) != (back_before > zero)) &
-                     ((drive_after > zero) != (back_after > zero));
+  const mask apart = ((contact_depth(before, one) > zero) != (contact_depth(before, -one) > zero)) &
+                     ((contact_depth(after, one) > zero) != (contact_depth(after, -one) > zero));
   const real excess = (drive + back) - one;
   const real both = lane_select(apart, lane_max(excess, zero), lane_min(drive, back));
   // Without a backlash a gap between the flanks is rounding.

@@ -1,8 +1,8 @@
-// Mean, RMS and standard deviation of a state or signal over the recorded periods, by the
-// trapezoidal rule on the phase grid. The sums are of the difference to the first value, and first
-// over each period, so that they keep their digits in fp32. What a state has lost before, to its
-// own rounding, they cannot bring back: a motion smaller than some units in the last place of its
-// offset is staggered, or stands still. In fp32 such a motion has no standard deviation.
+// Mean, RMS and standard deviation of a state or signal over the recorded periods, by Simpson's
+// rule over each step of the phase grid. The sums are of the difference to the first value, and
+// first over each period, so that they keep their digits in fp32. What a state has lost before, to
+// its own rounding, they cannot bring back: a motion smaller than some units in the last place of
+// its offset is staggered, or stands still. In fp32 such a motion has no standard deviation.
 
 #define MOMENTS_ROLE measure
 #define MOMENTS_PER_CHANNEL
@@ -34,13 +34,16 @@ SHARED_FN void moments_init(real* sums, real value) {
   sums[moments_period_squares] = 0;
 }
 
-// `weight` is the step's share of a period.
-SHARED_FN void moments_step(real* sums, real before, real after, scalar weight) {
-  const scalar half_weight = (scalar)(0.5) * weight;
+SHARED_FN void moments_step(real* sums, real earlier, real before, real middle, real after,
+                            const Step* step) {
+  const scalar sixth_weight = (scalar)(1.0 / 6.0) * step->weight;
+  const scalar four = 4;
   const real a = before - sums[moments_origin];
+  const real m = middle - sums[moments_origin];
   const real b = after - sums[moments_origin];
-  sums[moments_period_sum] = sums[moments_period_sum] + half_weight * (a + b);
-  sums[moments_period_squares] = sums[moments_period_squares] + half_weight * (a * a + b * b);
+  sums[moments_period_sum] = sums[moments_period_sum] + sixth_weight * ((a + b) + four * m);
+  sums[moments_period_squares] =
+      sums[moments_period_squares] + sixth_weight * ((a * a + b * b) + four * (m * m));
 }
 
 SHARED_FN void moments_end_period(real* sums, const Section* section) {

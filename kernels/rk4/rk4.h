@@ -33,6 +33,24 @@ SHARED_FN void rk4_advance(const real* base, real h, const real* slope, real* ou
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) out[i] = base[i] + h * slope[i];
 }
 
+// The state in the middle of a step, (x0 + x1)/2 + h/8 (dx0 - dx1), where dx1 is the last
+// evaluation's, which is good to third order. First the slopes alone, so that a motion at rest
+// stays where it is to the last bit.
+SHARED_FN void rk4_middle_begin(real h, const real* slope, real* middle) {
+  const real eighth_h = (scalar)(0.125) * h;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) middle[i] = eighth_h * slope[i];
+}
+SHARED_FN void rk4_middle_end(const real* x, const real* end, real h, const real* slope,
+                              real* middle) {
+  const real eighth_h = (scalar)(0.125) * h;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    const real bow = middle[i] - eighth_h * slope[i];
+    middle[i] = x[i] + ((scalar)(0.5) * (end[i] - x[i]) + bow);
+  }
+}
+
 // The lengths of a step's parts.
 typedef struct {
   real half_h, third_h, sixth_h;
@@ -48,9 +66,12 @@ SHARED_FN Rk4Lengths rk4_lengths(real h) {
 
 // Advances x by h (dimensionless time). Unless `linear` is null, it keeps the linearisation at each
 // of the RK4_EVALUATIONS, times h/2, h/2, h and h/6, as rk4_tangent_step wants it. Unless
-// `crossings` is null, a step in which a limit of the contact is crossed is corrected.
+// `middle_state` is null, it gets the state in the middle of the step: that of Hermite's cubic
+// through both ends, of fourth order locally. Unless `crossings` is null, a step in which a limit
+// of the contact is crossed is corrected.
 SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
-                                   real* x, ModelLinear* linear, Crossings* crossings) {
+                                   real* x, real* middle_state, ModelLinear* linear,
+                                   Crossings* crossings) {
   const Rk4Lengths lengths = rk4_lengths(h);
   const PhaseCoefs start = stage[0];
   const PhaseCoefs middle = stage[1];
@@ -62,6 +83,7 @@ SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* st
 
   if (linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
   rk4_slope(point, &start, x, &contact[0], slope);
+  if (middle_state) rk4_middle_begin(h, slope, middle_state);
   rk4_advance(x, lengths.sixth_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
   if (linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
@@ -74,17 +96,21 @@ SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* st
   rk4_advance(x, h, slope, at);
   if (linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
   rk4_slope(point, &end, at, &contact[3], slope);
-  rk4_advance(next, lengths.sixth_h, slope, x);
+  rk4_advance(next, lengths.sixth_h, slope, next);
 #ifdef MODEL_CONTACT
-  if (crossings) crossings_correct(point, &start, &end, h, contact, x, crossings);
+  if (crossings) crossings_correct(point, &start, &end, h, contact, next, crossings);
 #endif
+  if (middle_state) rk4_middle_end(x, next, h, slope, middle_state);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = next[i];
 }
 
-// Advances x by h; `events`: steps in which a limit of the contact is crossed are corrected.
+// Advances x by h; `events`: steps in which a limit of the contact is crossed are corrected. Unless
+// `middle` is null, it gets the state in the middle of the step.
 SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, bool events,
-                        real* x) {
+                        real* x, real* middle) {
   Crossings crossings;
-  rk4_step_linearized(point, stage, h, x, 0, events ? &crossings : 0);
+  rk4_step_linearized(point, stage, h, x, middle, 0, events ? &crossings : 0);
 }
 
 // With MODEL_SECOND_ORDER a model says that the first half of its states are positions, the second

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,50 @@ TEST(Convergence, IsOfFourthOrderWhereTeethPart) {
     expect_fourth_order_where_teeth_part(parting("constant", "0.05"), engine, 2.0);
     expect_fourth_order_where_teeth_part(parting("dynamic", "0.02", "0.7"), engine, 3.0);
     expect_fourth_order_where_teeth_part(parting("dynamic", "0.02", "1.1"), engine, 3.0);
+  }
+}
+
+// Extremes and contact shares of the fifth period, whose trajectory is of fourth order, too. Where
+// in a step they lie depends on its length, so the order is the mean of three halvings. Shares are
+// of third order: the deflection's third derivative jumps where teeth meet.
+TEST(Convergence, ExtremesAndSharesInsideStepsConverge) {
+  const std::vector<std::string> quantities = {"x1_min", "x1_max", "contact_drive", "contact_back"};
+  for (const std::string engine : {"opencl", "reference"}) {
+    std::array<std::vector<double>, 2> orders;  // of extremes, of shares
+    for (const std::string& study : {parting("constant", "1.0"), parting("dynamic", "1.0"),
+                                     parting("constant", "0.05"), parting("constant", "0.3")}) {
+      std::vector<std::vector<double>> found;  // [halving][quantity]
+      for (const char* steps : {"32", "64", "128", "256"}) {
+        const SweepResult result =
+            run(study, {"integrate.engine='" + engine + "'",
+                        "integrate.steps_per_period=" + std::string(steps),
+                        "observe.quantities=['x1_min','x1_max','contact_drive','contact_back']"});
+        const Plan plan(result.study, 1);
+        const OutsideGear gear(plan.setting_of(0));
+        OutsideState exact = outside_state(plan.own_initial_state(0));
+        for (int period = 0; period < 4; ++period) gear.advance_period(1e-14, &exact);
+        OutsideRange range = {exact[0], exact[0]};
+        gear.advance_period(1e-14, &exact, &range);
+        const std::vector<double> truth = {range.min, range.max, range.drive, range.back};
+        found.emplace_back();
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+          found.back().push_back(std::abs(map_of(result, quantities[i])[0] - truth[i]));
+        }
+      }
+      for (std::size_t i = 0; i < quantities.size(); ++i) {
+        SCOPED_TRACE(engine + " " + quantities[i] + "\n" + study);
+        if (found.front()[i] == 0.0) continue;  // a flank that is never touched
+        const double order = std::log2(found.front()[i] / std::max(found.back()[i], 1e-8)) / 3.0;
+        if (found.front()[i] > 1e-5) orders[i < 2 ? 0 : 1].push_back(order);
+        EXPECT_LT(found.back()[i], 2e-7);
+      }
+    }
+    const auto mean = [](const std::vector<double>& values) {
+      return std::accumulate(values.begin(), values.end(), 0.0) /
+             static_cast<double>(values.size());
+    };
+    EXPECT_GT(mean(orders[0]), 3.5) << engine;
+    EXPECT_GT(mean(orders[1]), 2.7) << engine;
   }
 }
 

@@ -129,7 +129,10 @@ Works works_of(const std::string& toml) {
   Works sum;
   double psi = 0.0;
   double stiffness_before = gear.sums(1.0, 1.0 - 1e-9).B;  // what the last period ended with
-  trajectory.advance_period([&](const Moment& before, const Moment& after, double share) {
+  trajectory.advance_period([&](const TrajectoryStep& step) {
+    const Moment& before = step.before;
+    const Moment& after = step.after;
+    const double share = step.share;
     const double inside = psi + 0.5 * share;
     const MeshSums s0 = gear.sums(psi, inside);
     const MeshSums s1 = gear.sums(psi + share, inside);

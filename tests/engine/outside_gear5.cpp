@@ -12,19 +12,6 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// Widens `range` by x1 on a step of length h, which the cubic of Hermite follows to fourth order.
-void widen(const OutsideState& before, const OutsideState& after, double h, OutsideRange* range) {
-  constexpr int kParts = 32;
-  for (int i = 0; i <= kParts; ++i) {
-    const double t = static_cast<double>(i) / kParts;
-    const double r = 1.0 - t;
-    const double x1 = r * r * (1.0 + 2.0 * t) * before[0] + t * t * (3.0 - 2.0 * t) * after[0] +
-                      h * t * r * (r * before[5] - t * after[5]);
-    range->min = std::min(range->min, x1);
-    range->max = std::max(range->max, x1);
-  }
-}
-
 }  // namespace
 
 OutsideGear::OutsideGear(const ModelSetting& setting) {
@@ -97,22 +84,60 @@ MeshSums OutsideGear::sums(double psi, double inside) const {
           h[0] * kappa[0] + h[1] * kappa[1]};
 }
 
+double OutsideGear::deflection(const OutsideState& x) const {
+  const double sign = formulation_ == "printed" ? 1.0 : -1.0;
+  return x[0] + sign * (x[2] - x[4]);
+}
+
+double OutsideGear::backlash(const OutsideState& x) const {
+  if (!dynamic_) return b_;
+  const double u = x[3] - x[1];
+  const double v = x[2] - x[4];
+  const double n = 2.0 * A_ * (u * std::cos(alpha_) + v * std::sin(alpha_)) + u * u + v * v;
+  const double S = std::hypot(A_ * std::cos(alpha_) + u, -v - A_ * std::sin(alpha_));
+  return b_ + n / (S + A_) * std::tan(alpha_);
+}
+
+void OutsideGear::watch(const OutsideState& before, const OutsideState& after, double h,
+                        OutsideRange* range) const {
+  constexpr int kParts = 64;
+  const auto at = [&](int part) {
+    const double t = static_cast<double>(part) / kParts;
+    const double r = 1.0 - t;
+    OutsideState x{};
+    for (std::size_t i = 0; i < 5; ++i) {
+      x[i] = r * r * (1.0 + 2.0 * t) * before[i] + t * t * (3.0 - 2.0 * t) * after[i] +
+             h * t * r * (r * before[i + 5] - t * after[i + 5]);
+    }
+    return x;
+  };
+  const auto share_above_zero = [](double a, double b) {
+    if ((a > 0.0) == (b > 0.0)) return a > 0.0 ? 1.0 : 0.0;
+    return std::max(a, b) / (std::abs(a) + std::abs(b));
+  };
+  OutsideState last = at(0);
+  for (int i = 1; i <= kParts; ++i) {
+    const OutsideState x = at(i);
+    range->min = std::min({range->min, last[0], x[0]});
+    range->max = std::max({range->max, last[0], x[0]});
+    const double share = h / kParts / period();
+    range->drive +=
+        share * share_above_zero(deflection(last) - backlash(last), deflection(x) - backlash(x));
+    range->back +=
+        share * share_above_zero(-deflection(last) - backlash(last), -deflection(x) - backlash(x));
+    last = x;
+  }
+}
+
 void OutsideGear::slope(double psi, double inside, const OutsideState& x, OutsideState* dx) const {
   const MeshSums s = sums(psi, inside);
   const double sign = formulation_ == "printed" ? 1.0 : -1.0;
-  const double D = x[0] + sign * (x[2] - x[4]);
+  const double D = deflection(x);
   const double Dp = x[5] + sign * (x[7] - x[9]);
-  double backlash = b_;
-  if (dynamic_) {
-    const double u = x[3] - x[1];
-    const double v = x[2] - x[4];
-    const double n = 2.0 * A_ * (u * std::cos(alpha_) + v * std::sin(alpha_)) + u * u + v * v;
-    const double S = std::hypot(A_ * std::cos(alpha_) + u, -v - A_ * std::sin(alpha_));
-    backlash = b_ + n / (S + A_) * std::tan(alpha_);
-  }
+  const double limit = backlash(x);
   double f = 0.0;
-  if (D > backlash) f += D - backlash;
-  if (D < -backlash) f += D + backlash;  // both when the backlash is negative: a wedged tooth
+  if (D > limit) f += D - limit;
+  if (D < -limit) f += D + limit;  // both when the backlash is negative: a wedged tooth
 
   const double two_zeta = 2.0 * zeta_;
   for (std::size_t i = 0; i < 5; ++i) (*dx)[i] = x[i + 5];
@@ -145,7 +170,7 @@ void OutsideGear::advance_period(double tolerance, OutsideState* x, OutsideRange
     OutsideState before = *x;
     double psi_before = from;
     const auto each_step = [&](const OutsideState& at, double psi) {
-      if (range != nullptr) widen(before, at, (psi - psi_before) * period(), range);
+      if (range != nullptr) watch(before, at, (psi - psi_before) * period(), range);
       before = at;
       psi_before = psi;
     };

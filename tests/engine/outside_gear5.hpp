@@ -14,9 +14,11 @@ namespace gearsweep::testing {
 // x1..x5, x1'..x5', then the integrals of x1 and of x1^2 over the phase.
 using OutsideState = std::array<double, 12>;
 
-// Smallest and largest x1, between the steps' ends too.
+// What happens between the steps' ends, too: smallest and largest x1, and the shares of the periods
+// during which the drive flank and the back flank touch.
 struct OutsideRange {
   double min, max;
+  double drive = 0.0, back = 0.0;
 };
 
 // Sums over the tooth pairs, by the names of the model's equations.
@@ -39,10 +41,15 @@ class OutsideGear {
   void slope(double psi, double inside, const OutsideState& x, OutsideState* dx) const;
 
   // One period from phase 0 by the controlled Dormand-Prince method of order 5, restarted at each
-  // break phase. The tolerance is absolute and relative. `range` is widened by what x1 does.
+  // break phase. The tolerance is absolute and relative. `range` is widened by what happens.
   void advance_period(double tolerance, OutsideState* x, OutsideRange* range = nullptr) const;
 
  private:
+  double deflection(const OutsideState& x) const;
+  double backlash(const OutsideState& x) const;
+  // Widens `range` by a step of length h, which Hermite's cubic follows to fourth order.
+  void watch(const OutsideState& before, const OutsideState& after, double h,
+             OutsideRange* range) const;
   double pair_stiffness(std::size_t pair, double psi, bool in_contact) const;
 
   double omega_, b_, mu_, F1_, e0_, zeta_, m1_, m2_;

@@ -34,17 +34,20 @@ using Sequence = std::function<double(std::size_t)>;
 // Two states of one unit.
 const StateKinds kKinds = {{0, 0}, {}};
 
-// What a observable says of sections whose first component is this sequence, the second half of it,
-// and of perturbations that grow like this (as logarithms). Periods last one unit of time, in which
-// the motion goes through a range of 1.
+// A step of which only the end is looked at.
+TrajectoryStep step_to(const Eigen::VectorXd& state) { return {.after = {state, {}}}; }
+
+// What an observable says of sections whose first component is this sequence, the second half of
+// it, and of perturbations that grow like this (as logarithms). Periods last one unit of time, in
+// which the motion goes through a range of 1.
 double measure(
     const std::unique_ptr<ReferenceObservable>& observable, const Window& window,
     const Sequence& section, const Sequence& growth = [](std::size_t) { return 0.0; }) {
   const auto state = [&](std::size_t i) { return Eigen::Vector2d(section(i), 0.5 * section(i)); };
   observable->begin(state(0));
   for (std::size_t i = 1; i <= window.record; ++i) {
-    observable->step({}, {state(i) + Eigen::Vector2d(0.25, 0.5), {}}, 0.5);
-    observable->step({}, {state(i) - Eigen::Vector2d(0.25, 0.5), {}}, 0.5);
+    observable->step(step_to(state(i) + Eigen::Vector2d(0.25, 0.5)));
+    observable->step(step_to(state(i) - Eigen::Vector2d(0.25, 0.5)));
     observable->period(state(i), Eigen::VectorXd::Constant(1, growth(i - 1)), 1.0);
   }
   return observable->finish(window).front();
@@ -308,8 +311,7 @@ void show_rows(const std::vector<double>& rows, std::size_t steps,
   for (ReferenceObservable* observable : observables) {
     observable->begin(state(0));
     for (std::size_t first = 0; 2 * first < rows.size(); first += steps + 1) {
-      for (std::size_t i = 0; i < steps; i += 8)
-        observable->step({}, {state(first + i + 1), {}}, 0.0);
+      for (std::size_t i = 0; i < steps; i += 8) observable->step(step_to(state(first + i + 1)));
       observable->period(state(first + steps), Eigen::VectorXd(), 1.0);
     }
   }

@@ -14,8 +14,8 @@ double zero_one_of(std::size_t record, const std::function<double(std::size_t)>&
   const std::unique_ptr<ReferenceObservable> observable = make_zero_one(1e-6, {{0, 1}, {}});
   observable->begin(Eigen::Vector2d(0.0, 7.0));
   for (std::size_t i = 0; i < record; ++i) {
-    observable->step({}, {Eigen::Vector2d(0.0, 7.0), {}}, 0.5);
-    observable->step({}, {Eigen::Vector2d(1.0, 7.0), {}}, 0.5);
+    observable->step({.after = {Eigen::Vector2d(0.0, 7.0), {}}});
+    observable->step({.after = {Eigen::Vector2d(1.0, 7.0), {}}});
     observable->period(Eigen::Vector2d(sample(i), 7.0), Eigen::VectorXd(), 1.0);
   }
   return observable->finish({.record = record}).front();

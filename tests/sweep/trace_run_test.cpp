@@ -84,16 +84,21 @@ TEST(Trace, GivesTheMapsOfItsPoint) {
     const Trace trace = trace_of_study(toml);
     const std::vector<double>& x1 = channel(trace, "x1");
     const std::vector<double>& dmf = channel(trace, "dmf");
-    // Rounding of some 2,000 terms.
     constexpr double kRounding = 1e-12;
+    // The trace has the steps' ends; the map looks inside the steps. By the trapezoidal rule, and
+    // between the ends, 5e-4 is lost at this step; no end lies beyond the map's extremes.
+    constexpr double kStep = 2e-3;
     EXPECT_NEAR(time_average(trace, [&](std::size_t i) { return x1[i]; }),
-                map_of(map, "x1_mean")[0], kRounding);
+                map_of(map, "x1_mean")[0], kStep);
     EXPECT_NEAR(std::sqrt(time_average(trace, [&](std::size_t i) { return x1[i] * x1[i]; })),
-                map_of(map, "x1_rms")[0], kRounding);
-    EXPECT_NEAR(*std::min_element(x1.begin(), x1.end()), map_of(map, "x1_min")[0], kRounding);
-    EXPECT_NEAR(*std::max_element(x1.begin(), x1.end()), map_of(map, "x1_max")[0], kRounding);
-    EXPECT_NEAR(*std::min_element(dmf.begin(), dmf.end()), map_of(map, "dmf_min")[0], kRounding);
-    EXPECT_NEAR(*std::max_element(dmf.begin(), dmf.end()), map_of(map, "dmf_max")[0], kRounding);
+                map_of(map, "x1_rms")[0], kStep);
+    for (const auto& [name, values] : {std::pair{"x1", x1}, std::pair{"dmf", dmf}}) {
+      const auto [min, max] = std::minmax_element(values.begin(), values.end());
+      EXPECT_NEAR(*min, map_of(map, name + std::string("_min"))[0], kStep);
+      EXPECT_NEAR(*max, map_of(map, name + std::string("_max"))[0], kStep);
+      EXPECT_GE(*min, map_of(map, name + std::string("_min"))[0] - kRounding);
+      EXPECT_LE(*max, map_of(map, name + std::string("_max"))[0] + kRounding);
+    }
     // Within a step of each change of flank.
     const std::vector<double>& contact = channel(trace, "contact");
     EXPECT_NEAR(time_average(trace, [&](std::size_t i) { return contact[i] == 1.0 ? 1.0 : 0.0; }),

@@ -54,12 +54,13 @@ class ObserverSource {
     write_function(
         "init", "const Observers* observers, const Moment* start",
         [&](const Observer& observer) { return fmt::format(", {}", seen(observer, "start")); });
-    write_function("step", "const Observers* observers, const Step* step",
-                   [&](const Observer& observer) {
-                     if (!observer.observable->is_per_channel) return std::string(", step");
-                     return fmt::format(", {}, {}, step->weight", seen(observer, "step->before"),
-                                        seen(observer, "step->after"));
-                   });
+    write_function(
+        "step", "const Observers* observers, const Step* step", [&](const Observer& observer) {
+          if (!observer.observable->is_per_channel) return std::string(", step");
+          return fmt::format(", {}, {}, {}, {}, step", seen(observer, "step->earlier"),
+                             seen(observer, "step->before"), seen(observer, "step->middle"),
+                             seen(observer, "step->after"));
+        });
     write_function("end_period", "const Observers* observers, const Section* section",
                    [](const Observer&) { return std::string(", section"); });
     write_finish();

@@ -9,6 +9,7 @@
 #include "model/error.hpp"
 #include "reference/detail/lyapunov_observables.hpp"
 #include "reference/detail/orbit_observables.hpp"
+#include "reference/detail/step_curve.hpp"
 #include "reference/detail/zero_one_observable.hpp"
 
 namespace gearsweep {
@@ -29,30 +30,48 @@ class Channel {
   Eigen::Index index_;
 };
 
+// Of a channel, or of anything else that a moment has.
+template <class Value>
+StepCurve curve_of(const TrajectoryStep& step, const Value& value) {
+  std::optional<double> earlier;
+  if (step.earlier) earlier = value(*step.earlier);
+  return {value(step.before), value(step.middle), value(step.after), earlier};
+}
+
 class Extrema final : public ReferenceObservable {
  public:
   explicit Extrema(const Channel& channel) : channel_(channel) {}
-  void step(const Moment& before, const Moment& after, double) override {
-    const auto [low, high] = std::minmax({channel_(before), channel_(after)});
-    min_ = std::min(min_, low);
-    max_ = std::max(max_, high);
+  void step(const TrajectoryStep& step) override {
+    for (const Moment* moment : {&step.before, &step.middle, &step.after}) see(channel_(*moment));
+    if (step.is_smooth) see_inside(step);
   }
   std::vector<double> finish(const Window&) const override { return {min_, max_}; }
 
  private:
+  void see(double value) {
+    min_ = std::min(min_, value);
+    max_ = std::max(max_, value);
+  }
+
+  void see_inside(const TrajectoryStep& step) {
+    const StepCurve curve = curve_of(step, channel_);
+    if (const std::optional<double> t = curve.extremum()) see(curve.value(*t));
+  }
+
   Channel channel_;
   double min_ = std::numeric_limits<double>::infinity();
   double max_ = -std::numeric_limits<double>::infinity();
 };
 
 // Weighted mean and variance by West's recurrence (Communications of the ACM 22, 1979): each step
-// gives half of its share to each of its ends.
+// gives its share to its ends and its middle, by Simpson's rule.
 class Moments final : public ReferenceObservable {
  public:
   explicit Moments(const Channel& channel) : channel_(channel) {}
-  void step(const Moment& before, const Moment& after, double share) override {
-    add(channel_(before), 0.5 * share);
-    add(channel_(after), 0.5 * share);
+  void step(const TrajectoryStep& step) override {
+    add(channel_(step.before), step.share / 6.0);
+    add(channel_(step.middle), step.share * 4.0 / 6.0);
+    add(channel_(step.after), step.share / 6.0);
   }
   std::vector<double> finish(const Window&) const override {
     const double variance = std::max(0.0, squares_ / weight_);  // rounding may make it negative
@@ -71,33 +90,26 @@ class Moments final : public ReferenceObservable {
   double weight_ = 0.0, mean_ = 0.0, squares_ = 0.0;
 };
 
-// Part of a step, from one share of it to another.
-struct Span {
-  double from = 0.0, to = 0.0;
-  double length() const { return std::max(0.0, to - from); }
-  Span meet(const Span& other) const {
-    return {std::max(from, other.from), std::min(to, other.to)};
-  }
-};
-
 class Contact final : public ReferenceObservable {
  public:
   explicit Contact(const Model& model)
       : deflection_(model, "deflection"), backlash_(model, "backlash") {}
 
-  void step(const Moment& before, const Moment& after, double share) override {
-    const Span drive = above_zero(beyond(before, 1.0), beyond(after, 1.0));
-    const Span back = above_zero(beyond(before, -1.0), beyond(after, -1.0));
-    const double both = drive.meet(back).length();
-    drive_ += share * (drive.length() - both);
-    back_ += share * (back.length() - both);
-    wedged_ += share * both;
-    for (const double flank : {1.0, -1.0}) {
-      if (beyond(before, flank) > 0.0 && beyond(after, flank) <= 0.0) ++losses_;
-    }
+  void step(const TrajectoryStep& step) override {
+    const Moment& before = step.before;
+    const Moment& after = step.after;
+    const Touch drive = touch(step, 1.0);
+    const Touch back = touch(step, -1.0);
+    const double sum = drive.share + back.share;
+    const bool opposite = drive.at_start != back.at_start && drive.at_end != back.at_end;
+    const double both = opposite ? std::max(0.0, sum - 1.0) : std::min(drive.share, back.share);
+    drive_ += step.share * (drive.share - both);
+    back_ += step.share * (back.share - both);
+    wedged_ += step.share * both;
+    losses_ += drive.losses + back.losses;
     // Without a backlash a gap between the flanks is rounding.
     const bool open = std::max(backlash_(before), backlash_(after)) > 0.0;
-    const double touching = drive.length() + back.length() - both;
+    const double touching = sum - both;
     if (touching <= 0.0 || (open && touching < 1.0)) seen_gap_ = true;
     min_backlash_ = std::min({min_backlash_, backlash_(before), backlash_(after)});
   }
@@ -121,12 +133,36 @@ class Contact final : public ReferenceObservable {
   }
 
  private:
-  // Where the straight line from a to b is above zero.
-  static Span above_zero(double a, double b) {
-    if (a <= 0.0 && b <= 0.0) return {};
-    if (a > 0.0 && b > 0.0) return {0.0, 1.0};
-    const double crossing = a / (a - b);
-    return a > 0.0 ? Span{0.0, crossing} : Span{crossing, 1.0};
+  // What a flank does during a step.
+  struct Touch {
+    bool at_start = false, at_end = false;
+    double share = 0.0, losses = 0.0;
+  };
+  Touch touch(const TrajectoryStep& step, double flank) const {
+    const StepCurve depth =
+        curve_of(step, [&](const Moment& moment) { return beyond(moment, flank); });
+    Touch out;
+    out.at_start = beyond(step.before, flank) > 0.0;
+    out.at_end = beyond(step.after, flank) > 0.0;
+    std::vector<double> places = {-1.0};
+    if (const std::optional<double> turn = depth.extremum()) places.push_back(*turn);
+    places.push_back(1.0);
+    const auto is_on = [&](std::size_t i) {
+      return i == 0                   ? out.at_start
+             : i + 1 == places.size() ? out.at_end
+                                      : depth.value(places[i]) > 0.0;
+    };
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const double from = places[i], to = places[i + 1];
+      if (is_on(i) == is_on(i + 1)) {
+        if (is_on(i)) out.share += 0.5 * (to - from);
+        continue;
+      }
+      const double zero = depth.zero(from, to);
+      out.share += 0.5 * (is_on(i) ? zero - from : to - zero);
+      if (is_on(i)) ++out.losses;
+    }
+    return out;
   }
 
   // How far the deflection is beyond the limit of a flank, 1 (drive) or -1 (back).

@@ -17,8 +17,7 @@ class ReferenceObservable {
   virtual ~ReferenceObservable() = default;
   // Before anything else: the state at phase 0 where the record begins.
   virtual void begin(const Eigen::VectorXd&) {}
-  // One step, with its share of the period.
-  virtual void step(const Moment&, const Moment&, double) {}
+  virtual void step(const TrajectoryStep&) {}
   // One period: the state at its end; the logarithms of how far its orthonormal tangent vectors
   // grew (empty unless the selection has some); its length in dimensionless time.
   virtual void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double) {}

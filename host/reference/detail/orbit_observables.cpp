@@ -135,7 +135,7 @@ class SectionObservable : public ReferenceObservable {
  public:
   SectionObservable(double tolerance, const StateKinds& kinds) : sections_(tolerance, kinds) {}
   void begin(const Eigen::VectorXd& state) override { sections_.begin(state); }
-  void step(const Moment&, const Moment& after, double) override { sections_.pass(after.state); }
+  void step(const TrajectoryStep& step) override { sections_.pass(step.after.state); }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
     sections_.add(state);
   }

@@ -13,10 +13,11 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
       angles_(plan.study().model->angles),
-      has_events_(plan.study().integrate.events && plan.study().model->has_contact),
+      has_contact_(plan.study().model->has_contact),
+      has_events_(plan.study().integrate.events && has_contact_),
       point_(plan.study().model->prepare(plan.setting_of(point))),
       state_(state) {
-  if (!has_events_) return;
+  if (!has_contact_) return;
   deflection_ = plan.study().model->find_signal("deflection");
   backlash_ = plan.study().model->find_signal("backlash");
 }
@@ -27,11 +28,22 @@ bool Trajectory::advance_period(const StepCallback& each_step) {
   std::size_t row = 0;
   for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
     const double share = grid_.segment_fractions[segment];
+    std::optional<Moment> earlier;
     for (std::uint32_t i = 0; i < grid_.segment_steps[segment]; ++i) {
-      const Moment before = each_step ? moment(row) : Moment();
-      step(row, share * point_->period());
+      const Eigen::VectorXd start = state_;
+      const Eigen::VectorXd middle = step(row, share * point_->period());
       row += 2;
-      if (each_step) each_step(before, moment(row), share);
+      if (!each_step) continue;
+      TrajectoryStep seen = {.before = moment(row - 2, start),
+                             .middle = moment(row - 1, middle),
+                             .after = moment(row, state_),
+                             .share = share};
+      seen.is_smooth =
+          same_contact(seen.before, seen.middle) && same_contact(seen.middle, seen.after);
+      seen.earlier = earlier;
+      each_step(seen);
+      earlier.reset();
+      if (seen.is_smooth) earlier = seen.middle;
     }
     row += 1;  // the next segment has its own one-sided coefficients at the break phase
   }
@@ -55,15 +67,26 @@ Trajectory::Bundle Trajectory::slope(std::size_t row, const Bundle& at) const {
   return out;
 }
 
-Moment Trajectory::moment(std::size_t row) const {
+Moment Trajectory::moment(std::size_t row, const Eigen::VectorXd& state) const {
   Moment out;
-  out.state = state_;
+  out.state = state;
   out.signals.resize(static_cast<Eigen::Index>(signal_count_));
-  point_->signals(grid_.coefs.data() + row * row_width_, state_.data(), out.signals.data());
+  point_->signals(grid_.coefs.data() + row * row_width_, state.data(), out.signals.data());
   return out;
 }
 
-void Trajectory::step(std::size_t row, double h) {
+bool Trajectory::same_contact(const Moment& a, const Moment& b) const {
+  if (!has_contact_) return true;
+  for (const double flank : {1.0, -1.0}) {
+    const auto touches = [&](const Moment& moment) {
+      return flank * moment.signals[deflection_] > moment.signals[backlash_];
+    };
+    if (touches(a) != touches(b)) return false;
+  }
+  return true;
+}
+
+Eigen::VectorXd Trajectory::step(std::size_t row, double h) {
   const Bundle start{state_, tangents_};
   const auto ahead = [&start](double length, const Bundle& slope) {
     return Bundle{start.state + length * slope.state, start.tangents + length * slope.tangents};
@@ -78,6 +101,7 @@ void Trajectory::step(std::size_t row, double h) {
   state_ += h / 6.0 * (k1.state + 2.0 * (k2.state + k3.state) + k4.state);
   tangents_ += h / 6.0 * (k1.tangents + 2.0 * (k2.tangents + k3.tangents) + k4.tangents);
   if (has_events_) correct_crossings(row, h, {start, at2, at3, at4});
+  return 0.5 * (start.state + state_) + h / 8.0 * (k1.state - k4.state);
 }
 
 void Trajectory::correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "plan/plan.hpp"
 
@@ -16,8 +17,15 @@ struct Moment {
   Eigen::VectorXd state, signals;
 };
 
-// Called for each step with its two ends and its share of the period.
-using StepCallback = std::function<void(const Moment& before, const Moment& after, double share)>;
+// A step of the classical method, and its middle by Hermite's cubic between its ends.
+struct TrajectoryStep {
+  Moment before = {}, middle = {}, after = {};
+  double share = 0.0;      // of the period
+  bool is_smooth = false;  // no limit of the contact lies between the three moments
+  // The middle of the step before, when that was smooth and lies in the same segment.
+  std::optional<Moment> earlier = {};
+};
+using StepCallback = std::function<void(const TrajectoryStep&)>;
 
 class Trajectory {
  public:
@@ -47,15 +55,18 @@ class Trajectory {
   };
 
   Bundle slope(std::size_t row, const Bundle& at) const;
-  Moment moment(std::size_t row) const;
-  void step(std::size_t row, double h);
+  Moment moment(std::size_t row, const Eigen::VectorXd& state) const;
+  // Returns the state in the middle of the step.
+  Eigen::VectorXd step(std::size_t row, double h);
+  bool same_contact(const Moment& a, const Moment& b) const;
   // Corrects the step's end for the crossings of the contact's limits between its evaluations `at`.
   void correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at);
   bool in_range() const;
 
   PhaseGrid grid_;
   std::size_t row_width_, signal_count_;
-  std::vector<std::size_t> angles_;             // states
+  std::vector<std::size_t> angles_;  // states
+  bool has_contact_;
   bool has_events_;                             // steps that cross a limit are corrected
   Eigen::Index deflection_ = 0, backlash_ = 0;  // signals of a model that has contact
   std::unique_ptr<PreparedPoint> point_;

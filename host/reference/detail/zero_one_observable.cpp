@@ -43,7 +43,7 @@ class ZeroOne final : public ReferenceObservable {
   ZeroOne(double tolerance, const StateKinds& kinds)
       : tolerance_(tolerance), range_(kinds, tolerance) {}
   void begin(const Eigen::VectorXd& state) override { range_.begin(state); }
-  void step(const Moment&, const Moment& after, double) override { range_.widen(after.state); }
+  void step(const TrajectoryStep& step) override { range_.widen(step.after.state); }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd&, double) override {
     samples_.push_back(state[0]);
     range_.end_period(state);

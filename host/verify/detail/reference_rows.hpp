@@ -38,8 +38,7 @@ const ReferenceRow& reference_row(const std::string& name);
 // The row as a study of one point; `integrate` is put into [integrate].
 std::string study_of(const ReferenceRow& row, const std::string& integrate);
 
-// For [integrate]: the steps per period at which the motions are converged in fp64, and at which
-// smallest and largest of the steps' ends are those of the motion.
+// For [integrate]: the steps per period at which the motions are converged in fp64.
 std::string converged_steps(const ReferenceRow& row);
 
 // The figures of study_of(row, ...), computed in fp64 with converged_steps() or in fp32 with at
