@@ -85,12 +85,12 @@ Errors errors_of(const std::vector<GearState>& found) {
   return errors;
 }
 
-double max(const std::vector<double>& values) {
+double max_of(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
 void report(benchmark::State& state, const std::vector<double>& rates, const Errors& errors) {
-  state.counters["periods/s"] = max(rates);
+  state.counters["periods/s"] = max_of(rates);
   state.counters["max_error"] = errors.max;
   state.counters["rms_error"] = errors.rms;
 }
@@ -195,7 +195,7 @@ const int kRegistered = [] {
             (name + "/steps:" + count).c_str(),
             [overrides](benchmark::State& state) { measure_kernel(state, overrides); })
             ->UseManualTime()
-            ->ComputeStatistics("fastest", max);
+            ->ComputeStatistics("fastest", max_of);
       }
     }
   }
@@ -204,7 +204,7 @@ const int kRegistered = [] {
         ("dopri5/digits:" + std::to_string(digits)).c_str(),
         [digits](benchmark::State& state) { measure_dopri(state, std::pow(10.0, -digits)); })
         ->UseManualTime()
-        ->ComputeStatistics("fastest", max);
+        ->ComputeStatistics("fastest", max_of);
   }
   return 0;
 }();

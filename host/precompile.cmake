@@ -1,8 +1,7 @@
 # Headers that most files include are compiled once for all files that are compiled alike. Files
-# include what they need all the same: the preset `sanitize` compiles host/ without this, and stops
-# where one does not.
-set(GEARSWEEP_PRECOMPILE all CACHE STRING
-    "Whose headers are precompiled: all, tests (not those of host/), none")
+# include what they need all the same: the preset `tidy` is without this, and clang-tidy stops where
+# one does not.
+option(GEARSWEEP_PRECOMPILE "Precompile the headers that most files include" ON)
 
 # gearsweep_precompile(TARGET header...): an object library whose headers others take, beside those of
 # the language and fmt.

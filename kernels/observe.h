@@ -13,18 +13,19 @@ typedef struct {
   real x[MODEL_STATE_COUNT];
 } Moment;
 
-// `smooth` is set in a lane where no limit of the contact lies between the three moments of a step.
-// There a quantity follows the cubic through these and the moment half a step before them, whose
-// third difference counts with `cubic`: 1/6, or 0 where that moment is out of reach.
+// What observables see of a step: its start, middle and end, and the moment half a step before
+// them. Between these a quantity follows a cubic (step_curve.h).
 typedef struct {
   const Moment* earlier;  // half a step before `before`
   const Moment* before;
   const Moment* middle;
   const Moment* after;
   scalar weight;  // the step's share of a period
-  mask smooth;
-  real cubic;
+  mask smooth;    // the same flanks touch at start, middle and end
+  real cubic;     // 0 where `earlier` lies in another segment, or in a step that is not smooth
 } Step;
+
+#include "step_curve.h"
 
 // The end of a recorded period.
 typedef struct {

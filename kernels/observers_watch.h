@@ -6,8 +6,7 @@ typedef struct {
   mask was_smooth;  // the step before this one, of the same segment
 } Watcher;
 
-// 0 in the gap, 1 on the drive flank, 2 on the back flank, 3 on both: as long as it stays the same,
-// the field is smooth.
+// Whether the same flanks touch at both moments: then the field between them is smooth.
 SHARED_FN mask watch_same_contact(const Moment* a, const Moment* b) {
 #ifdef MODEL_CONTACT
   const ModelSignals* one = &a->signals;

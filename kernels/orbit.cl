@@ -28,9 +28,8 @@ SHARED_FN void store_section(__global real* sections, uint number, const real* x
   store_components(sections, 1, 0, number * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
 }
 
-// An approach: ORBIT_LONGEST periods, of which this kernel integrates a round and keeps the
-// sections
-// ([item][period][state]).
+// An approach takes ORBIT_LONGEST periods. This kernel integrates a round of them and keeps their
+// sections, [item][period][state].
 __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
                        GRID_TABLES, __global real* state, __global real* sections) {
   const uint items = round.items;

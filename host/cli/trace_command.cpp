@@ -191,8 +191,10 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->type_name(kFileValue)
       ->required();
   command
-      ->add_option("--settle", arguments->settle,
-                   "Forcing periods before the trace (default: the study's; 0 shows the start)")
+      ->add_option(
+          "--settle", arguments->settle,
+          "Forcing periods before the trace, exactly so many (default: the study's, or fewer "
+          "where the motion is periodic before; 0 shows the start)")
       ->type_name(kNumberValue)
       ->check(whole_number(0));
   command

@@ -32,14 +32,14 @@ struct TileResult {
   Effort effort;
   std::string device;  // name of the device; the worker sets it
 
-  // The vectors as tables. Nothing for a result without points.
+  // The vectors as tables, of a result that has points.
   Array2<double> output_table() { return {outputs, status.size()}; }
   Array2<const double> output_table() const { return {outputs, status.size()}; }
   Array2<double> state_table() { return {final_states, final_states.size() / status.size()}; }
   Array2<const double> state_table() const {
     return {final_states, final_states.size() / status.size()};
   }
-  // Of so many chosen states.
+  // Of so many chosen states, at least one.
   Array3<double> sample_table(std::size_t chosen) {
     return {samples, chosen, samples.size() / (status.size() * chosen)};
   }

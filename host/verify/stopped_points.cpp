@@ -33,7 +33,7 @@ constexpr std::array<PassingPoint, 3> kPoints = {{
 
 }  // namespace
 
-// The forces are known to 5e-5, and steps leave as much.
+// The forces are given to four digits, 5e-5; the other half is for what a driver rounds.
 std::vector<Compared> compare_stopped_points(const Subject& subject) {
   std::vector<Compared> compared;
   for (const PassingPoint& point : kPoints) {

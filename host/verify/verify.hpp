@@ -36,9 +36,8 @@ enum class Verdict { pass, fail, skipped };
 struct Outcome {
   Verdict verdict = Verdict::skipped;
   std::size_t numbers = 0, failed = 0;  // compared, and those of them that do not hold
-  std::optional<Compared>
-      worst;           // the first of those that take the largest share of their tolerance
-  std::string reason;  // why it was skipped, or could not be carried out
+  std::optional<Compared> worst;        // the first that takes the largest share of its tolerance
+  std::string reason;                   // why it was skipped, or could not be carried out
 };
 
 Outcome judge(const std::vector<Compared>& compared);

@@ -49,36 +49,23 @@ SHARED_FN real contact_depth(const Moment* moment, real flank) {
   return flank * moment->signals.deflection - moment->signals.backlash;
 }
 
-// The depth inside a step: middle + b t + a t^2 + c (t^3 - t), where t is -1 at the step's start
-// and 1 at its end.
-typedef struct {
-  real middle, a, b, c;
-} ContactDepth;
-
-SHARED_FN real contact_depth_at(const ContactDepth* depth, real t) {
-  const real one = 1;
-  return depth->middle + t * (depth->b + depth->a * t + depth->c * (t * t - one));
-}
-
 // The root of the depth between t = from and t = to, where its signs differ, and between which it
 // is monotone: bisection, then Newton's method, which does not leave the bracket.
-SHARED_FN real contact_root(const ContactDepth* depth, real from, real to, mask is_on) {
+SHARED_FN real contact_root(const StepCurve* depth, real from, real to, mask is_on) {
   const real zero = 0;
   const real one_half = (scalar)(0.5);
-  const real two = 2;
-  const real three = 3;
   real low = from;
   real high = to;
   for (int i = 0; i < 3; ++i) {
     const real middle = one_half * (low + high);
-    const mask before = (contact_depth_at(depth, middle) > zero) == is_on;
+    const mask before = (step_curve_at(depth, middle) > zero) == is_on;
     low = lane_select(before, middle, low);
     high = lane_select(before, high, middle);
   }
   real t = one_half * (low + high);
   for (int i = 0; i < 3; ++i) {
-    const real slope = (depth->b - depth->c) + t * (two * depth->a + three * depth->c * t);
-    const real next = t - contact_depth_at(depth, t) / slope;
+    const real slope = step_curve_slope(depth, t);
+    const real next = t - step_curve_at(depth, t) / slope;
     t = lane_select(slope != zero, lane_clamp(next, low, high), t);
   }
   return t;
@@ -89,32 +76,23 @@ SHARED_FN real contact_share(const Step* step, real flank, real* losses) {
   const real zero = 0;
   const real one_half = (scalar)(0.5);
   const real one = 1;
-  const real two = 2;
-  const real three = 3;
   const real before = contact_depth(step->before, flank);
+  const real middle = contact_depth(step->middle, flank);
   const real after = contact_depth(step->after, flank);
-  ContactDepth depth;
-  depth.middle = contact_depth(step->middle, flank);
-  depth.a = one_half * ((before - depth.middle) + (after - depth.middle));
-  depth.b = one_half * (after - before);
-  depth.c = step->cubic *
-            ((after - contact_depth(step->earlier, flank)) + three * (before - depth.middle));
+  const StepCurve depth =
+      step_curve(contact_depth(step->earlier, flank), before, middle, after, step->cubic);
   const mask on_before = before > zero;
   const mask on_after = after > zero;
   const real whole = lane_select(on_before, one, zero);
-  // The extremum on the other side of the limit, if there is one inside: before and after it the
-  // depth is monotone.
-  const mask turns = lane_abs(depth.b + two * depth.c) < two * lane_abs(depth.a);
-  const mask may_cross_twice =
-      turns & (on_before == on_after) & (on_before == (depth.a > zero)) &
-      (lane_abs(depth.middle) < lane_abs(depth.a) + lane_abs(depth.b) + lane_abs(depth.c));
-  const mask crosses = on_before != on_after;
-  if (all_lanes(!(crosses | may_cross_twice))) return whole;
-  const real square = depth.a * depth.a - three * depth.c * (depth.b - depth.c);
-  const real root = lane_sqrt(lane_max(square, zero));
-  const real sum = lane_select(depth.a < zero, depth.a - root, depth.a + root);
-  const real turn = lane_select(turns, (depth.c - depth.b) / lane_select(turns, sum, one), one);
-  const mask on_turn = contact_depth_at(&depth, turn) > zero;
+  // Before and after its extremum the depth is monotone. Where both ends lie on one side of the
+  // limit, the extremum may lie on the other: it is within |a| + |b| + |c| of the middle.
+  const mask turns = step_curve_turns(&depth);
+  const real reach = lane_abs(depth.a) + lane_abs(depth.b) + lane_abs(depth.c);
+  const mask changes = (on_before != on_after) |
+                       (turns & (on_before == (depth.a > zero)) & (lane_abs(middle) < reach));
+  if (all_lanes(!changes)) return whole;
+  const real turn = step_curve_turn(&depth, turns);
+  const mask on_turn = ((step_curve_at(&depth, turn) > zero) & turns) | (on_after & !turns);
   const mask in_first = on_turn != on_before;  // the sign changes before the extremum
   const mask in_second = on_turn != on_after;
   const real first = contact_root(&depth, -one, turn, on_before);
@@ -124,10 +102,11 @@ SHARED_FN real contact_share(const Step* step, real flank, real* losses) {
   const real on_first = lane_select(on_before, end + one, zero);
   const real on_middle = lane_select(on_turn, begin - end, zero);
   const real on_last = lane_select(on_after, one - begin, zero);
-  *losses = *losses + lane_select(in_first & on_before, one, zero) +
-            lane_select(in_second & on_turn, one, zero);
-  const mask changes = in_first | in_second;
-  return lane_select(changes, one_half * (on_first + on_middle + on_last), whole);
+  // What a lane gets must not depend on the others: those without a change are left alone.
+  *losses = *losses + lane_select(changes & in_first & on_before, one, zero) +
+            lane_select(changes & in_second & on_turn, one, zero);
+  const real share = one_half * (on_first + on_middle + on_last);
+  return lane_select(changes & (in_first | in_second), share, whole);
 }
 
 SHARED_FN void contact_step(real* sums, const Step* step) {

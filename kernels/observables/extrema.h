@@ -23,30 +23,19 @@ SHARED_FN void extrema_init(real* sums, real value) {
 
 SHARED_FN void extrema_step(real* sums, real earlier, real before, real middle, real after,
                             const Step* step) {
-  const real one_half = (scalar)(0.5);
-  const real two = 2;
   const real zero = 0;
-  const real one = 1;
   const real low = lane_min(sums[extrema_min], lane_min(before, lane_min(middle, after)));
   const real high = lane_max(sums[extrema_max], lane_max(before, lane_max(middle, after)));
   sums[extrema_min] = low;
   sums[extrema_max] = high;
-  // middle + b t + a t^2 + c (t^3 - t), where t is -1 at the step's start and 1 at its end. Its
-  // slope changes sign between them when |b + 2 c| < 2 |a|; it strays from the parabola without b
-  // and c by less than |b| + |c|.
-  const real a = one_half * ((before - middle) + (after - middle));
-  const real b = one_half * (after - before);
-  const real c = step->cubic * ((after - earlier) + (scalar)(3) * (before - middle));
-  const real stray = lane_abs(b) + lane_abs(c);
-  const real nearest = lane_select(a < zero, high - middle, middle - low);
-  const mask counts =
-      step->smooth & (lane_abs(b + two * c) < two * lane_abs(a)) & (nearest < stray);
+  const StepCurve curve = step_curve(earlier, before, middle, after, step->cubic);
+  // An extremum lies beyond the middle by less than |b| + |c|: where that is not beyond what is
+  // known, it need not be looked for.
+  const real reach = lane_abs(curve.b) + lane_abs(curve.c);
+  const real needed = lane_select(curve.a < zero, high - middle, middle - low);
+  const mask counts = step->smooth & step_curve_turns(&curve) & (needed < reach);
   if (all_lanes(!counts)) return;
-  const real square = a * a - (scalar)(3) * c * (b - c);
-  const real root = lane_sqrt(lane_max(square, zero));
-  const real sum = lane_select(a < zero, a - root, a + root);
-  const real t = (c - b) / lane_select(counts, sum, one);
-  const real value = middle + t * (b + a * t + c * (t * t - one));
+  const real value = step_curve_at(&curve, step_curve_turn(&curve, counts));
   sums[extrema_min] = lane_select(counts, lane_min(low, value), low);
   sums[extrema_max] = lane_select(counts, lane_max(high, value), high);
 }

@@ -1,0 +1,84 @@
+// Extremes and averages look inside the steps: with every model, at random parameters and starts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "support/run.hpp"
+#include "support/text.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+// The model at parameters of 0.7 to 1.4 times its defaults, over starts of its first state, for two
+// periods: too few for chaos to part two runs.
+std::string any_study(const Model& model, std::mt19937* random) {
+  std::uniform_real_distribution<double> factor(0.7, 1.4);
+  const std::string first = model.states.front().name;
+  std::string toml = "[model]\nname = '" + model.name + "'\n[parameters]\n";
+  for (const ParameterInfo& info : model.parameters) {
+    const double value = info.default_value * factor(*random);
+    if (info.shapes_phase || value == 0.0) continue;
+    toml += info.name + " = " + digits(std::clamp(value, info.min, info.max)) + "\n";
+  }
+  toml += "[[axes]]\nname = '" + first +
+          "'\nfrom = -1.9\nto = 2.1\ncount = 16\n[integrate]\nsettle = 1\nrecord = 1\n"
+          "stop = 'never'\n[observe]\nquantities = [";
+  for (const auto& list : {model.states, model.signals}) {
+    for (const ChannelInfo& channel : list) {
+      for (const char* what : {"_min", "_max", "_mean", "_rms"}) {
+        toml += "'" + channel.name + what + "', ";
+      }
+    }
+  }
+  return toml + "]\n";
+}
+
+// The median error of all quantities and points, relative to the size of each quantity, with steps
+// of so many times the default.
+double median_error(const std::string& study, const Model& model, double steps,
+                    const SweepResult& fine) {
+  const SweepResult result = run(study, {"integrate.max_step=" + digits(steps * model.max_step)});
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < fine.values.size(); ++i) {
+    double size = 0.0;
+    for (const double value : fine.values[i]) size = std::max(size, std::abs(value));
+    for (std::size_t point = 0; point < fine.status.size() && size > 0.0; ++point) {
+      errors.push_back(std::abs(result.values[i][point] - fine.values[i][point]) / size);
+    }
+  }
+  // What does not change at all says nothing of an order.
+  std::erase_if(errors, [](double error) { return !(error > 1e-13); });
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2),
+                   errors.end());
+  return errors[errors.size() / 2];
+}
+
+// At the ends of the steps alone extremes would be of second order, and so would averages by the
+// trapezoidal rule where the equations jump: half the step would leave a quarter.
+TEST(InsideSteps, ExtremesAndAveragesOfEveryModelAreOfFourthOrder) {
+  std::mt19937 random(20261123);
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    double coarse = 0.0, usual = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const std::string study = any_study(model, &random);
+      SCOPED_TRACE(study);
+      const SweepResult fine = run(study, {"integrate.max_step=" + digits(model.max_step / 8.0)});
+      const double at_twice = median_error(study, model, 2.0, fine);
+      const double at_once = median_error(study, model, 1.0, fine);
+      coarse += std::log2(at_twice);
+      usual += std::log2(at_once);
+      EXPECT_LT(at_once, 1e-4);
+    }
+    EXPECT_GT((coarse - usual) / 3.0, 3.5) << "mean order of three";
+  }
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
