@@ -4,7 +4,6 @@
 // EVENTS (1: steps that cross a limit of the contact are corrected).
 // The host writes selection.h for each study: the model with its integrator, and
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
-//   PARAMETER_name                  where each parameter comes from: uniform[i] or swept[...]
 //   TANGENTS                        tangent vectors that travel with a state
 //   STATE_UNITS                     of each state the number of its unit, as an initialiser
 //
@@ -17,16 +16,23 @@
 #include "tangent.h"
 #include "walk_types.h"
 
-#define LOAD_PARAMETER(name, unit, value, min, max, shapes_phase, meaning) \
-  parameters.name = (real)(PARAMETER_##name);
+// The parameters of a tile, in the model's order: `uniform` has a value for all points of each, and
+// `swept` rows of values, one for each point, for the parameters that are axes. swept_rows tells
+// which row a parameter has, or NOT_SWEPT. So a program does not depend on the study's axes.
+#define PARAMETER_TABLES TABLE scalar *uniform, TABLE uint *swept_rows, TABLE real *swept
+
+#define LOAD_PARAMETER(name, unit, value, min, max, shapes_phase, meaning)                      \
+  parameters.name = swept_rows[number] == NOT_SWEPT ? (real)(uniform[number])                   \
+                                                    : swept[swept_rows[number] * items + item]; \
+  ++number;
 
 // A point that has diverged carries NaN in its first state: from then on it stays out of the maps.
 #define IS_DIVERGED(x) ((x)[0] != (x)[0])
 
-SHARED_FN void load_point(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
-                          ModelPoint* point) {
+SHARED_FN void load_point(uint items, uint item, PARAMETER_TABLES, ModelPoint* point) {
   const ModelOptions options = MODEL_OPTION_VALUES;
   ModelParameters parameters;
+  int number = 0;
   MODEL_PARAMETERS(LOAD_PARAMETER)
   model_prepare(&parameters, options, point);
 }
@@ -55,12 +61,12 @@ SHARED_FN void store_many(__global real* buffer, uint items, uint item, uint fir
 }
 
 // Loads an item's states and parameters; false when there is nothing to advance.
-SHARED_FN bool take_item(uint items, uint item, TABLE scalar* uniform, TABLE real* swept,
-                         __global const real* state, real* x, ModelPoint* point) {
+SHARED_FN bool take_item(uint items, uint item, PARAMETER_TABLES, __global const real* state,
+                         real* x, ModelPoint* point) {
   if (item >= items) return false;
   load_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   if (all_lanes(IS_DIVERGED(x))) return false;
-  load_point(items, item, uniform, swept, point);
+  load_point(items, item, uniform, swept_rows, swept, point);
   return true;
 }
 
@@ -113,6 +119,8 @@ SHARED_FN real max_size(const real* components) {
   }
   return largest;
 }
+
+#define TAKE_ITEM(x, point) take_item(items, item, uniform, swept_rows, swept, state, x, point)
 
 // Where the phase grids of a tile lie.
 #define GRID_TABLES                                                         \

@@ -30,13 +30,13 @@ SHARED_FN void store_section(__global real* sections, uint number, const real* x
 
 // An approach takes ORBIT_LONGEST periods. This kernel integrates a round of them and keeps their
 // sections, [item][period][state].
-__kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
-                       GRID_TABLES, __global real* state, __global real* sections) {
+__kernel void approach(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                       __global real* sections) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   __global real* own = sections + (size_t)item * SECTION_NUMBERS;
   if (round.done == 0) store_section(own, 0, x);
@@ -50,14 +50,13 @@ __kernel void approach(const SweepRound round, TABLE scalar* uniform, TABLE real
 // The last period of an approach, which also measures the motion. ranges ([state][item]) are the
 // units of distances between states: how far each state moves in the period, but enough that
 // `tolerance` times the unit stays above rounding.
-__kernel void measure(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                      __global real* state, __global real* sections, const scalar tolerance,
-                      __global real* ranges) {
+__kernel void measure(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                      __global real* sections, const scalar tolerance, __global real* ranges) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   Extent extent;
   real own[MODEL_STATE_COUNT];
@@ -184,13 +183,13 @@ SHARED_FN void store_where(mask where, __global real* buffer, uint items, uint i
 }
 
 // Advances each lane by its own number of periods, lengths ([item]), in one or more rounds.
-__kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE real* swept,
-                         GRID_TABLES, __global real* state, TABLE real* lengths) {
+__kernel void return_map(const SweepRound round, PARAMETER_TABLES, GRID_TABLES,
+                         __global real* state, TABLE real* lengths) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   for (uint period = round.done; period < round.done + round.periods; ++period) {
     const mask is_under_way = (scalar)(period) < lengths[item];
@@ -202,14 +201,14 @@ __kernel void return_map(const SweepRound round, TABLE scalar* uniform, TABLE re
 
 // As return_map, and also advances the derivative of this map ([column][row][item]), which begins
 // as the identity.
-__kernel void return_map_linearized(const SweepRound round, TABLE scalar* uniform,
-                                    TABLE real* swept, GRID_TABLES, __global real* state,
-                                    TABLE real* lengths, __global real* derivative) {
+__kernel void return_map_linearized(const SweepRound round, PARAMETER_TABLES, GRID_TABLES,
+                                    __global real* state, TABLE real* lengths,
+                                    __global real* derivative) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   real w[TANGENT_NUMBERS];
   for (uint period = round.done; period < round.done + round.periods; ++period) {

@@ -1,20 +1,19 @@
 // The sweep kernels: a work-item advances LANES points by a round of whole periods.
 //
-// The host writes selection.h and observers.h for each study: the model, where its parameters come
-// from, and functions that call the observables that the study asks for by name. `gearsweep kernels
-// STUDY` prints all of it.
+// The host writes selection.h and observers.h for each study: the model with its options, and
+// functions that call the observables that the study asks for by name. `gearsweep kernels STUDY`
+// prints all of it.
 #include "items.h"
 #include "observers.h"
 #include "observers_watch.h"
 #include "walk.h"
 
-__kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                     __global real* state) {
+__kernel void settle(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   for (uint period = 0; period < round.periods; ++period) {
     walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
@@ -24,13 +23,13 @@ __kernel void settle(const SweepRound round, TABLE scalar* uniform, TABLE real* 
 
 #if TANGENTS > 0
 // As settle, with tangent vectors: they turn into the directions that grow fastest.
-__kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                    __global real* state, __global real* tangents) {
+__kernel void align(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                    __global real* tangents) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   real w[TANGENT_NUMBERS];
   real log_stretching[TANGENT_VECTORS];
@@ -45,14 +44,13 @@ __kernel void align(const SweepRound round, TABLE scalar* uniform, TABLE real* s
 #endif
 
 // Advances states and tangent vectors, and shows steps and periods to the observers.
-__kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                     __global real* state, __global real* tangents, __global real* accumulators,
-                     __global real* series) {
+__kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                     __global real* tangents, __global real* accumulators, __global real* series) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   DECLARE_OBSERVERS(observers);
   Watcher watcher;
@@ -92,14 +90,14 @@ __kernel void record(const SweepRound round, TABLE scalar* uniform, TABLE real* 
 // integrated; the others repeat their sections ([period][state][item]). log_stretchings ([tangent
 // vector][item]) are known from the multipliers. Only outputs of the role verdict have a meaning
 // afterwards.
-__kernel void replay(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                     __global real* state, __global const real* log_stretchings, const uint length,
+__kernel void replay(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                     __global const real* log_stretchings, const uint length,
                      __global real* sections, __global real* accumulators) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   DECLARE_OBSERVERS(observers);
   Moment start;

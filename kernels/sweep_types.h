@@ -22,6 +22,9 @@ enum { MOTION_undecided, MOTION_periodic, MOTION_quasi_periodic, MOTION_chaotic 
 // A state component beyond this (in the model's own units) counts as diverged.
 #define SWEEP_DIVERGED_BEYOND 1e6
 
+// The row of a parameter that is the same for all points.
+#define NOT_SWEPT 0xffffffffu
+
 // The longest period, in forcing periods, of an orbit that ends a point's settling.
 #define ORBIT_LONGEST 16
 

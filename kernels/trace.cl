@@ -28,13 +28,13 @@ SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE Phase
 // Advances by whole periods and keeps the states; in a period each segment has one row more than
 // steps, from its beginning to its end. An item whose points have all diverged leaves its rows as
 // they were.
-__kernel void trace(const SweepRound round, TABLE scalar* uniform, TABLE real* swept, GRID_TABLES,
-                    __global real* state, __global real* rows) {
+__kernel void trace(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                    __global real* rows) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
   ModelPoint point;
-  if (!take_item(items, item, uniform, swept, state, x, &point)) return;
+  if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   Watcher watcher = {rows, 0, items, item};
   for (uint period = 0; period < round.periods; ++period) {

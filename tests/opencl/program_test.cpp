@@ -89,14 +89,15 @@ TEST(ProgramSource, ObservesOnlyWhereItRecords) {
   }
 }
 
-TEST(SelectionHeader, ReadsAxesFromTheSweptTable) {
-  const std::string header = selection_header(
-      read_study("[[axes]]\nname = 'x1'\nvalues = [0.5]\n[[axes]]\nname = 'omega'\n"
-                 "values = [0.7]\n",
-                 "test.toml"));
-  // An initial state is no parameter, so omega is the first of the swept parameters.
-  EXPECT_THAT(header, AllOf(HasSubstr("#define PARAMETER_omega swept[0 * items + item]"),
-                            HasSubstr("#define PARAMETER_b uniform[1]")));
+// So that what one study has compiled serves others over the same model and quantities.
+TEST(ProgramSource, IsTheSameForAnyAxes) {
+  const Study one = some_study("[[axes]]\nname = 'b'\nvalues = [0.5]\n");
+  const Study two = read_study(
+      "[[axes]]\nname = 'x1'\nvalues = [0.5]\n[[axes]]\nname = 'omega'\nvalues = [0.7]\n",
+      "test.toml");
+  for (const std::string file : {"sweep.cl", "orbit.cl", "trace.cl"}) {
+    EXPECT_EQ(program_source(two, file), program_source(one, file));
+  }
 }
 
 TEST(BuildOptions, SayPrecisionLanesContractionAndEvents) {

@@ -21,20 +21,6 @@ std::string included_file(const std::string& line) {
   return rest.substr(0, rest.find('"'));
 }
 
-void write_parameters(const Study& study, std::ostream& out) {
-  std::vector<std::string> sources;
-  for (std::size_t i = 0; i < study.model->parameters.size(); ++i) {
-    sources.push_back(fmt::format("uniform[{}]", i));
-  }
-  std::size_t row = 0;
-  for (const Axis& axis : study.axes) {
-    if (!axis.is_state) sources[axis.index] = fmt::format("swept[{} * items + item]", row++);
-  }
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    out << fmt::format("#define PARAMETER_{} {}\n", study.model->parameters[i].name, sources[i]);
-  }
-}
-
 // States of the same unit have the same number.
 void write_units(const Model& model, std::ostream& out) {
   std::vector<std::string> units;
@@ -91,7 +77,6 @@ std::string selection_header(const Study& study) {
   if (study.setting.options.empty()) out << 0;
   out << "}\n";
   write_units(*study.model, out);
-  write_parameters(study, out);
   out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   return out.str();
 }

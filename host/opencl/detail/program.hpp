@@ -9,9 +9,8 @@
 
 namespace gearsweep {
 
-// The text of selection.h (see kernels/items.h): the model, where each parameter comes from, how
-// many tangent vectors there are. The sweep's own axes are read from `swept` in their order,
-// initial states left out.
+// The text of selection.h (see kernels/items.h): the model, its options, how many tangent vectors
+// there are. It does not depend on the study's axes.
 std::string selection_header(const Study& study);
 
 // One text from `name` and all that it includes, each file once, marked by #line so that messages

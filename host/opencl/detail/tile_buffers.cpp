@@ -40,6 +40,15 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
   return tables;
 }
 
+std::vector<std::uint32_t> swept_rows(const Study& study) {
+  std::vector<std::uint32_t> rows(study.model->parameters.size(), NOT_SWEPT);
+  std::uint32_t row = 0;
+  for (const Axis& axis : study.axes) {
+    if (!axis.is_state) rows[axis.index] = row++;
+  }
+  return rows;
+}
+
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
   std::vector<double> values;
   for (std::size_t axis = 0; axis < plan.study().axes.size(); ++axis) {

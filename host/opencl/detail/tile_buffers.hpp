@@ -35,6 +35,9 @@ struct GridTables {
 // Those of these points.
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points);
 
+// Of each parameter its row among the swept ones, or NOT_SWEPT.
+std::vector<std::uint32_t> swept_rows(const Study& study);
+
 // [parameter axis][slot]: the swept parameters, in the order of the study's axes.
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
 

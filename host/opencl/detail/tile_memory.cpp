@@ -68,6 +68,7 @@ class Estimate {
                                      [](const Axis& axis) { return !axis.is_state; });
     Buffers buffers;
     buffers.add(scalars(study_.setting.parameters.size()));
+    buffers.add(study_.model->parameters.size() * sizeof(sweep_uint));
     buffers.add(scalars(static_cast<std::size_t>(swept) * slots));
     buffers.add(slots / layout_.lanes * sizeof(sweep_uint));
     return buffers;
