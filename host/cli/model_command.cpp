@@ -112,7 +112,7 @@ void print_quantities(const Model& model) {
 
 void print_model(const Study& study) {
   const Model& model = *study.model;
-  answer("{}: {}\npreset {}\nsteps are at most {} unless a study says otherwise\n", model.name,
+  answer("{}: {}\npreset {}\nits own step is {}; large studies find theirs\n", model.name,
          model.summary, study.preset, model.max_step);
   print_parameters(study);
   if (!study.gear_notes.empty()) {

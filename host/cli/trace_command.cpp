@@ -121,14 +121,14 @@ Study load(const TraceArguments& arguments) {
   if (study.integrate.tolerance > 0.0) {
     const std::optional<double> step =
         is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt;
-    if (!step) {
+    if (!step && study.integrate.is_tolerance_asked) {
       throw InputError(fmt::format(
           "integrate.tolerance takes a map to find the step: trace a point of the finished map "
           "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
           "integrate.max_step={}",
           study.model->max_step));
     }
-    study.integrate.max_step = *step;
+    if (step) study.integrate.max_step = *step;
   }
   return study;
 }

@@ -29,6 +29,8 @@ struct TileResult {
   std::vector<double> outputs;       // [output of the selection][point]
   std::vector<double> samples;       // [point][chosen state][sample]
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
+  // [point] 1: it stopped on a periodic orbit. Empty in a subset's result and one from a journal.
+  std::vector<std::uint8_t> on_orbit;
   Effort effort;
   std::string device;  // name of the device; the worker sets it
 

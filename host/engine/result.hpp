@@ -30,8 +30,12 @@ struct Attractor {
 // How integrate.tolerance was met (sweep/pilot.hpp).
 struct PilotFindings {
   double step = 0.0;       // max_step, in dimensionless time
-  double error = 0.0;      // relative, of sections and rms at 95 % of the points
+  double error = 0.0;      // the largest of `errors`, samples of sections included
+  double sensitive = 0.0;  // share of the points that land elsewhere at any change of the step
   std::size_t points = 0;  // periodic ones, that were compared
+  // [quantity] relative to the map's range, at 99 % of the points that are not sensitive; NaN for
+  // a quantity that is not compared.
+  std::vector<double> errors;
 };
 
 // Point (ix, iy) has index iy * nx + ix. A point that did not end `ok` has NaN in every map.
@@ -39,6 +43,8 @@ struct SweepResult {
   Study study;
   EngineInfo engine;
   std::vector<std::uint8_t> status;  // [point], codes of kernels/sweep_types.h
+  // [point] 1: its trajectory stopped on a periodic orbit; 0 as well for what a journal gave.
+  std::vector<std::uint8_t> on_orbit;
   // [quantity of study.selection][point * its width + i]
   std::vector<std::vector<double>> values;
   std::optional<PilotFindings> pilot;  // of a study with a tolerance

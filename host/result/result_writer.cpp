@@ -41,7 +41,8 @@ class Writer {
     for (auto axis = study_.axes.rbegin(); axis != study_.axes.rend(); ++axis) write_axis(*axis);
     write_status();
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
-      write_quantity(study_.selection.quantities[i], result_.values[i]);
+      const int variable = write_quantity(study_.selection.quantities[i], result_.values[i]);
+      if (result_.pilot) write_pilot_error(variable, i);
     }
     if (study_.selection.census) write_attractors();
     if (!study_.selection.poincare.empty()) write_poincare();
@@ -63,6 +64,7 @@ class Writer {
     if (!result_.pilot) return;
     put("pilot_max_step", result_.pilot->step);
     put("pilot_error", result_.pilot->error);
+    put("pilot_sensitive", result_.pilot->sensitive);
     put("pilot_points", static_cast<double>(result_.pilot->points));
   }
 
@@ -95,7 +97,8 @@ class Writer {
     put_all(variable, std::vector<signed char>(result_.status.begin(), result_.status.end()));
   }
 
-  void write_quantity(const Quantity& quantity, const std::vector<double>& values) {
+  // Its variable.
+  int write_quantity(const Quantity& quantity, const std::vector<double>& values) {
     const bool is_class = !quantity.flags.empty();
     std::vector<int> dimensions = map_dimensions_;
     std::vector<std::size_t> shape = map_shape();
@@ -123,6 +126,13 @@ class Writer {
     } else {
       put_reals(variable, start, shape, values);
     }
+    return variable;
+  }
+
+  void write_pilot_error(int variable, std::size_t quantity) {
+    const std::vector<double>& errors = result_.pilot->errors;
+    if (quantity >= errors.size() || std::isnan(errors[quantity])) return;
+    file_.put_attribute(variable, "pilot_error", errors[quantity]);
   }
 
   // The list that `attractor` numbers, along a dimension of its own.

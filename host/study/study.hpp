@@ -48,7 +48,11 @@ struct Integrate {
   bool fp64 = true;
   // Largest step in dimensionless time, when steps_per_period = 0; the model's own by default.
   double max_step = 0.0;
-  double tolerance = 0.0;  // > 0: a pilot run finds the max_step that leaves no greater an error
+  // > 0: a pilot run finds the longest max_step that keeps this share of each map's range
+  // (sweep/pilot.hpp). One that is not asked for yields: where no pilot run pays or tells, max_step
+  // is the model's own.
+  double tolerance = 0.0;
+  bool is_tolerance_asked = false;
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
   bool events = true;                // steps that cross a contact's limit are corrected
   std::size_t settle = 400;          // periods

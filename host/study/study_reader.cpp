@@ -180,9 +180,11 @@ void read_integrate(const toml::table* table, Study* study) {
   if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
     fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");
   }
-  integrate.tolerance = reader.number("tolerance", 0.0);
-  if (integrate.tolerance > 0.0 &&
-      (reader.find("max_step") != nullptr || integrate.steps_per_period > 0)) {
+  constexpr double kTolerance = 1e-3;
+  const bool has_step = reader.find("max_step") != nullptr || integrate.steps_per_period > 0;
+  integrate.tolerance = reader.number("tolerance", has_step ? 0.0 : kTolerance);
+  integrate.is_tolerance_asked = reader.find("tolerance") != nullptr;
+  if (integrate.tolerance > 0.0 && has_step) {
     fail_at(*reader.find("tolerance"),
             "give tolerance, from which the step follows, or the step, not both");
   }

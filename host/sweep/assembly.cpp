@@ -32,6 +32,7 @@ Assembly::Assembly(const Study& study) {
   const Selection& selection = study.selection;
   result_.study = study;
   result_.status.resize(points);
+  result_.on_orbit.resize(points);
   for (const Quantity& quantity : selection.quantities) {
     result_.values.emplace_back(points * quantity.width);
   }
@@ -52,6 +53,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
     // The maps are those of each point's first trajectory.
     if (point >= result_.status.size()) continue;
     result_.status[point] = result.status[i];
+    if (!result.on_orbit.empty()) result_.on_orbit[point] = result.on_orbit[i];
     for (std::size_t j = 0; j < result_.values.size(); ++j) {
       const Quantity& quantity = result_.study.selection.quantities[j];
       if (quantity.of_census) continue;

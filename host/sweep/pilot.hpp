@@ -1,13 +1,16 @@
 // The choice of the integration step: a pilot run finds it for integrate.tolerance.
 //
-// Points of a coarse sub-grid are computed with steps of 0.2, 0.1, 0.05, ... Where a point arrives
-// on a periodic orbit of the same period with two steps in a row, their sections and the rms of the
-// first state are compared. Differences are relative to the range of the motion, the largest among
-// the states of the same unit (an rms that is less, relative to itself): neither offsets nor units
-// matter. The longer step is taken when the two agree to the tolerance at 95 % of these points; at
-// the others, next to a bifurcation, no step would do. What is left after halving is an estimate of
-// the longer step's own error, and a cautious one: the shorter step has some of it, but in the same
-// direction.
+// A sub-grid of the study is computed with a short step and with longer ones. A step will do when
+// each map that the study asks for keeps the tolerance, as a share of the map's range, at 99 % of
+// the points that are on periodic orbits; and when its mean over the other points is the same, to
+// within what chaos lets tell. Of the steps that will do, the longest of a ladder is taken.
+//
+// Some points land on another orbit at any change of the step, because their way there is chaotic.
+// They show when shorter steps do not bring two runs nearer to each other: then as many points more
+// may be off.
+//
+// All this is relative to the maps' ranges and to the model's own step, so neither units nor
+// offsets matter. Nothing in it depends on the device but for its rounding.
 #pragma once
 
 #include <optional>
@@ -19,11 +22,12 @@ namespace gearsweep {
 // A study whose integration step is known.
 struct SteppedStudy {
   Study study;
-  std::optional<PilotFindings> pilot;  // nothing where the study gives its step itself
+  std::optional<PilotFindings> pilot;  // nothing where no pilot run has told
 };
 
-// The study as it is, or, where it gives a tolerance, with the step that a pilot run finds as its
-// max_step. Nothing when stopped. Throws InputError when no step does, or no point tells.
+// The study as it is, or with the step that a pilot run finds as its max_step. Nothing when
+// stopped. Throws InputError when the study asks for a tolerance that no step keeps, or that no
+// point can tell.
 std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& options);
 
 // At most `count` of the values, spread evenly, both ends among them.

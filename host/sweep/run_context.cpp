@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "model/error.hpp"
@@ -54,9 +55,12 @@ std::size_t points_of(const Plan& plan, const Shard& shard) {
   return points;
 }
 
-// As a note of a journal.
+// As a note of a journal. -1 stands for NaN, which streams do not read.
 std::string pack(const PilotFindings& pilot) {
-  return fmt::format("{} {} {}", pilot.step, pilot.error, pilot.points);
+  std::vector<double> errors = pilot.errors;
+  for (double& error : errors) error = std::isnan(error) ? -1.0 : error;
+  return fmt::format("{} {} {} {} {}", pilot.step, pilot.error, pilot.sensitive, pilot.points,
+                     fmt::join(errors, " "));
 }
 
 }  // namespace

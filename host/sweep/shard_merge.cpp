@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -19,7 +20,11 @@ namespace {
 // From the note that a run keeps.
 PilotFindings unpack_pilot(const std::string& text) {
   PilotFindings pilot;
-  std::istringstream(text) >> pilot.step >> pilot.error >> pilot.points;
+  std::istringstream in(text);
+  in >> pilot.step >> pilot.error >> pilot.sensitive >> pilot.points;
+  for (double error = 0.0; in >> error;) {
+    pilot.errors.push_back(error < 0.0 ? std::numeric_limits<double>::quiet_NaN() : error);
+  }
   return pilot;
 }
 

@@ -44,6 +44,7 @@ class TileRun {
                                               callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
     result_.effort.stopped = static_cast<double>(stopped_);
+    result_.on_orbit = std::move(has_stopped_);
     return std::move(result_);
   }
 

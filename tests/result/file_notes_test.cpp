@@ -13,6 +13,8 @@
 namespace gearsweep {
 namespace {
 
+using gearsweep::testing::example_result;
+using gearsweep::testing::kNaN;
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::random_result;
 using gearsweep::testing::study_of_all;
@@ -180,6 +182,18 @@ TEST_F(FileNotesTest, AScaleIsTheUnitInSi) {
   EXPECT_EQ(find(traces, "omega").scale(), 1000.0);
   EXPECT_EQ(find(traces, "v1").scale(), 2e-5 * 1000.0);
   EXPECT_EQ(traces.number_attribute(NC_GLOBAL, "scale_force_N"), std::vector{1e8 * 2e-5});
+}
+
+// What a pilot run has found: of the whole, and of each map that it compared.
+TEST_F(FileNotesTest, TellTheErrorOfEachMap) {
+  SweepResult result = example_result();
+  result.pilot = {
+      .step = 0.1, .error = 3e-4, .sensitive = 0.02, .points = 250, .errors = {3e-4, kNaN}};
+  const NetcdfFile file = NetcdfFile::open(write(result));
+  EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_max_step"), std::vector{0.1});
+  EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_sensitive"), std::vector{0.02});
+  EXPECT_EQ(file.number_attribute(find(file, "x1_rms").id, "pilot_error"), std::vector{3e-4});
+  EXPECT_TRUE(file.number_attribute(find(file, "contact_class").id, "pilot_error").empty());
 }
 
 // cm is another one at each zeta.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/detail/json_text.hpp"
+#include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
 
 namespace gearsweep {
@@ -39,7 +40,7 @@ std::string describe_forecast(const Forecast& forecast, const std::string& outpu
   text += fmt::format("; {} tile{} of up to {}\n", forecast.tiles, forecast.tiles == 1 ? "" : "s",
                       forecast.tile_points);
   if (forecast.pilot) {
-    text += fmt::format("steps   of at most {}, as a pilot run has found\n", forecast.pilot->step);
+    text += "steps   " + describe_pilot(*forecast.pilot);
   }
   text += fmt::format(
       "time    {}about {} for the tiles: {:.2g} steps planned, {} points were run to tell\n",
@@ -75,7 +76,7 @@ std::string forecast_as_json(const Forecast& forecast) {
                          {"result_bytes", whole(estimate.result)},
                          {"journal_bytes", whole(estimate.journal)},
                          {"disk_bytes_left", known_as_json(estimate.disk_left)}};
-  if (forecast.pilot) json["max_step"] = forecast.pilot->step;
+  if (forecast.pilot) json["pilot"] = pilot_as_json(*forecast.pilot, forecast.selection);
   json["devices"] = nlohmann::json::array();
   for (const DeviceEstimate& device : estimate.devices) {
     json["devices"].push_back(

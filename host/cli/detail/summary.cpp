@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/detail/attractor_report.hpp"
 #include "cli/detail/json_text.hpp"
+#include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/standard_streams.hpp"
 #include "sweep_types.h"
@@ -175,10 +176,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
-  if (result.pilot) {
-    text += fmt::format("steps of at most {}: {} periodic points of a pilot run agree to {:.2g}\n",
-                        result.pilot->step, result.pilot->points, result.pilot->error);
-  }
+  if (result.pilot) text += describe_pilot(*result.pilot);
   text += describe_attractors(result);
   text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
@@ -208,11 +206,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["kernel_seconds"] = result.kernel_seconds;
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
-  if (result.pilot) {
-    json["pilot"] = {{"max_step", result.pilot->step},
-                     {"error", result.pilot->error},
-                     {"points", result.pilot->points}};
-  }
+  if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot, result.study.selection);
   json["device"] = result.engine.device;
   return json_text(json);
 }

@@ -1,0 +1,17 @@
+// What a pilot run has found (sweep/pilot.hpp), told to people and to scripts.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "engine/result.hpp"
+
+namespace gearsweep {
+
+// One line.
+std::string describe_pilot(const PilotFindings& pilot);
+
+// With the error of each quantity of the selection.
+nlohmann::json pilot_as_json(const PilotFindings& pilot, const Selection& selection);
+
+}  // namespace gearsweep

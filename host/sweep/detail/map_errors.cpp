@@ -1,0 +1,159 @@
+#include "sweep/detail/map_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "model/array.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+// One number for each point.
+struct Values {
+  std::size_t quantity;
+  bool has_classes;
+  std::vector<double> numbers;  // [point]
+};
+
+bool is_compared(const Selection& selection, const Quantity& quantity) {
+  const bool is_error =
+      selection.exponent_error && quantity.output == selection.exponent_error->error;
+  return !quantity.of_census && !is_error;
+}
+
+std::vector<Values> values_of(const SweepResult& result) {
+  const Selection& selection = result.study.selection;
+  const std::size_t points = result.status.size();
+  std::vector<Values> all;
+  for (std::size_t i = 0; i < selection.quantities.size(); ++i) {
+    const Quantity& quantity = selection.quantities[i];
+    if (!is_compared(selection, quantity)) continue;
+    for (std::size_t k = 0; k < quantity.width; ++k) {
+      all.push_back({i, !quantity.flags.empty(), {}});
+      for (std::size_t point = 0; point < points; ++point) {
+        all.back().numbers.push_back(result.values[i][point * quantity.width + k]);
+      }
+    }
+  }
+  for (std::size_t chosen = 0; chosen < selection.poincare.size(); ++chosen) {
+    Values low = {selection.quantities.size(), false, {}};
+    Values high = low;
+    for (std::size_t point = 0; point < points; ++point) {
+      const std::vector<double> samples = samples_of(result, point, chosen);
+      const auto [min, max] = std::minmax_element(samples.begin(), samples.end());
+      low.numbers.push_back(*min);
+      high.numbers.push_back(*max);
+    }
+    all.push_back(std::move(low));
+    all.push_back(std::move(high));
+  }
+  return all;
+}
+
+// `share` is that of the numbers which lie beyond it.
+double upper_quantile(const std::vector<double>& ascending, double share) {
+  const auto kept = std::ceil((1.0 - share) * static_cast<double>(ascending.size()));
+  return ascending[static_cast<std::size_t>(std::max(kept, 1.0)) - 1];
+}
+
+// The range of all but the outermost hundredth at either end, which a few points that diverge or
+// resonate would stretch; the whole one where these are all alike. What varies by less than 64,000
+// roundings is taken to vary by that: a thousandth of it then still stands out from rounding.
+double range_of(const std::vector<double>& numbers, double rounding) {
+  std::vector<double> ascending;
+  for (const double number : numbers) {
+    if (std::isfinite(number)) ascending.push_back(number);
+  }
+  if (ascending.empty()) return 0.0;
+  std::sort(ascending.begin(), ascending.end());
+  double range = upper_quantile(ascending, 0.01) - upper_quantile(ascending, 0.99);
+  if (range == 0.0) range = ascending.back() - ascending.front();
+  const double largest = std::max(std::abs(ascending.front()), std::abs(ascending.back()));
+  return std::max(range, 64e3 * rounding * largest);
+}
+
+// Two numbers that are none are the same.
+double difference(double a, double b) {
+  if (std::isnan(a) && std::isnan(b)) return 0.0;
+  return std::isnan(a - b) ? std::numeric_limits<double>::infinity() : a - b;
+}
+
+double error_of(const Values& map, double difference, double range) {
+  if (difference == 0.0) return 0.0;
+  return map.has_classes ? 1.0 : std::abs(difference) / range;
+}
+
+}  // namespace
+
+MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
+    : quantities_(fine.study.selection.quantities.size()) {
+  const double rounding = fine.study.integrate.fp64 ? std::numeric_limits<double>::epsilon()
+                                                    : std::numeric_limits<float>::epsilon();
+  points_ = static_cast<std::size_t>(std::count(fine.on_orbit.begin(), fine.on_orbit.end(), 1));
+  const std::vector<Values> coarse_maps = values_of(coarse);
+  const std::vector<Values> fine_maps = values_of(fine);
+  for (std::size_t i = 0; i < fine_maps.size(); ++i) {
+    const Values& map = fine_maps[i];
+    const double range = map.has_classes ? 1.0 : range_of(map.numbers, rounding);
+    Map errors = {map.quantity, {}};
+    double sum = 0.0, squares = 0.0, others = 0.0;
+    for (std::size_t point = 0; point < map.numbers.size(); ++point) {
+      const double off = difference(coarse_maps[i].numbers[point], map.numbers[point]);
+      if (fine.on_orbit[point] == 1) {
+        errors.errors.push_back(error_of(map, off, range));
+      } else if (std::isfinite(off) && range > 0.0) {
+        others += 1.0;
+        sum += off / range;
+        squares += off / range * (off / range);
+      }
+    }
+    if (others > 1.0) {
+      errors.mean = sum / others;
+      const double variance = std::max(squares / others - errors.mean * errors.mean, 0.0);
+      errors.deviation = std::sqrt(variance / (others - 1.0));
+    }
+    std::sort(errors.errors.begin(), errors.errors.end());
+    maps_.push_back(std::move(errors));
+  }
+}
+
+std::vector<double> MapErrors::of_quantities(double share) const {
+  std::vector<double> out(quantities_, std::numeric_limits<double>::quiet_NaN());
+  for (const Map& map : maps_) {
+    if (map.quantity >= quantities_ || map.errors.empty()) continue;
+    const double error = upper_quantile(map.errors, share);
+    out[map.quantity] = std::isnan(out[map.quantity]) ? error : std::max(out[map.quantity], error);
+  }
+  return out;
+}
+
+double MapErrors::largest(double share) const {
+  double largest = 0.0;
+  for (const Map& map : maps_) {
+    if (!map.errors.empty()) largest = std::max(largest, upper_quantile(map.errors, share));
+  }
+  return largest;
+}
+
+double MapErrors::share_beyond(double tolerance) const {
+  double share = 0.0;
+  for (const Map& map : maps_) {
+    if (map.errors.empty()) continue;
+    const auto first = std::upper_bound(map.errors.begin(), map.errors.end(), tolerance);
+    share = std::max(share, static_cast<double>(map.errors.end() - first) /
+                                static_cast<double>(map.errors.size()));
+  }
+  return share;
+}
+
+bool MapErrors::means_agree(double tolerance) const {
+  return std::all_of(maps_.begin(), maps_.end(), [&](const Map& map) {
+    return std::abs(map.mean) <= std::max(tolerance, 3.0 * map.deviation);
+  });
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,45 @@
+// How far the maps of a run are from those of a run with shorter steps, at their periodic points.
+//
+// An error is relative to the range of its map, so that neither units nor offsets matter; of a map
+// of classes it is 0 or 1. Samples of sections count as two maps for each state, the smallest and
+// the largest sample. Left out are attractors' numbers, which mean nothing beside another run's,
+// and quantities that are errors themselves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/result.hpp"
+
+namespace gearsweep {
+
+class MapErrors {
+ public:
+  // Of two runs over the same points. Ranges and periodic points are those of `fine`.
+  MapErrors(const SweepResult& coarse, const SweepResult& fine);
+
+  // Points that stopped on a periodic orbit in the run with shorter steps.
+  std::size_t points() const { return points_; }
+  // [quantity of the selection] the error that all but this share of the points keep; NaN for one
+  // that is left out.
+  std::vector<double> of_quantities(double share) const;
+  // The largest of these, samples of sections included; 0 where there is none.
+  double largest(double share) const;
+  // The share of the points at which some map is off by more than `tolerance`; of the map that has
+  // most of them.
+  double share_beyond(double tolerance) const;
+  // Whether the mean of each map over the points that are not periodic is the same: to `tolerance`
+  // of the range, or to three standard errors.
+  bool means_agree(double tolerance) const;
+
+ private:
+  struct Map {
+    std::size_t quantity;                // of the selection; beyond them for samples
+    std::vector<double> errors;          // at periodic points, ascending
+    double mean = 0.0, deviation = 0.0;  // mean difference at the others, and its standard error
+  };
+  std::size_t points_ = 0, quantities_ = 0;
+  std::vector<Map> maps_;
+};
+
+}  // namespace gearsweep

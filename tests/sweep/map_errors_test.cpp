@@ -1,0 +1,86 @@
+// How far two runs are from each other, by maps that are written here.
+#include "sweep/detail/map_errors.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gearsweep::testing {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// 200 points, the first 100 of them on orbits: x1_rms rises from 0 to 199, contact_class is 1.
+SweepResult ramp(double scale = 1.0, double offset = 0.0) {
+  SweepResult result;
+  result.study.model = find_model("gear5");
+  result.study.selection = select_quantities(*result.study.model, {"x1_rms", "contact_class"}, {});
+  result.values.resize(2);
+  for (int i = 0; i < 200; ++i) {
+    result.status.push_back(0);
+    result.on_orbit.push_back(i < 100 ? 1 : 0);
+    result.values[0].push_back(scale * i + offset);
+    result.values[1].push_back(1.0);
+  }
+  return result;
+}
+
+TEST(MapErrors, AreSharesOfTheRangeAtPeriodicPoints) {
+  const SweepResult fine = ramp();
+  SweepResult coarse = fine;
+  coarse.values[0][3] += 2.0;
+  coarse.values[0][150] += 50.0;  // not periodic
+  const MapErrors errors(coarse, fine);
+  EXPECT_EQ(errors.points(), 100U);
+  EXPECT_EQ(errors.largest(0.01), 0.0);               // one of a hundred may be off
+  EXPECT_NEAR(errors.largest(0.0), 2.0 / 196, 1e-3);  // of 98 % of the range
+  EXPECT_EQ(errors.share_beyond(1e-3), 0.01);
+  EXPECT_EQ(errors.share_beyond(0.1), 0.0);
+}
+
+TEST(MapErrors, KnowNeitherUnitsNorOffset) {
+  const auto largest = [](double scale, double offset) {
+    const SweepResult fine = ramp(scale, offset);
+    SweepResult coarse = fine;
+    for (double& value : coarse.values[0]) value += 0.5 * scale;
+    return MapErrors(coarse, fine).largest(0.01);
+  };
+  EXPECT_NEAR(largest(1e-6, 0.0), largest(1.0, 0.0), 1e-12);
+  EXPECT_NEAR(largest(-1.0, 1e6), largest(1.0, 0.0), 1e-9);
+}
+
+TEST(MapErrors, OfAClassAreAllOrNothing) {
+  const SweepResult fine = ramp();
+  SweepResult coarse = fine;
+  coarse.values[1][0] = coarse.values[1][1] = 2.0;
+  const MapErrors errors(coarse, fine);
+  EXPECT_EQ(errors.of_quantities(0.01), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(errors.share_beyond(1e-3), 0.02);
+}
+
+TEST(MapErrors, TakeAMissingNumberForWrongAndTwoForTheSame) {
+  SweepResult fine = ramp();
+  SweepResult coarse = fine;
+  coarse.values[0][0] = fine.values[0][0] = kNaN;
+  EXPECT_EQ(MapErrors(coarse, fine).largest(0.0), 0.0);
+  coarse.values[0][1] = kNaN;
+  EXPECT_TRUE(std::isinf(MapErrors(coarse, fine).largest(0.0)));
+}
+
+// Chaos scatters; a bias shows through it.
+TEST(MapErrors, CompareMeansWhereTheMotionIsNotPeriodic) {
+  const SweepResult fine = ramp();
+  SweepResult scattered = fine, biased = fine;
+  for (std::size_t i = 100; i < 200; ++i) {
+    scattered.values[0][i] += i % 2 == 0 ? 20.0 : -20.0;
+    biased.values[0][i] += i % 2 == 0 ? 22.0 : -2.0;
+  }
+  EXPECT_TRUE(MapErrors(scattered, fine).means_agree(1e-3));
+  EXPECT_FALSE(MapErrors(biased, fine).means_agree(1e-3));
+  EXPECT_TRUE(MapErrors(biased, fine).means_agree(0.1));
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
