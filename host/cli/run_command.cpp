@@ -7,7 +7,6 @@
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/signal_watch.hpp"
-#include "cli/detail/study_source.hpp"
 #include "cli/run_report.hpp"
 #include "cli/run_request.hpp"
 #include "model/error.hpp"
@@ -80,10 +79,6 @@ int run_together(RunRequest request, const Run& run) {
 }
 
 }  // namespace
-
-Study requested_study(const RunRequest& request) {
-  return load_study(request.study, request.overrides, request.zooms);
-}
 
 void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* status) {
   CLI::App* command = app->add_subcommand("run", "Compute the maps of a study");
