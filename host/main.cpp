@@ -45,10 +45,16 @@ int run_study(const RunRequest& request) {
   // 8. Take the maps, whose attractors are told apart now that all points are there.
   const SweepResult maps = run.assemble_maps();
 
-  // 9. Write the file, after which nothing needs the journal any more; draw it if that is asked
-  // for.
+  // 9. Write the file, after which nothing needs the journal any more.
   output.write(maps);
   run.close_journal();
+  report.written(maps);
+
+  // 10. Draw the picture of the file that --plot asks for.
+  if (output.has_picture()) {
+    output.draw();
+    report.drawn();
+  }
   return report.finished(maps);
 }
 

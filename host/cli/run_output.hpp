@@ -24,7 +24,9 @@ class RunOutput {
   void discard_journal() const;
   // The file is there as a whole, or not at all.
   void write(const SweepResult& result) const;
-  // The picture that was asked for.
+  // Whether a picture was asked for.
+  bool has_picture() const { return !request_.plot.empty(); }
+  // Reads the file that was written, and draws it.
   void draw() const;
 
  private:

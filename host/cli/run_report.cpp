@@ -59,8 +59,9 @@ int RunReport::shard_done() {
   return kDone;
 }
 
-int RunReport::finished(const SweepResult& result) {
+void RunReport::written(const SweepResult& result) {
   bar_.close();
+  // The file is whole, and what follows can be done again from it: a signal may end it at once.
   request_.signals->set(OnSignal::end);
   if (request_.as_json) answer("{}", run_as_json(result, output_.path()));
   if (!request_.quiet) {
@@ -70,10 +71,13 @@ int RunReport::finished(const SweepResult& result) {
     }
     tell("{}", describe_run(result, output_.path()));
   }
-  if (!request_.plot.empty()) {
-    output_.draw();
-    if (!request_.quiet) tell("{}\n", request_.plot);
-  }
+}
+
+void RunReport::drawn() {
+  if (!request_.quiet) tell("{}\n", request_.plot);
+}
+
+int RunReport::finished(const SweepResult& result) {
   const Cluster* cluster = request_.cluster;
   if (cluster != nullptr && !request_.quiet) {
     tell("{} processes; {} bytes for each point came from the others\n", cluster->size(),

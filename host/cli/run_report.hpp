@@ -27,7 +27,9 @@ class RunReport {
   int forecast(const std::optional<Forecast>& forecast);  // nothing: interrupted
   int interrupted();
   int shard_done();
-  // The result is written; draws the picture, too.
+  // The result file and the picture are there: what each of them is told of.
+  void written(const SweepResult& result);
+  void drawn();
   int finished(const SweepResult& result);
 
  private:
