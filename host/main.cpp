@@ -38,7 +38,8 @@ int run_study(const RunRequest& request) {
   // 6. Open the journal, which may have tiles of an interrupted run.
   run.open_journal();
 
-  // 7. Compute the tiles that it does not have. A finished tile goes into the journal and the maps.
+  // 7. Compute the tiles that it does not have: workers, a thread for each engine, call run_tile()
+  // of tile/tile_run.hpp. A finished tile goes into the journal and the maps.
   if (!run.compute_tiles()) return report.interrupted();
   if (options.shard.count > 0) return report.shard_done();
 

@@ -66,6 +66,7 @@ void TileLoop::start_tiles() {
     if (plan_.study().is_chained()) initial = assembly_->initial_states(plan_, *tiles_[number]);
     share_time();
     running_[number] = 0.0;
+    // A worker's thread calls run_tile() for it; handle() hears of it from wait().
     workers_->start(number, std::move(initial));
   }
 }

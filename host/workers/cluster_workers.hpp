@@ -17,6 +17,8 @@ class ClusterWorkers final : public WorkerPool {
   bool may_grow() const override { return answers_ + 1 < others_.size(); }
   std::size_t size() const override;
   std::size_t idle() const override;
+  // Sends the tile to a rank with an idle worker, whose serve_cluster() gives it to threads of its
+  // own; those of this process come last.
   void start(std::size_t tile, std::vector<double> initial) override;
   std::optional<WorkerReport> wait(std::chrono::milliseconds patience) override;
   void stop() override;

@@ -31,8 +31,12 @@ class ThreadWorkers final : public WorkerPool {
     std::size_t tile = 0;
     std::vector<double> initial;
   };
+  // All that a worker's thread does: it takes the tasks that start() leaves, one after the other,
+  // and reports each for wait() to find.
   void serve(Engine* engine);
+  // Runs the tile (run_tile()).
   WorkerReport compute(const Task& task, Engine* engine);
+  // Waits until there is one. Nothing when no more will come.
   std::optional<Task> next_task();
   void report(WorkerReport report);
 

@@ -36,7 +36,9 @@ class WorkerPool {
   // Those of them that have no tile. A worker whose tile has ended is idle, or lost, once wait()
   // has told so: however slow the driver is, no more results than workers wait for it.
   virtual std::size_t idle() const = 0;
-  // Gives a tile to an idle worker. initial: [point of the tile][state]; empty: each point's own.
+  // Gives a tile to an idle worker, and does not wait: some thread, here or in another process,
+  // takes it up in ThreadWorkers::serve() and computes it with run_tile() (tile/tile_run.hpp).
+  // initial: [point of the tile][state]; empty: each point's own.
   virtual void start(std::size_t tile, std::vector<double> initial) = 0;
   // The next report; nothing when there was none for so long.
   virtual std::optional<WorkerReport> wait(std::chrono::milliseconds patience) = 0;
