@@ -20,6 +20,11 @@ int Model::find_state(std::string_view state) const { return index_of(states, st
 int Model::find_signal(std::string_view signal) const { return index_of(signals, signal); }
 int Model::find_option(std::string_view option) const { return index_of(options, option); }
 
+const ChannelInfo* Model::contact_force() const {
+  const int signal = has_contact ? find_signal("dmf") : -1;
+  return signal < 0 ? nullptr : &signals[static_cast<std::size_t>(signal)];
+}
+
 ModelSetting Model::default_setting() const {
   ModelSetting setting;
   for (const ParameterInfo& parameter : parameters) {

@@ -69,7 +69,8 @@ struct Model {
   std::vector<PresetInfo> presets;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
-  // A force grows from the limits of a backlash: the signals `deflection` and `backlash`.
+  // A force grows from the limits of a backlash: the signals `deflection` and `backlash`, and
+  // where the model tells the force itself, `dmf` (contact_force()).
   bool has_contact = false;
   // The longest step of a study that names none, in dimensionless time: at this the Lyapunov
   // exponents of the presets, and of parameters between half and twice theirs, are those at a
@@ -95,6 +96,9 @@ struct Model {
   int find_state(std::string_view state) const;
   int find_signal(std::string_view signal) const;
   int find_option(std::string_view option) const;
+
+  // The signal that is the force between the teeth; nullptr of a model that has none.
+  const ChannelInfo* contact_force() const;
 
   ModelSetting default_setting() const;
 };

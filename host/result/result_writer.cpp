@@ -159,9 +159,8 @@ class Writer {
     write(fmt::format("attractor_{}_rms", first.name), first.unit,
           fmt::format("root mean square of {}, mean over the attractor's trajectories", first.name),
           [](const Attractor& a) { return a.rms; });
-    if (study_.selection.census->peak) {
-      const auto signal = static_cast<std::size_t>(study_.model->find_signal("dmf"));
-      write("attractor_dmf_max", study_.model->signals[signal].unit,
+    if (const ChannelInfo* force = study_.model->contact_force()) {
+      write(fmt::format("attractor_{}_max", force->name), force->unit,
             "largest dynamic meshing force of the attractor",
             [](const Attractor& a) { return a.peak; });
     }

@@ -129,7 +129,9 @@ void add_census(const Model& model, const std::vector<Offer>& offers, Selection*
   census.section_max = output(OutputRole::section_max);
   census.rms = output(OutputRole::rms, model.states.front().name);
   census.exponent = output(OutputRole::exponent);
-  if (model.find_signal("dmf") >= 0) census.peak = output(OutputRole::peak, "dmf");
+  if (const ChannelInfo* force = model.contact_force()) {
+    census.peak = output(OutputRole::peak, force->name);
+  }
   selection->census = census;
   selection->motion = census.motion;
 }

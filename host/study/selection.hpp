@@ -37,7 +37,7 @@ struct CensusOutputs {
   std::size_t section_min = 0, section_max = 0;  // the first of one output per state each
   std::size_t rms = 0;                           // of the model's first state
   std::size_t exponent = 0;                      // lyapunov_max
-  std::optional<std::size_t> peak;               // dmf_max, of a model that has it
+  std::optional<std::size_t> peak;               // of Model::contact_force(), where there is one
 };
 
 // What the error of the largest exponent needs: outputs of lyapunov_max and period.

@@ -61,7 +61,7 @@ StudyTable model_table() {
   return {"model",
           "[model]",
           "The preset's values come first, then those of [gear], then those of [parameters].",
-          {{"name", "string", "\"gear5\"", "The model: 'gearsweep model' lists them."},
+          {{"name", "string", quoted(kDefaultModel), "The model: 'gearsweep model' lists them."},
            {"preset", "string", "the model's first",
             "Values to start from: 'gearsweep model NAME' lists them."},
            option}};

@@ -7,6 +7,9 @@
 
 namespace gearsweep {
 
+// Of a study that names no model.
+inline constexpr const char* kDefaultModel = "gear5";
+
 struct StudyKey {
   std::string name;
   std::string type;      // in words: "whole number", "string", "number or [pinion, gear]"

@@ -105,7 +105,7 @@ void apply_preset(const PresetInfo& preset, Study* study) {
 
 void read_model(const toml::table* table, Study* study) {
   TableReader reader(table, study_table("model"));
-  const std::string name = reader.text("name", "gear5");
+  const std::string name = reader.text("name", kDefaultModel);
   study->model = find_model(name);
   if (study->model == nullptr) {
     fail_at(*reader.find("name"),
@@ -142,8 +142,8 @@ void read_model(const toml::table* table, Study* study) {
 // What the table gives.
 std::vector<GearParameter> read_gear(const toml::table* gear, Study* study) {
   if (gear == nullptr) return {};
-  if (study->model->name != "gear5") {
-    fail_at(*gear, "a [gear] table belongs to model 'gear5'");
+  if (study->model != &gear_table_model()) {
+    fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
   }
   GearConversion conversion = convert_gear(*gear);
   study->scales = conversion.scales;

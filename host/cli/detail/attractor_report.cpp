@@ -15,6 +15,8 @@ double share_of(const Attractor& attractor, const SweepResult& result) {
          static_cast<double>(result.study.trajectories());
 }
 
+std::string name_of_peak(const Model& model) { return model.contact_force()->name + "_max"; }
+
 }  // namespace
 
 std::string describe_attractors(const SweepResult& result) {
@@ -29,7 +31,7 @@ std::string describe_attractors(const SweepResult& result) {
   const bool has_peak = !std::isnan(list.front().peak);
   std::string text = fmt::format("{:<9}  {:<14}  {:>6}  {:>10}", "attractor", "motion", "period",
                                  result.study.model->states.front().name + "_rms");
-  if (has_peak) text += fmt::format("  {:>10}", "dmf_max");
+  if (has_peak) text += fmt::format("  {:>10}", name_of_peak(*result.study.model));
   text += fmt::format("  {:>12}  {:>7}\n", "lyapunov_max", "share");
   for (std::size_t i = 0; i < std::min(kMaxRows, order.size()); ++i) {
     const Attractor& attractor = list[order[i]];
@@ -53,7 +55,7 @@ nlohmann::json attractors_as_json(const SweepResult& result) {
         {"number", json.size() + 1},          {"motion_class", motion_names().at(attractor.motion)},
         {"period", attractor.period},         {"rms", attractor.rms},
         {"lyapunov_max", attractor.exponent}, {"share", share_of(attractor, result)}};
-    if (!std::isnan(attractor.peak)) entry["dmf_max"] = attractor.peak;
+    if (!std::isnan(attractor.peak)) entry[name_of_peak(*result.study.model)] = attractor.peak;
     json.push_back(entry);
   }
   return json;

@@ -13,10 +13,10 @@
 namespace gearsweep {
 namespace {
 
-// Collects the parameters; each is checked against the range that gear5 gives it.
+// Collects the parameters; each is checked against the range that the model gives it.
 class Parameters {
  public:
-  explicit Parameters(const GearReader& in) : in_(in), model_(*find_model("gear5")) {}
+  explicit Parameters(const GearReader& in) : in_(in), model_(gear_table_model()) {}
 
   // `origin`: the key that a message about this number should point at.
   void add(std::string_view name, double value, const GearKey& origin, std::string note) {
@@ -284,6 +284,11 @@ void add_lengths_and_loads(GearReader& in, const Geometry& geometry, const Bases
 }
 
 }  // namespace
+
+const Model& gear_table_model() {
+  static const Model& model = *find_model("gear5");
+  return model;
+}
 
 GearConversion convert_gear(const toml::table& gear) {
   GearReader in(gear);

@@ -11,8 +11,11 @@
 
 namespace gearsweep {
 
-// One parameter of gear5. `note` says how the number came about, with units and the formula, as in
-// "me/mp = 0.350752 kg / 1 kg".
+// The model whose parameters follow from the table.
+const Model& gear_table_model();
+
+// One parameter of that model. `note` says how the number came about, with units and the formula,
+// as in "me/mp = 0.350752 kg / 1 kg".
 struct GearParameter {
   std::string name;
   double value = 0.0;
@@ -41,7 +44,7 @@ struct GearConversion {
 // the length of the path of contact, not its split at the pitch point. Lengths are scaled by the
 // half backlash b_n, forces by k0 b_n, time by 1/varpi with varpi^2 = k0/me (Chen et al. 2011).
 // Throws InputError with the place: unknown or missing keys, numbers out of range, a gear pair that
-// gear5 cannot describe.
+// the model cannot describe.
 GearConversion convert_gear(const toml::table& gear);
 
 }  // namespace gearsweep
