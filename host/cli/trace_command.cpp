@@ -72,9 +72,8 @@ void snap(const Study& whole, bool is_map, std::vector<Placed>* place) {
 std::vector<double> chain_to(const Study& whole, double value) {
   const std::vector<double>& values = whole.axes[whole.initial.along].values;
   const auto own = std::find(values.begin(), values.end(), value);
-  return whole.initial.policy == InitialPolicy::forward
-             ? std::vector<double>(values.begin(), own + 1)
-             : std::vector<double>(own, values.end());
+  return info_of(whole.initial.policy).neighbour < 0 ? std::vector<double>(values.begin(), own + 1)
+                                                     : std::vector<double>(own, values.end());
 }
 
 // The study of one point, as run_trace() wants it.

@@ -35,8 +35,9 @@ Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
   const Span y = {0, study_.points() / x.last};
   const bool along_x = study_.initial.along == 0;
   const std::size_t length = (along_x ? x : y).last;
+  const int neighbour = info_of(study_.initial.policy).neighbour;
   for (std::size_t i = 0; study_.is_chained() && i < length; ++i) {
-    const std::size_t index = study_.initial.policy == InitialPolicy::forward ? i : length - 1 - i;
+    const std::size_t index = neighbour < 0 ? i : length - 1 - i;
     const Span here = {index, index + 1};
     groups_.push_back(along_x ? grouped(here, y) : grouped(x, here));
   }
@@ -124,21 +125,30 @@ void Plan::set_key(const ModelSetting& setting, std::vector<double>* key) const 
 }
 
 std::optional<std::size_t> Plan::predecessor(std::size_t point) const {
-  if (!study_.is_chained()) return std::nullopt;
+  const int neighbour = info_of(study_.initial.policy).neighbour;
+  if (neighbour == 0) return std::nullopt;
   const std::size_t along = study_.initial.along;
   const std::size_t index = axis_index(along, point);
+  const std::size_t first = neighbour < 0 ? 0 : study_.axes[along].values.size() - 1;
+  if (index == first) return std::nullopt;
   const std::size_t stride = along == 0 ? 1 : study_.axes[0].values.size();
-  if (study_.initial.policy == InitialPolicy::forward) {
-    return index == 0 ? std::nullopt : std::optional(point - stride);
+  return neighbour < 0 ? point - stride : point + stride;
+}
+
+std::vector<double> Plan::start_of_policy(std::size_t point) const {
+  switch (study_.initial.policy) {
+    case InitialPolicy::fixed:
+      return study_.initial.state;
+    case InitialPolicy::shifted:
+    case InitialPolicy::forward:  // of points without a neighbour to go on from
+    case InitialPolicy::backward:
+      break;
   }
-  const bool last = index + 1 == study_.axes[along].values.size();
-  return last ? std::nullopt : std::optional(point + stride);
+  return study_.model->equilibrium(setting_of(point));
 }
 
 std::vector<double> Plan::own_initial_state(std::size_t point) const {
-  std::vector<double> state = study_.initial.policy == InitialPolicy::fixed
-                                  ? study_.initial.state
-                                  : study_.model->equilibrium(setting_of(point));
+  std::vector<double> state = start_of_policy(point);
   const std::vector<double>& offset = offsets_[point / study_.points()];
   for (std::size_t i = 0; i < state.size(); ++i) state[i] += offset[i];
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {

@@ -20,7 +20,7 @@ struct Tile {
 };
 
 // Tiles of one stage do not depend on each other; a stage starts from the final states of the one
-// before it (policies forward and backward; otherwise there is one stage).
+// before it (where points go on from a neighbour; otherwise there is one stage).
 struct Stage {
   std::vector<Tile> tiles;
 };
@@ -62,6 +62,7 @@ class Plan {
     std::size_t first = 0, last = 0;
   };
 
+  std::vector<double> start_of_policy(std::size_t point) const;
   std::size_t axis_index(std::size_t axis, std::size_t point) const;
   // Gives what an axis sweeps the value of this index.
   void place(std::size_t axis, std::size_t index, ModelSetting* setting) const;

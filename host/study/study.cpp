@@ -8,8 +8,9 @@ std::size_t Study::points() const {
   return count;
 }
 
-bool Study::is_chained() const {
-  return initial.policy == InitialPolicy::forward || initial.policy == InitialPolicy::backward;
+void Study::separate_points() {
+  if (is_chained()) initial.policy = InitialPolicy::shifted;
+  initial.ensemble = 1;
 }
 
 }  // namespace gearsweep

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "study/initial_policy.hpp"
 #include "study/selection.hpp"
 
 namespace gearsweep {
@@ -20,17 +21,10 @@ struct Axis {
   bool logarithmic = false;
 };
 
-enum class InitialPolicy {
-  fixed,     // a given state
-  shifted,   // the static equilibrium of each point
-  forward,   // goes on from the neighbour before it along one axis
-  backward,  // ... from the neighbour behind it
-};
-
 struct Initial {
   InitialPolicy policy = InitialPolicy::shifted;
   std::vector<double> state;  // of policy fixed, one per state of the model
-  std::size_t along = 0;      // axis index, of forward and backward
+  std::size_t along = 0;      // axis index, of policies that go on from a neighbour
   // Trajectories of each point: the first starts as above, the others at seeded random places of
   // the box that reaches `spread` to both sides of that, state by state.
   std::size_t ensemble = 1;
@@ -99,8 +93,10 @@ struct Study {
   std::vector<std::string> notices;
 
   std::size_t points() const;
-  // Whether points go on from their neighbours (policies forward and backward).
-  bool is_chained() const;
+  // Whether points go on from their neighbours.
+  bool is_chained() const { return info_of(initial.policy).neighbour != 0; }
+  // Makes each point start on its own, and once: without chain or ensemble.
+  void separate_points();
   std::size_t trajectories() const { return points() * initial.ensemble; }
 };
 

@@ -1,13 +1,13 @@
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
 
 #include "study/detail/gear_keys.hpp"
-#include "study/detail/initial_reader.hpp"
 #include "study/study.hpp"
 #include "sweep_types.h"
 
@@ -109,16 +109,23 @@ StudyTable axes_table() {
 StudyTable initial_table() {
   const Initial initial;
   const double beyond = SWEEP_DIVERGED_BEYOND;
+  std::vector<std::string> starts;
+  for (const InitialPolicyInfo& info : initial_policies()) {
+    starts.push_back(fmt::format("{}: {}", info.name, info.meaning));
+  }
   return {"initial",
           "[initial]",
           "",
-          {one_of("policy", policy_names(), "\"shifted\" (preset paper: \"fixed\")",
-                  "Where a point starts: shifted: at its own static equilibrium; fixed: at state; "
-                  "forward, backward: where its neighbour along an axis has ended."),
+          {one_of("policy", policy_names(),
+                  fmt::format("{} (preset paper: {})", quoted(info_of(initial.policy).name),
+                              quoted(info_of(InitialPolicy::fixed).name)),
+                  fmt::format("Where a point starts: {}.", fmt::join(starts, "; "))),
            {"state", "table", "0 for each state",
-            "Of policy fixed: the initial value of each state, {x1 = 0.2}."},
+            fmt::format("Of policy {}: the initial value of each state, {{x1 = 0.2}}.",
+                        info_of(InitialPolicy::fixed).name)},
            {"along", "string", "the first axis",
-            "Of policies forward and backward: the axis to go along."},
+            fmt::format("Of policies {}: the axis to go along.",
+                        fmt::join(policy_names(true), " and "))},
            whole("ensemble", initial.ensemble, 1, 4096,
                  "Trajectories of each point: the policy's start, and seeded random ones around "
                  "it."),

@@ -19,8 +19,7 @@ constexpr Seconds kEnough(1.0);    // of repetitions
 // About `points` points of the study, each on its own.
 Study sample_of(const Study& study, std::size_t points) {
   Study sample = study;
-  if (sample.is_chained()) sample.initial.policy = InitialPolicy::shifted;
-  sample.initial.ensemble = 1;
+  sample.separate_points();
   // A short axis leaves more points to the other.
   const std::size_t root = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)));
   std::vector<Axis>& axes = sample.axes;

@@ -38,8 +38,7 @@ Study pilot_study(const Study& study) {
                          std::pow(share, 1.0 / static_cast<double>(pilot.axes.size()));
     axis.values = thin(axis.values, static_cast<std::size_t>(std::ceil(count)));
   }
-  if (pilot.is_chained()) pilot.initial.policy = InitialPolicy::shifted;
-  pilot.initial.ensemble = 1;
+  pilot.separate_points();
   pilot.integrate.tolerance = 0.0;
   pilot.integrate.stop = Stop::orbit;
   return pilot;
@@ -101,7 +100,8 @@ class StepSearch {
     if (errors.points() >= kMinPeriodic) return;
     throw NoStep{fmt::format(
         "of the pilot's points fewer than {} arrive on a periodic orbit within integrate.settle "
-        "periods, so they do not tell what a step costs; give integrate.max_step instead",
+        "periods (with exponents integrate.warm_up fewer), so they do not tell what a step costs; "
+        "give integrate.max_step instead",
         kMinPeriodic)};
   }
 

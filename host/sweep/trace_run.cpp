@@ -12,22 +12,24 @@
 namespace gearsweep {
 namespace {
 
-// Where a chained point goes on from: the last state of the sweep up to its neighbour.
-std::optional<std::vector<double>> chained_start(const Study& study, const SweepOptions& options) {
+// The point that is followed: of a chained study the last one of its chain.
+std::size_t followed_point(const Plan& plan) {
+  return plan.stages().back().tiles.back().points.back();
+}
+
+// Where the followed point of a chained study goes on from: the last state of the sweep up to its
+// neighbour.
+std::optional<std::vector<double>> chained_start(const Plan& plan, const SweepOptions& options) {
+  const Study& study = plan.study();
+  const std::size_t along = study.initial.along;
   Study before = study;
-  std::vector<double>& values = before.axes[study.initial.along].values;
-  if (study.initial.policy == InitialPolicy::forward) {
-    values.pop_back();
-  } else {
-    values.erase(values.begin());
-  }
+  std::erase(before.axes[along].values, plan.axis_value(along, followed_point(plan)));
   std::vector<std::string> states;
   for (const ChannelInfo& state : study.model->states) states.push_back(state.name);
   before.selection = select_quantities(*study.model, {"poincare"}, states);
   const std::optional<SweepResult> result = run_sweep(before, options);
   if (!result) return std::nullopt;
-  const std::size_t point =
-      study.initial.policy == InitialPolicy::forward ? before.points() - 1 : 0;
+  const std::size_t point = followed_point(Plan(before, before.points()));
   std::vector<double> start;
   for (std::size_t i = 0; i < states.size(); ++i) {
     start.push_back(samples_of(*result, point, i).back());
@@ -35,17 +37,11 @@ std::optional<std::vector<double>> chained_start(const Study& study, const Sweep
   return start;
 }
 
-// The point that is followed: of a chained study the last one of its chain.
-std::size_t followed_point(const Study& study) {
-  return study.is_chained() && study.initial.policy == InitialPolicy::forward ? study.points() - 1
-                                                                              : 0;
-}
-
 std::optional<std::vector<double>> initial_state(const Plan& plan, const SweepOptions& options) {
   const Study& study = plan.study();
-  const std::size_t point = followed_point(study);
+  const std::size_t point = followed_point(plan);
   if (study.points() == 1) return plan.own_initial_state(point);
-  std::optional<std::vector<double>> start = chained_start(study, options);
+  std::optional<std::vector<double>> start = chained_start(plan, options);
   // A point whose predecessor has diverged starts on its own.
   if (start && std::isnan(start->front())) return plan.own_initial_state(point);
   return start;
@@ -68,7 +64,7 @@ std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_perio
   const std::unique_ptr<Engine> engine = make_engine(
       study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()));
   const Plan plan(study, study.points());
-  const std::size_t point = followed_point(study);
+  const std::size_t point = followed_point(plan);
   const auto after_round = [&](double) { return options.stop == nullptr || !*options.stop; };
   const std::optional<std::vector<double>> initial = initial_state(plan, options);
   if (!initial) return std::nullopt;

@@ -158,7 +158,7 @@ TEST(Study, AnEnsembleThatMakesNoSenseIsRefused) {
   const std::string text = std::string(kAxis) + "[initial]\n";
   EXPECT_THAT(refusal(text + "seed = 3\n"), HasSubstr("s.toml:5: seed belongs to an ensemble"));
   EXPECT_THAT(refusal(text + "ensemble = 4\npolicy = 'forward'\n"),
-              HasSubstr("policy = \"shifted\""));
+              HasSubstr("policy = \"fixed\" or \"shifted\""));
   EXPECT_THAT(refusal(text + "ensemble = 4\nspread = {x9 = 1.0}\n"), HasSubstr("unknown key 'x9'"));
   EXPECT_THAT(refusal(text + "ensemble = 4\nspread = 'wide'\n"), HasSubstr("s.toml:6"));
   EXPECT_THAT(refusal(std::string(kAxis) + "[observe]\nquantities = ['attractor_count']\n"),

@@ -1,6 +1,7 @@
 #include "study/detail/initial_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "model/error.hpp"
 #include "study/detail/toml_access.hpp"
@@ -13,6 +14,11 @@ std::vector<std::string> axis_names(const Study& study) {
   std::vector<std::string> names;
   for (const Axis& axis : study.axes) names.push_back(axis.name);
   return names;
+}
+
+// 'policy = "forward" or "backward"', for a message.
+std::string choice_of(const std::vector<std::string>& policies) {
+  return fmt::format("policy = \"{}\"", fmt::join(policies, "\" or \""));
 }
 
 // The states of all models are of the order of 1, and so is the default spread.
@@ -32,8 +38,8 @@ void read_ensemble(TableReader* reader, Study* study) {
   }
   if (initial.ensemble > 1 && study->is_chained()) {
     fail_at(*reader->find("ensemble"),
-            "an ensemble cannot go on from its neighbour: it needs policy = \"shifted\" or "
-            "\"fixed\"");
+            fmt::format("an ensemble cannot go on from its neighbour: it needs {}",
+                        choice_of(policy_names(false))));
   }
   if (spread == nullptr) return;
   if (!spread->is_table()) {
@@ -50,8 +56,6 @@ void read_ensemble(TableReader* reader, Study* study) {
 
 }  // namespace
 
-std::vector<std::string> policy_names() { return {"fixed", "shifted", "forward", "backward"}; }
-
 void read_initial(const toml::table* table, Study* study) {
   const Model& model = *study->model;
   TableReader reader(table, study_table("initial"));
@@ -61,7 +65,8 @@ void read_initial(const toml::table* table, Study* study) {
   initial.state.assign(model.states.size(), 0.0);
   const toml::table* state = reader.table("state");
   if (state != nullptr && initial.policy != InitialPolicy::fixed) {
-    fail_at(*state, "state belongs to policy = \"fixed\"");
+    fail_at(*state,
+            fmt::format("state belongs to {}", choice_of({info_of(InitialPolicy::fixed).name})));
   }
   TableReader state_reader(state, "initial.state");
   for (std::size_t i = 0; i < model.states.size(); ++i) {
@@ -71,7 +76,7 @@ void read_initial(const toml::table* table, Study* study) {
   state_reader.refuse_unknown();
   const bool chained = study->is_chained();
   if (const toml::node* along = reader.find("along"); along != nullptr && !chained) {
-    fail_at(*along, "along belongs to policy = \"forward\" or \"backward\"");
+    fail_at(*along, fmt::format("along belongs to {}", choice_of(policy_names(true))));
   }
   if (chained) initial.along = reader.choice("along", 0, axis_names(*study));
   read_ensemble(&reader, study);

@@ -7,9 +7,6 @@
 
 namespace gearsweep {
 
-// In the order of InitialPolicy.
-std::vector<std::string> policy_names();
-
 // `table` may be nullptr: all is as the preset has it. The model and the axes must have been read.
 // Throws InputError.
 void read_initial(const toml::table* table, Study* study);
