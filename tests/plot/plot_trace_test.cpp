@@ -2,11 +2,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
-#include "plot/plot.hpp"
-#include "result/example_result.hpp"
+#include "plot/picture_test.hpp"
 #include "result/example_trace.hpp"
 #include "result/trace_file.hpp"
 
@@ -17,9 +15,8 @@ using gearsweep::testing::made_trace;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::StartsWith;
 
-class PlotTraceTest : public gearsweep::testing::IoTest {
+class PlotTraceTest : public gearsweep::testing::PictureTest {
  protected:
   PlotTraceTest() : study_(read_study("[[axes]]\nname = 'omega'\nvalues = [0.5]\n", "test")) {
     study_.title = "two gears";
@@ -42,17 +39,7 @@ class PlotTraceTest : public gearsweep::testing::IoTest {
     return request;
   }
 
-  // The script of a picture; drawing it must make gnuplot say nothing.
-  std::string script_of(PlotRequest request) const {
-    request.script_path = in_folder("picture.gp");
-    plot_files(request);
-    EXPECT_THAT(content(request.output_path), StartsWith("\x89PNG"));
-    const std::string said = in_folder("said.txt");
-    const std::string command = "gnuplot '" + request.script_path + "' > '" + said + "' 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0);
-    EXPECT_EQ(content(said), "");
-    return content(request.script_path);
-  }
+  using PictureTest::script_of;
   std::string script_of(const std::vector<std::string>& paths, const std::string& quantity) const {
     return script_of(request(paths, quantity));
   }
