@@ -18,6 +18,9 @@ void RunReport::watch(SweepOptions* options) {
   options->on_trouble = warn;
   options->stop = &request_.signals->interrupted();
   request_.signals->set(OnSignal::stop);
+  options->on_pilot = [this](std::size_t points) {
+    if (!request_.quiet) tell("finding the step by a pilot run of {} points\n", points);
+  };
   options->on_progress = [this](const SweepProgress& progress) {
     last_ = progress;
     if (!request_.quiet) bar_.show(progress);

@@ -51,6 +51,7 @@ struct Stopped {};
 class PilotRuns {
  public:
   PilotRuns(const Study& study, const SweepOptions& options) : study_(pilot_study(study)) {
+    if (options.on_pilot) options.on_pilot(study_.points());
     own_.devices = options.devices;
     own_.stop = options.stop;
   }

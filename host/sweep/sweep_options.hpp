@@ -40,6 +40,7 @@ struct SweepOptions {
   // What the journal keeps beside it, for whoever asks for its status: names and values.
   std::map<std::string, std::string> notes;
   std::function<void(const SweepProgress&)> on_progress;
+  std::function<void(std::size_t)> on_pilot;  // a pilot run of so many points begins
   Trouble on_trouble;
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
   // Puts the finished maps in a safe place; the journal is removed once it returns.

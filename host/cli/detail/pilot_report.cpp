@@ -9,7 +9,7 @@ namespace gearsweep {
 
 std::string describe_pilot(const PilotFindings& pilot) {
   std::string text = fmt::format(
-      "steps of at most {:.4g}: maps right to {:.1g} of their range at 99 % of {} periodic points",
+      "at most {:.4g}: maps right to {:.1g} of their range at 99 % of {} periodic points",
       pilot.step, pilot.error, pilot.points);
   if (pilot.sensitive > 0.0) {
     text +=

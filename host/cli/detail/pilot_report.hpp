@@ -8,7 +8,7 @@
 
 namespace gearsweep {
 
-// One line.
+// One line, that goes on from "steps".
 std::string describe_pilot(const PilotFindings& pilot);
 
 // With the error of each quantity of the selection.

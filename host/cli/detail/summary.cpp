@@ -176,7 +176,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
-  if (result.pilot) text += describe_pilot(*result.pilot);
+  if (result.pilot) text += "steps of " + describe_pilot(*result.pilot);
   text += describe_attractors(result);
   text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
