@@ -234,6 +234,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       selection.poincare = sampled;
       continue;
     }
+    quantity.role = offer.role();
     if (offer.role() == OutputRole::motion) selection.motion = quantity.output;
     if (offer.role() == OutputRole::exponent_error) {
       selection.exponent_error = {add_role(offers, OutputRole::exponent, "", states, &selection),

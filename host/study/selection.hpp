@@ -28,6 +28,7 @@ struct Quantity {
   std::size_t width = 1;           // numbers for each point, next to each other among the outputs
   std::string dimension;           // the name of what they stand along; empty when width = 1
   std::string channel;             // the state or signal that it looks at; empty: none
+  OutputRole role = OutputRole::none;
 };
 
 // What the list of attractors is made of: outputs of observers that run for it. Of the attractor's

@@ -7,15 +7,18 @@
 #include <map>
 
 #include "model/error.hpp"
+#include "plan/plan.hpp"
 #include "sweep/detail/map_errors.hpp"
 #include "sweep/sweep.hpp"
 
 namespace gearsweep {
 namespace {
 
-// A pilot run takes 1.25 to 2.5 times as long as its points at the model's own step, and saves up
-// to three quarters of that at all points: below these it would not pay.
+// A pilot run takes 1.25 to 2.5 times as long as its points at the model's own step, and to start
+// its kernels half a second on two cores. It saves up to three quarters of the time at all points.
+// Below so many points, or steps at the model's own step, it would not pay.
 constexpr std::size_t kFewestPoints = 4096;
+constexpr double kFewestSteps = 1e9;
 // Of the pilot. A hundred tell what 99 % of the points keep, and not all are periodic.
 constexpr std::size_t kMinPilot = 256, kMaxPilot = 1024;
 constexpr std::size_t kPointsPerPilotPoint = 256;
@@ -179,7 +182,10 @@ class StepSearch {
 bool wants_pilot(const Study& study) {
   if (study.integrate.tolerance == 0.0) return false;
   if (study.integrate.is_tolerance_asked) return true;
-  return study.points() >= kFewestPoints && study.integrate.engine == EngineKind::opencl;
+  if (study.points() < kFewestPoints || study.integrate.engine != EngineKind::opencl) return false;
+  const Study pilot = pilot_study(study);
+  const auto share = static_cast<double>(pilot.points()) / static_cast<double>(study.points());
+  return Plan(pilot, pilot.points()).total_work() / share >= kFewestSteps;
 }
 
 }  // namespace

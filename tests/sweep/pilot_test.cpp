@@ -63,9 +63,10 @@ INSTANTIATE_TEST_SUITE_P(Tolerances, PilotTolerance, ::testing::Values("1e-3", "
 // is within a thousandth of its range of what short steps give.
 TEST(Pilot, KeepsTheDefaultToleranceOnTheWholeMap) {
   const std::string gear =
-      "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\nfrom = 0.45\n"
+      "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[parameters]\nzeta = 0.1\n[[axes]]\nname "
+      "= 'omega'\nfrom = 0.45\n"
       "to = 1.9\ncount = 82\n[[axes]]\nname = 'e0'\nfrom = 0.02\nto = 0.3\ncount = 50\n"
-      "[integrate]\nsettle = 200\nrecord = 20\n[observe]\nquantities = ['dmf_max', 'x1_rms', "
+      "[integrate]\nsettle = 2500\nrecord = 20\n[observe]\nquantities = ['dmf_max', 'x1_rms', "
       "'contact_class', 'contact_gap']\n";
   const SweepResult result = run(gear);
   ASSERT_TRUE(result.pilot.has_value());

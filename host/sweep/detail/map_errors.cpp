@@ -19,10 +19,9 @@ struct Values {
   std::vector<double> numbers;  // [point]
 };
 
-bool is_compared(const Selection& selection, const Quantity& quantity) {
-  const bool is_error =
-      selection.exponent_error && quantity.output == selection.exponent_error->error;
-  return !quantity.of_census && !is_error;
+bool is_compared(const Quantity& quantity) {
+  return !quantity.of_census && quantity.role != OutputRole::exponent_error &&
+         quantity.role != OutputRole::settled;
 }
 
 std::vector<Values> values_of(const SweepResult& result) {
@@ -31,7 +30,7 @@ std::vector<Values> values_of(const SweepResult& result) {
   std::vector<Values> all;
   for (std::size_t i = 0; i < selection.quantities.size(); ++i) {
     const Quantity& quantity = selection.quantities[i];
-    if (!is_compared(selection, quantity)) continue;
+    if (!is_compared(quantity)) continue;
     for (std::size_t k = 0; k < quantity.width; ++k) {
       all.push_back({i, !quantity.flags.empty(), {}});
       for (std::size_t point = 0; point < points; ++point) {

@@ -3,7 +3,8 @@
 // An error is relative to the range of its map, so that neither units nor offsets matter; of a map
 // of classes it is 0 or 1. Samples of sections count as two maps for each state, the smallest and
 // the largest sample. Left out are attractors' numbers, which mean nothing beside another run's,
-// and quantities that are errors themselves.
+// quantities that are errors themselves, and how many periods a motion took to settle: that is a
+// whole number, which rounding changes by one.
 #pragma once
 
 #include <cstddef>
