@@ -65,7 +65,8 @@ int run_together(RunRequest request, const Run& run) {
   const bool all_agree = cluster->all_say(agreement(request));
   if (cluster->rank() > 0) {
     request.signals->set(OnSignal::nothing);
-    return all_agree ? serve(request, cluster.get()) : kWrongInput;
+    // Rank 0 says what is wrong, and fails: mpirun would end it as soon as another has failed.
+    return all_agree ? serve(request, cluster.get()) : kDone;
   }
   if (!all_agree) {
     throw InputError(
