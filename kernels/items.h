@@ -16,9 +16,9 @@
 #include "tangent.h"
 #include "walk_types.h"
 
-// The parameters of a tile, in the model's order: `uniform` has a value for all points of each, and
-// `swept` rows of values, one for each point, for the parameters that are axes. swept_rows tells
-// which row a parameter has, or NOT_SWEPT. So a program does not depend on the study's axes.
+// The parameters of a tile, in the model's order. `uniform` has one value of each. `swept` has a
+// row for each parameter that is an axis, with a value for each point. `swept_rows` has the row of
+// each parameter, or NOT_SWEPT. So a program does not depend on the study's axes.
 #define PARAMETER_TABLES TABLE scalar *uniform, TABLE uint *swept_rows, TABLE real *swept
 
 #define LOAD_PARAMETER(name, unit, value, min, max, shapes_phase, meaning)                      \
@@ -69,6 +69,7 @@ SHARED_FN bool take_item(uint items, uint item, PARAMETER_TABLES, __global const
   load_point(items, item, uniform, swept_rows, swept, point);
   return true;
 }
+#define TAKE_ITEM(x, point) take_item(items, item, uniform, swept_rows, swept, state, x, point)
 
 // The smallest difference between two states that is taken for real, relative to the state: 64
 // units in the last place.
@@ -119,8 +120,6 @@ SHARED_FN real max_size(const real* components) {
   }
   return largest;
 }
-
-#define TAKE_ITEM(x, point) take_item(items, item, uniform, swept_rows, swept, state, x, point)
 
 // Where the phase grids of a tile lie.
 #define GRID_TABLES                                                         \

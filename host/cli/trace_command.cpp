@@ -128,6 +128,7 @@ Study load(const TraceArguments& arguments) {
           study.model->max_step));
     }
     if (step) study.integrate.max_step = *step;
+    study.integrate.tolerance = 0.0;  // the sweep to a chain's point takes this step, too
   }
   return study;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,9 +34,9 @@ struct PilotFindings {
   double error = 0.0;      // the largest of `errors`, samples of sections included
   double sensitive = 0.0;  // share of the points that land elsewhere at any change of the step
   std::size_t points = 0;  // periodic ones, that were compared
-  // [quantity] relative to the map's range, at 99 % of the points that are not sensitive; NaN for
-  // a quantity that is not compared.
-  std::vector<double> errors;
+  // By quantity, of those that are compared: relative to the map's range, at 99 % of the points
+  // that are not sensitive.
+  std::map<std::string, double> errors;
 };
 
 // Point (ix, iy) has index iy * nx + ix. A point that did not end `ok` has NaN in every map.

@@ -42,7 +42,7 @@ class Writer {
     write_status();
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       const int variable = write_quantity(study_.selection.quantities[i], result_.values[i]);
-      if (result_.pilot) write_pilot_error(variable, i);
+      if (result_.pilot) write_pilot_error(variable, study_.selection.quantities[i].name);
     }
     if (study_.selection.census) write_attractors();
     if (!study_.selection.poincare.empty()) write_poincare();
@@ -129,10 +129,10 @@ class Writer {
     return variable;
   }
 
-  void write_pilot_error(int variable, std::size_t quantity) {
-    const std::vector<double>& errors = result_.pilot->errors;
-    if (quantity >= errors.size() || std::isnan(errors[quantity])) return;
-    file_.put_attribute(variable, "pilot_error", errors[quantity]);
+  void write_pilot_error(int variable, const std::string& quantity) {
+    const auto error = result_.pilot->errors.find(quantity);
+    if (error == result_.pilot->errors.end()) return;
+    file_.put_attribute(variable, "pilot_error", error->second);
   }
 
   // The list that `attractor` numbers, along a dimension of its own.

@@ -147,9 +147,7 @@ StudyTable integrate_table() {
               "Of all numbers on the device."),
        {"tolerance", "number", "1e-3",
         "A pilot run finds the longest step with which each map is right to this share of its "
-        "range, at 99 % of the periodic points. Unless asked for, only where that pays; 0: no "
-        "pilot "
-        "run.",
+        "range, at 99 % of the periodic points. Unless asked for, only where that pays; 0: none.",
         1e-10, 0.1},
        {"max_step", "number", "the model's",
         "Instead of tolerance: the longest step, in dimensionless time.", 1e-6, 1.0},

@@ -103,7 +103,6 @@ std::optional<Forecast> forecast_sweep(const Study& study, const SweepOptions& o
   run.plan_tiles();
   Forecast forecast;
   forecast.pilot = stepped->pilot;
-  forecast.selection = study.selection;
   forecast.estimate = run.estimate();
   forecast.points = study.points();
   forecast.trajectories = study.trajectories();

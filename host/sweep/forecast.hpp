@@ -14,7 +14,6 @@ struct Forecast {
   std::size_t sample = 0;         // points that were run to measure that
   bool has_whole_sample = false;  // they were run to their end, not only for a moment
   std::optional<PilotFindings> pilot;
-  Selection selection;  // whose quantities the pilot's errors are of
   ResourceEstimate estimate;
 };
 

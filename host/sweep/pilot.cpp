@@ -118,7 +118,7 @@ class StepSearch {
 
   bool will_do(double coarse, double fine) {
     const MapErrors errors = runs_.errors(coarse, fine);
-    return errors.largest(share()) <= tolerance_ && errors.means_agree(tolerance_);
+    return errors.largest(share()) <= tolerance_ && errors.others_agree(tolerance_, kBeyond);
   }
 
   // A step so short that one of twice its length will do; or where halving it does not bring the
@@ -153,9 +153,8 @@ class StepSearch {
   double find_longest(double shortest, double longest, double fine) {
     const auto step = [&](int rung) { return shortest * std::exp2(rung / double{kRungsPerHalf}); };
     int good = 0;
-    int bad = 1 + static_cast<int>(std::lround(std::log2(longest / shortest) * kRungsPerHalf));
-    if (will_do(step(bad - 1), fine)) return step(bad - 1);
-    --bad;
+    int bad = static_cast<int>(std::lround(std::log2(longest / shortest) * kRungsPerHalf));
+    if (will_do(step(bad), fine)) return step(bad);
     while (bad - good > 1) {
       const int middle = (good + bad) / 2;
       (will_do(step(middle), fine) ? good : bad) = middle;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "model/error.hpp"
@@ -55,12 +54,12 @@ std::size_t points_of(const Plan& plan, const Shard& shard) {
   return points;
 }
 
-// As a note of a journal. -1 stands for NaN, which streams do not read.
+// As a note of a journal.
 std::string pack(const PilotFindings& pilot) {
-  std::vector<double> errors = pilot.errors;
-  for (double& error : errors) error = std::isnan(error) ? -1.0 : error;
-  return fmt::format("{} {} {} {} {}", pilot.step, pilot.error, pilot.sensitive, pilot.points,
-                     fmt::join(errors, " "));
+  std::string text =
+      fmt::format("{} {} {} {}", pilot.step, pilot.error, pilot.sensitive, pilot.points);
+  for (const auto& [quantity, error] : pilot.errors) text += fmt::format(" {} {}", quantity, error);
+  return text;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -22,9 +21,8 @@ PilotFindings unpack_pilot(const std::string& text) {
   PilotFindings pilot;
   std::istringstream in(text);
   in >> pilot.step >> pilot.error >> pilot.sensitive >> pilot.points;
-  for (double error = 0.0; in >> error;) {
-    pilot.errors.push_back(error < 0.0 ? std::numeric_limits<double>::quiet_NaN() : error);
-  }
+  std::string quantity;
+  for (double error = 0.0; in >> quantity >> error;) pilot.errors[quantity] = error;
   return pilot;
 }
 

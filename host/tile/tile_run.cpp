@@ -43,7 +43,8 @@ class TileRun {
                           add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
                                               callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
-    result_.effort.stopped = static_cast<double>(stopped_);
+    result_.effort.stopped =
+        static_cast<double>(std::count(has_stopped_.begin(), has_stopped_.end(), 1));
     result_.on_orbit = std::move(has_stopped_);
     return std::move(result_);
   }
@@ -145,7 +146,6 @@ class TileRun {
     adopt_verdicts(study_, all, *replayed, &*once);
     once->final_states = std::move(replayed->final_states);
     put_subset(study_, *once, positions, &result_);
-    stopped_ += positions.size();
     for (const std::size_t position : positions) has_stopped_[position] = 1;
     return true;
   }
@@ -197,7 +197,6 @@ class TileRun {
   std::vector<std::size_t> open_;          // positions
   std::vector<double> states_;             // [open point][state]
   std::size_t settled_ = 0;                // periods integrated before these states
-  std::size_t stopped_ = 0;                // points
 };
 
 }  // namespace

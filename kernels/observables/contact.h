@@ -1,7 +1,7 @@
 // Contact regime of the teeth: on the drive flank while D > b', on the back flank while D < -b', in
 // the gap while neither, wedged while both, which takes a negative b'. Inside a step the distance
-// from a limit follows the cubic of observe.h; its roots give the shares of the step's time. So a
-// flank that is touched, or left, and left, or touched, again within one step counts.
+// from a limit follows the cubic of step_curve.h; its roots give the shares of the step's time. A
+// contact that begins and ends within one step counts, and so does one that is lost and regained.
 
 #define CONTACT_ROLE measure
 // The signals that a model must have for it.

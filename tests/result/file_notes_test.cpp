@@ -14,7 +14,6 @@ namespace gearsweep {
 namespace {
 
 using gearsweep::testing::example_result;
-using gearsweep::testing::kNaN;
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::random_result;
 using gearsweep::testing::study_of_all;
@@ -188,7 +187,7 @@ TEST_F(FileNotesTest, AScaleIsTheUnitInSi) {
 TEST_F(FileNotesTest, TellTheErrorOfEachMap) {
   SweepResult result = example_result();
   result.pilot = {
-      .step = 0.1, .error = 3e-4, .sensitive = 0.02, .points = 250, .errors = {3e-4, kNaN}};
+      .step = 0.1, .error = 3e-4, .sensitive = 0.02, .points = 250, .errors = {{"x1_rms", 3e-4}}};
   const NetcdfFile file = NetcdfFile::open(write(result));
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_max_step"), std::vector{0.1});
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_sensitive"), std::vector{0.02});

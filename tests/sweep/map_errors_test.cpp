@@ -56,7 +56,8 @@ TEST(MapErrors, OfAClassAreAllOrNothing) {
   SweepResult coarse = fine;
   coarse.values[1][0] = coarse.values[1][1] = 2.0;
   const MapErrors errors(coarse, fine);
-  EXPECT_EQ(errors.of_quantities(0.01), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(errors.of_quantities(0.01),
+            (std::map<std::string, double>{{"x1_rms", 0.0}, {"contact_class", 1.0}}));
   EXPECT_EQ(errors.share_beyond(1e-3), 0.02);
 }
 
@@ -77,9 +78,19 @@ TEST(MapErrors, CompareMeansWhereTheMotionIsNotPeriodic) {
     scattered.values[0][i] += i % 2 == 0 ? 20.0 : -20.0;
     biased.values[0][i] += i % 2 == 0 ? 22.0 : -2.0;
   }
-  EXPECT_TRUE(MapErrors(scattered, fine).means_agree(1e-3));
-  EXPECT_FALSE(MapErrors(biased, fine).means_agree(1e-3));
-  EXPECT_TRUE(MapErrors(biased, fine).means_agree(0.1));
+  EXPECT_TRUE(MapErrors(scattered, fine).others_agree(1e-3, 0.01));
+  EXPECT_FALSE(MapErrors(biased, fine).others_agree(1e-3, 0.01));
+  EXPECT_TRUE(MapErrors(biased, fine).others_agree(0.1, 0.01));
+}
+
+// Steps that are too long diverge, at points that are not periodic, too.
+TEST(MapErrors, CountTheOtherPointsThatOneRunHasAlone) {
+  const SweepResult fine = ramp();
+  SweepResult coarse = fine;
+  coarse.values[0][150] = kNaN;
+  EXPECT_TRUE(MapErrors(coarse, fine).others_agree(1e-3, 0.01));
+  coarse.values[0][151] = kNaN;
+  EXPECT_FALSE(MapErrors(coarse, fine).others_agree(1e-3, 0.01));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::string forecast_as_json(const Forecast& forecast) {
                          {"result_bytes", whole(estimate.result)},
                          {"journal_bytes", whole(estimate.journal)},
                          {"disk_bytes_left", known_as_json(estimate.disk_left)}};
-  if (forecast.pilot) json["pilot"] = pilot_as_json(*forecast.pilot, forecast.selection);
+  if (forecast.pilot) json["pilot"] = pilot_as_json(*forecast.pilot);
   json["devices"] = nlohmann::json::array();
   for (const DeviceEstimate& device : estimate.devices) {
     json["devices"].push_back(

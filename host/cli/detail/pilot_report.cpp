@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace gearsweep {
@@ -18,14 +17,10 @@ std::string describe_pilot(const PilotFindings& pilot) {
   return text + '\n';
 }
 
-nlohmann::json pilot_as_json(const PilotFindings& pilot, const Selection& selection) {
-  nlohmann::json errors = nlohmann::json::object();
-  for (std::size_t i = 0; i < pilot.errors.size(); ++i) {
-    if (!std::isnan(pilot.errors[i])) errors[selection.quantities[i].name] = pilot.errors[i];
-  }
+nlohmann::json pilot_as_json(const PilotFindings& pilot) {
   return {{"max_step", pilot.step},
           {"error", pilot.error},
-          {"errors", errors},
+          {"errors", pilot.errors},
           {"sensitive", pilot.sensitive},
           {"points", pilot.points}};
 }

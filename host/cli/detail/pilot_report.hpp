@@ -11,7 +11,6 @@ namespace gearsweep {
 // One line, that goes on from "steps".
 std::string describe_pilot(const PilotFindings& pilot);
 
-// With the error of each quantity of the selection.
-nlohmann::json pilot_as_json(const PilotFindings& pilot, const Selection& selection);
+nlohmann::json pilot_as_json(const PilotFindings& pilot);
 
 }  // namespace gearsweep

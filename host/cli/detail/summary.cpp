@@ -206,7 +206,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["kernel_seconds"] = result.kernel_seconds;
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
-  if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot, result.study.selection);
+  if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot);
   json["device"] = result.engine.device;
   return json_text(json);
 }

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <set>
-
-#include "model/array.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
 
 // One number for each point.
 struct Values {
-  std::size_t quantity;
+  std::string quantity;  // empty for samples
   bool has_classes;
   std::vector<double> numbers;  // [point]
 };
@@ -32,14 +27,14 @@ std::vector<Values> values_of(const SweepResult& result) {
     const Quantity& quantity = selection.quantities[i];
     if (!is_compared(quantity)) continue;
     for (std::size_t k = 0; k < quantity.width; ++k) {
-      all.push_back({i, !quantity.flags.empty(), {}});
+      all.push_back({quantity.name, !quantity.flags.empty(), {}});
       for (std::size_t point = 0; point < points; ++point) {
         all.back().numbers.push_back(result.values[i][point * quantity.width + k]);
       }
     }
   }
   for (std::size_t chosen = 0; chosen < selection.poincare.size(); ++chosen) {
-    Values low = {selection.quantities.size(), false, {}};
+    Values low = {"", false, {}};
     Values high = low;
     for (std::size_t point = 0; point < points; ++point) {
       const std::vector<double> samples = samples_of(result, point, chosen);
@@ -88,8 +83,7 @@ double error_of(const Values& map, double difference, double range) {
 
 }  // namespace
 
-MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
-    : quantities_(fine.study.selection.quantities.size()) {
+MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine) {
   const double rounding = fine.study.integrate.fp64 ? std::numeric_limits<double>::epsilon()
                                                     : std::numeric_limits<float>::epsilon();
   points_ = static_cast<std::size_t>(std::count(fine.on_orbit.begin(), fine.on_orbit.end(), 1));
@@ -98,18 +92,21 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
   for (std::size_t i = 0; i < fine_maps.size(); ++i) {
     const Values& map = fine_maps[i];
     const double range = map.has_classes ? 1.0 : range_of(map.numbers, rounding);
-    Map errors = {map.quantity, {}};
-    double sum = 0.0, squares = 0.0, others = 0.0;
+    Map errors = {.quantity = map.quantity, .errors = {}};
+    double sum = 0.0, squares = 0.0, others = 0.0, missing = 0.0;
     for (std::size_t point = 0; point < map.numbers.size(); ++point) {
       const double off = difference(coarse_maps[i].numbers[point], map.numbers[point]);
       if (fine.on_orbit[point] == 1) {
         errors.errors.push_back(error_of(map, off, range));
-      } else if (std::isfinite(off) && range > 0.0) {
+      } else if (!std::isfinite(off)) {
+        missing += 1.0;
+      } else if (range > 0.0) {
         others += 1.0;
         sum += off / range;
         squares += off / range * (off / range);
       }
     }
+    if (missing > 0.0) errors.missing = missing / (missing + others);
     if (others > 1.0) {
       errors.mean = sum / others;
       const double variance = std::max(squares / others - errors.mean * errors.mean, 0.0);
@@ -120,12 +117,12 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
   }
 }
 
-std::vector<double> MapErrors::of_quantities(double share) const {
-  std::vector<double> out(quantities_, std::numeric_limits<double>::quiet_NaN());
+std::map<std::string, double> MapErrors::of_quantities(double share) const {
+  std::map<std::string, double> out;
   for (const Map& map : maps_) {
-    if (map.quantity >= quantities_ || map.errors.empty()) continue;
-    const double error = upper_quantile(map.errors, share);
-    out[map.quantity] = std::isnan(out[map.quantity]) ? error : std::max(out[map.quantity], error);
+    if (map.quantity.empty() || map.errors.empty()) continue;
+    double& error = out[map.quantity];
+    error = std::max(error, upper_quantile(map.errors, share));
   }
   return out;
 }
@@ -149,9 +146,9 @@ double MapErrors::share_beyond(double tolerance) const {
   return share;
 }
 
-bool MapErrors::means_agree(double tolerance) const {
+bool MapErrors::others_agree(double tolerance, double share) const {
   return std::all_of(maps_.begin(), maps_.end(), [&](const Map& map) {
-    return std::abs(map.mean) <= std::max(tolerance, 3.0 * map.deviation);
+    return map.missing <= share && std::abs(map.mean) <= std::max(tolerance, 3.0 * map.deviation);
   });
 }
 

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "engine/result.hpp"
@@ -21,25 +23,26 @@ class MapErrors {
 
   // Points that stopped on a periodic orbit in the run with shorter steps.
   std::size_t points() const { return points_; }
-  // [quantity of the selection] the error that all but this share of the points keep; NaN for one
-  // that is left out.
-  std::vector<double> of_quantities(double share) const;
+  // By quantity, of those that are compared: the error that all but this share of the points keep.
+  std::map<std::string, double> of_quantities(double share) const;
   // The largest of these, samples of sections included; 0 where there is none.
   double largest(double share) const;
   // The share of the points at which some map is off by more than `tolerance`; of the map that has
   // most of them.
   double share_beyond(double tolerance) const;
-  // Whether the mean of each map over the points that are not periodic is the same: to `tolerance`
-  // of the range, or to three standard errors.
-  bool means_agree(double tolerance) const;
+  // Whether the points that are not periodic look the same: the mean of each map over them is, to
+  // `tolerance` of the range or to three standard errors, and no more than `share` of them have a
+  // number in one of the runs alone, as where long steps diverge.
+  bool others_agree(double tolerance, double share) const;
 
  private:
   struct Map {
-    std::size_t quantity;                // of the selection; beyond them for samples
+    std::string quantity;                // empty for samples
     std::vector<double> errors;          // at periodic points, ascending
     double mean = 0.0, deviation = 0.0;  // mean difference at the others, and its standard error
+    double missing = 0.0;                // share of the others with a number in one run alone
   };
-  std::size_t points_ = 0, quantities_ = 0;
+  std::size_t points_ = 0;
   std::vector<Map> maps_;
 };
 
