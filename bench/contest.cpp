@@ -1,7 +1,7 @@
 #include "contest.hpp"
 
 #include "figures.hpp"
-#include "flop_count.hpp"
+#include "measure/flop_count.hpp"
 #include "opencl/device.hpp"
 
 namespace gearsweep::bench {
@@ -11,18 +11,20 @@ namespace {
 constexpr std::size_t kScalarShare = 16, kScalarPeriods = 16;
 constexpr std::size_t kSimdShare = 1, kSimdPeriods = 8;
 
+std::size_t device_in_use() { return default_device(list_devices()); }
+
 }  // namespace
 
 Contest::Contest(const Case& what)
-    : kernel_(what.overrides, what.settling),
-      peak_(default_device(list_devices()), kernel_.study().integrate.fp64) {
+    : kernel_(what.overrides, what.settling, device_in_use()),
+      peak_(device_in_use(), kernel_.study().integrate.fp64) {
   if (what.one_lane) {
     std::vector<std::string> overrides = what.overrides;
     overrides.push_back("integrate.lanes=1");
-    one_lane_ = std::make_unique<KernelRun>(overrides, what.settling);
+    one_lane_ = std::make_unique<KernelRun>(overrides, what.settling, device_in_use());
   }
   if (!what.states_overrides.empty()) {
-    states_ = std::make_unique<KernelRun>(what.states_overrides, what.settling);
+    states_ = std::make_unique<KernelRun>(what.states_overrides, what.settling, device_in_use());
   }
   if (!what.odeint) return;
   const auto add_rivals = [&](const std::string& suffix, std::size_t share, std::size_t periods,
@@ -42,9 +44,9 @@ void Contest::measure(benchmark::State& state) {
   const double flops = flops_per_step(kernel_.study(), tangents);
   Figures figures;
   for ([[maybe_unused]] auto turn : state) {
-    const double before = peak_.flops_per_second();
+    const double before = peak_.launch().rate();
     const KernelRun::Rounds rounds = kernel_.run();
-    const double peak = 0.5 * (before + peak_.flops_per_second());
+    const double peak = 0.5 * (before + peak_.launch().rate());
     const double rate = rounds.rate();
     state.SetIterationTime(rounds.seconds);
     const auto compare = [&](const std::string& name, double other) {

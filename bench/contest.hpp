@@ -2,7 +2,7 @@
 // turn, and the counters are medians over the iterations:
 //
 //   steps/s          integration steps of single points per second, rounds after the first only
-//   flops_per_step   counted on the kernel's source (see Tally in counted.hpp), without observables
+//   flops_per_step   counted on the kernel's source (measure/flop_count.hpp), without observables
 //   flop/s           steps/s x flops_per_step
 //   peak_flop/s      of the FMA micro-kernel on the same device, mean of before and after
 //   peak_share       of the two
@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "fma_peak.hpp"
-#include "kernel_run.hpp"
+#include "measure/kernel_run.hpp"
 #include "odeint_sweep.hpp"
+#include "opencl/fma_peak.hpp"
 
 namespace gearsweep::bench {
 

@@ -5,12 +5,12 @@
 
 #include <exception>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "benchmarks.hpp"
 #include "contest.hpp"
+#include "measure/benchmarks.hpp"
 #include "opencl/device.hpp"
 
 namespace gearsweep::bench {
@@ -78,20 +78,13 @@ std::vector<Case> headline() {
   return cases;
 }
 
-// One lane, what suits the device, and twice that.
-std::set<std::size_t> lanes_for(bool fp64) {
-  constexpr std::size_t kMaxLanes = 16;
-  const std::vector<DeviceInfo> devices = list_devices();
-  const DeviceInfo& device = devices[default_device(devices)];
-  const std::size_t native = fp64 ? device.lanes_fp64 : device.lanes_fp32;
-  return {1, native, std::min(2 * native, kMaxLanes)};
-}
-
 // Precision x lanes x backlash law x observables.
 std::vector<Case> matrix() {
+  const std::vector<DeviceInfo> devices = list_devices();
+  const DeviceInfo& device = devices[default_device(devices)];
   std::vector<Case> cases;
   for (const char* precision : kPrecisions) {
-    for (const std::size_t lanes : lanes_for(precision == kPrecisions[0])) {
+    for (const std::size_t lanes : lanes_to_try(device, precision == kPrecisions[0])) {
       for (const char* law : kLaws) {
         for (const Observed& observed : {kSettle, kMaps, kPeriod, kLyapunovMax, kSpectrum}) {
           Case one = make_case(precision, law, observed);

@@ -26,8 +26,8 @@
 #include <vector>
 
 #include "benchmarks.hpp"
-#include "command.hpp"
 #include "figures.hpp"
+#include "measure/program_run.hpp"
 #include "opencl/device.hpp"
 
 namespace gearsweep::bench {
@@ -49,25 +49,27 @@ std::vector<std::string> with_counts(std::vector<std::string> overrides, std::si
   return overrides;
 }
 
+ProgramCost run(const ProgramCall& call) { return run_program(GEARSWEEP_BINARY, call); }
+
 // Of the machine.
 unsigned cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-void add_figures(const Outcome& outcome, Figures* figures) {
-  figures->add("wall_s", outcome.wall_seconds);
-  figures->add("points/s", outcome.points / outcome.wall_seconds);
-  figures->add("steps/s", outcome.steps / outcome.wall_seconds);
-  figures->add("computing_share", outcome.computing_seconds / outcome.wall_seconds);
-  figures->add("busy_share", outcome.core_seconds / outcome.wall_seconds / cores());
-  figures->add("peak_bytes", outcome.peak_bytes);
+void add_figures(const ProgramCost& cost, Figures* figures) {
+  figures->add("wall_s", cost.wall_seconds);
+  figures->add("points/s", cost.points / cost.wall_seconds);
+  figures->add("steps/s", cost.steps / cost.wall_seconds);
+  figures->add("computing_share", cost.computing_seconds / cost.wall_seconds);
+  figures->add("busy_share", cost.core_seconds / cost.wall_seconds / cores());
+  figures->add("peak_bytes", cost.peak_bytes);
 }
 
 // measure: one iteration; adds its figures and gives the seconds to report. A run of `first` with
 // next to no work comes first, so that the kernels have been built.
-void add(const std::string& name, int turns, const Command& first,
+void add(const std::string& name, int turns, const ProgramCall& first,
          const std::function<double(Figures*)>& measure) {
   const auto body = [=](benchmark::State& state) {
     try {
-      Command brief = first;
+      ProgramCall brief = first;
       brief.overrides.insert(brief.overrides.end(), kFewest.begin(), kFewest.end());
       run(brief);
       Figures figures;
@@ -81,33 +83,34 @@ void add(const std::string& name, int turns, const Command& first,
   added->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(turns);
 }
 
-void add_study(const std::string& name, int turns, const Command& first, const Command& command) {
+void add_study(const std::string& name, int turns, const ProgramCall& first,
+               const ProgramCall& command) {
   add(name, turns, first, [command](Figures* figures) {
-    const Outcome outcome = run(command);
-    add_figures(outcome, figures);
-    return outcome.wall_seconds;
+    const ProgramCost cost = run(command);
+    add_figures(cost, figures);
+    return cost.wall_seconds;
   });
 }
 
-void add_study(const std::string& name, int turns, const Command& command) {
+void add_study(const std::string& name, int turns, const ProgramCall& command) {
   add_study(name, turns, command, command);
 }
 
 void add_cores(int turns) {
   const auto on = [](unsigned count) {
     // The names before and after PoCL 5.
-    return Command{.study = kMap,
-                   .overrides = with_counts(kUsual, 160, 120),
-                   .environment = {fmt::format("POCL_MAX_PTHREAD_COUNT={}", count),
-                                   fmt::format("POCL_CPU_MAX_CU_COUNT={}", count)}};
+    return ProgramCall{.study = kMap,
+                       .overrides = with_counts(kUsual, 160, 120),
+                       .environment = {fmt::format("POCL_MAX_PTHREAD_COUNT={}", count),
+                                       fmt::format("POCL_CPU_MAX_CU_COUNT={}", count)}};
   };
   add_study("cores/1", turns, on(1));
   for (unsigned count = 2; count <= cores(); count *= 2) {
     add(fmt::format("cores/{}", count), turns, on(count), [=](Figures* figures) {
-      const Outcome outcome = run(on(count));
-      add_figures(outcome, figures);
-      figures->add("vs_one_core", run(on(1)).wall_seconds / outcome.wall_seconds);
-      return outcome.wall_seconds;
+      const ProgramCost cost = run(on(count));
+      add_figures(cost, figures);
+      figures->add("vs_one_core", run(on(1)).wall_seconds / cost.wall_seconds);
+      return cost.wall_seconds;
     });
   }
 }
@@ -123,26 +126,26 @@ void add_devices(int turns) {
 }
 
 void add_stopping(int turns, std::size_t count) {
-  Command stopping = {
+  ProgramCall stopping = {
       .study = "coarse-backlash",
       .overrides = {fmt::format("axes.omega.count={}", count),
                     fmt::format("axes.b.count={}", count),
                     R"(observe.quantities=["x1_rms", "dmf_rms", "period", "lyapunov_max"])"}};
-  Command whole = stopping;
+  ProgramCall whole = stopping;
   whole.overrides.emplace_back("integrate.stop=never");
   add(fmt::format("stopping/{0}x{0}", count), turns, stopping, [=](Figures* figures) {
-    const Outcome outcome = run(stopping);
-    add_figures(outcome, figures);
-    figures->add("vs_never", run(whole).wall_seconds / outcome.wall_seconds);
-    return outcome.wall_seconds;
+    const ProgramCost cost = run(stopping);
+    add_figures(cost, figures);
+    figures->add("vs_never", run(whole).wall_seconds / cost.wall_seconds);
+    return cost.wall_seconds;
   });
 }
 
 // Bytes of peak memory for each of the `points` that `much` has more than `little`.
-void add_memory(const std::string& name, int turns, const Command& little, const Command& much,
-                double points) {
+void add_memory(const std::string& name, int turns, const ProgramCall& little,
+                const ProgramCall& much, double points) {
   add("memory/" + name, turns, little, [=](Figures* figures) {
-    const Outcome more = run(much);
+    const ProgramCost more = run(much);
     figures->add("bytes/point", (more.peak_bytes - run(little).peak_bytes) / points);
     figures->add("peak_bytes", more.peak_bytes);
     return more.wall_seconds;
@@ -155,7 +158,7 @@ void add_memory(int turns, std::size_t little) {
   const auto map = [](std::size_t count, const std::string& override) {
     std::vector<std::string> overrides = with_counts(kFewest, count, count);
     overrides.push_back(override);
-    return Command{.study = kMap, .overrides = overrides};
+    return ProgramCall{.study = kMap, .overrides = overrides};
   };
   const auto add_maps = [&](const std::string& name, const std::string& quantities) {
     const std::string override = fmt::format("observe.quantities=[{}]", quantities);
@@ -177,7 +180,7 @@ void add_benchmarks(bool all) {
   constexpr int kTurns = 5;
   const int turns = all ? kTurns : 1;
   const auto add_points = [&](int times, std::size_t x, std::size_t y) {
-    const Command first = {.study = kMap, .overrides = with_counts(kBrief, 40, 25)};
+    const ProgramCall first = {.study = kMap, .overrides = with_counts(kBrief, 40, 25)};
     add_study(fmt::format("points/{}", x * y), times, first,
               {.study = kMap, .overrides = with_counts(kBrief, x, y)});
   };

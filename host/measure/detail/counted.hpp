@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-namespace gearsweep::bench {
+namespace gearsweep {
 
 // The operations seen so far. Each of + - * / sqrt abs counts 1, and so does a comparison (of a
 // lane-wise min or max; choosing by it is free, as is a change of sign), so that a fused
@@ -68,4 +68,4 @@ class Counted {
   Tally* tally_ = nullptr;
 };
 
-}  // namespace gearsweep::bench
+}  // namespace gearsweep

@@ -1,26 +1,26 @@
-#include "flop_count.hpp"
+#include "measure/flop_count.hpp"
 
 #include <cstring>
 #include <vector>
 
-#include "counted.hpp"
+#include "measure/detail/counted.hpp"
 // Some models need less work in fp32.
 #define REAL_BITS (real::kBits)
 #include "dialect.h"
 
-namespace gearsweep::bench {
+namespace gearsweep {
 namespace {
 
 namespace fp64 {
 using real = Counted<64>;
 using scalar = real;
-#include "counted_step.hpp"
+#include "measure/detail/counted_step.hpp"
 }  // namespace fp64
 
 namespace fp32 {
 using real = Counted<32>;
 using scalar = real;
-#include "counted_step.hpp"
+#include "measure/detail/counted_step.hpp"
 }  // namespace fp32
 
 }  // namespace
@@ -30,4 +30,4 @@ double flops_per_step(const Study& study, std::size_t tangents) {
                               : fp32::count_step(study.setting, study.integrate.events, tangents);
 }
 
-}  // namespace gearsweep::bench
+}  // namespace gearsweep

@@ -4,11 +4,11 @@
 
 #include "study/study.hpp"
 
-namespace gearsweep::bench {
+namespace gearsweep {
 
 // Of one point over one Runge-Kutta step of gear5 with the study's options, and with so many
-// tangent vectors; what counts is said at Tally (counted.hpp). What observables do with a step is
-// not in it.
+// tangent vectors; what counts is said at Tally (detail/counted.hpp). What observables do with a
+// step is not in it.
 double flops_per_step(const Study& study, std::size_t tangents);
 
-}  // namespace gearsweep::bench
+}  // namespace gearsweep
