@@ -57,6 +57,7 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
   add_devices_command(app);
   add_kernels_command(app);
   add_verify_command(app, signals, status);
+  add_bench_command(app, signals, status);
   add_completion_command(app);
   add_manual_command(app);
   add_help_command(app);

@@ -225,7 +225,7 @@ TEST(Commands, EveryCommandHasHelpWithExamples) {
   EXPECT_THAT(gearsweep(folder, "--version").out, StartsWith("gearsweep "));
   for (const char* command :
        {"", "run", "trace", "plot", "export", "floquet", "reproduce", "studies", "model", "devices",
-        "kernels", "verify", "completion", "manual", "top", "help"}) {
+        "kernels", "verify", "bench", "completion", "manual", "top", "help"}) {
     const Outcome help = gearsweep(folder, std::string(command) + " --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_THAT(help.out, HasSubstr("gearsweep ")) << command;

@@ -85,7 +85,7 @@ TEST_P(Pages, CommandsWorkInTheirOrder) {
     }
   }
   // What these pages are about has no commands, or none that a test can run.
-  const std::set<std::string> without = {"accuracy", "architecture", "library", "speed"};
+  const std::set<std::string> without = {"accuracy", "architecture", "library"};
   EXPECT_EQ(has_commands, !without.contains(page_.name()));
   if (python.empty()) return;
   // The tests do not ask for matplotlib.
@@ -170,7 +170,7 @@ TEST(Documentation, CommandsAndOptionsAreThere) {
     std::map<std::string, std::string> texts;
     for (const std::string command :
          {"run", "merge", "status", "trace", "plot", "export", "top", "floquet", "reproduce",
-          "studies", "model", "devices", "verify", "completion", "manual"}) {
+          "studies", "model", "devices", "verify", "bench", "completion", "manual"}) {
       texts[command] = gearsweep(folder, command + " --help").out;
     }
     return texts;

@@ -145,12 +145,16 @@ CLI::Option* add_choice(CLI::App* command, const std::string& name, std::string*
 }
 
 void add_device_option(CLI::App* command, std::string* text, bool several) {
-  command
-      ->add_option("--device", *text,
-                   several ? "Numbers of 'gearsweep devices' that share the work: 0,1 or all "
-                             "('0/2': the halves of device 0)"
-                           : "A number of 'gearsweep devices'")
-      ->type_name(several ? kDevicesValue : kNumberValue)
+  add_device_option(command, text, several ? kDevicesValue : kNumberValue,
+                    several ? "Numbers of 'gearsweep devices' that share the work: 0,1 or all "
+                              "('0/2': the halves of device 0)"
+                            : "A number of 'gearsweep devices'");
+}
+
+void add_device_option(CLI::App* command, std::string* text, const char* value,
+                       const std::string& description) {
+  command->add_option("--device", *text, description)
+      ->type_name(value)
       ->check([](const std::string& given) {
         return given.empty() ? std::string("'' is no list of numbers of 'gearsweep devices'")
                              : std::string();

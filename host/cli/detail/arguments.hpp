@@ -48,6 +48,9 @@ CLI::Option* add_point_option(CLI::App* command, std::vector<std::string>* at,
 
 // --device, of a command that uses one or several.
 void add_device_option(CLI::App* command, std::string* text, bool several);
+// The same with a description of its own; value: kNumberValue or kDevicesValue.
+void add_device_option(CLI::App* command, std::string* text, const char* value,
+                       const std::string& description);
 
 // What parse_devices() makes of it; nothing for an empty text. Throws InputError.
 std::vector<DeviceChoice> chosen_devices(const std::string& text);
