@@ -45,7 +45,12 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #endif
 
 #define SHARED_FN static inline __attribute__((always_inline))
+#ifdef __clang__
+// "unroll" alone may leave a part of a loop, and with it an array in memory.
+#define UNROLL _Pragma("clang loop unroll(full)")
+#else
 #define UNROLL _Pragma("unroll")
+#endif
 #define TABLE __global const
 #define lane_sqrt(a) sqrt(a)
 #define lane_abs(a) fabs(a)

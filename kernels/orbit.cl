@@ -41,7 +41,7 @@ __kernel void approach(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __
   __global real* own = sections + (size_t)item * SECTION_NUMBERS;
   if (round.done == 0) store_section(own, 0, x);
   for (uint period = 0; period < round.periods; ++period) {
-    walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
+    walk_period(&point, &grid, EVENTS, 0, x, 0, 0, 0, 0);
     store_section(own, round.done + period + 1, x);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
@@ -62,7 +62,7 @@ __kernel void measure(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __g
   real own[MODEL_STATE_COUNT];
   real shared[MODEL_STATE_COUNT];
   extent_begin(x, &extent);
-  walk_period(&point, &grid, EVENTS, x, 0, 0, &extent, 0);
+  walk_period(&point, &grid, EVENTS, WALK_EXTENT, x, 0, 0, &extent, 0);
   extent_ranges(&extent, tolerance, own);
   share_ranges(own, shared);
   store_components(ranges, items, item, 0, MODEL_STATE_COUNT, shared);
@@ -194,7 +194,7 @@ __kernel void return_map(const SweepRound round, PARAMETER_TABLES, GRID_TABLES,
   for (uint period = round.done; period < round.done + round.periods; ++period) {
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
-    walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
+    walk_period(&point, &grid, EVENTS, 0, x, 0, 0, 0, 0);
     store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
   }
 }
@@ -215,7 +215,7 @@ __kernel void return_map_linearized(const SweepRound round, PARAMETER_TABLES, GR
     const mask is_under_way = (scalar)(period) < lengths[item];
     if (all_lanes(!is_under_way)) return;
     load_many(derivative, items, item, 0, TANGENT_NUMBERS, w);
-    walk_period(&point, &grid, EVENTS, x, w, 0, 0, 0);
+    walk_period(&point, &grid, EVENTS, WALK_TANGENTS, x, w, 0, 0, 0);
     store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
     store_where(is_under_way, derivative, items, item, TANGENT_NUMBERS, w);
   }

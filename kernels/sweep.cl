@@ -16,7 +16,7 @@ __kernel void settle(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   for (uint period = 0; period < round.periods; ++period) {
-    walk_period(&point, &grid, EVENTS, x, 0, 0, 0, 0);
+    walk_period(&point, &grid, EVENTS, 0, x, 0, 0, 0, 0);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
@@ -36,7 +36,8 @@ __kernel void align(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __glo
   for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   for (uint period = 0; period < round.periods; ++period) {
-    walk_period(&point, &grid, EVENTS, x, w, log_stretching, 0, 0);
+    walk_period(&point, &grid, EVENTS, WALK_TANGENTS | WALK_STRETCHINGS, x, w, log_stretching, 0,
+                0);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
   store_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
@@ -56,6 +57,8 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   Watcher watcher;
   watcher.observers = &observers;
   Extent extent;  // of the period
+  const int beside =
+      WALK_EXTENT | WALK_WATCHED | (TANGENTS > 0 ? WALK_TANGENTS | WALK_STRETCHINGS : 0);
   real w[TANGENT_NUMBERS];
   real log_stretching[TANGENT_VECTORS];
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
@@ -69,7 +72,7 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
     const uint number = round.done + period;
     for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;
     extent_begin(x, &extent);
-    walk_period(&point, &grid, EVENTS, x, w, log_stretching, &extent, &watcher);
+    walk_period(&point, &grid, EVENTS, beside, x, w, log_stretching, &extent, &watcher);
     const Section section = {.x = x,
                              .log_stretching = log_stretching,
                              .extent = &extent,
@@ -110,7 +113,7 @@ __kernel void replay(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
     const uint first_component = period % length * MODEL_STATE_COUNT;
     if (period < length) {
       extent_begin(x, &extent);
-      walk_period(&point, &grid, EVENTS, x, 0, 0, &extent, 0);
+      walk_period(&point, &grid, EVENTS, WALK_EXTENT, x, 0, 0, &extent, 0);
       store_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
     } else {
       load_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);

@@ -51,18 +51,18 @@ SHARED_FN void tangent_orthonormalize(real* w, real* log_stretching) {
   }
 }
 
-// Advances a state and its tangent vectors by one step; `middle` as in rk4_step.
-SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, bool events,
+// Advances a state and its tangent vectors by one step; `beside` as in rk4_step.
+SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, int beside,
                             real* x, real* middle, real* w) {
   ModelLinear linear[RK4_EVALUATIONS];
   Crossings crossings;
-  rk4_step_linearized(point, stage, h, x, middle, linear, events ? &crossings : 0);
+  rk4_step_linearized(point, stage, h, beside | RK4_LINEAR, x, middle, linear, &crossings);
   // This loop is not unrolled: the registers have room for one vector, not for all.
   for (int j = 0; j < TANGENTS; ++j) {
     real row[MODEL_STATE_COUNT];
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = w[j * MODEL_STATE_COUNT + i];
-    rk4_tangent_step(point, h, linear, events ? &crossings : 0, row);
+    rk4_tangent_step(point, h, beside, linear, &crossings, row);
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[j * MODEL_STATE_COUNT + i] = row[i];
   }

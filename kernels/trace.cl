@@ -38,7 +38,7 @@ __kernel void trace(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __glo
   const WalkGrid grid = FIND_GRID(item);
   Watcher watcher = {rows, 0, items, item};
   for (uint period = 0; period < round.periods; ++period) {
-    walk_period(&point, &grid, EVENTS, x, 0, 0, 0, &watcher);
+    walk_period(&point, &grid, EVENTS, WALK_WATCHED, x, 0, 0, 0, &watcher);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }

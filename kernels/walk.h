@@ -19,35 +19,43 @@ SHARED_FN void end_period(real* x) {
   model_take_turns(x);
 }
 
-// Advances a state by a period. Four arguments may be null, and then their work is left out (all of
-// this is inlined, so it costs nothing):
-//   w               tangent vectors, which are advanced, too
-//   log_stretching  the vectors are kept orthonormal, and their log stretching is added here
-//   extent          is widened to what the state moves through
-//   watcher         is shown each segment and step
+// What a walk does beside advancing a state: a sum of these. A pointer that is not asked for may be
+// null; none is compared with null, for a compiler may then keep what it points to in memory (a
+// null of a GPU's private memory need not be 0).
+enum {
+  WALK_TANGENTS = 1,     // the vectors w are advanced, too
+  WALK_STRETCHINGS = 2,  // these are kept orthonormal, and their log stretching is added
+  WALK_EXTENT = 4,       // the extent is widened to what the state moves through
+  WALK_WATCHED = 8       // the watcher is shown each segment and step
+};
+
+// Advances a state by a period. All of this is inlined, so what is not asked for costs nothing.
 // events: steps in which a limit of the contact is crossed are corrected.
-SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool events, real* x,
-                           real* w, real* log_stretching, Extent* extent, Watcher* watcher) {
+SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool events, int beside,
+                           real* x, real* w, real* log_stretching, Extent* extent,
+                           Watcher* watcher) {
   TABLE PhaseCoefs* stage = grid->stages;
+  const bool is_watched = beside & WALK_WATCHED;
+  const int step_beside = (events ? RK4_CORRECTED : 0) | (is_watched ? RK4_MIDDLE : 0);
   real middle[MODEL_STATE_COUNT];
   for (sweep_uint segment = 0; segment < grid->segments; ++segment) {
     const sweep_uint steps = grid->steps[segment];
     const scalar share = grid->fractions[segment];
     const real h = share * point->period;
     const bool is_last = segment + 1 == grid->segments;
-    if (watcher) watch_segment(watcher, point, stage, x);
+    if (is_watched) watch_segment(watcher, point, stage, x);
     for (sweep_uint step = 0; step < steps; ++step) {
-      if (w) {
-        tangent_step(point, stage, h, events, x, watcher ? middle : 0, w);
-        if (log_stretching && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
+      if (beside & WALK_TANGENTS) {
+        tangent_step(point, stage, h, step_beside, x, middle, w);
+        if (beside & WALK_STRETCHINGS && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
           tangent_orthonormalize(w, log_stretching);
         }
       } else {
-        rk4_step(point, stage, h, events, x, watcher ? middle : 0);
+        rk4_step(point, stage, h, step_beside, x, middle);
       }
-      if (extent && step % EXTENT_EVERY == 0) extent_widen(x, extent);
+      if (beside & WALK_EXTENT && step % EXTENT_EVERY == 0) extent_widen(x, extent);
       stage += RK4_STAGES_PER_STEP;
-      if (watcher) watch_step(watcher, point, stage, share, middle, x);
+      if (is_watched) watch_step(watcher, point, stage, share, middle, x);
     }
     stage += 1;
   }

@@ -64,14 +64,20 @@ SHARED_FN Rk4Lengths rk4_lengths(real h) {
   return lengths;
 }
 
-// Advances x by h (dimensionless time). Unless `linear` is null, it keeps the linearisation at each
-// of the RK4_EVALUATIONS, times h/2, h/2, h and h/6, as rk4_tangent_step wants it. Unless
-// `middle_state` is null, it gets the state in the middle of the step: that of Hermite's cubic
-// through both ends, of fourth order locally. Unless `crossings` is null, a step in which a limit
-// of the contact is crossed is corrected.
+// What a step gives beside its end: a sum of these. What is not asked for may be null (walk.h).
+enum {
+  RK4_MIDDLE = 1,  // the state in its middle: that of Hermite's cubic through both ends, of fourth
+                   // order locally
+  RK4_LINEAR = 2,  // the linearisation at each of the RK4_EVALUATIONS, times h/2, h/2, h and h/6,
+                   // as rk4_tangent_step wants it
+  RK4_CORRECTED = 4  // a step in which a limit of the contact is crossed is corrected
+};
+
+// Advances x by h (dimensionless time).
 SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
-                                   real* x, real* middle_state, ModelLinear* linear,
+                                   int beside, real* x, real* middle_state, ModelLinear* linear,
                                    Crossings* crossings) {
+  const bool is_linear = beside & RK4_LINEAR;
   const Rk4Lengths lengths = rk4_lengths(h);
   const PhaseCoefs start = stage[0];
   const PhaseCoefs middle = stage[1];
@@ -81,36 +87,37 @@ SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* st
   real next[MODEL_STATE_COUNT];
   Rk4Contact contact[RK4_EVALUATIONS];
 
-  if (linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
+  if (is_linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
   rk4_slope(point, &start, x, &contact[0], slope);
-  if (middle_state) rk4_middle_begin(h, slope, middle_state);
+  if (beside & RK4_MIDDLE) rk4_middle_begin(h, slope, middle_state);
   rk4_advance(x, lengths.sixth_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
-  if (linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
+  if (is_linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
   rk4_slope(point, &middle, at, &contact[1], slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
-  if (linear) model_linearize(point, &middle, at, h, &linear[2]);
+  if (is_linear) model_linearize(point, &middle, at, h, &linear[2]);
   rk4_slope(point, &middle, at, &contact[2], slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, h, slope, at);
-  if (linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
+  if (is_linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
   rk4_slope(point, &end, at, &contact[3], slope);
   rk4_advance(next, lengths.sixth_h, slope, next);
 #ifdef MODEL_CONTACT
-  if (crossings) crossings_correct(point, &start, &end, h, contact, next, crossings);
+  if (beside & RK4_CORRECTED) {
+    crossings_correct(point, &start, &end, h, contact, next, crossings);
+  }
 #endif
-  if (middle_state) rk4_middle_end(x, next, h, slope, middle_state);
+  if (beside & RK4_MIDDLE) rk4_middle_end(x, next, h, slope, middle_state);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = next[i];
 }
 
-// Advances x by h; `events`: steps in which a limit of the contact is crossed are corrected. Unless
-// `middle` is null, it gets the state in the middle of the step.
-SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, bool events,
+// Advances x by h, without its linearisation.
+SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, int beside,
                         real* x, real* middle) {
   Crossings crossings;
-  rk4_step_linearized(point, stage, h, x, middle, 0, events ? &crossings : 0);
+  rk4_step_linearized(point, stage, h, beside, x, middle, 0, &crossings);
 }
 
 // With MODEL_SECOND_ORDER a model says that the first half of its states are positions, the second
@@ -129,10 +136,10 @@ SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h
 //   w' = (w2 + 2 w3 + w4 - w)/3 + h/6 J4 w4,
 // and for positions x with velocities v (Nystroem's form)
 //   x' = x3 + h/6 (v4 + 2 v3 - (v2 - v)).
-// Without slopes and running sums one vector fits into a CPU's registers. `crossings` as the step
-// of the state left it.
-SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLinear* linear,
-                                const Crossings* crossings, real* w) {
+// Without slopes and running sums one vector fits into a CPU's registers. `beside`, `linear` and
+// `crossings` as the step of the state had and left them.
+SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, int beside,
+                                const ModelLinear* linear, const Crossings* crossings, real* w) {
   const real sixth_h = rk4_lengths(h).sixth_h;
   const real third = (scalar)(1.0 / 3.0);
   const real two = 2;
@@ -165,6 +172,6 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, const ModelLine
     w[i] = last[i] + third * ((w4[i] + two * w3[i]) + (w2[i] - w[i]));
   }
 #ifdef MODEL_CONTACT
-  if (crossings) crossings_correct_tangent(crossings, added, w);
+  if (beside & RK4_CORRECTED) crossings_correct_tangent(crossings, added, w);
 #endif
 }

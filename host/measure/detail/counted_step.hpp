@@ -49,13 +49,12 @@ inline double count_step(const ModelSetting& setting, bool events, std::size_t t
   x[STATE_x1] = real(3.1, &tally);  // in contact, so that the mesh force is not zero
   ModelLinear linear[RK4_EVALUATIONS];
   Crossings crossings;
-  Crossings* const corrected = events ? &crossings : nullptr;
-  rk4_step_linearized(&point, stages.data(), h, x, nullptr, tangents > 0 ? linear : nullptr,
-                      corrected);
+  const int beside = (events ? RK4_CORRECTED : 0) | (tangents > 0 ? RK4_LINEAR : 0);
+  rk4_step_linearized(&point, stages.data(), h, beside, x, nullptr, linear, &crossings);
   for (std::size_t j = 0; j < tangents; ++j) {
     real w[MODEL_STATE_COUNT];
     for (real& number : w) number = next();
-    rk4_tangent_step(&point, h, linear, corrected, w);
+    rk4_tangent_step(&point, h, beside, linear, &crossings, w);
   }
   return tally.flops();
 }

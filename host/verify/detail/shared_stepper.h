@@ -33,7 +33,7 @@ inline std::vector<double> step_periods(const ModelSetting& setting, const Phase
   const WalkGrid walked = {static_cast<sweep_uint>(grid.segment_steps.size()),
                            grid.segment_steps.data(), fractions.data(), stages.data()};
   for (std::size_t period = 0; period < periods; ++period) {
-    walk_period(&point, &walked, events, x, nullptr, nullptr, nullptr, nullptr);
+    walk_period(&point, &walked, events, 0, x, nullptr, nullptr, nullptr, nullptr);
   }
   return std::vector<double>(x, x + MODEL_STATE_COUNT);
 }
