@@ -91,7 +91,7 @@ void assembly(benchmark::State& state) {
   const Study study = map_study();
   const Plan made(study, kTilePoints);
   for ([[maybe_unused]] auto turn : state) {
-    Assembly maps(study);
+    Assembly maps(study, study.model->states.size());
     for (const Tile& tile : made.stages().front().tiles) {
       const std::size_t points = tile.points.size();
       TileResult answers;

@@ -1,7 +1,9 @@
 // The types that every model has, made from its lists, and defaults. A model file defines
 // MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any, MODEL_PHASE_COEFS,
-// MODEL_OPTIONS and MODEL_ANGLES (X(state) of each that means the same after a full turn, in
-// radians), then includes this file, then defines its functions. No include guard: the host
+// MODEL_OPTIONS, MODEL_ANGLES (X(state) of each that means the same after a full turn, in radians)
+// and MODEL_MIRROR_PAIRS (X(states, parameters), names pair after pair: while both parameters of
+// each pair are equal, a motion with the second state of each pair the negative of the first keeps
+// that), then includes this file, then defines its functions. No include guard: the host
 // includes each model into a namespace of its own.
 
 #define MODEL_STATE_INDEX(name, unit, meaning) STATE_##name,

@@ -8,6 +8,7 @@
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "opencl/program_source.hpp"
+#include "plan/passive_states.hpp"
 
 namespace gearsweep {
 namespace {
@@ -19,7 +20,9 @@ struct KernelsArguments {
 };
 
 void print_program(const KernelsArguments& arguments) {
-  const Study study = load_study(arguments.study, arguments.overrides);
+  const Study whole = load_study(arguments.study, arguments.overrides);
+  // A trace keeps every state.
+  const Study study = arguments.program == "trace" ? whole : without_passive_states(whole);
   // How many points a work-item takes is the device's choice unless the study makes it.
   const std::size_t lanes = study.integrate.lanes > 0 ? study.integrate.lanes : 1;
   answer("// OpenCL C, built with\n//   {}\n", build_options(study, lanes));

@@ -1,5 +1,7 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+
 namespace gearsweep {
 namespace {
 
@@ -32,6 +34,26 @@ ModelSetting Model::default_setting() const {
   }
   setting.options.assign(options.size(), 0);
   return setting;
+}
+
+Model Model::reduced(const Reduction& to) const {
+  Model out = *this;
+  out.whole = this;
+  out.reduction = to;
+  out.states.clear();
+  out.angles.clear();
+  for (const std::size_t state : to.kept) {
+    if (std::ranges::find(angles, state) != angles.end()) out.angles.push_back(out.states.size());
+    out.states.push_back(states[state]);
+  }
+  return out;
+}
+
+std::vector<double> Model::own_state(const std::vector<double>& state_of_whole) const {
+  if (whole == nullptr) return state_of_whole;
+  std::vector<double> own;
+  for (const std::size_t state : reduction.kept) own.push_back(state_of_whole[state]);
+  return own;
 }
 
 const Model* find_model(std::string_view name) {

@@ -61,6 +61,24 @@ class PreparedPoint {
                                     double* out) const = 0;
 };
 
+// Pairs of states that may mirror each other: while parameters come in equal pairs, a motion that
+// once has x[second] = -x[first] keeps it, pair by pair.
+struct MirrorPairs {
+  struct Pair {
+    std::size_t first = 0, second = 0;
+  };
+  std::vector<Pair> states;
+  std::vector<Pair> parameters;
+};
+
+// What a model is that stands for a larger one, with some of its states alone. Indices are those of
+// the whole model, in its order.
+struct Reduction {
+  std::vector<std::size_t> kept;
+  std::vector<std::size_t> passive;        // drive nothing that is kept
+  std::vector<MirrorPairs::Pair> mirrors;  // x[second] = -x[first], where the first one is kept
+};
+
 struct Model {
   std::string name, summary;
   std::vector<ChannelInfo> states, signals;
@@ -72,6 +90,11 @@ struct Model {
   // A force grows from the limits of a backlash: the signals `deflection` and `backlash`, and
   // where the model tells the force itself, `dmf` (contact_force()).
   bool has_contact = false;
+  std::vector<MirrorPairs> mirror_pairs;
+  // Set in a reduced model, whose states and angles are those that are kept. Its functions below
+  // take and give the states of the whole model.
+  const Model* whole = nullptr;
+  Reduction reduction;
   // The longest step of a study that names none, in dimensionless time: at this the Lyapunov
   // exponents of the presets, and of parameters between half and twice theirs, are those at a
   // quarter of it, to within three standard errors of a mean over 32,000 periods, or to a
@@ -101,6 +124,11 @@ struct Model {
   const ChannelInfo* contact_force() const;
 
   ModelSetting default_setting() const;
+
+  // This model, a whole one that outlives the result, with the states that are kept.
+  Model reduced(const Reduction& reduction) const;
+  // A state of the whole model as one of this.
+  std::vector<double> own_state(const std::vector<double>& state_of_whole) const;
 };
 
 // All built-in models, by name.

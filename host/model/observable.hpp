@@ -11,6 +11,12 @@ namespace gearsweep {
 // In a count, stands for the model's number of states: 3 + 2 * kPerState is 3 and two per state.
 constexpr int kPerState = 1 << 16;
 
+// A count with that put in.
+constexpr std::size_t numbers_of(int count, std::size_t states) {
+  return static_cast<std::size_t>(count % kPerState) +
+         static_cast<std::size_t>(count / kPerState) * states;
+}
+
 // What an observable is for.
 enum class ObservableRole {
   measure,  // measures the steps of the recorded window
@@ -21,10 +27,11 @@ enum class ObservableRole {
 // What the host makes of an output, beside a map.
 enum class OutputRole {
   none,
-  motion,          // the kind of motion; where it is undecided, a longer window follows
-  period,          // of the motion, in forcing periods
-  settled,         // periods until the motion stayed periodic
-  exponent,        // largest Lyapunov exponent
+  motion,    // the kind of motion; where it is undecided, a longer window follows
+  period,    // of the motion, in forcing periods
+  settled,   // periods until the motion stayed periodic
+  exponent,  // largest Lyapunov exponent
+  exponent_per_period,
   exponent_error,  // its error, to which the host adds
   section_min,     // the box around the sections
   section_max,

@@ -30,7 +30,8 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
 }  // namespace
 
 Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
-  offsets_ = ensemble_offsets(study_.initial, study_.model->states.size());
+  const Model& model = *study_.model;
+  offsets_ = ensemble_offsets(study_.initial, (model.whole ? *model.whole : model).states.size());
   const Span x = {0, study_.axes[0].values.size()};
   const Span y = {0, study_.points() / x.last};
   const bool along_x = study_.initial.along == 0;
@@ -154,7 +155,7 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
     if (study_.axes[axis].is_state) state[study_.axes[axis].index] = axis_value(axis, point);
   }
-  return state;
+  return study_.model->own_state(state);
 }
 
 // In the order of their keys. What takes time for each point of a large study is here.

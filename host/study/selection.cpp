@@ -80,11 +80,6 @@ std::vector<Quantity> census_quantities() {
   return {attractor, count};
 }
 
-std::size_t resolve_count(int count, std::size_t states) {
-  return static_cast<std::size_t>(count % kPerState) +
-         static_cast<std::size_t>(count / kPerState) * states;
-}
-
 // Index of the first output of an observer, which is added when the selection has it not yet.
 std::size_t first_output_of(const Source& source, std::size_t states, Selection* selection) {
   std::size_t first = 0;
@@ -98,9 +93,9 @@ std::size_t first_output_of(const Source& source, std::size_t states, Selection*
   const std::size_t outputs =
       observable.role == ObservableRole::samples ? 0 : observable.outputs.size();
   selection->observers.push_back({&observable, source.channel,
-                                  resolve_count(observable.accumulators, states),
+                                  numbers_of(observable.accumulators, states),
                                   outputs * (observable.dimension.empty() ? 1 : states),
-                                  resolve_count(observable.tangents, states)});
+                                  numbers_of(observable.tangents, states)});
   return first;
 }
 

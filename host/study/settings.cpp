@@ -23,6 +23,7 @@ std::string resolved_settings(const Study& study) {
   text += fmt::format("settle = {}\nrecord = {}\nwarm_up = {}\nextend = {}\n", integrate.settle,
                       integrate.record, integrate.warm_up, integrate.extend);
   text += fmt::format("stop = \"{}\"\n", integrate.stop == Stop::orbit ? "orbit" : "never");
+  text += fmt::format("states = \"{}\"\n", integrate.states == States::driving ? "driving" : "all");
   return text;
 }
 

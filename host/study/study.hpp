@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ enum class EngineKind { opencl, reference };
 // Whether a point that settles on a periodic orbit stops there, or runs on to the end.
 enum class Stop { orbit, never };
 
+// Whether states that drive nothing that is looked at are left out (plan/passive_states.hpp).
+enum class States { driving, all };
+
 // How to integrate.
 struct Integrate {
   bool fp64 = true;
@@ -54,6 +58,7 @@ struct Integrate {
   std::size_t warm_up = 100;         // last periods of settle that tangent vectors are turned in
   std::size_t extend = 16;           // an undecided point is recorded for up to so many records
   Stop stop = Stop::orbit;
+  States states = States::driving;
   EngineKind engine = EngineKind::opencl;
   // Four that never change a result, only how it is computed; 0: the engine chooses.
   std::size_t lanes = 0;       // points per work-item
@@ -76,6 +81,7 @@ struct Scales {
 struct Study {
   std::string title;
   const Model* model = nullptr;
+  std::shared_ptr<const Model> own_model;  // what `model` points to, where no other owns it
   std::string preset;
   ModelSetting setting;  // of every point, before the axes
   std::vector<std::string>

@@ -163,6 +163,9 @@ StudyTable integrate_table() {
        one_of("stop", {"orbit", "never"}, quoted("orbit"),
               "orbit: a point that arrives on a periodic orbit stops there; never: it runs on to "
               "the end."),
+       one_of("states", {"driving", "all"}, quoted("driving"),
+              "driving: states that drive nothing that is looked at are left out; all: each is "
+              "integrated."),
        one_of("engine", {"opencl", "reference"}, quoted("opencl"),
               "reference: a second opinion on the host, slow."),
        whole("lanes", integrate.lanes, 0, 16,

@@ -194,6 +194,7 @@ void read_integrate(const toml::table* table, Study* study) {
   integrate.warm_up = reader.count("warm_up", integrate.warm_up);
   integrate.extend = reader.count("extend", integrate.extend);
   integrate.stop = reader.choice("stop", 0) == 0 ? Stop::orbit : Stop::never;
+  integrate.states = reader.choice("states", 0) == 0 ? States::driving : States::all;
   integrate.engine = reader.choice("engine", 0) == 0 ? EngineKind::opencl : EngineKind::reference;
   integrate.lanes = reader.count("lanes", 0);
   if ((integrate.lanes & (integrate.lanes - 1)) != 0) {

@@ -27,7 +27,7 @@ std::vector<std::string> class_names(const std::vector<Attractor>& attractors) {
 
 }  // namespace
 
-Assembly::Assembly(const Study& study) {
+Assembly::Assembly(const Study& study, std::size_t states) {
   const std::size_t points = study.points();
   const Selection& selection = study.selection;
   result_.study = study;
@@ -37,7 +37,7 @@ Assembly::Assembly(const Study& study) {
     result_.values.emplace_back(points * quantity.width);
   }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
-  if (study.is_chained()) final_states_.resize(points * study.model->states.size());
+  if (study.is_chained()) final_states_.resize(points * states);
   if (selection.census) summaries_.resize(study.trajectories());
 }
 

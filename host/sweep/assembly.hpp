@@ -11,7 +11,7 @@ namespace gearsweep {
 
 class Assembly {
  public:
-  explicit Assembly(const Study& study);
+  Assembly(const Study& study, std::size_t states);
 
   void add(const Tile& tile, const TileResult& result);
 

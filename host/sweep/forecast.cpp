@@ -71,8 +71,8 @@ Pace best_pace(const Plan& plan, Engine* engine, const std::atomic<bool>* stop) 
 }
 
 // Sets the time that the study will take, and what is said of the sample.
-void measure_time(const Study& study, const RunContext& run, const SweepOptions& options,
-                  Forecast* forecast) {
+void measure_time(const RunContext& run, const SweepOptions& options, Forecast* forecast) {
+  const Study& study = run.plan().study();
   double rate = 0.0;  // shares of the study per second, on all engines together
   forecast->has_whole_sample = true;
   for (const std::unique_ptr<Engine>& engine : run.engines()) {
@@ -109,7 +109,7 @@ std::optional<Forecast> forecast_sweep(const Study& study, const SweepOptions& o
   forecast.tile_points = run.plan().tile_points();
   for (const Stage& stage : run.plan().stages()) forecast.tiles += stage.tiles.size();
   forecast.steps = run.plan().total_work();
-  measure_time(stepped->study, run, options, &forecast);
+  measure_time(run, options, &forecast);
   if (options.stop != nullptr && *options.stop) return std::nullopt;
   return forecast;
 }

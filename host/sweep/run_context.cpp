@@ -8,6 +8,7 @@
 
 #include "model/error.hpp"
 #include "model/version.hpp"
+#include "plan/passive_states.hpp"
 #include "sweep/tile_loop.hpp"
 #include "workers/cluster_workers.hpp"
 #include "workers/make_engine.hpp"
@@ -75,7 +76,10 @@ Identity identity_of(const Study& study, const Shard& shard) {
 }
 
 RunContext::RunContext(const SteppedStudy& stepped, const SweepOptions& options)
-    : stepped_(stepped), study_(stepped.study), options_(options) {
+    : stepped_(stepped),
+      study_(stepped.study),
+      computed_(without_passive_states(study_)),
+      options_(options) {
   if (options.shard.count > 0 && study_.is_chained()) {
     throw InputError(
         "--shard: initial.policy makes points start where their neighbours end, so the shards "
@@ -87,12 +91,12 @@ void RunContext::find_engines() {
   // Before the engines, which take a moment, and the plan, which is as large as the study.
   refuse_too_large(estimate_of_study(study_, options_.delivery, options_.journal_path),
                    options_.journal_path);
-  engines_ = make_engines(study_, options_.devices, options_.on_trouble);
+  engines_ = make_engines(computed_, options_.devices, options_.on_trouble);
   info_ = describe(engines_);
 }
 
 void RunContext::plan_tiles() {
-  plan_.emplace(plan_that_fits(study_, engines_, options_));
+  plan_.emplace(plan_that_fits(computed_, engines_, options_));
   estimate_ = estimate_of_plan(*plan_, engines_, options_.delivery, options_.journal_path);
   refuse_too_large(estimate_, options_.journal_path);
 }
@@ -107,7 +111,7 @@ void RunContext::open_journal() {
   const std::string kept = journal_->note(notes::kTilePoints);
   const std::size_t tile_points = kept.empty() ? plan_->tile_points() : read_count(kept, 1);
   if (plan_->tile_points() != tile_points) {
-    plan_.emplace(plan_as_kept(study_, tile_points, engines_, options_));
+    plan_.emplace(plan_as_kept(computed_, tile_points, engines_, options_));
   }
   std::map<std::string, std::string> all = options_.notes;
   all[notes::kTilePoints] = std::to_string(tile_points);
@@ -121,7 +125,7 @@ bool RunContext::compute_tiles() {
   const std::unique_ptr<WorkerPool> workers =
       start_workers(*plan_, std::move(engines_), options_.cluster);
   Journal* journal = journal_ ? &*journal_ : nullptr;
-  assembly_.emplace(study_);
+  assembly_.emplace(study_, computed_.model->states.size());
   if (TileLoop(*plan_, options_, workers.get(), journal, &*assembly_).run()) return true;
   if (journal != nullptr && journal->finished_tiles() == 0) journal->remove();
   return false;

@@ -40,13 +40,15 @@ class RunContext {
   void close_journal();
 
   const Engines& engines() const { return engines_; }
+  // Of the study with the states alone that it takes (plan/passive_states.hpp).
   const Plan& plan() const { return *plan_; }
   // Of what the planned tiles take.
   const ResourceEstimate& estimate() const { return estimate_; }
 
  private:
   const SteppedStudy& stepped_;
-  const Study& study_;
+  const Study& study_;    // whose maps are made
+  const Study computed_;  // with the states alone that it takes
   const SweepOptions& options_;
   Engines engines_;  // until the workers have them
   EngineInfo info_;  // of this process's engines

@@ -132,7 +132,7 @@ class ShardJournals {
 SweepResult merge_shards(const std::vector<std::string>& journals) {
   const ShardJournals shards(journals);
   const Plan plan = shards.plan();
-  Assembly assembly(shards.study());
+  Assembly assembly(shards.study(), plan.study().model->states.size());
   const std::vector<const Tile*> tiles = tiles_of(plan);
   for (std::size_t number = 0; number < tiles.size(); ++number) {
     const TileResult result = shards.tile(number);

@@ -24,6 +24,12 @@
 // A force that starts at the limits of a backlash: steps that cross one are corrected.
 #define MODEL_CONTACT
 
+// X(states, parameters): the mesh pushes both shafts equally hard. Where they are alike, each
+// mirrors the other.
+#define MODEL_MIRROR_PAIRS(X)           \
+  X("x2 x4 v2 v4", "m1 m2 k1 k3 c1 c3") \
+  X("x3 x5 v3 v5", "m1 m2 k2 k4 c2 c4")
+
 // X(name, unit, default, min, max, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
 #define MODEL_PARAMETERS(X)                                                                 \

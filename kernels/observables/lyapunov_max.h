@@ -11,7 +11,8 @@
   X(error, "1/tau", "", "error of the largest Lyapunov exponent") \
   X(per_period, "1", "", "largest Lyapunov exponent times the forcing period")
 // X(suffix, role)
-#define LYAPUNOV_MAX_OUTPUT_ROLES(X) X(, exponent) X(error, exponent_error)
+#define LYAPUNOV_MAX_OUTPUT_ROLES(X) \
+  X(, exponent) X(error, exponent_error) X(per_period, exponent_per_period)
 
 enum {
   lyapunov_max_sum,         // of the periods' rates: log stretching over time

@@ -1,6 +1,7 @@
 #include "opencl/detail/program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -31,6 +32,39 @@ void write_units(const Model& model, std::ostream& out) {
     if (known == units.end()) units.push_back(state.unit);
   }
   out << "}\n";
+}
+
+// Whether the kept states are still positions, then their velocities in the same order, if the
+// whole model's are.
+bool has_positions_first(const Reduction& reduction, std::size_t states) {
+  const std::size_t half = reduction.kept.size() / 2;
+  if (reduction.kept.size() % 2 != 0 || states % 2 != 0) return false;
+  for (std::size_t i = 0; i < half; ++i) {
+    if (reduction.kept[half + i] != reduction.kept[i] + states / 2) return false;
+  }
+  return true;
+}
+
+// What driving.h wants to know of a reduced model, and the places of the states that it keeps.
+void write_reduction(const Model& model, std::ostream& out) {
+  const Reduction& reduction = model.reduction;
+  std::vector<std::string> whole(model.whole->states.size(), "(real)(0)");
+  std::string kept;
+  for (std::size_t i = 0; i < reduction.kept.size(); ++i) {
+    kept += fmt::format("{}, ", reduction.kept[i]);
+    whole[reduction.kept[i]] = fmt::format("(x)[{}]", i);
+  }
+  for (const MirrorPairs::Pair& mirror : reduction.mirrors) {
+    whole[mirror.second] = "-" + whole[mirror.first];
+  }
+  out << fmt::format("#define KEPT_COUNT {}\n#define KEPT_STATES {{{}}}\n", model.states.size(),
+                     kept);
+  out << fmt::format("#define WHOLE_STATE(x) {{{}}}\n", fmt::join(whole, ", "));
+  out << "#include \"driving.h\"\n";
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    out << fmt::format("#define STATE_{} {}\n", model.states[i].name, i);
+  }
+  if (!has_positions_first(reduction, whole.size())) out << "#undef MODEL_SECOND_ORDER\n";
 }
 
 // A file with what it includes; nothing when it is among `included`, to which it is added.
@@ -71,6 +105,7 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
 std::string selection_header(const Study& study) {
   std::ostringstream out;
   out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
+  if (study.model->whole != nullptr) write_reduction(*study.model, out);
   out << "#include \"rk4/rk4.h\"\n#define MODEL_OPTION_VALUES {";
   for (const int option : study.setting.options) out << option << ", ";
   // OpenCL C knows no empty initialiser; a model without options has one dummy member.

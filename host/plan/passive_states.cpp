@@ -1,0 +1,200 @@
+#include "plan/passive_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <iterator>
+#include <random>
+#include <set>
+
+#include "model/array.hpp"
+#include "model/eigenvalues.hpp"
+#include "plan/detail/structure.hpp"
+
+namespace gearsweep {
+namespace {
+
+bool looks_at_all_states(const Observer& observer) {
+  const Observable& observable = *observer.observable;
+  return !observable.dimension.empty() || observable.tangents >= kPerState;
+}
+
+// The states that the study looks at itself. Observables of the section follow the first state.
+std::set<std::size_t> states_looked_at(const Study& study) {
+  std::set<std::size_t> seen(study.selection.poincare.begin(), study.selection.poincare.end());
+  seen.insert(0);
+  for (const Observer& observer : study.selection.observers) {
+    const int state = study.model->find_state(observer.channel);
+    if (state >= 0) seen.insert(static_cast<std::size_t>(state));
+  }
+  return seen;
+}
+
+// The states that the signals it looks at depend on.
+std::set<std::size_t> states_of_signals(const Study& study, const Structure& structure) {
+  std::set<std::size_t> states;
+  const auto see = [&](const std::string& name) {
+    const int signal = study.model->find_signal(name);
+    if (signal >= 0) states.merge(structure.drivers_of_signal(static_cast<std::size_t>(signal)));
+  };
+  for (const Observer& observer : study.selection.observers) {
+    see(observer.channel);
+    for (const std::string& signal : observer.observable->needed_signals) see(signal);
+  }
+  return states;
+}
+
+// Values of each axis that stand for all: both ends and the middle, or all of them.
+std::vector<double> chosen_values(const Axis& axis, bool all) {
+  const std::vector<double>& values = axis.values;
+  if (all || values.size() <= 3) return values;
+  return {values.front(), values[values.size() / 2], values.back()};
+}
+
+// Settings of the study: each axis goes through its chosen values, or all of them while the other
+// one goes through the chosen.
+std::vector<ModelSetting> settings_of(const Study& study, bool all) {
+  std::vector<ModelSetting> settings;
+  const auto add = [&](std::size_t whole_axis) {
+    std::vector<ModelSetting> own = {study.setting};
+    for (std::size_t number = 0; number < study.axes.size(); ++number) {
+      const Axis& axis = study.axes[number];
+      if (axis.is_state) continue;
+      std::vector<ModelSetting> wider;
+      for (const double value : chosen_values(axis, all && number == whole_axis)) {
+        for (ModelSetting setting : own) {
+          setting.parameters[axis.index] = value;
+          wider.push_back(std::move(setting));
+        }
+      }
+      own = std::move(wider);
+    }
+    std::ranges::move(own, std::back_inserter(settings));
+  };
+  for (std::size_t axis = 0; axis < (all ? study.axes.size() : 1); ++axis) add(axis);
+  return settings;
+}
+
+bool is_swept(const Study& study, bool is_state, std::size_t index) {
+  return std::ranges::any_of(study.axes, [&](const Axis& axis) {
+    return axis.is_state == is_state && axis.index == index;
+  });
+}
+
+// Whether all points start with x[second] = -x[first] in each pair, and keep it.
+bool holds_mirrored(const Study& study, const MirrorPairs& pairs,
+                    const std::vector<ModelSetting>& settings) {
+  const std::vector<double>& values = study.setting.parameters;
+  const bool are_alike = std::ranges::all_of(pairs.parameters, [&](const MirrorPairs::Pair& pair) {
+    return values[pair.first] == values[pair.second] && !is_swept(study, false, pair.first) &&
+           !is_swept(study, false, pair.second);
+  });
+  if (!are_alike) return false;
+  const auto starts_mirrored = [&](const std::vector<double>& x) {
+    return std::ranges::all_of(pairs.states, [&](const MirrorPairs::Pair& pair) {
+      return x[pair.second] == -x[pair.first];
+    });
+  };
+  for (const MirrorPairs::Pair& pair : pairs.states) {
+    if (is_swept(study, true, pair.first) || is_swept(study, true, pair.second)) return false;
+    const Initial& initial = study.initial;
+    const bool is_spread = initial.spread[pair.first] != 0.0 || initial.spread[pair.second] != 0.0;
+    if (initial.ensemble > 1 && is_spread) return false;
+  }
+  if (study.initial.policy == InitialPolicy::fixed) return starts_mirrored(study.initial.state);
+  return std::ranges::all_of(settings, [&](const ModelSetting& setting) {
+    return starts_mirrored(study.model->equilibrium(setting));
+  });
+}
+
+Reduction reduction_of(const Study& study, const Structure& structure,
+                       const std::vector<ModelSetting>& settings) {
+  const std::set<std::size_t> seen = states_looked_at(study);
+  std::set<std::size_t> needed = states_of_signals(study, structure);
+  needed.insert(seen.begin(), seen.end());
+  const std::set<std::size_t> driving = structure.closure(needed);
+  std::set<std::size_t> mirrored;
+  Reduction reduction;
+  for (const MirrorPairs& pairs : study.model->mirror_pairs) {
+    const bool would_do = std::ranges::all_of(pairs.states, [&](const MirrorPairs::Pair& pair) {
+      return driving.contains(pair.first) && driving.contains(pair.second) &&
+             !seen.contains(pair.second);
+    });
+    if (!would_do || !holds_mirrored(study, pairs, settings)) continue;
+    for (const MirrorPairs::Pair& pair : pairs.states) {
+      reduction.mirrors.push_back(pair);
+      mirrored.insert(pair.second);
+    }
+  }
+  for (std::size_t state = 0; state < study.model->states.size(); ++state) {
+    if (!driving.contains(state)) {
+      reduction.passive.push_back(state);
+    } else if (!mirrored.contains(state)) {
+      reduction.kept.push_back(state);
+    }
+  }
+  return reduction;
+}
+
+// What is left out must decay at all points. Mostly no axis changes how.
+bool decays_everywhere(const Study& study, const Model& reduced,
+                       const std::vector<ModelSetting>& settings) {
+  const auto decays = [&](const ModelSetting& setting) {
+    const std::vector<double> exponents = left_out_exponents(reduced, setting);
+    return !exponents.empty() && exponents.front() < 0.0;
+  };
+  const std::vector<double> first = left_out_block(reduced, settings.front());
+  const bool is_the_same = std::ranges::all_of(settings, [&](const ModelSetting& setting) {
+    return left_out_block(reduced, setting) == first;
+  });
+  if (is_the_same) return decays(settings.front());
+  return std::ranges::all_of(settings_of(study, true), decays);
+}
+
+// The observers' numbers for each point, and the places of sampled states.
+void fit(const Model& reduced, Selection* selection) {
+  for (std::size_t& state : selection->poincare) {
+    state = static_cast<std::size_t>(std::ranges::find(reduced.reduction.kept, state) -
+                                     reduced.reduction.kept.begin());
+  }
+  for (Observer& observer : selection->observers) {
+    observer.accumulators = numbers_of(observer.observable->accumulators, reduced.states.size());
+  }
+}
+
+}  // namespace
+
+Study without_passive_states(const Study& study) {
+  const Selection& selection = study.selection;
+  if (study.integrate.states == States::all || study.model->whole != nullptr ||
+      study.integrate.engine != EngineKind::opencl ||
+      std::ranges::any_of(selection.observers, looks_at_all_states)) {
+    return study;
+  }
+  const std::vector<ModelSetting> settings = settings_of(study, false);
+  const Structure structure(*study.model, settings);
+  const Reduction reduction = reduction_of(study, structure, settings);
+  if (reduction.kept.size() == study.model->states.size()) return study;
+  if (!structure.leaves_constant_block(reduction)) return study;
+  const auto reduced = std::make_shared<const Model>(study.model->reduced(reduction));
+  if (!decays_everywhere(study, *reduced, settings)) return study;
+  Study out = study;
+  out.own_model = reduced;
+  out.model = reduced.get();
+  fit(*reduced, &out.selection);
+  return out;
+}
+
+std::vector<double> left_out_exponents(const Model& reduced, const ModelSetting& setting) {
+  const std::vector<double> block = left_out_block(reduced, setting);
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(block.size())));
+  std::vector<double> exponents;
+  for (const std::complex<double>& value : eigenvalues(block.data(), size)) {
+    exponents.push_back(value.real());
+  }
+  std::ranges::sort(exponents, std::greater());
+  return exponents;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,100 @@
+// A model with fewer states. What a study looks at is driven by some states alone; the others, and
+// those that mirror one of these, are left out. The host writes, beside the model,
+//   KEPT_STATES     the numbers of the states that are kept, as an initialiser
+//   KEPT_COUNT      how many there are
+//   WHOLE_STATE(x)  the whole model's state where the kept one is x, as an initialiser
+// and includes this file. From here on the model has the kept states alone. Its functions still
+// work out all of them; the compiler drops what nobody reads.
+
+enum { WHOLE_STATE_COUNT = MODEL_STATE_COUNT };
+
+SHARED_FN void driving_keep(const real* whole, real* x) {
+  const int kept[KEPT_COUNT] = KEPT_STATES;
+  UNROLL
+  for (int i = 0; i < KEPT_COUNT; ++i) x[i] = whole[kept[i]];
+}
+
+SHARED_FN void driving_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                           real* dx) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  real slope[WHOLE_STATE_COUNT];
+  model_rhs(point, phase, whole, slope);
+  driving_keep(slope, dx);
+}
+
+SHARED_FN void driving_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                                 real scale, ModelLinear* linear) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  model_linearize(point, phase, whole, scale, linear);
+}
+
+SHARED_FN void driving_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+                               const real* base, real* out) {
+  const real whole_w[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
+  const real whole_base[WHOLE_STATE_COUNT] = WHOLE_STATE(base);
+  real whole_out[WHOLE_STATE_COUNT];
+  model_tangent(point, linear, whole_w, whole_base, whole_out);
+  driving_keep(whole_out, out);
+}
+
+SHARED_FN void driving_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                               ModelSignals* signals) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  model_signals(point, phase, whole, signals);
+}
+
+SHARED_FN void driving_take_turns(real* x) {
+  real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  model_take_turns(whole);
+  driving_keep(whole, x);
+}
+
+#ifdef MODEL_CONTACT
+SHARED_FN void driving_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+                               ModelContact* contact) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  model_contact(point, phase, whole, contact);
+}
+
+SHARED_FN void driving_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase,
+                                      const real* x, const ModelContact* contact, real* dx) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  real slope[WHOLE_STATE_COUNT];
+  model_rhs_in_contact(point, phase, whole, contact, slope);
+  driving_keep(slope, dx);
+}
+
+SHARED_FN void driving_contact_tangent(const ModelPoint* point, const ModelLinear* linear,
+                                       const real* w, ModelContact* added) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
+  model_contact_tangent(point, linear, whole, added);
+}
+
+SHARED_FN void driving_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
+                                       real* direction) {
+  real whole[WHOLE_STATE_COUNT];
+  model_force_direction(point, phase, whole);
+  driving_keep(whole, direction);
+}
+
+SHARED_FN void driving_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
+                                               const real* direction, real* dx) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
+  real slope[WHOLE_STATE_COUNT];
+  model_force_direction_carried(point, phase, whole, slope);
+  driving_keep(slope, dx);
+}
+
+#define model_contact driving_contact
+#define model_rhs_in_contact driving_rhs_in_contact
+#define model_contact_tangent driving_contact_tangent
+#define model_force_direction driving_force_direction
+#define model_force_direction_carried driving_force_direction_carried
+#endif
+
+#define MODEL_STATE_COUNT KEPT_COUNT
+#define model_rhs driving_rhs
+#define model_linearize driving_linearize
+#define model_tangent driving_tangent
+#define model_signals driving_signals
+#define model_take_turns driving_take_turns
