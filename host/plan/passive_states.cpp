@@ -45,11 +45,12 @@ std::set<std::size_t> states_of_signals(const Study& study, const Structure& str
   return states;
 }
 
-// Values of each axis that stand for all: both ends and the middle, or all of them.
+// Values of an axis that stand for all: the least, the largest and one between, or all of them.
 std::vector<double> chosen_values(const Axis& axis, bool all) {
   const std::vector<double>& values = axis.values;
   if (all || values.size() <= 3) return values;
-  return {values.front(), values[values.size() / 2], values.back()};
+  const auto [min, max] = std::ranges::minmax(values);
+  return {min, values[values.size() / 2], max};
 }
 
 // Settings of the study: each axis goes through its chosen values, or all of them while the other

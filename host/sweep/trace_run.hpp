@@ -13,8 +13,9 @@ namespace gearsweep {
 // along ends, in its direction, with the point.
 //
 // The trace begins where the sweep of that study begins to record the point and is as long as its
-// record: same start, same steps, on the same device the same bits at phase 0. A point that stops
-// on a periodic orbit repeats one turn of it, in the map and here. With samples_per_period = 0 its
+// record: same start, same steps, on the same device the same bits at phase 0 where the sweep
+// integrates all states, which a trace always does. A point that stops on a periodic orbit repeats
+// one turn of it, in the map and here. With samples_per_period = 0 its
 // moments are both ends of all integration steps, so that a break phase stands there twice, with
 // the values from either side; otherwise so many evenly spaced ones in each period from phase 0 on,
 // by cubic Hermite interpolation between the steps.

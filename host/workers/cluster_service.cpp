@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "model/error.hpp"
+#include "plan/passive_states.hpp"
 #include "workers/detail/cluster_messages.hpp"
 #include "workers/make_engine.hpp"
 #include "workers/thread_workers.hpp"
@@ -27,7 +28,7 @@ class Job {
   static Study study_of(const ClusterJob& job) {
     Study study = read_study(job.study, "the study of rank 0", {});
     study.integrate.max_step = job.max_step;
-    return study;
+    return without_passive_states(study);
   }
 
   const Study study_;

@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Steps of 0.05 are far too long for the stiffer bearing.
+// Steps of 0.05 are far too long for the stiffer bearing, which drives no gear.
 const char* const kStudy = R"([model]
 preset = "coarse"
 [[axes]]
@@ -21,6 +21,7 @@ values = [1.0, 1.38, 1e6]
 [integrate]
 settle = 20
 record = 10
+states = "all"
 [observe]
 quantities = ["x1_rms"]
 )";

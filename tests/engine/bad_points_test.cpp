@@ -155,7 +155,7 @@ TEST(BadPoints, AChainGoesOnBehindABadPoint) {
     return run("[model]\npreset = 'coarse'\n[[axes]]\nname = 'k1'\nvalues = " + values +
                "\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.65, 0.9]\n[initial]\npolicy = '" +
                policy +
-               "'\nalong = 'k1'\n[integrate]\nsettle = 60\nrecord = 20\n[observe]\n"
+               "'\nalong = 'k1'\n[integrate]\nsettle = 60\nrecord = 20\nstates = 'all'\n[observe]\n"
                "quantities = ['x1_rms', 'period', 'poincare']\n");
   };
   // Ascending values stand with the bad ones at an end: forward they come last, backward first.

@@ -246,9 +246,10 @@ TEST(ReferenceMotion, IsChaoticWherePublishedExponentsArePositive) {
 }
 
 // Both engines on the same study; all maps but those of chaotic points must agree. These part from
-// each other within the record, and have the same class.
+// each other within the record, and have the same class. The reference engine has every state, and
+// `settled` waits for each.
 void expect_engines_agree(const std::string& study, const std::vector<double>& classes) {
-  const SweepResult kernel = run(study + kObserve);
+  const SweepResult kernel = run(study + kObserve, {"integrate.states='all'"});
   const SweepResult reference = run_reference(study + kObserve);
   EXPECT_THAT(kernel.status, Each(0));
   EXPECT_THAT(reference.status, Each(0));
