@@ -25,10 +25,8 @@ constexpr std::size_t kMinOfGpuUnit = 1024, kPreferredOfGpuUnit = 4096;
 
 class OpenClEngine final : public Engine {
  public:
-  OpenClEngine(const Study& study, const cl::Device& device, const DeviceInfo& info,
-               std::shared_ptr<BusyClock> clock)
-      : launcher_(study, device, info, std::move(clock)),
-        program_(launcher_.program(study, "sweep.cl")) {
+  OpenClEngine(const Study& study, std::shared_ptr<OpenDevice> open)
+      : launcher_(study, std::move(open)), program_(launcher_.program(study, "sweep.cl")) {
     settle_ = cl::Kernel(program_, "settle");
     record_ = cl::Kernel(program_, "record");
     if (study.selection.tangent_count() > 0) align_ = cl::Kernel(program_, "align");
@@ -198,45 +196,29 @@ class OpenClEngine final : public Engine {
   std::size_t series_bytes_per_point_ = 0;
 };
 
-// The chosen device or part of one, and what is said of it.
-cl::Device pick_device(const DeviceChoice& choice, DeviceInfo* info) {
-  cl::Device whole = find_devices().at(choice.number);
-  if (choice.parts == 1) return whole;
-  info->compute_units /= static_cast<unsigned>(choice.parts);
-  if (!info->shares_host_memory) info->memory /= static_cast<double>(choice.parts);
-  const cl_device_partition_property units[] = {
-      CL_DEVICE_PARTITION_EQUALLY, static_cast<cl_device_partition_property>(info->compute_units),
-      0};
-  std::vector<cl::Device> parts;
-  whole.createSubDevices(units, &parts);
-  return parts.at(choice.part);
-}
-
 }  // namespace
 
 std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice,
-                                           std::shared_ptr<BusyClock> clock) {
-  std::vector<DeviceInfo> infos = list_devices();
-  if (!choice) choice = DeviceChoice{default_device(infos)};
-  if (choice->number >= infos.size()) {
-    throw InputError(
-        fmt::format("there is no device {}; 'gearsweep devices' lists {} (numbered "
-                    "from 0)",
-                    choice->number, infos.size()));
-  }
-  DeviceInfo& info = infos[choice->number];
-  if (study.integrate.fp64 && !info.fp64) {
+                                           OpenDevices* open) {
+  if (!choice) choice = DeviceChoice{default_device(list_devices())};
+  const std::shared_ptr<OpenDevice> device = open->open(*choice);
+  const std::string& name = device->info().name;
+  if (study.integrate.fp64 && !device->info().fp64) {
     throw InputError(
         fmt::format("device {} '{}' has no fp64; use integrate.precision = \"fp32\" "
                     "or another device",
-                    choice->number, info.name));
+                    choice->number, name));
   }
   try {
-    const cl::Device device = pick_device(*choice, &info);
-    return std::make_unique<OpenClEngine>(study, device, info, std::move(clock));
+    return std::make_unique<OpenClEngine>(study, device);
   } catch (const cl::Error& error) {
-    throw RunError(describe_error(fmt::format("preparing device '{}'", info.name), error));
+    throw RunError(describe_error(fmt::format("preparing device '{}'", name), error));
   }
+}
+
+std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice) {
+  OpenDevices open;
+  return make_opencl_engine(study, choice, &open);
 }
 
 }  // namespace gearsweep

@@ -5,16 +5,15 @@
 #include <optional>
 
 #include "engine/engine.hpp"
-#include "opencl/busy_clock.hpp"
-#include "opencl/device.hpp"
+#include "opencl/open_devices.hpp"
 
 namespace gearsweep {
 
 // Without a choice, default_device(). Throws InputError for an unknown device or one that lacks
 // fp64 when the study asks for it, RunError when the build fails or the device cannot be cut.
-// Engines that share a device share its clock.
-std::unique_ptr<Engine> make_opencl_engine(
-    const Study& study, std::optional<DeviceChoice> choice,
-    std::shared_ptr<BusyClock> clock = std::make_shared<BusyClock>());
+std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice,
+                                           OpenDevices* open);
+// On a device that it opens for itself.
+std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice);
 
 }  // namespace gearsweep

@@ -56,6 +56,7 @@ class PilotRuns {
   PilotRuns(const Study& study, const SweepOptions& options) : study_(pilot_study(study)) {
     if (options.on_pilot) options.on_pilot(study_.points());
     own_.devices = options.devices;
+    own_.open = options.open;
     own_.stop = options.stop;
   }
 

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/device_choice.hpp"
 #include "engine/result.hpp"
 #include "engine/trouble.hpp"
+#include "opencl/open_devices.hpp"
 #include "sweep/resource_estimate.hpp"
 #include "workers/shard.hpp"
 
@@ -28,7 +30,9 @@ struct SweepProgress {
 
 struct SweepOptions {
   std::vector<DeviceChoice> devices;  // that share the tiles; empty: the default one
-  Shard shard;                        // the whole sweep, or one part of it
+  // Runs with copies of these options share the devices that they open, and what is built for them.
+  std::shared_ptr<OpenDevices> open = std::make_shared<OpenDevices>();
+  Shard shard;  // the whole sweep, or one part of it
   // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
   // same sweep that is already there is continued.
   std::string journal_path;

@@ -62,7 +62,8 @@ void repeat_turn(std::size_t record, std::size_t turn, std::vector<double>* rows
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options) {
   const std::unique_ptr<Engine> engine = make_engine(
-      study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()));
+      study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()),
+      options.open.get());
   const Plan plan(study, study.points());
   const std::size_t point = followed_point(plan);
   const auto after_round = [&](double) { return options.stop == nullptr || !*options.stop; };

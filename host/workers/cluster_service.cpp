@@ -20,7 +20,7 @@ class Job {
   Job(const ClusterJob& job, const std::vector<DeviceChoice>& devices, const Trouble& on_trouble)
       : study_(study_of(job)),
         plan_(study_, job.tile_points),
-        workers_(plan_, make_engines(study_, devices, on_trouble)) {}
+        workers_(plan_, make_engines(study_, devices, &open_, on_trouble)) {}
 
   ThreadWorkers& workers() { return workers_; }
 
@@ -33,6 +33,7 @@ class Job {
 
   const Study study_;
   const Plan plan_;
+  OpenDevices open_;
   ThreadWorkers workers_;
 };
 

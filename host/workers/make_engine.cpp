@@ -5,35 +5,35 @@
 
 namespace gearsweep {
 
-std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice) {
+std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice,
+                                    OpenDevices* open) {
   if (study.integrate.engine == EngineKind::reference) return make_reference_engine();
-  return make_opencl_engine(study, choice);
+  return make_opencl_engine(study, choice, open);
 }
 
 std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
                                                   const std::vector<DeviceChoice>& devices,
-                                                  const Trouble& on_trouble) {
+                                                  OpenDevices* open, const Trouble& on_trouble) {
   std::vector<std::unique_ptr<Engine>> engines;
   std::vector<std::optional<DeviceChoice>> choices(devices.begin(), devices.end());
   if (study.integrate.engine == EngineKind::reference) {
-    engines.push_back(make_engine(study, std::nullopt));
+    engines.push_back(make_engine(study, std::nullopt, open));
     return engines;
   }
   if (choices.empty()) choices = {std::nullopt};
-  constexpr std::size_t kManyTiles = 8;
+  constexpr std::size_t kManyTiles = 2;
   // Of a chained study, each point along it waits for the one before.
   const std::size_t at_once =
       study.trajectories() /
       (study.is_chained() ? study.axes[study.initial.along].values.size() : 1);
   for (std::size_t i = 0; i < choices.size(); ++i) {
     try {
-      const auto clock = std::make_shared<BusyClock>();
-      engines.push_back(make_opencl_engine(study, choices[i], clock));
+      engines.push_back(make_opencl_engine(study, choices[i], open));
       // While one tile's launches end raggedly, or the host looks at their results, those of
       // another fill the device. Not worth a second start where there are few tiles.
       const bool has_many_tiles =
           at_once >= kManyTiles * choices.size() * engines.back()->min_tile();
-      if (has_many_tiles) engines.push_back(make_opencl_engine(study, choices[i], clock));
+      if (has_many_tiles) engines.push_back(make_opencl_engine(study, choices[i], open));
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;
       if (on_trouble) on_trouble(error.what());

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "opencl/detail/program.hpp"
-#include "opencl/detail/program_cache.hpp"
 
 namespace gearsweep {
 namespace {
@@ -20,39 +19,36 @@ SweepRound round_of(const Window& window, std::size_t items, std::size_t periods
           window.is_last ? 1U : 0U};
 }
 
-Launcher::Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info,
-                   std::shared_ptr<BusyClock> clock)
-    : fp64_(study.integrate.fp64),
-      info_(info),
+Launcher::Launcher(const Study& study, std::shared_ptr<OpenDevice> open)
+    : open_(std::move(open)),
+      fp64_(study.integrate.fp64),
       fixed_round_(study.integrate.round),
       lanes_(study.integrate.lanes),
       local_size_(study.integrate.local_size),
-      device_(device),
-      context_(device),
-      queue_(context_, device),
-      clock_(std::move(clock)) {
+      queue_(open_->context(), open_->device()) {
+  const DeviceInfo& info = device();
   if (lanes_ == 0) lanes_ = fp64_ ? info.lanes_fp64 : info.lanes_fp32;
   if (local_size_ == 0) local_size_ = info.is_cpu ? 4 : 64;
   options_ = gearsweep::build_options(study, lanes_, info.rounds_fp32_division);
 }
 
 cl::Program Launcher::program(const Study& study, const std::string& file) {
-  return cached_program(context_, device_, program_source(study, file), options_,
-                        program_cache_folder(info_.platform));
+  return open_->program(program_source(study, file), options_);
 }
 
 std::string Launcher::failure(const Tile& tile, const cl::Error& error) const {
   const std::string doing =
-      fmt::format("computing a tile of {} points on '{}'", tile.points.size(), info_.name);
+      fmt::format("computing a tile of {} points on '{}'", tile.points.size(), device().name);
   return fmt::format("{}\n(a smaller integrate.tile needs less memory)",
                      describe_error(doing, error));
 }
 
 cl::Buffer Launcher::upload_bytes(const void* bytes, std::size_t count, cl_mem_flags flags) {
   // A buffer cannot be empty; one that is never read may hold anything.
-  if (count == 0) return cl::Buffer(context_, CL_MEM_READ_WRITE, 64);
+  if (count == 0) return cl::Buffer(open_->context(), CL_MEM_READ_WRITE, 64);
   // OpenCL takes the source of a copy without const, and does not write to it.
-  return cl::Buffer(context_, flags | CL_MEM_COPY_HOST_PTR, count, const_cast<void*>(bytes));
+  return cl::Buffer(open_->context(), flags | CL_MEM_COPY_HOST_PTR, count,
+                    const_cast<void*>(bytes));
 }
 
 cl::Buffer Launcher::upload(const std::vector<double>& numbers, cl_mem_flags flags) {
@@ -66,7 +62,7 @@ cl::Buffer Launcher::upload(const std::vector<std::uint32_t>& numbers) {
 }
 
 cl::Buffer Launcher::allocate(std::size_t numbers) {
-  return cl::Buffer(context_, CL_MEM_READ_WRITE,
+  return cl::Buffer(open_->context(), CL_MEM_READ_WRITE,
                     std::max<std::size_t>(64, numbers * scalar_bytes()));
 }
 
@@ -84,10 +80,11 @@ std::vector<double> Launcher::download(const cl::Buffer& buffer, std::size_t num
 
 std::shared_ptr<const void> Launcher::view(const cl::Buffer& buffer, std::size_t numbers) {
   const std::size_t bytes = numbers * scalar_bytes();
-  if (info_.shares_host_memory) return map(buffer, bytes, CL_MAP_READ);
+  if (device().shares_host_memory) return map(buffer, bytes, CL_MAP_READ);
   // Pinned memory, which the device writes fast, is kept for the next view.
   if (pinned_bytes_ < bytes || pinned_.use_count() > 1) {
-    const cl::Buffer buffer_of_host(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
+    const cl::Buffer buffer_of_host(open_->context(), CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR,
+                                    bytes);
     pinned_ = map(buffer_of_host, bytes, CL_MAP_READ | CL_MAP_WRITE);
     pinned_bytes_ = bytes;
   }
@@ -169,10 +166,11 @@ double Launcher::launch(cl::Kernel* kernel, const SweepRound& round) {
   // On a CPU, few items spread evenly over all cores rather than fill work-groups. No other sizes
   // between: a driver may compile a kernel anew for each.
   constexpr std::size_t kGroupsPerCore = 8;
-  const bool are_few = info_.is_cpu && items < kGroupsPerCore * info_.compute_units * local_size_;
+  const bool are_few =
+      device().is_cpu && items < kGroupsPerCore * device().compute_units * local_size_;
   const std::size_t local = are_few ? 1 : local_size_;
   const std::size_t global = (items + local - 1) / local * local;
-  return clock_->time([&] {
+  return open_->clock().time([&] {
     queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
     queue_.finish();
   });

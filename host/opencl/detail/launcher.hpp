@@ -11,8 +11,8 @@
 
 #include "engine/engine.hpp"
 #include "model/error.hpp"
-#include "opencl/busy_clock.hpp"
 #include "opencl/detail/cl.hpp"
+#include "opencl/detail/open_device.hpp"
 #include "opencl/detail/tile_buffers.hpp"
 #include "opencl/device.hpp"
 
@@ -27,10 +27,9 @@ struct TileInputs {
 
 class Launcher {
  public:
-  Launcher(const Study& study, const cl::Device& device, const DeviceInfo& info,
-           std::shared_ptr<BusyClock> clock);
+  Launcher(const Study& study, std::shared_ptr<OpenDevice> open);
 
-  const DeviceInfo& device() const { return info_; }
+  const DeviceInfo& device() const { return open_->info(); }
   std::size_t lanes() const { return lanes_; }
   std::size_t local_size() const { return local_size_; }
   const std::string& build_options() const { return options_; }
@@ -76,7 +75,7 @@ class Launcher {
 
   // Returns when the kernel has ended: the seconds that it took.
   double launch(cl::Kernel* kernel, const SweepRound& round);
-  const BusyClock& clock() const { return *clock_; }
+  const BusyClock& clock() const { return open_->clock(); }
   // Advances a tile by `periods`, round by round; false when the callback asked to stop.
   bool run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,
                   std::size_t periods, const RoundCallback& after_round);
@@ -104,18 +103,15 @@ class Launcher {
   std::shared_ptr<void> map(const cl::Buffer& buffer, std::size_t bytes, cl_map_flags flags);
   cl::Buffer upload_bytes(const void* bytes, std::size_t count, cl_mem_flags flags);
 
+  const std::shared_ptr<OpenDevice> open_;
   const bool fp64_;
-  const DeviceInfo info_;
   const std::size_t fixed_round_;
   std::size_t lanes_, local_size_;
   std::string options_;
-  cl::Device device_;
-  cl::Context context_;
   cl::CommandQueue queue_;
   GridBank bank_;
   std::shared_ptr<void> pinned_;  // host memory that views are copied into
   std::size_t pinned_bytes_ = 0;
-  const std::shared_ptr<BusyClock> clock_;
   double steps_per_second_ = 0.0;  // of the last round; 0: not known yet
 };
 

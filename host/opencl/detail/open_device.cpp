@@ -1,0 +1,20 @@
+#include "opencl/detail/open_device.hpp"
+
+#include "opencl/detail/program_cache.hpp"
+
+namespace gearsweep {
+
+OpenDevice::OpenDevice(const cl::Device& device, DeviceInfo info)
+    : info_(std::move(info)), device_(device), context_(device) {}
+
+cl::Program OpenDevice::program(const std::string& source, const std::string& options) {
+  const std::lock_guard lock(mutex_);
+  const auto known = programs_.find({source, options});
+  if (known != programs_.end()) return known->second;
+  cl::Program program =
+      cached_program(context_, device_, source, options, program_cache_folder(info_.platform));
+  programs_.emplace(std::pair(source, options), program);
+  return program;
+}
+
+}  // namespace gearsweep
