@@ -28,10 +28,12 @@ SHARED_FN void store_section(__global real* sections, uint number, const real* x
   store_components(sections, 1, 0, number * MODEL_STATE_COUNT, MODEL_STATE_COUNT, x);
 }
 
-// An approach takes ORBIT_LONGEST periods. This kernel integrates a round of them and keeps their
-// sections, [item][period][state].
-__kernel void approach(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
-                       __global real* sections) {
+// Advances each lane by its own number of periods, lengths ([item]), in one or more rounds, and
+// keeps their sections. Lanes that are done go on beside the others: what they leave after their
+// number is not looked at. All but the last of the ORBIT_LONGEST periods of an approach are
+// followed, too.
+__kernel void follow(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
+                     TABLE real* lengths, __global real* sections) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
@@ -40,9 +42,10 @@ __kernel void approach(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __
   const WalkGrid grid = FIND_GRID(item);
   __global real* own = sections + (size_t)item * SECTION_NUMBERS;
   if (round.done == 0) store_section(own, 0, x);
-  for (uint period = 0; period < round.periods; ++period) {
+  for (uint period = round.done; period < round.done + round.periods; ++period) {
+    if (all_lanes((scalar)(period) >= lengths[item])) break;
     walk_period(&point, &grid, EVENTS, 0, x, 0, 0, 0, 0);
-    store_section(own, round.done + period + 1, x);
+    store_section(own, period + 1, x);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
@@ -182,25 +185,8 @@ SHARED_FN void store_where(mask where, __global real* buffer, uint items, uint i
   }
 }
 
-// Advances each lane by its own number of periods, lengths ([item]), in one or more rounds.
-__kernel void return_map(const SweepRound round, PARAMETER_TABLES, GRID_TABLES,
-                         __global real* state, TABLE real* lengths) {
-  const uint items = round.items;
-  const uint item = get_global_id(0);
-  real x[MODEL_STATE_COUNT];
-  ModelPoint point;
-  if (!TAKE_ITEM(x, &point)) return;
-  const WalkGrid grid = FIND_GRID(item);
-  for (uint period = round.done; period < round.done + round.periods; ++period) {
-    const mask is_under_way = (scalar)(period) < lengths[item];
-    if (all_lanes(!is_under_way)) return;
-    walk_period(&point, &grid, EVENTS, 0, x, 0, 0, 0, 0);
-    store_where(is_under_way, state, items, item, MODEL_STATE_COUNT, x);
-  }
-}
-
-// As return_map, and also advances the derivative of this map ([column][row][item]), which begins
-// as the identity.
+// Advances each lane by its own number of periods, lengths ([item]), in one or more rounds, and the
+// derivative of this map ([column][row][item]), which begins as the identity.
 __kernel void return_map_linearized(const SweepRound round, PARAMETER_TABLES, GRID_TABLES,
                                     __global real* state, TABLE real* lengths,
                                     __global real* derivative) {

@@ -29,8 +29,8 @@ struct NearReturn {
                      // not drown in rounding
 };
 
-// The states of each point at the beginning of an approach and after each of its periods. They stay
-// where the engine has them, in its precision: few points are looked at.
+// The states of each point at the beginning of up to ORBIT_LONGEST periods and after each of them.
+// They stay where the engine has them, in its precision: few of them are looked at.
 class Sections {
  public:
   Sections() = default;
@@ -78,7 +78,7 @@ struct Approach {
 // The map from a state to the one some periods later.
 struct ReturnMaps {
   std::vector<double> states;       // [point][state]
-  std::vector<double> derivatives;  // [point][column][row], when asked for
+  std::vector<double> derivatives;  // [point][column][row]
 };
 
 // Whether a study's points are looked at on their orbits: to stop there, or for the error of their
@@ -99,11 +99,17 @@ class OrbitEngine {
                                            const NearReturn& near,
                                            const RoundCallback& after_round) = 0;
 
+  // The sections of each point through its own number of periods, lengths ([point], up to
+  // ORBIT_LONGEST). Points of equal length are best neighbours.
+  virtual std::optional<Sections> follow(const Plan& plan, const Tile& tile,
+                                         const std::vector<double>& states,
+                                         const std::vector<std::uint32_t>& lengths,
+                                         const RoundCallback& after_round) = 0;
+
   // lengths: [point] periods of its map. Points of equal length are best neighbours.
   virtual std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
                                                 const std::vector<double>& states,
                                                 const std::vector<std::uint32_t>& lengths,
-                                                bool with_derivatives,
                                                 const RoundCallback& after_round) = 0;
 
   // The verdicts on the window's record of a periodic orbit, of which one turn of `length` periods

@@ -152,6 +152,17 @@ std::vector<std::size_t> find_states(const Model& model, const std::vector<std::
 
 }  // namespace
 
+std::optional<std::size_t> Selection::output_of(OutputRole role) const {
+  std::size_t first = 0;
+  for (const Observer& observer : observers) {
+    for (std::size_t i = 0; i < observer.outputs; ++i) {
+      if (observer.observable->outputs[i].role == role) return first + i;
+    }
+    first += observer.outputs;
+  }
+  return std::nullopt;
+}
+
 std::size_t Selection::output_count() const {
   std::size_t count = 0;
   for (const Observer& observer : observers) count += observer.outputs;

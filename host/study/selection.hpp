@@ -58,6 +58,8 @@ struct Selection {
   // range of the motion (kernels/observables/period.h).
   double period_tolerance = 1e-6;
 
+  // Index among the outputs of all observers; nothing where there is none of this role.
+  std::optional<std::size_t> output_of(OutputRole role) const;
   std::size_t output_count() const;       // of all observers
   std::size_t accumulator_count() const;  // of all observers
   std::size_t tangent_count() const;      // tangent vectors that suffice for all observers

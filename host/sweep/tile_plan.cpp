@@ -24,7 +24,7 @@ std::size_t min_tile(const Engines& engines) {
 // Shards are cut by the study alone: each may run on a machine of its own kind.
 std::size_t tile_size(const Study& study, const Engines& engines, const Shard& shard,
                       std::size_t processes) {
-  constexpr std::size_t kTiles = 16;  // for each engine
+  constexpr std::size_t kTiles = 2;  // for each engine
   constexpr std::size_t kMaxOfShard = 16384, kMinOfShard = 256;
   if (study.integrate.tile > 0) return study.integrate.tile;
   std::size_t most = study.trajectories();

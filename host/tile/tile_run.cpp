@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "sweep_types.h"
@@ -14,18 +15,6 @@
 namespace gearsweep {
 namespace {
 
-// Whether one of the study's outputs is the number of periods after which a point has settled.
-bool tells_settling(const Selection& selection) {
-  const auto is_settling = [](const ObservableOutput& output) {
-    return output.role == OutputRole::settled;
-  };
-  return std::any_of(selection.observers.begin(), selection.observers.end(),
-                     [&](const Observer& observer) {
-                       const std::vector<ObservableOutput>& outputs = observer.observable->outputs;
-                       return std::any_of(outputs.begin(), outputs.end(), is_settling);
-                     });
-}
-
 class TileRun {
  public:
   TileRun(const Plan& plan, const Tile& tile, Engine* engine, const TileCallbacks& callbacks)
@@ -35,7 +24,6 @@ class TileRun {
         engine_(engine),
         callbacks_(callbacks),
         windows_(windows_of(study_)),
-        tells_settling_(tells_settling(study_.selection)),
         result_(empty_result(study_, tile.points.size())),
         has_stopped_(tile.points.size(), 0) {}
 
@@ -84,19 +72,14 @@ class TileRun {
     callbacks_.on_work(-steps * periods);
   }
 
-  // Orbits that need the same launches are recorded together, however early each was found.
+  // Orbits of the same length are recorded together, however early each was found.
   bool record_orbits(std::vector<FoundOrbit> orbits) {
-    const auto launches = [&](const FoundOrbit& orbit) {
-      return std::make_tuple(orbit.length, phase_offset_of(orbit),
-                             tells_settling_ ? orbit.settled : 0);
-    };
-    std::sort(orbits.begin(), orbits.end(), [&](const FoundOrbit& a, const FoundOrbit& b) {
-      return std::tuple_cat(launches(a), std::tie(a.position)) <
-             std::tuple_cat(launches(b), std::tie(b.position));
+    std::sort(orbits.begin(), orbits.end(), [](const FoundOrbit& a, const FoundOrbit& b) {
+      return std::tie(a.length, a.position) < std::tie(b.length, b.position);
     });
     for (auto first = orbits.begin(); first != orbits.end();) {
       const auto last = std::find_if(first, orbits.end(), [&](const FoundOrbit& orbit) {
-        return launches(orbit) != launches(*first);
+        return orbit.length != first->length;
       });
       if (!record_alike({first, last})) return false;
       first = last;
@@ -110,39 +93,65 @@ class TileRun {
     return (windows_.front().settle - orbit.settled) % orbit.length;
   }
 
+  double steps_of(const Tile& subset, const std::vector<std::uint32_t>& periods) const {
+    double steps = 0.0;
+    for (std::size_t i = 0; i < periods.size(); ++i) {
+      steps += static_cast<double>(periods[i] * plan_.steps_of(subset.points[i]));
+    }
+    return steps;
+  }
+
+  // The orbits' states at those sections; nothing when the callback asked to stop.
+  std::optional<std::vector<double>> first_recorded(const std::vector<FoundOrbit>& orbits,
+                                                    const Tile& subset) {
+    std::vector<double> states;
+    std::vector<std::uint32_t> offsets;
+    for (const FoundOrbit& orbit : orbits) {
+      states.insert(states.end(), orbit.state.begin(), orbit.state.end());
+      offsets.push_back(static_cast<std::uint32_t>(phase_offset_of(orbit)));
+    }
+    if (std::ranges::max(offsets) == 0) return states;
+    callbacks_.on_work(steps_of(subset, offsets));
+    const std::optional<Sections> sections =
+        engine_->orbits()->follow(plan_, subset, states, offsets, callbacks_.after_round);
+    if (!sections) return std::nullopt;
+    states.clear();
+    for (std::size_t i = 0; i < orbits.size(); ++i) {
+      const std::vector<double> state = sections->state(i, offsets[i]);
+      states.insert(states.end(), state.begin(), state.end());
+    }
+    return states;
+  }
+
   // Two passes: in the first, observers of states and signals see one turn of the orbit; in the
   // second, observers of tangents and sections see this turn repeated for the whole record.
   bool record_alike(const std::vector<FoundOrbit>& orbits) {
     const std::size_t length = orbits.front().length;
-    const std::size_t settled = orbits.front().settled;
     std::vector<std::size_t> positions;
-    std::vector<double> states, log_stretchings;
+    std::vector<double> log_stretchings;
     const std::size_t tangents = study_.selection.tangent_count();
     for (const FoundOrbit& orbit : orbits) {
       positions.push_back(orbit.position);
-      states.insert(states.end(), orbit.state.begin(), orbit.state.end());
       const auto first = orbit.log_stretchings.begin();
       log_stretchings.insert(log_stretchings.end(), first,
                              first + static_cast<std::ptrdiff_t>(tangents));
     }
     const Window& whole = windows_.front();
-    const std::size_t samples = whole.samples > 0 ? length : 0;
-    // The verdicts of this window are replaced by those of the next.
-    const Window turn = {.before = settled,
-                         .settle = phase_offset_of(orbits.front()),
-                         .record = length,
-                         .samples = samples,
-                         .is_last = true};
-    const Tile subset = subset_of(plan_, tile_, positions, turn.settle + 2 * length);
+    const Tile subset = subset_of(plan_, tile_, positions, 2 * length);
     callbacks_.on_work(subset.work);
+    const std::optional<std::vector<double>> states = first_recorded(orbits, subset);
+    if (!states) return false;
+    // The verdicts of this window are replaced by those of the next.
+    const Window turn = {.record = length, .samples = whole.samples > 0 ? length : 0};
     std::optional<TileResult> once =
-        engine_->compute(plan_, subset, states, turn, callbacks_.after_round);
+        engine_->compute(plan_, subset, *states, turn, callbacks_.after_round);
     if (!once) return false;
-    const Window repeated = {.before = settled, .record = whole.record, .is_last = whole.is_last};
+    const Window repeated = {.record = whole.record, .is_last = whole.is_last};
     std::optional<TileResult> replayed =
         engine_->orbits()->replay(plan_, subset, once->final_states, length, log_stretchings,
                                   repeated, callbacks_.after_round);
     if (!replayed) return false;
+    count_settling(orbits, &*replayed);
     std::vector<std::size_t> all(positions.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     adopt_verdicts(study_, all, *replayed, &*once);
@@ -150,6 +159,16 @@ class TileRun {
     put_subset(study_, *once, positions, &result_);
     for (const std::size_t position : positions) has_stopped_[position] = 1;
     return true;
+  }
+
+  // The periods before each orbit's state belong to those after which its point has settled.
+  void count_settling(const std::vector<FoundOrbit>& orbits, TileResult* recorded) const {
+    const auto settled = study_.selection.output_of(OutputRole::settled);
+    if (!settled) return;
+    const std::span<double> numbers = recorded->output_table()[*settled];
+    for (std::size_t i = 0; i < orbits.size(); ++i) {
+      numbers[i] += static_cast<double>(orbits[i].settled);
+    }
   }
 
   // The points that are not on a known orbit run to the end of the study's own window.
@@ -193,7 +212,6 @@ class TileRun {
   Engine* engine_;
   const TileCallbacks& callbacks_;
   const std::vector<Window> windows_;
-  const bool tells_settling_;
   TileResult result_;
   std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit
   std::vector<std::size_t> open_;          // positions

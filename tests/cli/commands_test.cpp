@@ -214,7 +214,7 @@ TEST(Commands, KernelsPrintsTheProgramOfTheStudy) {
   EXPECT_THAT(sweep.out, AllOf(HasSubstr("-DREAL_BITS=32 -DLANES=8"), HasSubstr("extrema_step("),
                                HasSubstr("__kernel void record("), Not(HasSubstr("#include \""))));
   EXPECT_THAT(gearsweep(folder, "kernels coarse-map --program orbit").out,
-              HasSubstr("__kernel void approach("));
+              HasSubstr("__kernel void follow("));
   const Outcome wrong = gearsweep(folder, "kernels coarse-map --program sweeep");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("did you mean 'sweep'?"));

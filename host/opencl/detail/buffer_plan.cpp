@@ -17,10 +17,17 @@ RecordBuffers record_buffers(const Study& study, std::size_t samples, std::size_
 ApproachBuffers approach_buffers(const Study& study, std::size_t slots) {
   const std::size_t states = study.model->states.size();
   return {.state = states * slots,
+          .periods = slots,
           .sections = (ORBIT_LONGEST + 1) * states * slots,
           .ranges = states * slots,
           .lengths = slots,
           .guesses = states * slots};
+}
+
+FollowBuffers follow_buffers(const Study& study, std::size_t slots) {
+  const std::size_t states = study.model->states.size();
+  return {
+      .state = states * slots, .lengths = slots, .sections = (ORBIT_LONGEST + 1) * states * slots};
 }
 
 ReturnMapBuffers return_map_buffers(const Study& study, std::size_t slots) {

@@ -21,11 +21,17 @@ RecordBuffers record_buffers(const Study& study, std::size_t samples, std::size_
 // To see where a trajectory nearly comes back: lengths and guesses are those of the orbit that is
 // supposed there.
 struct ApproachBuffers {
-  std::size_t state, sections, ranges, lengths, guesses;
+  std::size_t state, periods, sections, ranges, lengths, guesses;
 };
 ApproachBuffers approach_buffers(const Study& study, std::size_t slots);
 
-// To map states by so many periods each.
+// To follow trajectories through so many periods each.
+struct FollowBuffers {
+  std::size_t state, lengths, sections;
+};
+FollowBuffers follow_buffers(const Study& study, std::size_t slots);
+
+// To map states by so many periods each, with the map's derivative.
 struct ReturnMapBuffers {
   std::size_t state, lengths, derivative;
 };

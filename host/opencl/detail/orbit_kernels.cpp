@@ -54,10 +54,9 @@ Window window_of_rounds() { return {0, 0, 1, 0, false}; }
 OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launcher* launcher)
     : launcher_(launcher),
       program_(launcher->program(study, "orbit.cl")),
-      approach_(program_, "approach"),
+      follow_(program_, "follow"),
       measure_(program_, "measure"),
       extrapolate_(program_, "extrapolate"),
-      return_map_(program_, "return_map"),
       return_map_linearized_(program_, "return_map_linearized"),
       replay_(sweep, "replay"),
       finish_(sweep, "finish") {}
@@ -71,13 +70,19 @@ std::optional<Approach> OrbitKernels::approach(const Plan& plan, const Tile& til
       tile, [&] { return approach_tile(plan, tile, states, excluded, near, after_round); });
 }
 
+std::optional<Sections> OrbitKernels::follow(const Plan& plan, const Tile& tile,
+                                             const std::vector<double>& states,
+                                             const std::vector<std::uint32_t>& lengths,
+                                             const RoundCallback& after_round) {
+  return launcher_->guard(tile,
+                          [&] { return follow_tile(plan, tile, states, lengths, after_round); });
+}
+
 std::optional<ReturnMaps> OrbitKernels::return_maps(const Plan& plan, const Tile& tile,
                                                     const std::vector<double>& states,
                                                     const std::vector<std::uint32_t>& lengths,
-                                                    bool with_derivatives,
                                                     const RoundCallback& after_round) {
-  return launcher_->guard(
-      tile, [&] { return map_tile(plan, tile, states, lengths, with_derivatives, after_round); });
+  return launcher_->guard(tile, [&] { return map_tile(plan, tile, states, lengths, after_round); });
 }
 
 std::optional<TileResult> OrbitKernels::replay(const Plan& plan, const Tile& tile,
@@ -101,16 +106,19 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   const ApproachBuffers sizes = approach_buffers(plan.study(), inputs.slots.position.size());
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
+  const std::vector<std::uint32_t> whole(tile.points.size(), ORBIT_LONGEST);
+  const cl::Buffer periods =
+      launcher_->upload(spread_numbers(whole, inputs.slots), CL_MEM_READ_ONLY);
   const cl::Buffer sections = launcher_->allocate(sizes.sections);
   const cl::Buffer ranges = launcher_->allocate(sizes.ranges);
   const cl::Buffer lengths =
       launcher_->upload(spread_numbers(excluded, inputs.slots), CL_MEM_READ_WRITE);
   const cl::Buffer guesses = launcher_->allocate(sizes.guesses);
-  launcher_->bind(&approach_, inputs, state, sections);
+  launcher_->bind(&follow_, inputs, state, periods, sections);
   launcher_->bind(&measure_, inputs, state, sections, near.tolerance, ranges);
   launcher_->bind(&extrapolate_, state, sections, ranges, near.near, lengths, guesses);
   const Window rounds = window_of_rounds();
-  if (!launcher_->run_rounds(&approach_, rounds, inputs, ORBIT_LONGEST - 1, after_round) ||
+  if (!launcher_->run_rounds(&follow_, rounds, inputs, ORBIT_LONGEST - 1, after_round) ||
       !launcher_->run_rounds(&measure_, rounds, inputs, 1, after_round)) {
     return std::nullopt;
   }
@@ -128,12 +136,38 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   return found;
 }
 
+bool OrbitKernels::run_lengths(cl::Kernel* kernel, const Plan& plan, const Tile& tile,
+                               const TileInputs& inputs, const std::vector<std::uint32_t>& lengths,
+                               double cost, const RoundCallback& after_round) {
+  const std::size_t longest = *std::max_element(lengths.begin(), lengths.end());
+  // Most points are done before the longest; what they all took is told in the end.
+  const auto in_between = [&](double) { return after_round(0.0); };
+  return launcher_->run_rounds(kernel, window_of_rounds(), inputs, longest, in_between) &&
+         after_round(cost * steps_of_maps(plan, tile, lengths));
+}
+
+std::optional<Sections> OrbitKernels::follow_tile(const Plan& plan, const Tile& tile,
+                                                  const std::vector<double>& states,
+                                                  const std::vector<std::uint32_t>& lengths,
+                                                  const RoundCallback& after_round) {
+  const TileInputs inputs = launcher_->prepare(plan, tile);
+  const std::size_t state_count = plan.study().model->states.size();
+  const FollowBuffers sizes = follow_buffers(plan.study(), inputs.slots.position.size());
+  const cl::Buffer state =
+      launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
+  const cl::Buffer periods =
+      launcher_->upload(spread_numbers(lengths, inputs.slots), CL_MEM_READ_ONLY);
+  const cl::Buffer sections = launcher_->allocate(sizes.sections);
+  launcher_->bind(&follow_, inputs, state, periods, sections);
+  if (!run_lengths(&follow_, plan, tile, inputs, lengths, 1.0, after_round)) return std::nullopt;
+  return sections_of(launcher_->view(sections, sizes.sections), plan.study().integrate.fp64,
+                     state_count, inputs.slots);
+}
+
 std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& tile,
                                                  const std::vector<double>& states,
                                                  const std::vector<std::uint32_t>& lengths,
-                                                 bool with_derivatives,
                                                  const RoundCallback& after_round) {
-  cl::Kernel* kernel = with_derivatives ? &return_map_linearized_ : &return_map_;
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const std::size_t slot_count = inputs.slots.position.size();
   const std::size_t state_count = plan.study().model->states.size();
@@ -142,28 +176,15 @@ std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& t
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
   const cl::Buffer periods =
       launcher_->upload(spread_numbers(lengths, inputs.slots), CL_MEM_READ_ONLY);
-  cl::Buffer derivative;
-  if (with_derivatives) {
-    derivative = launcher_->upload(identities(state_count, slot_count), CL_MEM_READ_WRITE);
-    launcher_->bind(kernel, inputs, state, periods, derivative);
-  } else {
-    launcher_->bind(kernel, inputs, state, periods);
-  }
-  const std::size_t longest = *std::max_element(lengths.begin(), lengths.end());
-  const double cost = with_derivatives ? kCostOfDerivative : 1.0;
-  // Most points are done before the longest; what they all took is told in the end.
-  const auto in_between = [&](double) { return after_round(0.0); };
-  if (!launcher_->run_rounds(kernel, window_of_rounds(), inputs, longest, in_between) ||
-      !after_round(cost * steps_of_maps(plan, tile, lengths))) {
+  const cl::Buffer derivative =
+      launcher_->upload(identities(state_count, slot_count), CL_MEM_READ_WRITE);
+  launcher_->bind(&return_map_linearized_, inputs, state, periods, derivative);
+  if (!run_lengths(&return_map_linearized_, plan, tile, inputs, lengths, kCostOfDerivative,
+                   after_round)) {
     return std::nullopt;
   }
-  ReturnMaps maps;
-  maps.states = gather_points(launcher_->download(state, sizes.state), inputs.slots);
-  if (with_derivatives) {
-    maps.derivatives =
-        gather_points(launcher_->download(derivative, sizes.derivative), inputs.slots);
-  }
-  return maps;
+  return ReturnMaps{gather_points(launcher_->download(state, sizes.state), inputs.slots),
+                    gather_points(launcher_->download(derivative, sizes.derivative), inputs.slots)};
 }
 
 std::optional<TileResult> OrbitKernels::replay_tile(const Plan& plan, const Tile& tile,

@@ -16,10 +16,13 @@ class OrbitKernels final : public OrbitEngine {
                                    const std::vector<std::uint32_t>& excluded,
                                    const NearReturn& near,
                                    const RoundCallback& after_round) override;
+  std::optional<Sections> follow(const Plan& plan, const Tile& tile,
+                                 const std::vector<double>& states,
+                                 const std::vector<std::uint32_t>& lengths,
+                                 const RoundCallback& after_round) override;
   std::optional<ReturnMaps> return_maps(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states,
                                         const std::vector<std::uint32_t>& lengths,
-                                        bool with_derivatives,
                                         const RoundCallback& after_round) override;
   std::optional<TileResult> replay(const Plan& plan, const Tile& tile,
                                    const std::vector<double>& states, std::size_t length,
@@ -31,10 +34,19 @@ class OrbitKernels final : public OrbitEngine {
                                         const std::vector<double>& states,
                                         const std::vector<std::uint32_t>& excluded,
                                         const NearReturn& near, const RoundCallback& after_round);
+  std::optional<Sections> follow_tile(const Plan& plan, const Tile& tile,
+                                      const std::vector<double>& states,
+                                      const std::vector<std::uint32_t>& lengths,
+                                      const RoundCallback& after_round);
   std::optional<ReturnMaps> map_tile(const Plan& plan, const Tile& tile,
                                      const std::vector<double>& states,
                                      const std::vector<std::uint32_t>& lengths,
-                                     bool with_derivatives, const RoundCallback& after_round);
+                                     const RoundCallback& after_round);
+  // Runs a kernel that advances each point by its own number of periods, each step of which costs
+  // so much. False when the callback asked to stop.
+  bool run_lengths(cl::Kernel* kernel, const Plan& plan, const Tile& tile, const TileInputs& inputs,
+                   const std::vector<std::uint32_t>& lengths, double cost,
+                   const RoundCallback& after_round);
   std::optional<TileResult> replay_tile(const Plan& plan, const Tile& tile,
                                         const std::vector<double>& states, std::size_t length,
                                         const std::vector<double>& log_stretchings,
@@ -42,8 +54,7 @@ class OrbitKernels final : public OrbitEngine {
 
   Launcher* launcher_;
   cl::Program program_;
-  cl::Kernel approach_, measure_, extrapolate_, return_map_, return_map_linearized_, replay_,
-      finish_;
+  cl::Kernel follow_, measure_, extrapolate_, return_map_linearized_, replay_, finish_;
 };
 
 }  // namespace gearsweep

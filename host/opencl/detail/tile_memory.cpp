@@ -105,10 +105,11 @@ class Estimate {
     return stage({state, tangents, accumulators, series, outputs});
   }
 
+  // To follow trajectories takes some of these buffers.
   Buffers approach() const {
-    const auto [state, sections, ranges, lengths, guesses] =
+    const auto [state, periods, sections, ranges, lengths, guesses] =
         approach_buffers(study_, whole_slots());
-    return stage({state, sections, ranges, lengths, guesses});
+    return stage({state, periods, sections, ranges, lengths, guesses});
   }
 
   Buffers return_map() const {

@@ -43,7 +43,7 @@ std::optional<std::vector<double>> largest_exponents(const Plan& plan, const Til
   const std::size_t states = model.states.size();
   const Tile subset = subset_of(plan, tile, points.positions, 1);
   const std::optional<ReturnMaps> maps =
-      engine->return_maps(plan, subset, points.states, points.lengths, true, after_round);
+      engine->return_maps(plan, subset, points.states, points.lengths, after_round);
   if (!maps) return std::nullopt;
   const Array2 derivatives(maps->derivatives, states * states);
   std::vector<double> exponents(points.positions.size());

@@ -7,28 +7,12 @@
 #include "sweep_types.h"
 
 namespace gearsweep {
-namespace {
-
-// The output of a role; nothing where the study has none.
-std::optional<std::size_t> output_of(const Selection& selection, OutputRole role) {
-  std::size_t first = 0;
-  for (const Observer& observer : selection.observers) {
-    for (std::size_t i = 0; i < observer.outputs; ++i) {
-      if (observer.observable->outputs[i].role == role) return first + i;
-    }
-    first += observer.outputs;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 void add_left_out_exponents(const Plan& plan, const Tile& tile, TileResult* result) {
   const Study& study = plan.study();
-  const auto exponent = output_of(study.selection, OutputRole::exponent);
+  const auto exponent = study.selection.output_of(OutputRole::exponent);
   if (study.model->whole == nullptr || !exponent) return;
-  const auto error = output_of(study.selection, OutputRole::exponent_error);
-  const auto per_period = output_of(study.selection, OutputRole::exponent_per_period);
+  const auto error = study.selection.output_of(OutputRole::exponent_error);
+  const auto per_period = study.selection.output_of(OutputRole::exponent_per_period);
   const Array2<double> outputs = result->output_table();
   for (std::size_t i = 0; i < tile.points.size(); ++i) {
     if (result->status[i] != STATUS_ok) continue;

@@ -24,10 +24,21 @@ NewtonLimits limits_of(const Study& study) {
           study.model->angles};
 }
 
-std::vector<std::uint32_t> lengths_of(const std::vector<OrbitAttempt*>& attempts) {
+// The attempts as an engine takes them.
+struct Guesses {
+  std::vector<std::size_t> positions;
+  std::vector<double> states;  // [attempt][state]
   std::vector<std::uint32_t> lengths;
-  for (const OrbitAttempt* attempt : attempts) lengths.push_back(attempt->length);
-  return lengths;
+};
+
+Guesses guesses_of(const OrbitPursuit::Attempts& attempts) {
+  Guesses guesses;
+  for (const OrbitAttempt* attempt : attempts) {
+    guesses.positions.push_back(attempt->position);
+    append(attempt->newton.state, &guesses.states);
+    guesses.lengths.push_back(attempt->length);
+  }
+  return guesses;
 }
 
 std::vector<OrbitAttempt*> those_with(const std::vector<OrbitAttempt*>& attempts,
@@ -51,8 +62,7 @@ OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engi
 bool OrbitPursuit::find(const Attempts& attempts, const RoundCallback& after_round) {
   Attempts open = attempts;
   for (std::size_t i = 0; i < kMaxSteps && !open.empty(); ++i) {
-    if (!step(open, after_round) || !confirm(those_with(open, NewtonVerdict::close), after_round) ||
-        !shorten(those_with(open, NewtonVerdict::found), after_round)) {
+    if (!step(open, after_round) || !confirm(those_with(open, NewtonVerdict::close), after_round)) {
       return false;
     }
     open = those_with(open, NewtonVerdict::going_on);
@@ -61,22 +71,15 @@ bool OrbitPursuit::find(const Attempts& attempts, const RoundCallback& after_rou
 }
 
 std::optional<ReturnMaps> OrbitPursuit::maps_of(const Attempts& attempts,
-                                                const std::vector<std::uint32_t>& lengths,
-                                                bool with_derivatives,
                                                 const RoundCallback& after_round) {
-  std::vector<std::size_t> positions;
-  std::vector<double> guesses;
-  for (const OrbitAttempt* attempt : attempts) {
-    positions.push_back(attempt->position);
-    append(attempt->newton.state, &guesses);
-  }
-  const Tile subset = subset_of(plan_, tile_, positions, 1);
-  return engine_->return_maps(plan_, subset, guesses, lengths, with_derivatives, after_round);
+  const Guesses guesses = guesses_of(attempts);
+  const Tile subset = subset_of(plan_, tile_, guesses.positions, 1);
+  return engine_->return_maps(plan_, subset, guesses.states, guesses.lengths, after_round);
 }
 
 // A step of Newton's method for each.
 bool OrbitPursuit::step(const Attempts& attempts, const RoundCallback& after_round) {
-  const std::optional<ReturnMaps> maps = maps_of(attempts, lengths_of(attempts), true, after_round);
+  const std::optional<ReturnMaps> maps = maps_of(attempts, after_round);
   if (!maps) return false;
   const Array2 states(maps->states, states_), derivatives(maps->derivatives, states_ * states_);
   for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
@@ -90,42 +93,28 @@ bool OrbitPursuit::step(const Attempts& attempts, const RoundCallback& after_rou
   return true;
 }
 
-// Whether those that came close come back.
+// Whether those that came close come back. One that does so after a part of its length goes on with
+// that: an orbit's multipliers over the minimal period say whether it is stable.
 bool OrbitPursuit::confirm(const Attempts& close, const RoundCallback& after_round) {
   if (close.empty()) return true;
-  const std::optional<ReturnMaps> maps = maps_of(close, lengths_of(close), false, after_round);
-  if (!maps) return false;
-  const Array2 states(maps->states, states_);
+  const Guesses guesses = guesses_of(close);
+  const Tile subset = subset_of(plan_, tile_, guesses.positions, 1);
+  const std::optional<Sections> sections =
+      engine_->follow(plan_, subset, guesses.states, guesses.lengths, after_round);
+  if (!sections) return false;
   for_each_on_all_cores(close.size(), [&](std::size_t i) {
-    close[i]->verdict = newton_confirm(states[i], close[i]->derivative, limits_, &close[i]->newton);
-  });
-  return true;
-}
-
-// An orbit that comes back after a divisor of its length goes on with that: its multipliers over
-// the minimal period say whether it is stable.
-bool OrbitPursuit::shorten(const Attempts& found, const RoundCallback& after_round) {
-  for (const std::uint32_t prime : {2U, 3U, 5U, 7U, 11U, 13U}) {
-    Attempts divisible = found;
-    while (true) {
-      std::erase_if(divisible, [&](const OrbitAttempt* one) { return one->length % prime != 0; });
-      if (divisible.empty()) break;
-      std::vector<std::uint32_t> lengths = lengths_of(divisible);
-      for (std::uint32_t& length : lengths) length /= prime;
-      const std::optional<ReturnMaps> maps = maps_of(divisible, lengths, false, after_round);
-      if (!maps) return false;
-      Attempts shorter;
-      for (std::size_t i = 0; i < divisible.size(); ++i) {
-        OrbitAttempt& attempt = *divisible[i];
-        if (!comes_back(Array2(maps->states, states_)[i], limits_, attempt.newton)) continue;
-        attempt.length = lengths[i];
-        attempt.verdict = NewtonVerdict::going_on;
-        attempt.newton.distance = std::numeric_limits<double>::infinity();
-        shorter.push_back(&attempt);
-      }
-      divisible = std::move(shorter);
+    OrbitAttempt& attempt = *close[i];
+    for (std::uint32_t part = 1; part <= attempt.length / 2; ++part) {
+      if (attempt.length % part != 0) continue;
+      if (!comes_back(sections->state(i, part), limits_, attempt.newton)) continue;
+      attempt.length = part;
+      attempt.verdict = NewtonVerdict::going_on;
+      attempt.newton.distance = std::numeric_limits<double>::infinity();
+      return;
     }
-  }
+    attempt.verdict = newton_confirm(sections->state(i, attempt.length), attempt.derivative,
+                                     limits_, &attempt.newton);
+  });
   return true;
 }
 
@@ -133,7 +122,7 @@ bool OrbitPursuit::sharpen(Attempts found, const RoundCallback& after_round) {
   std::erase_if(found,
                 [this](const OrbitAttempt* one) { return one->newton.step <= limits_.same; });
   if (tangents_ == 0 || found.empty()) return true;
-  const std::optional<ReturnMaps> maps = maps_of(found, lengths_of(found), true, after_round);
+  const std::optional<ReturnMaps> maps = maps_of(found, after_round);
   if (!maps) return false;
   const Array2 states(maps->states, states_), derivatives(maps->derivatives, states_ * states_);
   for_each_on_all_cores(found.size(), [&](std::size_t i) {

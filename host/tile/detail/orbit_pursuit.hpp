@@ -36,13 +36,10 @@ class OrbitPursuit {
   bool sharpen(Attempts found, const RoundCallback& after_round);
 
  private:
-  std::optional<ReturnMaps> maps_of(const Attempts& attempts,
-                                    const std::vector<std::uint32_t>& lengths,
-                                    bool with_derivatives, const RoundCallback& after_round);
+  std::optional<ReturnMaps> maps_of(const Attempts& attempts, const RoundCallback& after_round);
   // Each of these is false when the callback asked to stop.
   bool step(const Attempts& attempts, const RoundCallback& after_round);
   bool confirm(const Attempts& close, const RoundCallback& after_round);
-  bool shorten(const Attempts& found, const RoundCallback& after_round);
 
   const Plan& plan_;
   const Tile& tile_;
