@@ -48,9 +48,10 @@ struct SweepResult {
   std::vector<std::uint8_t> on_orbit;
   // [quantity of study.selection][point * its width + i]
   std::vector<std::vector<double>> values;
-  std::optional<PilotFindings> pilot;  // of a study with a tolerance
-  std::vector<Attractor> attractors;   // empty unless the study has a census
-  std::vector<double> samples;         // [point][chosen state][sample]; empty without poincare
+  std::vector<std::string> integrated;  // the states that were (plan/passive_states.hpp)
+  std::optional<PilotFindings> pilot;   // of a study with a tolerance
+  std::vector<Attractor> attractors;    // empty unless the study has a census
+  std::vector<double> samples;          // [point][chosen state][sample]; empty without poincare
   // Of all tiles, those of an interrupted run that this one continued included.
   double steps = 0.0;           // integration steps in all
   double seconds = 0.0;         // wall time of the computation

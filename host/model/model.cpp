@@ -36,6 +36,12 @@ ModelSetting Model::default_setting() const {
   return setting;
 }
 
+std::vector<std::string> Model::state_names() const {
+  std::vector<std::string> names;
+  for (const auto& state : states) names.push_back(state.name);
+  return names;
+}
+
 Model Model::reduced(const Reduction& to) const {
   Model out = *this;
   out.whole = this;

@@ -120,6 +120,7 @@ struct Model {
   int find_signal(std::string_view signal) const;
   int find_option(std::string_view option) const;
 
+  std::vector<std::string> state_names() const;
   // The signal that is the force between the teeth; nullptr of a model that has none.
   const ChannelInfo* contact_force() const;
 

@@ -61,6 +61,7 @@ class Writer {
     put("stopped_trajectories", static_cast<double>(result_.stopped));
     put("compute_seconds", result_.seconds);
     put("kernel_seconds", result_.kernel_seconds);
+    put("integrated_states", fmt::format("{}", fmt::join(result_.integrated, " ")));
     if (!result_.pilot) return;
     put("pilot_max_step", result_.pilot->step);
     put("pilot_error", result_.pilot->error);

@@ -102,6 +102,8 @@ std::optional<Forecast> forecast_sweep(const Study& study, const SweepOptions& o
   run.find_engines();
   run.plan_tiles();
   Forecast forecast;
+  forecast.integrated = run.plan().study().model->state_names();
+  forecast.states = study.model->states.size();
   forecast.pilot = stepped->pilot;
   forecast.estimate = run.estimate();
   forecast.points = study.points();

@@ -9,10 +9,12 @@ namespace gearsweep {
 struct Forecast {
   std::size_t points = 0, trajectories = 0;
   std::size_t tile_points = 0, tiles = 0;
-  double steps = 0.0;             // planned, without stops on orbits and longer windows
-  double seconds = 0.0;           // about
-  std::size_t sample = 0;         // points that were run to measure that
-  bool has_whole_sample = false;  // they were run to their end, not only for a moment
+  double steps = 0.0;                   // planned, without stops on orbits and longer windows
+  double seconds = 0.0;                 // about
+  std::size_t sample = 0;               // points that were run to measure that
+  bool has_whole_sample = false;        // they were run to their end, not only for a moment
+  std::vector<std::string> integrated;  // the states that will be (plan/passive_states.hpp)
+  std::size_t states = 0;               // of the model
   std::optional<PilotFindings> pilot;
   ResourceEstimate estimate;
 };

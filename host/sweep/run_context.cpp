@@ -135,6 +135,7 @@ SweepResult RunContext::assemble_maps() {
   SweepResult result = assembly_->take();
   result.engine.driver = info_.driver;
   result.engine.macros = info_.macros;
+  result.integrated = computed_.model->state_names();
   result.pilot = stepped_.pilot;
   return result;
 }

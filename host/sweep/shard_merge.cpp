@@ -142,6 +142,7 @@ SweepResult merge_shards(const std::vector<std::string>& journals) {
   SweepResult result = assembly.take();
   result.engine.driver = shards.note(notes::kDriver);
   result.engine.macros = shards.note(notes::kBuildOptions);
+  result.integrated = plan.study().model->state_names();
   const std::string& pilot = shards.note(notes::kPilot);
   if (!pilot.empty()) result.pilot = unpack_pilot(pilot);
   return result;

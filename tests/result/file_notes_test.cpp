@@ -195,6 +195,13 @@ TEST_F(FileNotesTest, TellTheErrorOfEachMap) {
   EXPECT_TRUE(file.number_attribute(find(file, "contact_class").id, "pilot_error").empty());
 }
 
+TEST_F(FileNotesTest, NameTheStatesThatWereIntegrated) {
+  SweepResult result = example_result();
+  result.integrated = {"x1", "v1"};
+  EXPECT_EQ(NetcdfFile::open(write(result)).text_attribute(NC_GLOBAL, "integrated_states"),
+            "x1 v1");
+}
+
 // cm is another one at each zeta.
 TEST_F(FileNotesTest, AUnitThatIsNotTheSameEverywhereHasNoScale) {
   Study study = study_of_all(*find_model("gear5"), {"c1", "zeta"});

@@ -9,6 +9,8 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::ElementsAre;
+
 // A light damping of one bearing across the line of action, so that its exponent is the largest of
 // all where the mesh is periodic.
 const std::string kGears =
@@ -25,6 +27,8 @@ TEST(PassiveStates, TheOtherStatesHaveTheSameBitsWithoutThem) {
                             "quantities = ['x1_rms', 'dmf_max', 'contact_gap', 'x3_max']\n";
   const SweepResult driving = run(study, {kStates + "driving"});
   const SweepResult all = run(study, {kStates + "all"});
+  EXPECT_THAT(driving.integrated, ElementsAre("x1", "x3", "v1", "v3"));
+  EXPECT_EQ(all.integrated, all.study.model->state_names());
   for (const char* name : {"x1_rms", "dmf_max", "contact_gap", "x3_max"}) {
     EXPECT_EQ(map_of(driving, name), map_of(all, name)) << name;
   }

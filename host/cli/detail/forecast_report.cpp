@@ -9,6 +9,7 @@
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
+#include "cli/detail/summary.hpp"
 
 namespace gearsweep {
 namespace {
@@ -39,9 +40,9 @@ std::string describe_forecast(const Forecast& forecast, const std::string& outpu
   }
   text += fmt::format("; {} tile{} of up to {}\n", forecast.tiles, forecast.tiles == 1 ? "" : "s",
                       forecast.tile_points);
-  if (forecast.pilot) {
-    text += "steps   " + describe_pilot(*forecast.pilot);
-  }
+  const std::string integrated = describe_integrated(forecast.integrated, forecast.states);
+  if (!integrated.empty()) text += "states  " + integrated;
+  if (forecast.pilot) text += "steps   " + describe_pilot(*forecast.pilot);
   text += fmt::format(
       "time    {}about {} for the tiles: {:.2g} steps planned, {} points were run to tell\n",
       forecast.has_whole_sample ? "" : "up to ", format_duration(forecast.seconds), forecast.steps,
@@ -76,6 +77,7 @@ std::string forecast_as_json(const Forecast& forecast) {
                          {"result_bytes", whole(estimate.result)},
                          {"journal_bytes", whole(estimate.journal)},
                          {"disk_bytes_left", known_as_json(estimate.disk_left)}};
+  json["integrated_states"] = forecast.integrated;
   if (forecast.pilot) json["pilot"] = pilot_as_json(*forecast.pilot);
   json["devices"] = nlohmann::json::array();
   for (const DeviceEstimate& device : estimate.devices) {

@@ -1,6 +1,7 @@
 #include "cli/detail/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +160,12 @@ nlohmann::json counts_as_json(const std::vector<Count>& counts) {
 
 }  // namespace
 
+std::string describe_integrated(const std::vector<std::string>& integrated, std::size_t states) {
+  if (integrated.size() == states) return "";
+  return fmt::format("{} of {} states are integrated ({}); the maps do not need the others\n",
+                     integrated.size(), states, fmt::join(integrated, ", "));
+}
+
 std::string describe_run(const SweepResult& result, const std::string& path) {
   std::string text =
       fmt::format("{} points: {}\n", result.status.size(), describe_counts(count_statuses(result)));
@@ -176,6 +183,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
+  text += describe_integrated(result.integrated, result.study.model->states.size());
   if (result.pilot) text += "steps of " + describe_pilot(*result.pilot);
   text += describe_attractors(result);
   text += describe_agreement(result);
@@ -206,6 +214,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["kernel_seconds"] = result.kernel_seconds;
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
+  json["integrated_states"] = result.integrated;
   if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot);
   json["device"] = result.engine.device;
   return json_text(json);

@@ -3,12 +3,17 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "engine/result.hpp"
 
 namespace gearsweep {
 
 // Several lines: points by status and class, time, speed, file.
+// A line that names the states which are integrated, where these are fewer than the model has; else
+// nothing.
+std::string describe_integrated(const std::vector<std::string>& integrated, std::size_t states);
+
 std::string describe_run(const SweepResult& result, const std::string& path);
 
 // The same for scripts, as one JSON object.
