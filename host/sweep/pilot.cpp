@@ -22,12 +22,16 @@ constexpr double kFewestSteps = 1e9;
 // Of the pilot. A hundred tell what 99 % of the points keep, and not all are periodic.
 constexpr std::size_t kMinPilot = 256, kMaxPilot = 1024;
 constexpr std::size_t kPointsPerPilotPoint = 256;
-constexpr double kBeyond = 0.01;           // of the periodic points may be beyond the tolerance
-constexpr std::size_t kMinPeriodic = 3;    // points that a verdict can rest on
-constexpr double kMaxSensitive = 0.5;      // of the points: beyond, nothing is told
-constexpr double kLongest = 4.0;           // of the ladder's steps, in the model's own
-constexpr int kRungsPerHalf = 4;           // steps of the ladder between one and half of it
-constexpr double kShortest = 1.0 / 256.0;  // the shortest reference, in the model's own step
+constexpr double kBeyond = 0.01;         // of the periodic points may be beyond the tolerance
+constexpr std::size_t kMinPeriodic = 3;  // points that a verdict can rest on
+constexpr double kMaxSensitive = 0.5;    // of the points: beyond, nothing is told
+constexpr double kLongest = 4.0;         // of the ladder's steps, in the model's own
+constexpr int kRungsPerHalf = 4;         // steps of the ladder between one and half of it
+constexpr std::size_t kPairs = 3;        // of runs, that tell which points are sensitive
+// The shortest step of a pilot, in the model's own. A pilot that nobody asked for stops where the
+// run with it would take an eighth of the time of all points at the model's own step, and may
+// always go down to a quarter of that step.
+constexpr double kShortest = 1.0 / 256.0, kShortestUnasked = 1.0 / 4.0, kUnaskedShare = 1.0 / 8.0;
 
 // Each point of the sub-grid on its own.
 Study pilot_study(const Study& study) {
@@ -60,15 +64,28 @@ class PilotRuns {
     own_.stop = options.stop;
   }
 
+  std::size_t points() const { return study_.points(); }
+  // The steps of a period have a limit.
+  bool is_possible(double step) const {
+    try {
+      return Plan(with_step(step), study_.points()).total_work() > 0.0;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
   MapErrors errors(double coarse, double fine) { return {run(coarse), run(fine)}; }
 
  private:
+  Study with_step(double step) const {
+    Study study = study_;
+    study.integrate.max_step = step;
+    return study;
+  }
+
   const SweepResult& run(double step) {
     const auto known = runs_.find(step);
     if (known != runs_.end()) return known->second;
-    Study study = study_;
-    study.integrate.max_step = step;
-    std::optional<SweepResult> result = run_sweep(study, own_);
+    std::optional<SweepResult> result = run_sweep(with_step(step), own_);
     if (!result) throw Stopped();
     return runs_.emplace(step, *std::move(result)).first->second;
   }
@@ -83,13 +100,21 @@ struct NoStep {
   std::string reason;
 };
 
+// Of the model's own step.
+double shortest_share(const Study& study, std::size_t pilot_points) {
+  if (study.integrate.is_tolerance_asked) return kShortest;
+  const double share = static_cast<double>(pilot_points) / static_cast<double>(study.points());
+  return std::clamp(share / kUnaskedShare, kShortest, kShortestUnasked);
+}
+
 class StepSearch {
  public:
   StepSearch(const Study& study, const SweepOptions& options)
       : study_(study),
         tolerance_(study.integrate.tolerance),
         own_step_(study.model->max_step),
-        runs_(study, options) {}
+        runs_(study, options),
+        shortest_(own_step_ * shortest_share(study, runs_.points())) {}
 
   // Throws NoStep.
   PilotFindings run() {
@@ -115,32 +140,34 @@ class StepSearch {
     const double variance = sensitive_ * (1.0 - sensitive_) / static_cast<double>(points_);
     return kBeyond + sensitive_ + 2.0 * std::sqrt(variance);
   }
-  double error(double coarse, double fine) { return runs_.errors(coarse, fine).largest(share()); }
 
   bool will_do(double coarse, double fine) {
     const MapErrors errors = runs_.errors(coarse, fine);
     return errors.largest(share()) <= tolerance_ && errors.others_agree(tolerance_, kBeyond);
   }
 
-  // A step so short that one of twice its length will do; or where halving it does not bring the
-  // runs nearer to each other. There is then no step for those points that are off.
+  // A step so short that one of twice its length will do at all points but the sensitive ones.
+  // These were counted in the same pair of runs, so chance adds nothing to their share.
   double find_reference() {
-    double fine = own_step_;
-    double before = error(2.0 * fine, fine);
-    while (before > tolerance_) {
-      if (fine < kShortest * own_step_) throw no_step_keeps_it(before);
-      const double now = error(fine, fine / 2.0);
-      fine /= 2.0;
-      if (now > tolerance_ && now > before / 2.0) {
-        const MapErrors errors = runs_.errors(2.0 * fine, fine);
-        sensitive_ = errors.share_beyond(tolerance_);
-        points_ = errors.points();
-        if (sensitive_ > kMaxSensitive) throw no_step_keeps_it(now);
-        break;
-      }
-      before = now;
+    std::vector<MapErrors> halvings = {runs_.errors(4.0 * own_step_, 2.0 * own_step_)};
+    for (double fine = own_step_; fine >= shortest_ && runs_.is_possible(fine); fine /= 2.0) {
+      const MapErrors& errors = halvings.emplace_back(runs_.errors(2.0 * fine, fine));
+      if (errors.largest(kBeyond) <= tolerance_) return fine;
+      if (halvings.size() < kPairs) continue;
+      const double sensitive = MapErrors::sensitive_share(halvings, tolerance_);
+      if (sensitive > kMaxSensitive || is_at_best(halvings)) break;
+      if (errors.largest(kBeyond + sensitive) > tolerance_) continue;
+      sensitive_ = sensitive;
+      points_ = errors.points();
+      return fine;
     }
-    return fine;
+    throw no_step_keeps_it(halvings.back().largest(kBeyond));
+  }
+
+  // Whether shorter steps do not help half of the points, as where rounding is all that is left.
+  bool is_at_best(const std::vector<MapErrors>& halvings) const {
+    const double error = halvings.back().largest(0.5);
+    return error > tolerance_ && error > halvings[halvings.size() - kPairs].largest(0.5);
   }
 
   NoStep no_step_keeps_it(double error) const {
@@ -175,6 +202,7 @@ class StepSearch {
   const Study& study_;
   const double tolerance_, own_step_;
   PilotRuns runs_;
+  const double shortest_;
   double sensitive_ = 0.0;  // share of the periodic points
   std::size_t points_ = 1;  // that it was counted among
 };

@@ -6,8 +6,8 @@
 // within what chaos lets tell. Of the steps that will do, the longest of a ladder is taken.
 //
 // Some points land on another orbit at any change of the step, because their way there is chaotic.
-// They show when shorter steps do not bring two runs nearer to each other: then as many points more
-// may be off.
+// They show when the step is halved several times: their errors do not shrink, as those of all
+// other points do, be it slowly. As many points more may be off.
 //
 // All this is relative to the maps' ranges and to the model's own step, so neither units nor
 // offsets matter. Nothing in it depends on the device but for its rounding.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace gearsweep::testing {
 namespace {
@@ -36,8 +37,6 @@ TEST(MapErrors, AreSharesOfTheRangeAtPeriodicPoints) {
   EXPECT_EQ(errors.points(), 100U);
   EXPECT_EQ(errors.largest(0.01), 0.0);               // one of a hundred may be off
   EXPECT_NEAR(errors.largest(0.0), 2.0 / 196, 1e-3);  // of 98 % of the range
-  EXPECT_EQ(errors.share_beyond(1e-3), 0.01);
-  EXPECT_EQ(errors.share_beyond(0.1), 0.0);
 }
 
 TEST(MapErrors, KnowNeitherUnitsNorOffset) {
@@ -58,7 +57,6 @@ TEST(MapErrors, OfAClassAreAllOrNothing) {
   const MapErrors errors(coarse, fine);
   EXPECT_EQ(errors.of_quantities(0.01),
             (std::map<std::string, double>{{"x1_rms", 0.0}, {"contact_class", 1.0}}));
-  EXPECT_EQ(errors.share_beyond(1e-3), 0.02);
 }
 
 TEST(MapErrors, TakeAMissingNumberForWrongAndTwoForTheSame) {
@@ -91,6 +89,47 @@ TEST(MapErrors, CountTheOtherPointsThatOneRunHasAlone) {
   EXPECT_TRUE(MapErrors(coarse, fine).others_agree(1e-3, 0.01));
   coarse.values[0][151] = kNaN;
   EXPECT_FALSE(MapErrors(coarse, fine).others_agree(1e-3, 0.01));
+}
+
+// Between runs whose step is halved each time: by pair, the errors that the first points have. The
+// others have none.
+double sensitive_share(const std::vector<std::vector<double>>& pairs, double scale = 1.0,
+                       double offset = 0.0) {
+  const SweepResult fine = ramp(scale, offset);
+  const double range = 196.0 * scale;  // of 98 % of the points
+  std::vector<MapErrors> halvings;
+  for (const std::vector<double>& errors : pairs) {
+    SweepResult coarse = fine;
+    for (std::size_t i = 0; i < errors.size(); ++i) coarse.values[0][i] += errors[i] * range;
+    halvings.emplace_back(coarse, fine);
+  }
+  return MapErrors::sensitive_share(halvings, 1e-3);
+}
+
+// Two points that land elsewhere by chance, one that has done so for the first time, and one that
+// does now and then, but not in the last pair.
+TEST(SensitiveShare, CountsPointsThatNoShorterStepBringsNearer) {
+  const std::vector<std::vector<double>> pairs = {
+      {0.4, 0.1, 0.0, 0.3}, {0.0, 0.2, 0.0, 0.3}, {0.4, 0.15, 0.2, 0.0}};
+  EXPECT_EQ(sensitive_share(pairs), 0.03);
+  EXPECT_EQ(sensitive_share(pairs, -1e-6, 1.0), 0.03);
+}
+
+// Of first order, with a factor of up to three that depends on where in a step the kinks lie; and
+// of fourth order. All are still beyond the tolerance.
+TEST(SensitiveShare, LeavesOutPointsThatConvergeSlowly) {
+  EXPECT_EQ(sensitive_share(
+                {{0.08, 0.06, 0.08, 0.4}, {0.04, 0.01, 0.08, 0.03}, {0.02, 0.03, 0.02, 0.002}}),
+            0.0);
+}
+
+// Where long steps diverge, their error tells no more than one of the whole range.
+TEST(SensitiveShare, TakesAMissingNumberForAnErrorOfTheRange) {
+  EXPECT_EQ(sensitive_share({{kNaN, kNaN}, {0.0, 0.0}, {0.6, 0.4}}), 0.01);
+}
+
+TEST(SensitiveShare, IsZeroWhereAllIsWithinTheTolerance) {
+  EXPECT_EQ(sensitive_share({{0.0}, {5e-4}, {9e-4}}), 0.0);
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ double error_of(const Values& map, double difference, double range) {
 
 }  // namespace
 
-MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine) {
+MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
+    : is_periodic_(fine.on_orbit) {
   const double rounding = fine.study.integrate.fp64 ? std::numeric_limits<double>::epsilon()
                                                     : std::numeric_limits<float>::epsilon();
   points_ = static_cast<std::size_t>(std::count(fine.on_orbit.begin(), fine.on_orbit.end(), 1));
@@ -92,12 +93,13 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine) {
   for (std::size_t i = 0; i < fine_maps.size(); ++i) {
     const Values& map = fine_maps[i];
     const double range = map.has_classes ? 1.0 : range_of(map.numbers, rounding);
-    Map errors = {.quantity = map.quantity, .errors = {}};
+    Map errors = {.quantity = map.quantity, .errors = {}, .ascending = {}};
     double sum = 0.0, squares = 0.0, others = 0.0, missing = 0.0;
     for (std::size_t point = 0; point < map.numbers.size(); ++point) {
       const double off = difference(coarse_maps[i].numbers[point], map.numbers[point]);
+      errors.errors.push_back(error_of(map, off, range));
       if (fine.on_orbit[point] == 1) {
-        errors.errors.push_back(error_of(map, off, range));
+        errors.ascending.push_back(errors.errors.back());
       } else if (!std::isfinite(off)) {
         missing += 1.0;
       } else if (range > 0.0) {
@@ -112,7 +114,7 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine) {
       const double variance = std::max(squares / others - errors.mean * errors.mean, 0.0);
       errors.deviation = std::sqrt(variance / (others - 1.0));
     }
-    std::sort(errors.errors.begin(), errors.errors.end());
+    std::sort(errors.ascending.begin(), errors.ascending.end());
     maps_.push_back(std::move(errors));
   }
 }
@@ -120,9 +122,9 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine) {
 std::map<std::string, double> MapErrors::of_quantities(double share) const {
   std::map<std::string, double> out;
   for (const Map& map : maps_) {
-    if (map.quantity.empty() || map.errors.empty()) continue;
+    if (map.quantity.empty() || map.ascending.empty()) continue;
     double& error = out[map.quantity];
-    error = std::max(error, upper_quantile(map.errors, share));
+    error = std::max(error, upper_quantile(map.ascending, share));
   }
   return out;
 }
@@ -130,26 +132,40 @@ std::map<std::string, double> MapErrors::of_quantities(double share) const {
 double MapErrors::largest(double share) const {
   double largest = 0.0;
   for (const Map& map : maps_) {
-    if (!map.errors.empty()) largest = std::max(largest, upper_quantile(map.errors, share));
+    if (!map.ascending.empty()) largest = std::max(largest, upper_quantile(map.ascending, share));
   }
   return largest;
-}
-
-double MapErrors::share_beyond(double tolerance) const {
-  double share = 0.0;
-  for (const Map& map : maps_) {
-    if (map.errors.empty()) continue;
-    const auto first = std::upper_bound(map.errors.begin(), map.errors.end(), tolerance);
-    share = std::max(share, static_cast<double>(map.errors.end() - first) /
-                                static_cast<double>(map.errors.size()));
-  }
-  return share;
 }
 
 bool MapErrors::others_agree(double tolerance, double share) const {
   return std::all_of(maps_.begin(), maps_.end(), [&](const Map& map) {
     return map.missing <= share && std::abs(map.mean) <= std::max(tolerance, 3.0 * map.deviation);
   });
+}
+
+double MapErrors::sensitive_share(const std::vector<MapErrors>& halvings, double tolerance) {
+  const MapErrors& last = halvings.back();
+  const auto is_sensitive = [&](std::size_t map, std::size_t point) {
+    const auto error = [&](const MapErrors& pair) {
+      return std::min(pair.maps_[map].errors[point], 1.0);
+    };
+    if (last.maps_[map].errors[point] <= tolerance) return false;
+    double fall = 1.0;  // that order one half makes of an error
+    for (auto pair = halvings.rbegin() + 1; pair != halvings.rend(); ++pair) {
+      fall *= std::sqrt(0.5);
+      if (error(last) <= fall * error(*pair)) return false;
+    }
+    return true;
+  };
+  std::size_t most = 0;
+  for (std::size_t map = 0; map < last.maps_.size(); ++map) {
+    std::size_t sensitive = 0;
+    for (std::size_t point = 0; point < last.is_periodic_.size(); ++point) {
+      if (last.is_periodic_[point] == 1 && is_sensitive(map, point)) ++sensitive;
+    }
+    most = std::max(most, sensitive);
+  }
+  return most == 0 ? 0.0 : static_cast<double>(most) / static_cast<double>(last.points_);
 }
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,21 +28,27 @@ class MapErrors {
   std::map<std::string, double> of_quantities(double share) const;
   // The largest of these, samples of sections included; 0 where there is none.
   double largest(double share) const;
-  // The share of the points at which some map is off by more than `tolerance`; of the map that has
-  // most of them.
-  double share_beyond(double tolerance) const;
   // Whether the points that are not periodic look the same: the mean of each map over them is, to
   // `tolerance` of the range or to three standard errors, and no more than `share` of them have a
   // number in one of the runs alone, as where long steps diverge.
   bool others_agree(double tolerance, double share) const;
+  // The points that no shorter step brings to within `tolerance`, as a share of the periodic ones.
+  // The pairs of runs are in the order of their steps, each step half of the one before. A point is
+  // sensitive when it is beyond the tolerance between the last two runs, and its error has fallen
+  // to there from no earlier pair: where a shorter step helps, errors are of first order at least,
+  // and without that they stay what they are. The line is drawn between, at order one half. An
+  // error of a map's whole range is as bad as any. Of the map that has most such points.
+  static double sensitive_share(const std::vector<MapErrors>& halvings, double tolerance);
 
  private:
   struct Map {
     std::string quantity;                // empty for samples
-    std::vector<double> errors;          // at periodic points, ascending
+    std::vector<double> errors;          // [point]
+    std::vector<double> ascending;       // at periodic points
     double mean = 0.0, deviation = 0.0;  // mean difference at the others, and its standard error
     double missing = 0.0;                // share of the others with a number in one run alone
   };
+  std::vector<std::uint8_t> is_periodic_;  // [point]
   std::size_t points_ = 0;
   std::vector<Map> maps_;
 };
