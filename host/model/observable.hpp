@@ -32,6 +32,7 @@ enum class OutputRole {
   settled,   // periods until the motion stayed periodic
   exponent,  // largest Lyapunov exponent
   exponent_per_period,
+  exponents,       // all Lyapunov exponents, or what is made of them
   exponent_error,  // its error, to which the host adds
   section_min,     // the box around the sections
   section_max,

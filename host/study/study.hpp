@@ -50,6 +50,7 @@ struct Integrate {
   // (sweep/pilot.hpp). One that is not asked for yields: where no pilot run pays or tells, max_step
   // is the model's own.
   double tolerance = 0.0;
+  double exponent_tolerance = 0.0;  // the same for maps of exponents
   bool is_tolerance_asked = false;
   std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
   bool events = true;                // steps that cross a contact's limit are corrected

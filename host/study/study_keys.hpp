@@ -7,6 +7,9 @@
 
 namespace gearsweep {
 
+// Of what a study may ask for by integrate.tolerance, but for 0, which is none.
+inline constexpr double kMinTolerance = 1e-10;
+
 // Of a study that names no model.
 inline constexpr const char* kDefaultModel = "gear5";
 

@@ -183,10 +183,22 @@ void read_integrate(const toml::table* table, Study* study) {
   constexpr double kTolerance = 1e-3;
   const bool has_step = reader.find("max_step") != nullptr || integrate.steps_per_period > 0;
   integrate.tolerance = reader.number("tolerance", has_step ? 0.0 : kTolerance);
-  integrate.is_tolerance_asked = reader.find("tolerance") != nullptr;
+  if (integrate.tolerance > 0.0 && integrate.tolerance < kMinTolerance) {
+    fail_at(*reader.find("tolerance"),
+            fmt::format("tolerance = {} is out of range; 0, or from {} to {} is allowed",
+                        integrate.tolerance, kMinTolerance,
+                        find_key(study_table("integrate"), "tolerance")->max));
+  }
+  integrate.exponent_tolerance = reader.number("exponent_tolerance", integrate.tolerance);
+  const toml::node* exponents = reader.find("exponent_tolerance");
+  integrate.is_tolerance_asked = reader.find("tolerance") != nullptr || exponents != nullptr;
   if (integrate.tolerance > 0.0 && has_step) {
     fail_at(*reader.find("tolerance"),
             "give tolerance, from which the step follows, or the step, not both");
+  }
+  if (exponents != nullptr && reader.find("tolerance") == nullptr && has_step) {
+    fail_at(*exponents,
+            "give exponent_tolerance, from which the step follows, or the step, not both");
   }
   integrate.events = reader.boolean("events", integrate.events);
   integrate.settle = reader.count("settle", integrate.settle);

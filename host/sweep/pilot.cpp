@@ -57,7 +57,9 @@ struct Stopped {};
 // The pilot at different steps, each computed once.
 class PilotRuns {
  public:
-  PilotRuns(const Study& study, const SweepOptions& options) : study_(pilot_study(study)) {
+  PilotRuns(const Study& study, const SweepOptions& options)
+      : study_(pilot_study(study)),
+        tolerances_{study.integrate.tolerance, study.integrate.exponent_tolerance} {
     if (options.on_pilot) options.on_pilot(study_.points());
     own_.devices = options.devices;
     own_.open = options.open;
@@ -73,7 +75,7 @@ class PilotRuns {
       return false;
     }
   }
-  MapErrors errors(double coarse, double fine) { return {run(coarse), run(fine)}; }
+  MapErrors errors(double coarse, double fine) { return {run(coarse), run(fine), tolerances_}; }
 
  private:
   Study with_step(double step) const {
@@ -91,12 +93,14 @@ class PilotRuns {
   }
 
   const Study study_;
+  const Tolerances tolerances_;
   SweepOptions own_;
   std::map<double, SweepResult> runs_;
 };
 
 // Why no step was found, for whoever asked for a tolerance.
 struct NoStep {
+  bool is_of_exponents = false;  // whether their tolerance is the one that is not kept
   std::string reason;
 };
 
@@ -111,7 +115,6 @@ class StepSearch {
  public:
   StepSearch(const Study& study, const SweepOptions& options)
       : study_(study),
-        tolerance_(study.integrate.tolerance),
         own_step_(study.model->max_step),
         runs_(study, options),
         shortest_(own_step_ * shortest_share(study, runs_.points())) {}
@@ -128,11 +131,12 @@ class StepSearch {
  private:
   void ask_for_periodic_points(const MapErrors& errors) const {
     if (errors.points() >= kMinPeriodic) return;
-    throw NoStep{fmt::format(
+    const std::string reason = fmt::format(
         "of the pilot's points fewer than {} arrive on a periodic orbit within integrate.settle "
         "periods (with exponents integrate.warm_up fewer), so they do not tell what a step costs; "
         "give integrate.max_step instead",
-        kMinPeriodic)};
+        kMinPeriodic);
+    throw NoStep{.reason = reason};
   }
 
   // Which of the sensitive points are off is chance, and so is their number.
@@ -143,7 +147,7 @@ class StepSearch {
 
   bool will_do(double coarse, double fine) {
     const MapErrors errors = runs_.errors(coarse, fine);
-    return errors.largest(share()) <= tolerance_ && errors.others_agree(tolerance_, kBeyond);
+    return errors.furthest(share()).is_kept() && errors.others_agree(kBeyond);
   }
 
   // A step so short that one of twice its length will do at all points but the sensitive ones.
@@ -152,29 +156,31 @@ class StepSearch {
     std::vector<MapErrors> halvings = {runs_.errors(4.0 * own_step_, 2.0 * own_step_)};
     for (double fine = own_step_; fine >= shortest_ && runs_.is_possible(fine); fine /= 2.0) {
       const MapErrors& errors = halvings.emplace_back(runs_.errors(2.0 * fine, fine));
-      if (errors.largest(kBeyond) <= tolerance_) return fine;
+      if (errors.furthest(kBeyond).is_kept()) return fine;
       if (halvings.size() < kPairs) continue;
-      const double sensitive = MapErrors::sensitive_share(halvings, tolerance_);
+      const double sensitive = MapErrors::sensitive_share(halvings);
       if (sensitive > kMaxSensitive || is_at_best(halvings)) break;
-      if (errors.largest(kBeyond + sensitive) > tolerance_) continue;
+      if (!errors.furthest(kBeyond + sensitive).is_kept()) continue;
       sensitive_ = sensitive;
       points_ = errors.points();
       return fine;
     }
-    throw no_step_keeps_it(halvings.back().largest(kBeyond));
+    throw no_step_keeps_it(halvings.back().furthest(kBeyond));
   }
 
   // Whether shorter steps do not help half of the points, as where rounding is all that is left.
   bool is_at_best(const std::vector<MapErrors>& halvings) const {
-    const double error = halvings.back().largest(0.5);
-    return error > tolerance_ && error > halvings[halvings.size() - kPairs].largest(0.5);
+    const double excess = halvings.back().furthest(0.5).excess();
+    return excess > 1.0 && excess > halvings[halvings.size() - kPairs].furthest(0.5).excess();
   }
 
-  NoStep no_step_keeps_it(double error) const {
+  NoStep no_step_keeps_it(const FurthestMap& map) const {
     return {
-        fmt::format("the best step leaves {:.2g}; ask for more than that{}, or give "
-                    "integrate.max_step",
-                    error, study_.integrate.fp64 ? "" : " (fp32 has no more digits; fp64 may)")};
+        .is_of_exponents = map.is_exponent,
+        .reason = fmt::format("the best step leaves {:.2g}{}; ask for more than that{}, or give "
+                              "integrate.max_step",
+                              map.error, map.quantity.empty() ? "" : " in " + map.quantity,
+                              study_.integrate.fp64 ? "" : " (fp32 has no more digits; fp64 may)")};
   }
 
   // Of the ladder from `shortest`, which will do, to `longest`.
@@ -200,7 +206,7 @@ class StepSearch {
   }
 
   const Study& study_;
-  const double tolerance_, own_step_;
+  const double own_step_;
   PilotRuns runs_;
   const double shortest_;
   double sensitive_ = 0.0;  // share of the periodic points
@@ -237,8 +243,11 @@ std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& 
     return std::nullopt;
   } catch (const NoStep& none) {
     if (!study.integrate.is_tolerance_asked) return SteppedStudy{study, std::nullopt};
-    throw InputError(
-        fmt::format("integrate.tolerance = {}: {}", study.integrate.tolerance, none.reason));
+    const Integrate& asked = study.integrate;
+    const bool is_own = none.is_of_exponents && asked.exponent_tolerance != asked.tolerance;
+    throw InputError(fmt::format("integrate.{} = {}: {}",
+                                 is_own ? "exponent_tolerance" : "tolerance",
+                                 is_own ? asked.exponent_tolerance : asked.tolerance, none.reason));
   }
 }
 

@@ -1,7 +1,7 @@
 // The choice of the integration step: a pilot run finds it for integrate.tolerance.
 //
 // A sub-grid of the study is computed with a short step and with longer ones. A step will do when
-// each map that the study asks for keeps the tolerance, as a share of the map's range, at 99 % of
+// each map that the study asks for keeps its tolerance, as a share of the map's range, at 99 % of
 // the points that are on periodic orbits; and when its mean over the other points is the same, to
 // within what chaos lets tell. Of the steps that will do, the longest of a ladder is taken.
 //

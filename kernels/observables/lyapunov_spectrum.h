@@ -7,6 +7,7 @@
 #define LYAPUNOV_SPECTRUM_DIMENSION "exponent"
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define LYAPUNOV_SPECTRUM_OUTPUTS(X) X(, "1/tau", "", "Lyapunov exponents")
+#define LYAPUNOV_SPECTRUM_OUTPUT_ROLES(X) X(, exponents)
 
 enum { lyapunov_spectrum_accumulators = PER_STATE };
 

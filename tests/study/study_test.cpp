@@ -112,6 +112,28 @@ TEST(Study, ASingleValueIsAnAxis) {
   EXPECT_THAT(study.axes[0].values, ElementsAre(1.0));
 }
 
+TEST(Study, ToleratesAsMuchOfExponentsAsOfOtherMapsUnlessToldOtherwise) {
+  const auto integrate = [](const std::string& keys) {
+    return read_study(std::string(kAxis) + "[integrate]\n" + keys, "s.toml").integrate;
+  };
+  EXPECT_EQ(integrate("").exponent_tolerance, 1e-3);
+  EXPECT_EQ(integrate("tolerance = 1e-5\n").exponent_tolerance, 1e-5);
+  const Integrate own = integrate("exponent_tolerance = 0.01\n");
+  EXPECT_EQ(own.exponent_tolerance, 0.01);
+  EXPECT_EQ(own.tolerance, 1e-3);
+  EXPECT_TRUE(own.is_tolerance_asked);
+  EXPECT_EQ(integrate("tolerance = 0\n").tolerance, 0.0);
+}
+
+TEST(Study, TolerancesThatCannotBeAreRefused) {
+  const std::string text = std::string(kAxis) + "[integrate]\n";
+  EXPECT_THAT(refusal(text + "tolerance = 1e-11\n"), HasSubstr("0, or from 1e-10 to 0.1"));
+  EXPECT_THAT(refusal(text + "exponent_tolerance = 1e-11\n"), HasSubstr("from 1e-10 to 0.1"));
+  EXPECT_THAT(refusal(text + "exponent_tolerance = 0.2\n"), HasSubstr("from 1e-10 to 0.1"));
+  EXPECT_THAT(refusal(text + "exponent_tolerance = 0.01\nmax_step = 0.01\n"),
+              HasSubstr("or the step, not both"));
+}
+
 TEST(Study, AnInitialStateIsAnAxis) {
   const Study study = read_study("[[axes]]\nname = 'v1'\nvalues = [-0.5, 0.5]\n", "s.toml");
   EXPECT_TRUE(study.axes[0].is_state);

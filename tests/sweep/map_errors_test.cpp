@@ -12,6 +12,7 @@ namespace gearsweep::testing {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr Tolerances kTolerances = {.maps = 1e-3, .exponents = 1e-3};
 
 // 200 points, the first 100 of them on orbits: x1_rms rises from 0 to 199, contact_class is 1.
 SweepResult ramp(double scale = 1.0, double offset = 0.0) {
@@ -33,7 +34,7 @@ TEST(MapErrors, AreSharesOfTheRangeAtPeriodicPoints) {
   SweepResult coarse = fine;
   coarse.values[0][3] += 2.0;
   coarse.values[0][150] += 50.0;  // not periodic
-  const MapErrors errors(coarse, fine);
+  const MapErrors errors(coarse, fine, kTolerances);
   EXPECT_EQ(errors.points(), 100U);
   EXPECT_EQ(errors.largest(0.01), 0.0);               // one of a hundred may be off
   EXPECT_NEAR(errors.largest(0.0), 2.0 / 196, 1e-3);  // of 98 % of the range
@@ -44,7 +45,7 @@ TEST(MapErrors, KnowNeitherUnitsNorOffset) {
     const SweepResult fine = ramp(scale, offset);
     SweepResult coarse = fine;
     for (double& value : coarse.values[0]) value += 0.5 * scale;
-    return MapErrors(coarse, fine).largest(0.01);
+    return MapErrors(coarse, fine, kTolerances).largest(0.01);
   };
   EXPECT_NEAR(largest(1e-6, 0.0), largest(1.0, 0.0), 1e-12);
   EXPECT_NEAR(largest(-1.0, 1e6), largest(1.0, 0.0), 1e-9);
@@ -54,7 +55,7 @@ TEST(MapErrors, OfAClassAreAllOrNothing) {
   const SweepResult fine = ramp();
   SweepResult coarse = fine;
   coarse.values[1][0] = coarse.values[1][1] = 2.0;
-  const MapErrors errors(coarse, fine);
+  const MapErrors errors(coarse, fine, kTolerances);
   EXPECT_EQ(errors.of_quantities(0.01),
             (std::map<std::string, double>{{"x1_rms", 0.0}, {"contact_class", 1.0}}));
 }
@@ -63,9 +64,9 @@ TEST(MapErrors, TakeAMissingNumberForWrongAndTwoForTheSame) {
   SweepResult fine = ramp();
   SweepResult coarse = fine;
   coarse.values[0][0] = fine.values[0][0] = kNaN;
-  EXPECT_EQ(MapErrors(coarse, fine).largest(0.0), 0.0);
+  EXPECT_EQ(MapErrors(coarse, fine, kTolerances).largest(0.0), 0.0);
   coarse.values[0][1] = kNaN;
-  EXPECT_TRUE(std::isinf(MapErrors(coarse, fine).largest(0.0)));
+  EXPECT_TRUE(std::isinf(MapErrors(coarse, fine, kTolerances).largest(0.0)));
 }
 
 // Chaos scatters; a bias shows through it.
@@ -76,9 +77,9 @@ TEST(MapErrors, CompareMeansWhereTheMotionIsNotPeriodic) {
     scattered.values[0][i] += i % 2 == 0 ? 20.0 : -20.0;
     biased.values[0][i] += i % 2 == 0 ? 22.0 : -2.0;
   }
-  EXPECT_TRUE(MapErrors(scattered, fine).others_agree(1e-3, 0.01));
-  EXPECT_FALSE(MapErrors(biased, fine).others_agree(1e-3, 0.01));
-  EXPECT_TRUE(MapErrors(biased, fine).others_agree(0.1, 0.01));
+  EXPECT_TRUE(MapErrors(scattered, fine, kTolerances).others_agree(0.01));
+  EXPECT_FALSE(MapErrors(biased, fine, kTolerances).others_agree(0.01));
+  EXPECT_TRUE(MapErrors(biased, fine, {0.1, 0.1}).others_agree(0.01));
 }
 
 // Steps that are too long diverge, at points that are not periodic, too.
@@ -86,9 +87,39 @@ TEST(MapErrors, CountTheOtherPointsThatOneRunHasAlone) {
   const SweepResult fine = ramp();
   SweepResult coarse = fine;
   coarse.values[0][150] = kNaN;
-  EXPECT_TRUE(MapErrors(coarse, fine).others_agree(1e-3, 0.01));
+  EXPECT_TRUE(MapErrors(coarse, fine, kTolerances).others_agree(0.01));
   coarse.values[0][151] = kNaN;
-  EXPECT_FALSE(MapErrors(coarse, fine).others_agree(1e-3, 0.01));
+  EXPECT_FALSE(MapErrors(coarse, fine, kTolerances).others_agree(0.01));
+}
+
+// 100 points on orbits: x1_rms is off by 2e-3 of its range, lyapunov_max and kaplan_yorke by 5e-3.
+MapErrors errors_with_exponents(double exponents) {
+  SweepResult fine;
+  fine.study.model = find_model("gear5");
+  fine.study.selection =
+      select_quantities(*fine.study.model, {"x1_rms", "lyapunov_max", "kaplan_yorke"}, {});
+  fine.values.resize(3);
+  for (int i = 0; i < 100; ++i) {
+    fine.status.push_back(0);
+    fine.on_orbit.push_back(1);
+    for (std::vector<double>& map : fine.values) map.push_back(i);
+  }
+  SweepResult coarse = fine;
+  for (double& value : coarse.values[0]) value += 2e-3 * 97.0;
+  for (double& value : coarse.values[1]) value += 5e-3 * 97.0;
+  for (double& value : coarse.values[2]) value += 5e-3 * 97.0;
+  return {coarse, fine, {.maps = 3e-3, .exponents = exponents}};
+}
+
+TEST(MapErrors, OfExponentsHaveATolerance) {
+  EXPECT_TRUE(errors_with_exponents(1e-2).furthest(0.01).is_kept());
+  EXPECT_EQ(errors_with_exponents(1e-2).furthest(0.01).quantity, "x1_rms");
+  const FurthestMap exponent = errors_with_exponents(3e-3).furthest(0.01);
+  EXPECT_FALSE(exponent.is_kept());
+  EXPECT_TRUE(exponent.is_exponent);
+  EXPECT_NEAR(exponent.error, 5e-3, 2e-4);
+  // In its own terms: it may be as far off as it likes.
+  EXPECT_NEAR(errors_with_exponents(0.1).largest(0.01), 5e-3, 2e-4);
 }
 
 // Between runs whose step is halved each time: by pair, the errors that the first points have. The
@@ -101,9 +132,9 @@ double sensitive_share(const std::vector<std::vector<double>>& pairs, double sca
   for (const std::vector<double>& errors : pairs) {
     SweepResult coarse = fine;
     for (std::size_t i = 0; i < errors.size(); ++i) coarse.values[0][i] += errors[i] * range;
-    halvings.emplace_back(coarse, fine);
+    halvings.emplace_back(coarse, fine, kTolerances);
   }
-  return MapErrors::sensitive_share(halvings, 1e-3);
+  return MapErrors::sensitive_share(halvings);
 }
 
 // Two points that land elsewhere by chance, one that has done so for the first time, and one that

@@ -14,6 +14,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const std::string kOscillator =
@@ -164,6 +165,24 @@ std::string refusal(const std::string& toml, const std::vector<std::string>& ove
     return error.what();
   }
   return "";
+}
+
+// Exponents take shorter steps than other maps of the same study.
+TEST(Pilot, HasAToleranceForExponents) {
+  const std::string study =
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.45\nto = 1.9\ncount = 24\n"
+      "[[axes]]\nname = 'e0'\nfrom = 0.07\nto = 0.75\ncount = 12\n[integrate]\nsettle = "
+      "300\nrecord = "
+      "60\n[observe]\nquantities = ['x1_rms', 'lyapunov_max']\n";
+  const PilotFindings same = run(study, {"integrate.tolerance=1e-3"}).pilot.value();
+  const PilotFindings looser = run(study, {"integrate.exponent_tolerance=0.02"}).pilot.value();
+  EXPECT_LE(same.errors.at("lyapunov_max"), 1e-3);
+  EXPECT_LE(looser.errors.at("lyapunov_max"), 0.02);
+  EXPECT_LE(looser.errors.at("x1_rms"), 1e-3);
+  EXPECT_GT(looser.step, same.step);
+  EXPECT_GT(looser.error, 1e-3);
+  EXPECT_THAT(refusal(study, {"integrate.exponent_tolerance=1e-10", "integrate.precision=fp32"}),
+              AllOf(HasSubstr("integrate.exponent_tolerance = 1e-10"), HasSubstr("lyapunov")));
 }
 
 TEST(Pilot, RefusesATwofoldDemand) {

@@ -11,12 +11,18 @@ namespace {
 struct Values {
   std::string quantity;  // empty for samples
   bool has_classes;
+  bool is_exponent;
   std::vector<double> numbers;  // [point]
 };
 
 bool is_compared(const Quantity& quantity) {
   return !quantity.of_census && quantity.role != OutputRole::exponent_error &&
          quantity.role != OutputRole::settled;
+}
+
+bool is_exponent(const Quantity& quantity) {
+  return quantity.role == OutputRole::exponent ||
+         quantity.role == OutputRole::exponent_per_period || quantity.role == OutputRole::exponents;
 }
 
 std::vector<Values> values_of(const SweepResult& result) {
@@ -27,14 +33,14 @@ std::vector<Values> values_of(const SweepResult& result) {
     const Quantity& quantity = selection.quantities[i];
     if (!is_compared(quantity)) continue;
     for (std::size_t k = 0; k < quantity.width; ++k) {
-      all.push_back({quantity.name, !quantity.flags.empty(), {}});
+      all.push_back({quantity.name, !quantity.flags.empty(), is_exponent(quantity), {}});
       for (std::size_t point = 0; point < points; ++point) {
         all.back().numbers.push_back(result.values[i][point * quantity.width + k]);
       }
     }
   }
   for (std::size_t chosen = 0; chosen < selection.poincare.size(); ++chosen) {
-    Values low = {"", false, {}};
+    Values low = {"", false, false, {}};
     Values high = low;
     for (std::size_t point = 0; point < points; ++point) {
       const std::vector<double> samples = samples_of(result, point, chosen);
@@ -83,7 +89,8 @@ double error_of(const Values& map, double difference, double range) {
 
 }  // namespace
 
-MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
+MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine,
+                     const Tolerances& tolerances)
     : is_periodic_(fine.on_orbit) {
   const double rounding = fine.study.integrate.fp64 ? std::numeric_limits<double>::epsilon()
                                                     : std::numeric_limits<float>::epsilon();
@@ -93,7 +100,11 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine)
   for (std::size_t i = 0; i < fine_maps.size(); ++i) {
     const Values& map = fine_maps[i];
     const double range = map.has_classes ? 1.0 : range_of(map.numbers, rounding);
-    Map errors = {.quantity = map.quantity, .errors = {}, .ascending = {}};
+    Map errors = {.quantity = map.quantity,
+                  .is_exponent = map.is_exponent,
+                  .tolerance = map.is_exponent ? tolerances.exponents : tolerances.maps,
+                  .errors = {},
+                  .ascending = {}};
     double sum = 0.0, squares = 0.0, others = 0.0, missing = 0.0;
     for (std::size_t point = 0; point < map.numbers.size(); ++point) {
       const double off = difference(coarse_maps[i].numbers[point], map.numbers[point]);
@@ -137,19 +148,31 @@ double MapErrors::largest(double share) const {
   return largest;
 }
 
-bool MapErrors::others_agree(double tolerance, double share) const {
+FurthestMap MapErrors::furthest(double share) const {
+  FurthestMap furthest;
+  for (const Map& map : maps_) {
+    if (map.ascending.empty()) continue;
+    const FurthestMap found = {map.quantity, map.is_exponent, upper_quantile(map.ascending, share),
+                               map.tolerance};
+    if (found.excess() > furthest.excess()) furthest = found;
+  }
+  return furthest;
+}
+
+bool MapErrors::others_agree(double share) const {
   return std::all_of(maps_.begin(), maps_.end(), [&](const Map& map) {
-    return map.missing <= share && std::abs(map.mean) <= std::max(tolerance, 3.0 * map.deviation);
+    return map.missing <= share &&
+           std::abs(map.mean) <= std::max(map.tolerance, 3.0 * map.deviation);
   });
 }
 
-double MapErrors::sensitive_share(const std::vector<MapErrors>& halvings, double tolerance) {
+double MapErrors::sensitive_share(const std::vector<MapErrors>& halvings) {
   const MapErrors& last = halvings.back();
   const auto is_sensitive = [&](std::size_t map, std::size_t point) {
     const auto error = [&](const MapErrors& pair) {
       return std::min(pair.maps_[map].errors[point], 1.0);
     };
-    if (last.maps_[map].errors[point] <= tolerance) return false;
+    if (last.maps_[map].errors[point] <= last.maps_[map].tolerance) return false;
     double fall = 1.0;  // that order one half makes of an error
     for (auto pair = halvings.rbegin() + 1; pair != halvings.rend(); ++pair) {
       fall *= std::sqrt(0.5);

@@ -17,10 +17,25 @@
 
 namespace gearsweep {
 
+// What an error may be, as a share of its map's range.
+struct Tolerances {
+  double maps;
+  double exponents;  // of Lyapunov exponents, and of what is made of them
+};
+
+// The map whose error is the largest in terms of what it may be.
+struct FurthestMap {
+  std::string quantity;  // empty for samples, and where there is no map
+  bool is_exponent = false;
+  double error = 0.0, tolerance = 1.0;
+  bool is_kept() const { return error <= tolerance; }
+  double excess() const { return error / tolerance; }
+};
+
 class MapErrors {
  public:
   // Of two runs over the same points. Ranges and periodic points are those of `fine`.
-  MapErrors(const SweepResult& coarse, const SweepResult& fine);
+  MapErrors(const SweepResult& coarse, const SweepResult& fine, const Tolerances& tolerances);
 
   // Points that stopped on a periodic orbit in the run with shorter steps.
   std::size_t points() const { return points_; }
@@ -28,21 +43,24 @@ class MapErrors {
   std::map<std::string, double> of_quantities(double share) const;
   // The largest of these, samples of sections included; 0 where there is none.
   double largest(double share) const;
+  FurthestMap furthest(double share) const;
   // Whether the points that are not periodic look the same: the mean of each map over them is, to
-  // `tolerance` of the range or to three standard errors, and no more than `share` of them have a
+  // the tolerance or to three standard errors, and no more than `share` of them have a
   // number in one of the runs alone, as where long steps diverge.
-  bool others_agree(double tolerance, double share) const;
-  // The points that no shorter step brings to within `tolerance`, as a share of the periodic ones.
-  // The pairs of runs are in the order of their steps, each step half of the one before. A point is
-  // sensitive when it is beyond the tolerance between the last two runs, and its error has fallen
-  // to there from no earlier pair: where a shorter step helps, errors are of first order at least,
-  // and without that they stay what they are. The line is drawn between, at order one half. An
-  // error of a map's whole range is as bad as any. Of the map that has most such points.
-  static double sensitive_share(const std::vector<MapErrors>& halvings, double tolerance);
+  bool others_agree(double share) const;
+  // The points that no shorter step brings to within the tolerance, as a share of the periodic
+  // ones. The pairs of runs are in the order of their steps, each step half of the one before. A
+  // point is sensitive when it is beyond the tolerance between the last two runs, and its error has
+  // fallen to there from no earlier pair: where a shorter step helps, errors are of first order at
+  // least, and without that they stay what they are. The line is drawn between, at order one half.
+  // An error of a map's whole range is as bad as any. Of the map that has most such points.
+  static double sensitive_share(const std::vector<MapErrors>& halvings);
 
  private:
   struct Map {
-    std::string quantity;                // empty for samples
+    std::string quantity;  // empty for samples
+    bool is_exponent = false;
+    double tolerance = 0.0;
     std::vector<double> errors;          // [point]
     std::vector<double> ascending;       // at periodic points
     double mean = 0.0, deviation = 0.0;  // mean difference at the others, and its standard error
