@@ -222,6 +222,13 @@ bool wants_pilot(const Study& study) {
   return Plan(pilot, pilot.points()).total_work() / share >= kFewestSteps;
 }
 
+void tell_of_own_step(const Study& study, const NoStep& none, const SweepOptions& options) {
+  if (!options.on_trouble) return;
+  options.on_trouble(
+      fmt::format("the pilot run found no step, so that of the model, {}, is taken: {}",
+                  study.integrate.max_step, none.reason));
+}
+
 }  // namespace
 
 std::vector<double> thin(const std::vector<double>& values, std::size_t count) {
@@ -242,7 +249,10 @@ std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& 
   } catch (const Stopped&) {
     return std::nullopt;
   } catch (const NoStep& none) {
-    if (!study.integrate.is_tolerance_asked) return SteppedStudy{study, std::nullopt};
+    if (!study.integrate.is_tolerance_asked) {
+      tell_of_own_step(study, none, options);
+      return SteppedStudy{study, std::nullopt};
+    }
     const Integrate& asked = study.integrate;
     const bool is_own = none.is_of_exponents && asked.exponent_tolerance != asked.tolerance;
     throw InputError(fmt::format("integrate.{} = {}: {}",
