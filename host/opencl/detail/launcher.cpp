@@ -169,11 +169,14 @@ double Launcher::launch(cl::Kernel* kernel, const SweepRound& round) {
   const bool are_few =
       device().is_cpu && items < kGroupsPerCore * device().compute_units * local_size_;
   const std::size_t local = are_few ? 1 : local_size_;
-  const std::size_t global = (items + local - 1) / local * local;
-  return open_->clock().time([&] {
-    queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local));
-    queue_.finish();
+  double seconds = 0.0;
+  open_->run(*kernel, local, items, [&](std::size_t width) {
+    seconds = open_->clock().time([&] {
+      queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(width), cl::NDRange(local));
+      queue_.finish();
+    });
   });
+  return seconds;
 }
 
 bool Launcher::run_rounds(cl::Kernel* kernel, const Window& window, const TileInputs& inputs,

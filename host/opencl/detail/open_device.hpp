@@ -1,9 +1,15 @@
 // A device, its context, and the programs that were built for it.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <shared_mutex>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "opencl/busy_clock.hpp"
@@ -15,7 +21,9 @@ namespace gearsweep {
 // Engines may use it from threads of their own.
 class OpenDevice {
  public:
-  OpenDevice(const cl::Device& device, DeviceInfo info);
+  // launches: what all devices of the process share.
+  OpenDevice(const cl::Device& device, DeviceInfo info,
+             std::shared_ptr<std::shared_mutex> launches);
 
   const DeviceInfo& info() const { return info_; }
   const cl::Device& device() const { return device_; }
@@ -25,12 +33,43 @@ class OpenDevice {
   // Built at the first call. Throws RunError.
   cl::Program program(const std::string& source, const std::string& options);
 
+  // Calls launch(width), which runs so many work-items of the kernel to their end: `items`, rounded
+  // up to a multiple of the local size and perhaps more, which have nothing to do.
+  //
+  // Any number of launches run at once, but on a CPU one that is wider than all before it runs
+  // alone: PoCL 3.1 loads a kernel anew for a wider launch, and counts as user of the new one
+  // whoever still runs the old one. It aborts when both have ended.
+  template <class Launch>
+  void run(const cl::Kernel& kernel, std::size_t local_size, std::size_t items,
+           const Launch& launch) {
+    const Launched key = {kernel.getInfo<CL_KERNEL_PROGRAM>()(),
+                          kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(), local_size};
+    const std::size_t width = (items + local_size - 1) / local_size * local_size;
+    if (std::shared_lock others(*launches_); !info_.is_cpu || width <= widest(key)) {
+      return launch(width);
+    }
+    const std::lock_guard alone(*launches_);
+    // Few launches are to run alone.
+    const std::size_t wider = local_size * std::bit_ceil(width / local_size);
+    launch(wider);
+    const std::lock_guard lock(mutex_);
+    widest_[key] = std::max(widest_[key], wider);
+  }
+
  private:
+  using Launched = std::tuple<cl_program, std::string, std::size_t>;
+  std::size_t widest(const Launched& key) {
+    const std::lock_guard lock(mutex_);
+    return widest_[key];
+  }
+
   const DeviceInfo info_;
   const cl::Device device_;
   const cl::Context context_;
   BusyClock clock_;
+  const std::shared_ptr<std::shared_mutex> launches_;  // held by all that run
   std::mutex mutex_;
+  std::map<Launched, std::size_t> widest_;
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;  // by source and options
 };
 
