@@ -19,9 +19,9 @@ std::size_t min_tile(const Engines& engines) {
   return min;
 }
 
-// Points of a tile. Enough tiles that an interruption keeps most of a long run, unless that would
-// starve an engine; what suits all of them. Each of the processes of a sweep has so many engines.
-// Shards are cut by the study alone: each may run on a machine of its own kind.
+// Points of a tile. Large ones, since each takes as many launches as another; but every engine has
+// some, unless that would starve it. What suits all engines. Each of the processes of a sweep has
+// so many engines. Shards are cut by the study alone: each may run on a machine of its own kind.
 std::size_t tile_size(const Study& study, const Engines& engines, const Shard& shard,
                       std::size_t processes) {
   constexpr std::size_t kTiles = 2;  // for each engine

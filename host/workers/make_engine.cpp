@@ -21,7 +21,6 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
     return engines;
   }
   if (choices.empty()) choices = {std::nullopt};
-  constexpr std::size_t kManyTiles = 2;
   // Of a chained study, each point along it waits for the one before.
   const std::size_t at_once =
       study.trajectories() /
@@ -30,10 +29,9 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
     try {
       engines.push_back(make_opencl_engine(study, choices[i], open));
       // While one tile's launches end raggedly, or the host looks at their results, those of
-      // another fill the device. Not worth a second start where there are few tiles.
-      const bool has_many_tiles =
-          at_once >= kManyTiles * choices.size() * engines.back()->min_tile();
-      if (has_many_tiles) engines.push_back(make_opencl_engine(study, choices[i], open));
+      // another fill the device.
+      const bool has_two_tiles = at_once >= 2 * choices.size() * engines.back()->min_tile();
+      if (has_two_tiles) engines.push_back(make_opencl_engine(study, choices[i], open));
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;
       if (on_trouble) on_trouble(error.what());
