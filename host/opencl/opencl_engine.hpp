@@ -9,8 +9,9 @@
 
 namespace gearsweep {
 
-// Without a choice, default_device(). Throws InputError for an unknown device or one that lacks
-// fp64 when the study asks for it, RunError when the build fails or the device cannot be cut.
+// Without a choice, default_device(). open: where it is opened, once. Throws InputError for an
+// unknown device or one that lacks fp64 when the study asks for it, RunError when the build fails
+// or the device cannot be cut.
 std::unique_ptr<Engine> make_opencl_engine(const Study& study, std::optional<DeviceChoice> choice,
                                            OpenDevices* open);
 // On a device that it opens for itself.

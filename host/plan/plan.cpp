@@ -90,6 +90,14 @@ Plan Plan::with_longer_steps() const {
 
 std::size_t Plan::steps_of(std::size_t point) const { return steps_at(setting_of(point)); }
 
+double Plan::steps_of(const PointList& points, const std::vector<std::uint32_t>& periods) const {
+  double steps = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    steps += static_cast<double>(periods[i] * steps_of(points[i]));
+  }
+  return steps;
+}
+
 std::size_t Plan::steps_at(const ModelSetting& setting) const {
   const auto longer = [this](std::size_t steps) {
     return (steps + step_length_ - 1) / step_length_;

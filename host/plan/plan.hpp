@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Plan {
   ModelSetting setting_of(std::size_t point) const;
   // Steps asked of the phase grid of a point (the grid may have a few more).
   std::size_t steps_of(std::size_t point) const;
+  // Integration steps of these points, each through its own number of periods.
+  double steps_of(const PointList& points, const std::vector<std::uint32_t>& periods) const;
   PhaseGrid phase_grid_of(std::size_t point) const;
   // Points with the same key share a phase grid.
   std::vector<double> grid_key(std::size_t point) const;

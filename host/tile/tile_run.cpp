@@ -93,14 +93,6 @@ class TileRun {
     return (windows_.front().settle - orbit.settled) % orbit.length;
   }
 
-  double steps_of(const Tile& subset, const std::vector<std::uint32_t>& periods) const {
-    double steps = 0.0;
-    for (std::size_t i = 0; i < periods.size(); ++i) {
-      steps += static_cast<double>(periods[i] * plan_.steps_of(subset.points[i]));
-    }
-    return steps;
-  }
-
   // The orbits' states at those sections; nothing when the callback asked to stop.
   std::optional<std::vector<double>> first_recorded(const std::vector<FoundOrbit>& orbits,
                                                     const Tile& subset) {
@@ -111,7 +103,7 @@ class TileRun {
       offsets.push_back(static_cast<std::uint32_t>(phase_offset_of(orbit)));
     }
     if (std::ranges::max(offsets) == 0) return states;
-    callbacks_.on_work(steps_of(subset, offsets));
+    callbacks_.on_work(plan_.steps_of(subset.points, offsets));
     const std::optional<Sections> sections =
         engine_->orbits()->follow(plan_, subset, states, offsets, callbacks_.after_round);
     if (!sections) return std::nullopt;

@@ -12,12 +12,13 @@
 
 namespace gearsweep {
 
-// Without a choice, the default device. Throws InputError or RunError.
+// Without a choice, the default device. open: where it is opened, once. Throws InputError or
+// RunError.
 std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice,
                                     OpenDevices* open);
 
 // For each of these devices (none: the default one) that can be had, one, or two for a study of
-// many tiles, which the device then computes two at a time; the others are told of. Throws
+// several tiles, which the device then computes two at a time; the others are told of. Throws
 // InputError or RunError when there is none at all.
 std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
                                                   const std::vector<DeviceChoice>& devices,

@@ -1,4 +1,6 @@
 // The step that integrate.tolerance finds, judged by an oscillator whose orbit is known.
+#include "sweep/pilot.hpp"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -200,6 +202,24 @@ TEST(Pilot, SaysThatChaosTellsNothing) {
                       "[integrate]\nsettle = 40\n",
                       {"integrate.tolerance=1e-4"}),
               HasSubstr("arrive on a periodic orbit"));
+}
+
+// Nobody has asked for a tolerance.
+TEST(Pilot, WarnsWhereItTellsNothing) {
+  const Study study = read_study(
+      "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nfrom = 28.0\nto = 29.0\ncount = 64\n"
+      "[[axes]]\nname = 'sigma'\nfrom = 10.0\nto = 10.5\ncount = 64\n[integrate]\nsettle = 40\n"
+      "record = 4000\n",
+      "pilot_test");
+  std::string warning;
+  SweepOptions options;
+  options.on_trouble = [&](const std::string& text) { warning = text; };
+  const std::optional<SteppedStudy> stepped = choose_step(study, options);
+  ASSERT_TRUE(stepped);
+  EXPECT_FALSE(stepped->pilot);
+  EXPECT_EQ(stepped->study.integrate.max_step, study.model->max_step);
+  EXPECT_THAT(warning, AllOf(HasSubstr("the pilot run found no step"),
+                             HasSubstr("arrive on a periodic orbit")));
 }
 
 }  // namespace

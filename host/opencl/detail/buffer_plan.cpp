@@ -24,12 +24,6 @@ ApproachBuffers approach_buffers(const Study& study, std::size_t slots) {
           .guesses = states * slots};
 }
 
-FollowBuffers follow_buffers(const Study& study, std::size_t slots) {
-  const std::size_t states = study.model->states.size();
-  return {
-      .state = states * slots, .lengths = slots, .sections = (ORBIT_LONGEST + 1) * states * slots};
-}
-
 ReturnMapBuffers return_map_buffers(const Study& study, std::size_t slots) {
   const std::size_t states = study.model->states.size();
   return {.state = states * slots, .lengths = slots, .derivative = states * states * slots};

@@ -25,12 +25,6 @@ struct ApproachBuffers {
 };
 ApproachBuffers approach_buffers(const Study& study, std::size_t slots);
 
-// To follow trajectories through so many periods each.
-struct FollowBuffers {
-  std::size_t state, lengths, sections;
-};
-FollowBuffers follow_buffers(const Study& study, std::size_t slots);
-
 // To map states by so many periods each, with the map's derivative.
 struct ReturnMapBuffers {
   std::size_t state, lengths, derivative;

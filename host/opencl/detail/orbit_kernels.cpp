@@ -21,16 +21,6 @@ std::vector<double> identities(std::size_t states, std::size_t slot_count) {
   return out;
 }
 
-// Steps of the states alone.
-double steps_of_maps(const Plan& plan, const Tile& tile,
-                     const std::vector<std::uint32_t>& lengths) {
-  double steps = 0.0;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    steps += static_cast<double>(lengths[i] * plan.steps_of(tile.points[i]));
-  }
-  return steps;
-}
-
 // One number for each point: [slot].
 std::vector<double> spread_numbers(const std::vector<std::uint32_t>& numbers, const Slots& slots) {
   return spread_states({numbers.begin(), numbers.end()}, 1, slots);
@@ -143,7 +133,7 @@ bool OrbitKernels::run_lengths(cl::Kernel* kernel, const Plan& plan, const Tile&
   // Most points are done before the longest; what they all took is told in the end.
   const auto in_between = [&](double) { return after_round(0.0); };
   return launcher_->run_rounds(kernel, window_of_rounds(), inputs, longest, in_between) &&
-         after_round(cost * steps_of_maps(plan, tile, lengths));
+         after_round(cost * plan.steps_of(tile.points, lengths));
 }
 
 std::optional<Sections> OrbitKernels::follow_tile(const Plan& plan, const Tile& tile,
@@ -152,7 +142,8 @@ std::optional<Sections> OrbitKernels::follow_tile(const Plan& plan, const Tile& 
                                                   const RoundCallback& after_round) {
   const TileInputs inputs = launcher_->prepare(plan, tile);
   const std::size_t state_count = plan.study().model->states.size();
-  const FollowBuffers sizes = follow_buffers(plan.study(), inputs.slots.position.size());
+  // An approach has these buffers, too.
+  const ApproachBuffers sizes = approach_buffers(plan.study(), inputs.slots.position.size());
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
   const cl::Buffer periods =
