@@ -151,10 +151,10 @@ class OpenClEngine final : public Engine {
     for (std::size_t done = 0; done < record;) {
       const std::size_t now = std::min(at_once, record - done);
       launcher_.launch(&trace, round_of({}, slots.items(), now, done));
-      const std::vector<double> end = launcher_.download(state, states * slots.position.size());
+      const auto [end, walked] =
+          launcher_.download({{state, states * slots.position.size()}, {rows, numbers * now}});
       if (std::isnan(end[0])) break;
-      const std::vector<double> block =
-          gather_points(launcher_.download(rows, numbers * now), slots);
+      const std::vector<double> block = gather_points(walked, slots);
       out.insert(out.end(), block.begin(), block.end());
       done += now;
       if (!after_round(inputs.steps_per_period * static_cast<double>(now))) return std::nullopt;
@@ -167,10 +167,12 @@ class OpenClEngine final : public Engine {
                      const RecordBuffers& sizes, const Buffers& buffers) {
     const std::size_t states = study.model->states.size();
     const std::size_t sampled = study.selection.poincare.size();
+    const auto [ends, outputs, numbers] = launcher_.download({{buffers.state, sizes.state},
+                                                              {buffers.outputs, sizes.outputs},
+                                                              {buffers.series, sizes.series}});
     TileResult result;
-    result.final_states = gather_points(launcher_.download(buffers.state, sizes.state), slots);
-    result.outputs = gather_components(launcher_.download(buffers.outputs, sizes.outputs), slots);
-    const std::vector<double> numbers = launcher_.download(buffers.series, sizes.series);
+    result.final_states = gather_points(ends, slots);
+    result.outputs = gather_components(outputs, slots);
     const Array3 series(numbers, sampled, slots.position.size());  // [sample][state][slot]
     result.samples.reserve(slots.slot_of.size() * sampled * window.samples);
     for (const std::size_t slot : slots.slot_of) {

@@ -66,18 +66,6 @@ cl::Buffer Launcher::allocate(std::size_t numbers) {
                     std::max<std::size_t>(64, numbers * scalar_bytes()));
 }
 
-std::vector<double> Launcher::download(const cl::Buffer& buffer, std::size_t numbers) {
-  const auto read = [&](auto values) {
-    if (numbers > 0) {
-      queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, numbers * sizeof values[0], values.data());
-    }
-    return values;
-  };
-  if (fp64_) return read(std::vector<double>(numbers));
-  const std::vector<float> values = read(std::vector<float>(numbers));
-  return {values.begin(), values.end()};
-}
-
 std::shared_ptr<const void> Launcher::view(const cl::Buffer& buffer, std::size_t numbers) {
   const std::size_t bytes = numbers * scalar_bytes();
   if (device().shares_host_memory) return map(buffer, bytes, CL_MAP_READ);

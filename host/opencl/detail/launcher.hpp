@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -53,7 +54,20 @@ class Launcher {
   cl::Buffer upload(const std::vector<double>& numbers, cl_mem_flags flags);
   cl::Buffer upload(const std::vector<std::uint32_t>& numbers);
   cl::Buffer allocate(std::size_t numbers);
-  std::vector<double> download(const cl::Buffer& buffer, std::size_t numbers);
+  // So many numbers of a buffer, from its beginning.
+  struct Stretch {
+    cl::Buffer buffer;
+    std::size_t numbers;
+  };
+  // Waits once for all of them: on a CPU, a copy waits for the launches of other engines.
+  template <std::size_t count>
+  std::array<std::vector<double>, count> download(const Stretch (&stretches)[count]) {
+    if (fp64_) return copies<double>(stretches);
+    const std::array<std::vector<float>, count> rounded = copies<float>(stretches);
+    std::array<std::vector<double>, count> numbers;
+    for (std::size_t i = 0; i < count; ++i) numbers[i].assign(rounded[i].begin(), rounded[i].end());
+    return numbers;
+  }
   // The buffer's numbers as the device has them, not copied where it shares the host's memory. No
   // kernel may write the buffer while they are held.
   std::shared_ptr<const void> view(const cl::Buffer& buffer, std::size_t numbers);
@@ -99,6 +113,24 @@ class Launcher {
   // The index of each of the tile's grids in the bank.
   std::vector<std::uint32_t> find_grids(const Plan& plan, const Tile& tile);
   void fill_bank(const Plan& plan, const Tile& tile);
+  template <class Scalar, std::size_t count>
+  std::array<std::vector<Scalar>, count> copies(const Stretch (&stretches)[count]) {
+    // Until the queue is done it writes to them, also where it took only some of the copies.
+    struct Done {
+      ~Done() { clFinish(queue()); }
+      const cl::CommandQueue& queue;
+    };
+    std::array<std::vector<Scalar>, count> out;
+    const Done done{queue_};
+    for (std::size_t i = 0; i < count; ++i) {
+      out[i].resize(stretches[i].numbers);
+      if (out[i].empty()) continue;
+      queue_.enqueueReadBuffer(stretches[i].buffer, CL_FALSE, 0, out[i].size() * sizeof(Scalar),
+                               out[i].data());
+    }
+    queue_.finish();
+    return out;
+  }
   // The buffer's bytes in the host's memory, for as long as they are held.
   std::shared_ptr<void> map(const cl::Buffer& buffer, std::size_t bytes, cl_map_flags flags);
   cl::Buffer upload_bytes(const void* bytes, std::size_t count, cl_mem_flags flags);

@@ -113,14 +113,17 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
     return std::nullopt;
   }
   launcher_->launch(&extrapolate_, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
+  const auto [ends, moved, orbits, numbers] = launcher_->download({{state, sizes.state},
+                                                                   {ranges, sizes.ranges},
+                                                                   {guesses, sizes.guesses},
+                                                                   {lengths, sizes.lengths}});
   Approach found;
-  found.states = gather_points(launcher_->download(state, sizes.state), inputs.slots);
+  found.states = gather_points(ends, inputs.slots);
   found.sections = sections_of(launcher_->view(sections, sizes.sections),
                                plan.study().integrate.fp64, state_count, inputs.slots);
-  found.ranges = gather_points(launcher_->download(ranges, sizes.ranges), inputs.slots);
-  found.guesses = gather_points(launcher_->download(guesses, sizes.guesses), inputs.slots);
-  for (const double length :
-       gather_points(launcher_->download(lengths, sizes.lengths), inputs.slots)) {
+  found.ranges = gather_points(moved, inputs.slots);
+  found.guesses = gather_points(orbits, inputs.slots);
+  for (const double length : gather_points(numbers, inputs.slots)) {
     found.lengths.push_back(static_cast<std::uint32_t>(length));
   }
   return found;
@@ -174,8 +177,9 @@ std::optional<ReturnMaps> OrbitKernels::map_tile(const Plan& plan, const Tile& t
                    after_round)) {
     return std::nullopt;
   }
-  return ReturnMaps{gather_points(launcher_->download(state, sizes.state), inputs.slots),
-                    gather_points(launcher_->download(derivative, sizes.derivative), inputs.slots)};
+  const auto [ends, derivatives] =
+      launcher_->download({{state, sizes.state}, {derivative, sizes.derivative}});
+  return ReturnMaps{gather_points(ends, inputs.slots), gather_points(derivatives, inputs.slots)};
 }
 
 std::optional<TileResult> OrbitKernels::replay_tile(const Plan& plan, const Tile& tile,
@@ -203,10 +207,12 @@ std::optional<TileResult> OrbitKernels::replay_tile(const Plan& plan, const Tile
   launcher_->launch(&finish_, round_of(window, items, 0, window.record));
   if (!after_round(static_cast<double>(length) * inputs.steps_per_period)) return std::nullopt;
 
+  const auto [ends, numbers] =
+      launcher_->download({{state, sizes.state}, {outputs, sizes.outputs}});
   TileResult result;
   result.status.assign(tile.points.size(), STATUS_ok);
-  result.final_states = gather_points(launcher_->download(state, sizes.state), inputs.slots);
-  result.outputs = gather_components(launcher_->download(outputs, sizes.outputs), inputs.slots);
+  result.final_states = gather_points(ends, inputs.slots);
+  result.outputs = gather_components(numbers, inputs.slots);
   return result;
 }
 
