@@ -29,7 +29,7 @@ int run_study(const RunRequest& request) {
   if (!stepped) return report.interrupted();
   RunContext run(*stepped, options);
 
-  // 4. Find the engines: one or two on each device, with the kernels built for this study.
+  // 4. Find the engines: one to three on each device, with the kernels built for this study.
   run.find_engines();
 
   // 5. Plan: points, and tiles of them that keep the engines busy and fit the machine.

@@ -82,6 +82,8 @@ class Engine {
   // best.
   virtual std::size_t min_tile() const = 0;
   virtual std::size_t preferred_tile() const = 0;
+  // Tiles, each with an engine of its own, that keep its device busy.
+  virtual std::size_t tiles_at_once() const { return 1; }
   // initial: [point][state], at the beginning of the window. Nothing when the callback asked to
   // stop. Throws RunError.
   virtual std::optional<TileResult> compute(const Plan& plan, const Tile& tile,

@@ -69,6 +69,10 @@ class OpenClEngine final : public Engine {
     return std::clamp(kMaxSeriesBytes / series_bytes_per_point_, std::size_t{64}, points);
   }
 
+  // A CPU has the host's part of a tile on the same cores, and copies wait for the launches of
+  // other tiles: of two, too often neither is in a kernel.
+  std::size_t tiles_at_once() const override { return launcher_.device().is_cpu ? 3 : 2; }
+
   std::optional<std::vector<double>> rows(const Plan& plan, std::size_t point,
                                           const std::vector<double>& initial, std::size_t settle,
                                           std::size_t record,

@@ -1,5 +1,7 @@
 #include "workers/make_engine.hpp"
 
+#include <algorithm>
+
 #include "opencl/opencl_engine.hpp"
 #include "reference/reference_engine.hpp"
 
@@ -29,9 +31,12 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
     try {
       engines.push_back(make_opencl_engine(study, choices[i], open));
       // While one tile's launches end raggedly, or the host looks at their results, those of
-      // another fill the device.
-      const bool has_two_tiles = at_once >= 2 * choices.size() * engines.back()->min_tile();
-      if (has_two_tiles) engines.push_back(make_opencl_engine(study, choices[i], open));
+      // others fill the device.
+      const std::size_t tiles = std::min(engines.back()->tiles_at_once(),
+                                         at_once / (choices.size() * engines.back()->min_tile()));
+      for (std::size_t more = 1; more < tiles; ++more) {
+        engines.push_back(make_opencl_engine(study, choices[i], open));
+      }
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;
       if (on_trouble) on_trouble(error.what());

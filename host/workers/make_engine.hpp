@@ -17,9 +17,9 @@ namespace gearsweep {
 std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoice> choice,
                                     OpenDevices* open);
 
-// For each of these devices (none: the default one) that can be had, one, or two for a study of
-// several tiles, which the device then computes two at a time; the others are told of. Throws
-// InputError or RunError when there is none at all.
+// For each of these devices (none: the default one) that can be had, one, or a few for a study of
+// several tiles, of which the device then computes as many at a time; the others are told of.
+// Throws InputError or RunError when there is none at all.
 std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
                                                   const std::vector<DeviceChoice>& devices,
                                                   OpenDevices* open, const Trouble& on_trouble);
