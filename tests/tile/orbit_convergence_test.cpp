@@ -26,7 +26,12 @@ std::vector<double> numbers_of(const Eigen::MatrixXd& matrix) {
 
 OrbitMap orbit_at(const Eigen::VectorXd& state, const Eigen::MatrixXd& derivative,
                   const Eigen::VectorXd& ranges, std::vector<std::size_t> angles = {}) {
-  return {numbers_of(state), numbers_of(derivative), numbers_of(ranges), std::move(angles), kSame};
+  // Of units that lie far apart, rounding would leave no digit of it.
+  const Eigen::MatrixXd relative =
+      ranges.cwiseInverse().asDiagonal() * derivative * ranges.asDiagonal();
+  const double multiplier = eigenvalues_of(relative).cwiseAbs().maxCoeff();
+  return {numbers_of(state),  numbers_of(derivative), multiplier,
+          numbers_of(ranges), std::move(angles),      kSame};
 }
 
 // The verdict on at most so many returns of a map, from a state on.

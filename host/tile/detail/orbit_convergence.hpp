@@ -14,7 +14,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -23,7 +22,8 @@ namespace gearsweep {
 // A periodic orbit, seen once in each of its periods.
 struct OrbitMap {
   std::vector<double> state;
-  std::vector<double> derivative;   // [column][row] of the return map; all multipliers below 1
+  std::vector<double> derivative;   // [column][row] of the return map
+  double multiplier = 0.0;          // the largest, as an absolute value; below 1
   std::vector<double> ranges;       // [state] of the motion
   std::vector<std::size_t> angles;  // states that mean the same after a full turn
   double same = 0.0;                // relative distance at which two states count as one
@@ -40,19 +40,20 @@ class OrbitConvergence {
 
  private:
   double norm(const Eigen::VectorXd& distance) const;
-  // By the return a span before it.
-  bool is_explained(const Eigen::VectorXd& distance) const;
+  // By the return a span before it. `now`: its norm.
+  bool is_explained(const Eigen::VectorXd& distance, double now) const;
 
   OrbitMap orbit_;
-  std::size_t span_ = 1;              // p
-  Eigen::MatrixXd map_;               // M^p, relative to the ranges
-  Eigen::MatrixXd metric_;            // of the norm
-  double contraction_ = 0.0;          // r
-  double noise_ = 0.0;                // norm of a distance that counts as none
-  std::deque<Eigen::VectorXd> last_;  // distances of the returns of a span, the oldest first
-  std::size_t explained_ = 0;         // returns in a row that M^p explains
-  std::size_t surprises_ = 0;         // returns that it does not explain,
-  double surprised_from_ = 0.0;       // since the norm was this
+  Eigen::Index span_ = 1;        // p
+  Eigen::MatrixXd map_;          // M^p, relative to the ranges
+  Eigen::MatrixXd metric_;       // of the norm
+  double contraction_ = 0.0;     // r
+  double noise_ = 0.0;           // norm of a distance that counts as none
+  Eigen::MatrixXd last_;         // [column] distance of a return of the last span
+  Eigen::Index returns_ = 0;     // so far; the column of each is its number modulo the span
+  Eigen::Index explained_ = 0;   // returns in a row that M^p explains
+  Eigen::Index surprises_ = 0;   // returns that it does not explain,
+  double surprised_from_ = 0.0;  // since the norm was this
 };
 
 }  // namespace gearsweep

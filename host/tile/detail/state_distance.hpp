@@ -21,7 +21,8 @@ inline Eigen::VectorXd relative_difference(std::span<const double> a, std::span<
     double& turn = apart[static_cast<Eigen::Index>(angle)];
     turn = std::remainder(turn, 2.0 * std::numbers::pi);
   }
-  return apart.cwiseQuotient(Eigen::Map<const Eigen::VectorXd>(ranges.data(), states));
+  apart.array() /= Eigen::Map<const Eigen::ArrayXd>(ranges.data(), states);
+  return apart;
 }
 
 }  // namespace gearsweep
