@@ -32,7 +32,13 @@ enum {
 };
 
 #ifdef __OPENCL_VERSION__
-enum { zero_one_outputs = ZERO_ONE_OUTPUTS(COUNT_OUTPUT), zero_one_angles = 31 };
+enum {
+  zero_one_outputs = ZERO_ONE_OUTPUTS(COUNT_OUTPUT),
+  zero_one_angles = 31,
+  // Each product of the series waits for the one before, and is the same for all angles. On a GPU
+  // other work-items fill the wait.
+  zero_one_at_once = LANES > 1 ? 4 : 1
+};
 
 SHARED_FN uint zero_one_lags(uint record) { return min(record / 10, (uint)(zero_one_max_lags)); }
 
@@ -79,19 +85,37 @@ SHARED_FN void zero_one_center(const real* sums, uint record, real* head, real* 
   }
 }
 
-// K_c for one angle.
-SHARED_FN real zero_one_correlation(const real* head, const real* tail, const real* products,
-                                    uint lags, scalar angle) {
-  real rise[zero_one_max_lags];  // of the displacement from n - 1 to n = 1, 2, ...
-  for (uint n = 0; n < lags; ++n) rise[n] = 0;
+// Multiples of the golden ratio, less their whole part, lie neither evenly nor in clusters.
+SHARED_FN scalar zero_one_angle(int number) {
+  const scalar turn = (scalar)(0.6180339887498949) * (scalar)(number + 1);
+  return (scalar)(M_PI / 5) * (1 + 3 * (turn - floor(turn)));
+}
+
+// rises[i][n - 1]: of the displacement from n - 1 to n, for angle first + i.
+SHARED_FN void zero_one_rises(const real* head, const real* tail, const real* products, uint lags,
+                              int first, real rises[zero_one_at_once][zero_one_max_lags]) {
+  for (int i = 0; i < zero_one_at_once; ++i) {
+    for (uint n = 0; n < lags; ++n) rises[i][n] = 0;
+  }
   for (uint m = 0; m < lags; ++m) {
-    const scalar weight = m == 0 ? (scalar)(1) : (scalar)(2) * cos(angle * (scalar)(m));
+    scalar weights[zero_one_at_once];
+    for (int i = 0; i < zero_one_at_once; ++i) {
+      weights[i] =
+          m == 0 ? (scalar)(1) : (scalar)(2) * cos(zero_one_angle(first + i) * (scalar)(m));
+    }
     real product = products[m];
     for (uint k = 0; k + m < lags; ++k) {
-      rise[k + m] = rise[k + m] + weight * product;
+      UNROLL
+      for (int i = 0; i < zero_one_at_once; ++i) {
+        rises[i][k + m] = rises[i][k + m] + weights[i] * product;
+      }
       product = product + tail[k] * tail[k + m] - head[k] * head[k + m];
     }
   }
+}
+
+// K_c of one angle, whose rises become the displacements.
+SHARED_FN real zero_one_correlation(real* rise, uint lags) {
   real displacement = 0;
   real sum = 0;
   for (uint n = 0; n < lags; ++n) {
@@ -125,11 +149,12 @@ SHARED_FN void zero_one_finish(const real* sums, SweepRound round, real* out) {
   real products[zero_one_max_lags];
   zero_one_center(sums, round.record, head, tail, products);
   real sorted[zero_one_angles];
-  for (int i = 0; i < zero_one_angles; ++i) {
-    // Multiples of the golden ratio, less their whole part, lie neither evenly nor in clusters.
-    const scalar turn = (scalar)(0.6180339887498949) * (scalar)(i + 1);
-    const scalar angle = (scalar)(M_PI / 5) * (1 + 3 * (turn - floor(turn)));
-    sorted[i] = zero_one_correlation(head, tail, products, lags, angle);
+  for (int first = 0; first < zero_one_angles; first += zero_one_at_once) {
+    real rises[zero_one_at_once][zero_one_max_lags];
+    zero_one_rises(head, tail, products, lags, first, rises);
+    for (int i = 0; i < zero_one_at_once && first + i < zero_one_angles; ++i) {
+      sorted[first + i] = zero_one_correlation(rises[i], lags);
+    }
   }
   for (int pass = 1; pass < zero_one_angles; ++pass) {
     for (int i = 0; i + 1 < zero_one_angles; ++i) {
