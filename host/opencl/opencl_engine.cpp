@@ -64,7 +64,7 @@ class OpenClEngine final : public Engine {
 
   std::size_t preferred_tile() const override {
     const DeviceInfo& device = launcher_.device();
-    const std::size_t points = device.is_cpu ? 8192 : device.compute_units * kPreferredOfGpuUnit;
+    const std::size_t points = device.is_cpu ? 6144 : device.compute_units * kPreferredOfGpuUnit;
     if (series_bytes_per_point_ == 0) return points;
     return std::clamp(kMaxSeriesBytes / series_bytes_per_point_, std::size_t{64}, points);
   }
