@@ -14,13 +14,15 @@ std::size_t grid_of(const Tile& tile, std::size_t position) {
 Tile subset_of(const Plan& plan, const Tile& tile, const std::vector<std::size_t>& positions,
                std::size_t periods) {
   Tile subset;
+  double work = 0.0;  // of a point on the present grid
   for (std::size_t i = 0; i < positions.size(); ++i) {
+    const std::size_t point = tile.points[positions[i]];
     if (i == 0 || grid_of(tile, positions[i]) != grid_of(tile, positions[i - 1])) {
       subset.grid_starts.push_back(i);
+      work = static_cast<double>(plan.steps_of(point)) * static_cast<double>(periods);
     }
-    subset.points.push_back(tile.points[positions[i]]);
-    subset.work +=
-        static_cast<double>(plan.steps_of(subset.points.back())) * static_cast<double>(periods);
+    subset.points.push_back(point);
+    subset.work += work;
   }
   return subset;
 }
