@@ -13,6 +13,7 @@
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/model_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -23,16 +24,23 @@ struct ModelArguments {
 };
 
 // The model with a preset's values. A study needs an axis; one of an initial state changes none of
-// the parameters.
-Study study_of_preset(const Model& model, const std::string& preset) {
-  std::string text = fmt::format("[model]\nname = '{}'\n", model.name);
+// the parameters. model_key: "name = 'gear5'".
+Study study_of_preset(const std::string& model_key, const Model& model, const std::string& preset) {
+  std::string text = fmt::format("[model]\n{}\n", model_key);
   if (!preset.empty()) text += fmt::format("preset = '{}'\n", preset);
   text += fmt::format("[[axes]]\nname = '{}'\nvalues = [0.0]\n", model.states.front().name);
   return read_study(text, "--preset");
 }
 
+// A model that is no built-in one: a path.
+bool is_file(const std::string& name) { return name.find_first_of("./") != std::string::npos; }
+
 Study study_of(const ModelArguments& arguments) {
   if (!arguments.study.empty()) return load_study(arguments.study, {});
+  if (is_file(arguments.name)) {
+    const auto model = read_model_text(model_file_text(arguments.name), arguments.name);
+    return study_of_preset(fmt::format("file = '{}'", arguments.name), *model, arguments.preset);
+  }
   const Model* model = find_model(arguments.name);
   if (model == nullptr) {
     std::vector<std::string> known;
@@ -40,7 +48,7 @@ Study study_of(const ModelArguments& arguments) {
     throw InputError(
         fmt::format("unknown model '{}'{}", arguments.name, suggest_name(arguments.name, known)));
   }
-  return study_of_preset(*model, arguments.preset);
+  return study_of_preset(fmt::format("name = '{}'", model->name), *model, arguments.preset);
 }
 
 // Where a parameter's value comes from; swept ones say so.

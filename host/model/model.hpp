@@ -2,6 +2,7 @@
 // double precision. Each header is bound by a generated file (bind_model.cpp.in).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -100,19 +101,22 @@ struct Model {
   // quarter of it, to within three standard errors of a mean over 32,000 periods, or to a
   // thousandth of the largest of them. A model may bring its own (MODEL_MAX_STEP).
   double max_step = 0.05;
+  // Of a model that is given as a text of equations: that text, and the header for the device
+  // compiler that is made of it. Empty where kernels/models/ has the header.
+  std::string text, kernel;
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
-  std::string (*check)(const ModelSetting&);
+  std::function<std::string(const ModelSetting&)> check;
   // Phases in [0, 1) at which the right-hand side jumps; unsorted, may repeat.
-  std::vector<double> (*break_phases)(const ModelSetting&);
+  std::function<std::vector<double>(const ModelSetting&)> break_phases;
   // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
   // `inside`, a phase strictly between the break phases that enclose psi.
-  void (*phase_coefs_at)(const ModelSetting&, double psi, double inside, double* row);
+  std::function<void(const ModelSetting&, double psi, double inside, double* row)> phase_coefs_at;
   // The static equilibrium, one number per state: where the policy "shifted" starts.
-  std::vector<double> (*equilibrium)(const ModelSetting&);
-  std::unique_ptr<PreparedPoint> (*prepare)(const ModelSetting&);
+  std::function<std::vector<double>(const ModelSetting&)> equilibrium;
+  std::function<std::unique_ptr<PreparedPoint>(const ModelSetting&)> prepare;
   // As of prepare(), without the rest: a plan asks for each point of a study.
-  double (*period)(const ModelSetting&);
+  std::function<double(const ModelSetting&)> period;
 
   // Index of a name, or -1.
   int find_parameter(std::string_view parameter) const;

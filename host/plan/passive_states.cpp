@@ -153,6 +153,12 @@ bool decays_everywhere(const Study& study, const Model& reduced,
   return std::ranges::all_of(settings_of(study, true), decays);
 }
 
+// A reduced model, and the whole one where that is the study's own.
+struct KeptModels {
+  std::shared_ptr<const Model> whole;
+  Model reduced;
+};
+
 // The observers' numbers for each point, and the places of sampled states.
 void fit(const Model& reduced, Selection* selection) {
   for (std::size_t& state : selection->poincare) {
@@ -178,12 +184,13 @@ Study without_passive_states(const Study& study) {
   const Reduction reduction = reduction_of(study, structure, settings);
   if (reduction.kept.size() == study.model->states.size()) return study;
   if (!structure.leaves_constant_block(reduction)) return study;
-  const auto reduced = std::make_shared<const Model>(study.model->reduced(reduction));
-  if (!decays_everywhere(study, *reduced, settings)) return study;
+  const auto kept = std::make_shared<const KeptModels>(
+      KeptModels{study.own_model, study.model->reduced(reduction)});
+  if (!decays_everywhere(study, kept->reduced, settings)) return study;
   Study out = study;
-  out.own_model = reduced;
-  out.model = reduced.get();
-  fit(*reduced, &out.selection);
+  out.own_model = {kept, &kept->reduced};
+  out.model = &kept->reduced;
+  fit(kept->reduced, &out.selection);
   return out;
 }
 

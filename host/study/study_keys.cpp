@@ -62,6 +62,9 @@ StudyTable model_table() {
           "[model]",
           "The preset's values come first, then those of [gear], then those of [parameters].",
           {{"name", "string", quoted(kDefaultModel), "The model: 'gearsweep model' lists them."},
+           {"file", "string", "",
+            "A model of your own instead: the file with its equations, beside the study."},
+           {"text", "string", "", "The text of that file, where a result holds the study."},
            {"preset", "string", "the model's first",
             "Values to start from: 'gearsweep model NAME' lists them."},
            option}};

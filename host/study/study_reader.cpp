@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "model/error.hpp"
@@ -14,6 +15,7 @@
 #include "study/detail/overrides.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/detail/zoom.hpp"
+#include "study/model_file.hpp"
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
 #include "study/study.hpp"
@@ -41,6 +43,21 @@ toml::table parse(const std::string& text, const std::string& source) {
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", source, error.source().begin.line,
                                  error.description()));
+  }
+}
+
+// The text of the model's file becomes a part of the study, which needs no other file any more.
+void take_in_model_file(const std::string& source, toml::table* root) {
+  toml::table* model = root->contains("model") ? (*root)["model"].as_table() : nullptr;
+  if (model == nullptr || !model->contains("file") || model->contains("text")) return;
+  const toml::node& node = *model->get("file");
+  if (!node.is_string()) fail_at(node, "file must be a string in quotes");
+  const std::filesystem::path file =
+      std::filesystem::path(source).parent_path() / std::filesystem::path(node.as_string()->get());
+  try {
+    model->insert("text", model_file_text(file.string()));
+  } catch (const InputError& error) {
+    fail_at(node, error.what());
   }
 }
 
@@ -103,13 +120,28 @@ void apply_preset(const PresetInfo& preset, Study* study) {
   }
 }
 
+// A model of the user's own, from the text that the study holds since the file was read.
+void read_own_model(TableReader* reader, Study* study) {
+  const std::string file = reader->text("file", "the study's model");
+  if (reader->find("name") != nullptr) {
+    fail_at(*reader->find("name"), "give the model's name or its file, not both");
+  }
+  study->own_model = read_model_text(reader->text("text", ""), file);
+  study->model = study->own_model.get();
+}
+
 void read_model(const toml::table* table, Study* study) {
   TableReader reader(table, study_table("model"));
-  const std::string name = reader.text("name", kDefaultModel);
-  study->model = find_model(name);
-  if (study->model == nullptr) {
-    fail_at(*reader.find("name"),
-            fmt::format("unknown model '{}'{}", name, suggest_name(name, names_of(models()))));
+  if (const toml::node* text = reader.find("text");
+      text != nullptr || reader.find("file") != nullptr) {
+    read_own_model(&reader, study);
+  } else {
+    const std::string name = reader.text("name", kDefaultModel);
+    study->model = find_model(name);
+    if (study->model == nullptr) {
+      fail_at(*reader.find("name"),
+              fmt::format("unknown model '{}'{}", name, suggest_name(name, names_of(models()))));
+    }
   }
   const Model& model = *study->model;
   study->setting = model.default_setting();
@@ -292,6 +324,7 @@ Study read_study(const std::string& text, const std::string& source,
   toml::table root = parse(text, source);
   for (const std::string& assignment : overrides) apply_override(assignment, &root);
   for (const std::string& zoom : zooms) apply_zoom(zoom, &root);
+  take_in_model_file(source, &root);
 
   Study study;
   TableReader reader(&root, study_table(""));

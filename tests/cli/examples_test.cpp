@@ -70,25 +70,31 @@ TEST(Examples, BuiltInStudiesAreSensible) {
   for (const auto& [name, text] : builtin_studies()) expect_sensible(read_study(text, name), name);
 }
 
+bool is_study(const std::string& text) { return text.find("[[axes]]") != std::string::npos; }
+bool is_model(const std::string& text) { return text.find("[equations]") != std::string::npos; }
+
+// A page's models lie beside its studies, under the names in their first lines.
 TEST(Examples, StudiesOfThePagesAreSensible) {
   std::size_t count = 0;
   for (const auto& path : all_pages()) {
-    for (const std::string& study : read_page(path).blocks_of("toml")) {
-      if (study.find("[[axes]]") == std::string::npos) continue;
+    const Folder folder;
+    for (const std::string& text : read_page(path).blocks_of("toml")) {
+      if (is_model(text)) folder.write(text.substr(2, text.find('\n') - 2), text);
+      if (!is_study(text)) continue;
       ++count;
-      expect_sensible(read_study(study, path.filename()), study);
+      expect_sensible(read_study(text, folder / path.filename().string()), text);
     }
   }
   EXPECT_GT(count, 1U);
 }
 
-// What has no axes is the style of a picture.
+// What is neither a study nor a model is the style of a picture.
 TEST(Examples, StylesOfThePagesAreStyles) {
   const Folder folder;
   std::size_t count = 0;
   for (const auto& path : all_pages()) {
     for (const std::string& style : read_page(path).blocks_of("toml")) {
-      if (style.find("[[axes]]") != std::string::npos) continue;
+      if (is_study(style) || is_model(style)) continue;
       ++count;
       folder.write("style.toml", style);
       PlotStyle read;

@@ -125,6 +125,8 @@ std::string program_source(const Study& study, const std::string& file) {
   std::map<std::string, std::string> sources = kernel_sources();
   Study seen = study;
   if (file != "sweep.cl") seen.selection = {};  // only there does it matter what is observed
+  const Model& model = *seen.model;
+  if (!model.kernel.empty()) sources[fmt::format("models/{}.h", model.name)] = model.kernel;
   sources["selection.h"] = selection_header(seen);
   sources["observers.h"] = observers_header(seen);
   return flatten(file, sources);

@@ -1,0 +1,44 @@
+// A model as its file defines it: lists of names, and expressions as text with their places.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gearsweep {
+
+struct ExpressionText {
+  std::string text;
+  std::string file;  // "impact.toml", for messages
+  std::size_t line = 0;
+  std::size_t column = 0;  // of the text's first character
+};
+
+struct NamedExpression {
+  std::string name;
+  ExpressionText expression;
+};
+
+struct ModelDefinition {
+  std::string name, summary;
+  std::vector<ChannelInfo> states, signals;
+  std::vector<bool> are_angles;           // [state]
+  std::vector<ParameterInfo> parameters;  // shapes_phase: found by read_definition()
+  std::vector<PresetInfo> presets;
+  std::vector<NamedExpression> constants;     // used by what follows, and by each other
+  std::vector<ExpressionText> equations;      // [state]
+  std::vector<ExpressionText> start;          // [state]; of parameters alone
+  std::vector<ExpressionText> signal_values;  // [signal]
+  ExpressionText period;                      // in dimensionless time; of parameters alone
+  std::vector<ExpressionText> jumps;          // phases, in radians; of parameters alone
+  double max_step = 0.05;
+  std::string text;  // of the whole file
+};
+
+// Throws InputError with file, line, column and a caret under the place.
+Model make_model(const ModelDefinition& definition);
+
+}  // namespace gearsweep

@@ -1,0 +1,136 @@
+#include "equations/detail/formula.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "expression/parse.hpp"
+#include "model/error.hpp"
+#include "model/names.hpp"
+
+namespace gearsweep {
+namespace {
+
+[[noreturn]] void fail_in(const ExpressionText& text, std::size_t position,
+                          const std::string& message) {
+  throw InputError(fmt::format("{}:{}:{}: {}\n{}", text.file, text.line, text.column + position,
+                               message, with_caret(text.text, position)));
+}
+
+class FormulaReader {
+ public:
+  explicit FormulaReader(const ModelDefinition& definition) : definition_(definition) {}
+
+  Formula run() {
+    for (const ChannelInfo& state : definition_.states) {
+      formula_.states.push_back(formula_.graph.symbol(state.name));
+    }
+    for (const ParameterInfo& parameter : definition_.parameters) {
+      formula_.parameters.push_back(formula_.graph.symbol(parameter.name));
+    }
+    formula_.phase = formula_.graph.symbol("phase");
+    // Those that nothing uses, too: a mistake in one is a mistake.
+    for (const NamedExpression& constant : definition_.constants) value_of(constant);
+    for (const ExpressionText& text : definition_.equations) {
+      formula_.equations.push_back(parse(text));
+    }
+    for (const ExpressionText& text : definition_.signal_values) {
+      formula_.signals.push_back(parse(text));
+    }
+    for (const ExpressionText& text : definition_.start) {
+      formula_.start.push_back(of_parameters(text, "a start"));
+    }
+    for (const ExpressionText& text : definition_.jumps) {
+      formula_.jumps.push_back(of_parameters(text, "a phase of a jump"));
+    }
+    formula_.period = of_parameters(definition_.period, "the period");
+    refuse_unused();
+    return std::move(formula_);
+  }
+
+ private:
+  NodeId parse(const ExpressionText& text) {
+    const ExpressionNames names = {.find = [this](const std::string& name) { return find(name); },
+                                   .known = [this] { return known_names(); }};
+    try {
+      return parse_expression(text.text, names, &formula_.graph);
+    } catch (const ExpressionError& error) {
+      fail_in(text, error.position, error.what());
+    }
+  }
+
+  NodeId of_parameters(const ExpressionText& text, const std::string& what) {
+    const NodeId id = parse(text);
+    for (const NodeId part : parts_of(formula_.graph, {id})) {
+      const bool is_state = std::ranges::find(formula_.states, part) != formula_.states.end();
+      if (!is_state && part != formula_.phase) continue;
+      fail_in(
+          text, 0,
+          fmt::format("{} may use parameters alone, not '{}'", what, formula_.graph[part].symbol));
+    }
+    return id;
+  }
+
+  std::optional<NodeId> find(const std::string& name) {
+    used_.insert(name);
+    if (name == "phase") return formula_.phase;
+    const auto among = [&](const auto& infos, const std::vector<NodeId>& ids) {
+      for (std::size_t i = 0; i < infos.size(); ++i) {
+        if (infos[i].name == name) return std::optional(ids[i]);
+      }
+      return std::optional<NodeId>();
+    };
+    if (const auto state = among(definition_.states, formula_.states)) return state;
+    if (const auto parameter = among(definition_.parameters, formula_.parameters)) return parameter;
+    const auto constant = std::ranges::find(definition_.constants, name, &NamedExpression::name);
+    if (constant == definition_.constants.end()) return std::nullopt;
+    return value_of(*constant);
+  }
+
+  NodeId value_of(const NamedExpression& constant) {
+    const auto known = constants_.find(constant.name);
+    if (known != constants_.end()) return known->second;
+    const auto begun = std::ranges::find(open_, constant.name);
+    if (begun != open_.end()) {
+      std::vector<std::string> way(begun, open_.end());
+      way.push_back(constant.name);
+      fail_in(constant.expression, 0,
+              fmt::format("'{}' is defined by itself: {}", constant.name, fmt::join(way, " -> ")));
+    }
+    open_.push_back(constant.name);
+    const NodeId id = parse(constant.expression);
+    open_.pop_back();
+    constants_.emplace(constant.name, id);
+    return id;
+  }
+
+  void refuse_unused() const {
+    for (const NamedExpression& constant : definition_.constants) {
+      if (used_.contains(constant.name)) continue;
+      fail_in(constant.expression, 0, fmt::format("'{}' is used nowhere", constant.name));
+    }
+  }
+
+  std::vector<std::string> known_names() const {
+    std::vector<std::string> known = {"phase"};
+    for (const ChannelInfo& state : definition_.states) known.push_back(state.name);
+    for (const ParameterInfo& parameter : definition_.parameters) known.push_back(parameter.name);
+    for (const NamedExpression& constant : definition_.constants) known.push_back(constant.name);
+    return known;
+  }
+
+  const ModelDefinition& definition_;
+  Formula formula_;
+  std::map<std::string, NodeId> constants_;
+  std::vector<std::string> open_;  // constants that are being read, outermost first
+  std::set<std::string> used_;
+};
+
+}  // namespace
+
+Formula parse_formula(const ModelDefinition& definition) { return FormulaReader(definition).run(); }
+
+}  // namespace gearsweep

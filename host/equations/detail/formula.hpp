@@ -1,0 +1,24 @@
+// The expressions of a model, parsed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equations/definition.hpp"
+#include "expression/expression.hpp"
+
+namespace gearsweep {
+
+// Symbols are the names of states and parameters, and `phase`, in radians.
+struct Formula {
+  ExpressionGraph graph;
+  std::vector<NodeId> states, parameters;  // symbols
+  NodeId phase = 0;
+  std::vector<NodeId> equations, start, signals, jumps;
+  NodeId period = 0;
+};
+
+// Throws InputError.
+Formula parse_formula(const ModelDefinition& definition);
+
+}  // namespace gearsweep

@@ -1,0 +1,15 @@
+// A model's header for the device compiler, as kernels/models/ has them, written from its formula.
+#pragma once
+
+#include <string>
+
+#include "equations/definition.hpp"
+#include "equations/detail/lowering.hpp"
+
+namespace gearsweep {
+
+// Made of names that are checked and of parsed expressions alone: no text of a user's is in it but
+// as those.
+std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered);
+
+}  // namespace gearsweep

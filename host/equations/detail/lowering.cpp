@@ -1,0 +1,279 @@
+#include "equations/detail/lowering.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "expression/differentiate.hpp"
+
+namespace gearsweep {
+namespace {
+
+// What a node depends on.
+struct Dependence {
+  bool state = false, phase = false, parameter = false;
+};
+
+// A part of a sum, or of a product.
+struct Part {
+  NodeId id;
+  bool is_inverse;  // subtracted, or divided by
+};
+
+class Lowering {
+ public:
+  explicit Lowering(Formula* formula) : formula_(formula), graph_(&formula->graph) {
+    lowered_.shapes_phase.assign(formula->parameters.size(), false);
+  }
+
+  Lowered run() {
+    Rewriter simplify(graph_, {});
+    std::vector<NodeId> equations, signals;
+    for (const NodeId id : formula_->equations) equations.push_back(simplify(id));
+    for (const NodeId id : formula_->signals) signals.push_back(simplify(id));
+    formula_->period = simplify(formula_->period);
+    std::vector<NodeId> roots = equations;
+    roots.insert(roots.end(), signals.begin(), signals.end());
+    count_uses(roots);
+    for (const NodeId id : equations) lowered_.equations.push_back(inner(id));
+    for (const NodeId id : signals) lowered_.signals.push_back(inner(id));
+    for (const NodeId row : lowered_.equations) {
+      for (const NodeId state : formula_->states) {
+        lowered_.jacobian.push_back(derivative(graph_, row, state));
+      }
+    }
+    find_contact();
+    return std::move(lowered_);
+  }
+
+ private:
+  void count_uses(const std::vector<NodeId>& roots) {
+    for (const NodeId id : parts_of(*graph_, roots)) {
+      for (const NodeId argument : (*graph_)[id].arguments) ++uses_[argument];
+    }
+    for (const NodeId id : roots) ++uses_[id];
+  }
+
+  const Dependence& of(NodeId id) {
+    const auto known = dependences_.find(id);
+    if (known != dependences_.end()) return known->second;
+    Dependence found;
+    const Node node = (*graph_)[id];
+    if (node.operation == Operation::symbol) {
+      found.phase = id == formula_->phase;
+      found.state = std::ranges::find(formula_->states, id) != formula_->states.end();
+      found.parameter = !found.phase && !found.state;
+    }
+    for (const NodeId argument : node.arguments) {
+      const Dependence below = of(argument);
+      found.state |= below.state;
+      found.phase |= below.phase;
+      found.parameter |= below.parameter;
+    }
+    return dependences_.emplace(id, found).first->second;
+  }
+
+  NodeId make(Operation operation, NodeId a, NodeId b) { return graph_->make(operation, {a, b}); }
+
+  // The node in terms of what the inner loop has.
+  NodeId inner(NodeId id) {
+    const auto known = inner_.find(id);
+    if (known != inner_.end()) return known->second;
+    const NodeId made = make_inner(id);
+    inner_.emplace(id, made);
+    return made;
+  }
+
+  NodeId make_inner(NodeId id) {
+    const Node node = (*graph_)[id];  // a copy: the graph grows
+    if (graph_->is_number(id)) return id;
+    const Dependence depends = of(id);
+    if (!depends.state && !depends.phase) return point_field(id);
+    if (!depends.state && !depends.parameter) return coef(id);
+    switch (node.operation) {
+      case Operation::add:
+      case Operation::subtract:
+        return sum(id);
+      case Operation::multiply:
+      case Operation::divide:
+        return product(id);
+      case Operation::negate:
+        return graph_->make(Operation::negate, {inner(node.arguments[0])});
+      case Operation::symbol:
+        return id;  // of a state
+      default:
+        break;
+    }
+    if (!depends.state) return coef(id);
+    if (is_condition(node.operation) || node.operation == Operation::select) return chosen(node);
+    std::vector<NodeId> arguments;
+    for (const NodeId argument : node.arguments) arguments.push_back(inner(argument));
+    return graph_->make(node.operation, arguments);
+  }
+
+  // Conditions that no state changes become numbers: only these can be tabulated.
+  NodeId chosen(const Node& node) {
+    std::vector<NodeId> arguments;
+    for (const NodeId argument : node.arguments) {
+      if (!is_condition((*graph_)[argument].operation) || of(argument).state) {
+        arguments.push_back(inner(argument));
+        continue;
+      }
+      const NodeId one = graph_->number(1.0), zero = graph_->number(0.0);
+      const NodeId as_number = inner(graph_->make(Operation::select, {argument, one, zero}));
+      arguments.push_back(make(Operation::less, zero, as_number));
+    }
+    return graph_->make(node.operation, arguments);
+  }
+
+  NodeId point_field(NodeId id) {
+    const auto known = std::ranges::find(lowered_.point_values, id);
+    const auto index = static_cast<std::size_t>(known - lowered_.point_values.begin());
+    if (known == lowered_.point_values.end()) {
+      lowered_.point_values.push_back(id);
+      lowered_.point.push_back(graph_->symbol(fmt::format("point->c{}", index)));
+    }
+    return lowered_.point[index];
+  }
+
+  NodeId coef(NodeId id) {
+    const auto known = std::ranges::find(lowered_.coef_values, id);
+    const auto index = static_cast<std::size_t>(known - lowered_.coef_values.begin());
+    if (known == lowered_.coef_values.end()) {
+      lowered_.coef_values.push_back(id);
+      lowered_.coefs.push_back(graph_->symbol(fmt::format("phase->w{}", index)));
+      for (const NodeId part : parts_of(*graph_, {id})) {
+        const auto parameter = std::ranges::find(formula_->parameters, part);
+        if (parameter == formula_->parameters.end()) continue;
+        lowered_.shapes_phase[static_cast<std::size_t>(parameter - formula_->parameters.begin())] =
+            true;
+      }
+    }
+    return lowered_.coefs[index];
+  }
+
+  // The parts of a sum, or of a product; what is used elsewhere, too, stays whole.
+  void take_apart(NodeId id, bool is_product, bool is_inverse, bool is_root,
+                  std::vector<Part>* parts, bool* is_negative) {
+    const Node node = (*graph_)[id];
+    const Operation join = is_product ? Operation::multiply : Operation::add;
+    const Operation part = is_product ? Operation::divide : Operation::subtract;
+    const bool is_shared = !is_root && uses_[id] > 1;
+    if (!is_shared && (node.operation == join || node.operation == part)) {
+      take_apart(node.arguments[0], is_product, is_inverse, false, parts, is_negative);
+      take_apart(node.arguments[1], is_product, is_inverse != (node.operation == part), false,
+                 parts, is_negative);
+    } else if (!is_shared && node.operation == Operation::negate) {
+      if (is_product) *is_negative = !*is_negative;
+      take_apart(node.arguments[0], is_product, is_inverse != !is_product, false, parts,
+                 is_negative);
+    } else {
+      parts->push_back({id, is_inverse});
+    }
+  }
+
+  NodeId joined(NodeId left, const Part& part, bool is_product) {
+    const Operation operation = is_product
+                                    ? (part.is_inverse ? Operation::divide : Operation::multiply)
+                                    : (part.is_inverse ? Operation::subtract : Operation::add);
+    return make(operation, left, part.id);
+  }
+
+  // Whatever no state changes goes together: of the point alone, of the phase alone. The others
+  // follow, those that wait longest for the states last.
+  NodeId join(NodeId id, bool is_product, bool* is_negative) {
+    std::vector<Part> parts;
+    take_apart(id, is_product, false, true, &parts, is_negative);
+    const NodeId neutral = graph_->number(is_product ? 1.0 : 0.0);
+    NodeId of_point = neutral, of_phase = neutral;
+    std::vector<Part> rest;
+    for (const Part& part : parts) {
+      const Dependence depends = of(part.id);
+      if (!depends.state && !depends.phase) {
+        of_point = joined(of_point, part, is_product);
+      } else if (!depends.state && !depends.parameter) {
+        of_phase = joined(of_phase, part, is_product);
+      } else if (is_product && part.is_inverse && !depends.state) {
+        rest.push_back({coef(make(Operation::divide, neutral, part.id)), false});
+      } else {
+        rest.push_back({inner(part.id), part.is_inverse});
+      }
+    }
+    std::ranges::stable_sort(rest, {}, [&](const Part& part) { return (*graph_)[part.id].depth; });
+    NodeId all = inner(of_point);
+    all = joined(all, {inner(of_phase), false}, is_product);
+    for (const Part& part : rest) all = joined(all, part, is_product);
+    return all;
+  }
+  NodeId sum(NodeId id) {
+    bool is_negative = false;
+    return join(id, false, &is_negative);
+  }
+  NodeId product(NodeId id) {
+    bool is_negative = false;
+    const NodeId all = join(id, true, &is_negative);
+    return is_negative ? graph_->make(Operation::negate, {all}) : all;
+  }
+
+  bool depends_on_states(NodeId id) const {
+    return std::ranges::any_of(parts_of(*graph_, {id}), [&](NodeId part) {
+      return std::ranges::find(formula_->states, part) != formula_->states.end();
+    });
+  }
+
+  void find_contact() {
+    std::set<NodeId> found;
+    for (const NodeId id : parts_of(*graph_, lowered_.equations)) {
+      if ((*graph_)[id].operation == Operation::backlash) found.insert(id);
+    }
+    if (found.size() != 1) return;
+    const NodeId penetration = graph_->symbol("penetration");
+    Contact contact{penetration, (*graph_)[*found.begin()].arguments[0],
+                    (*graph_)[*found.begin()].arguments[1]};
+    Rewriter with_penetration(graph_, {{*found.begin(), penetration}});
+    std::vector<NodeId> in_contact, direction, carried, symbols;
+    for (const NodeId row : lowered_.equations) {
+      in_contact.push_back(with_penetration(row));
+      direction.push_back(derivative(graph_, in_contact.back(), penetration));
+    }
+    for (std::size_t j = 0; j < direction.size(); ++j) {
+      symbols.push_back(graph_->symbol(fmt::format("direction[{}]", j)));
+    }
+    // With the penetration held: a direction that moves it would have a say in it.
+    for (const NodeId row : in_contact) {
+      NodeId all = graph_->number(0.0);
+      for (std::size_t j = 0; j < direction.size(); ++j) {
+        if (graph_->is_number(direction[j], 0.0)) continue;
+        const NodeId slope = derivative(graph_, row, formula_->states[j]);
+        all = make(Operation::add, all, make(Operation::multiply, slope, symbols[j]));
+      }
+      carried.push_back(all);
+    }
+    const auto is_free = [&](NodeId id) {
+      const std::vector<NodeId> parts = parts_of(*graph_, {id});
+      return !depends_on_states(id) && std::ranges::find(parts, penetration) == parts.end();
+    };
+    if (!std::ranges::all_of(direction, is_free) || !std::ranges::all_of(carried, is_free)) return;
+    lowered_.contact = contact;
+    lowered_.in_contact = std::move(in_contact);
+    lowered_.force_direction = std::move(direction);
+    lowered_.force_direction_carried = std::move(carried);
+    lowered_.direction = std::move(symbols);
+  }
+
+  Formula* formula_;
+  ExpressionGraph* graph_;
+  Lowered lowered_;
+  std::map<NodeId, std::size_t> uses_;
+  std::map<NodeId, Dependence> dependences_;
+  std::map<NodeId, NodeId> inner_;
+};
+
+}  // namespace
+
+Lowered lower(Formula* formula) { return Lowering(formula).run(); }
+
+}  // namespace gearsweep

@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "equations/definition.hpp"
+#include "equations/detail/kernel_writer.hpp"
+#include "equations/detail/lowering.hpp"
+#include "expression/differentiate.hpp"
+#include "expression/tape.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// What follows a jump of the phase is told by conditions, signs and whole parts: in these, the
+// phase is one inside the segment.
+std::vector<NodeId> one_sided(Formula* formula, const std::vector<NodeId>& values, NodeId inside) {
+  ExpressionGraph* graph = &formula->graph;
+  Rewriter to_inside(graph, {{formula->phase, inside}});
+  std::map<NodeId, NodeId> replaced;
+  for (const NodeId id : parts_of(*graph, values)) {
+    const Operation operation = (*graph)[id].operation;
+    const bool jumps =
+        is_condition(operation) || operation == Operation::sign || operation == Operation::floor;
+    if (jumps) replaced[id] = to_inside(id);
+  }
+  Rewriter rewrite(graph, std::move(replaced));
+  std::vector<NodeId> out;
+  for (const NodeId id : values) out.push_back(rewrite(id));
+  return out;
+}
+
+// All that the host works out, in double.
+struct Tapes {
+  Tape period, start, jumps, coefs;  // of parameters; coefs: then the phase and one inside
+  Tape point;                        // of parameters
+  // Of states, point and coefs.
+  Tape rhs, jacobian, signals, force_direction, penetration_gradient;
+  std::size_t states = 0, points = 0, coef_count = 0;
+};
+
+Tapes tapes_of(Formula* formula, const Lowered& lowered) {
+  const ExpressionGraph& graph = formula->graph;
+  const std::vector<NodeId>& parameters = formula->parameters;
+  Tapes tapes;
+  tapes.states = formula->states.size();
+  tapes.points = lowered.point.size();
+  tapes.coef_count = lowered.coefs.size();
+  const NodeId inside = formula->graph.symbol("inside");
+  const std::vector<NodeId> coefs = one_sided(formula, lowered.coef_values, inside);
+  std::vector<NodeId> gradient;
+  if (lowered.contact) {
+    for (const NodeId of : {lowered.contact->deflection, lowered.contact->backlash}) {
+      for (const NodeId state : formula->states) {
+        gradient.push_back(derivative(&formula->graph, of, state));
+      }
+    }
+  }
+  std::vector<NodeId> phased = parameters;
+  phased.push_back(formula->phase);
+  phased.push_back(inside);
+  std::vector<NodeId> moment = formula->states;
+  moment.insert(moment.end(), lowered.point.begin(), lowered.point.end());
+  moment.insert(moment.end(), lowered.coefs.begin(), lowered.coefs.end());
+  tapes.period = Tape(graph, parameters, {formula->period});
+  tapes.start = Tape(graph, parameters, formula->start);
+  tapes.jumps = Tape(graph, parameters, formula->jumps);
+  tapes.coefs = Tape(graph, phased, coefs);
+  tapes.point = Tape(graph, parameters, lowered.point_values);
+  tapes.rhs = Tape(graph, moment, lowered.equations);
+  tapes.jacobian = Tape(graph, moment, lowered.jacobian);
+  tapes.signals = Tape(graph, moment, lowered.signals);
+  tapes.force_direction = Tape(graph, moment, lowered.force_direction);
+  tapes.penetration_gradient = Tape(graph, moment, gradient);
+  return tapes;
+}
+
+class TextPoint final : public PreparedPoint {
+ public:
+  TextPoint(std::shared_ptr<const Tapes> tapes, const ModelSetting& setting)
+      : tapes_(std::move(tapes)),
+        period_(tapes_->period.run(setting.parameters)),
+        moment_(tapes_->states + tapes_->points + tapes_->coef_count) {
+    tapes_->point.run(setting.parameters.data(), moment_.data() + tapes_->states);
+  }
+
+  double period() const override { return period_; }
+  void rhs(const double* coefs, const double* x, double* dx) const override {
+    run(tapes_->rhs, coefs, x, dx);
+  }
+  void jacobian(const double* coefs, const double* x, double* out) const override {
+    run(tapes_->jacobian, coefs, x, out);
+  }
+  void signals(const double* coefs, const double* x, double* out) const override {
+    run(tapes_->signals, coefs, x, out);
+  }
+  void force_direction(const double* coefs, double* out) const override {
+    const std::vector<double> nowhere(tapes_->states);  // no state changes it
+    run(tapes_->force_direction, coefs, nowhere.data(), out);
+  }
+  void penetration_gradient(const double* coefs, const double* x, double flank,
+                            double* out) const override {
+    std::vector<double> gradients(2 * tapes_->states);
+    run(tapes_->penetration_gradient, coefs, x, gradients.data());
+    for (std::size_t j = 0; j < tapes_->states; ++j) {
+      out[j] = gradients[j] - flank * gradients[tapes_->states + j];
+    }
+  }
+
+ private:
+  void run(const Tape& tape, const double* coefs, const double* x, double* out) const {
+    std::vector<double> moment = moment_;
+    std::copy_n(x, tapes_->states, moment.begin());
+    std::copy_n(coefs, tapes_->coef_count,
+                moment.end() - static_cast<std::ptrdiff_t>(tapes_->coef_count));
+    tape.run(moment.data(), out);
+  }
+
+  std::shared_ptr<const Tapes> tapes_;
+  double period_;
+  std::vector<double> moment_;  // states, point, coefs
+};
+
+std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
+  const double period = tapes.period.run(setting.parameters);
+  if (std::isfinite(period) && period > 0.0) return "";
+  return fmt::format("the forcing period is {}; it must be a finite number above 0", period);
+}
+
+// In [0, 1), as all begin with 0.
+std::vector<double> jumps_of(const Tapes& tapes, std::size_t count, const ModelSetting& setting) {
+  std::vector<double> phases(count + 1);
+  tapes.jumps.run(setting.parameters.data(), phases.data() + 1);
+  for (double& phase : phases) {
+    phase /= kTurn;
+    phase -= std::floor(phase);
+  }
+  return phases;
+}
+
+void set_lists(const ModelDefinition& definition, const Lowered& lowered, Model* model) {
+  model->name = definition.name;
+  model->summary = definition.summary;
+  model->states = definition.states;
+  model->signals = definition.signals;
+  model->parameters = definition.parameters;
+  model->presets = definition.presets;
+  model->max_step = definition.max_step;
+  model->text = definition.text;
+  model->has_contact = lowered.contact.has_value();
+  for (std::size_t i = 0; i < model->parameters.size(); ++i) {
+    model->parameters[i].shapes_phase = lowered.shapes_phase[i];
+  }
+  for (std::size_t i = 0; i < model->states.size(); ++i) {
+    if (definition.are_angles[i]) model->angles.push_back(i);
+  }
+  for (std::size_t i = 0; i < lowered.coefs.size(); ++i) {
+    model->phase_coefs.push_back({fmt::format("w{}", i), "", ""});
+  }
+  // As a header without any has (kernels/model_types.h).
+  if (lowered.coefs.empty()) {
+    model->phase_coefs.push_back({"one", "", "1: nothing depends on the phase"});
+  }
+}
+
+// The signals that what looks at contacts needs.
+void add_contact_signals(const Formula& formula, ModelDefinition* definition, Lowered* lowered) {
+  const std::vector<NodeId> parts = parts_of(formula.graph, {lowered->contact->deflection});
+  std::string unit = "1";
+  for (std::size_t i = 0; i < formula.states.size(); ++i) {
+    if (std::ranges::find(parts, formula.states[i]) == parts.end()) continue;
+    unit = definition->states[i].unit;
+    break;
+  }
+  const auto add = [&](const std::string& name, const std::string& meaning, NodeId id) {
+    definition->signals.push_back({name, unit, meaning});
+    lowered->signals.push_back(id);
+  };
+  add("deflection", "what the backlash is taken from", lowered->contact->deflection);
+  add("backlash", "half of the backlash", lowered->contact->backlash);
+}
+
+}  // namespace
+
+Model make_model(const ModelDefinition& given) {
+  ModelDefinition definition = given;
+  Formula formula = parse_formula(definition);
+  Lowered lowered = lower(&formula);
+  if (lowered.contact) add_contact_signals(formula, &definition, &lowered);
+  const auto tapes = std::make_shared<const Tapes>(tapes_of(&formula, lowered));
+  Model model;
+  set_lists(definition, lowered, &model);
+  model.kernel = kernel_of(definition, &formula, lowered);
+  const std::size_t jumps = formula.jumps.size();
+  model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };
+  model.break_phases = [tapes, jumps](const ModelSetting& setting) {
+    return jumps_of(*tapes, jumps, setting);
+  };
+  model.phase_coefs_at = [tapes](const ModelSetting& setting, double psi, double inside,
+                                 double* row) {
+    row[0] = 1.0;
+    std::vector<double> inputs = setting.parameters;
+    inputs.push_back(kTurn * psi);
+    inputs.push_back(kTurn * inside);
+    tapes->coefs.run(inputs.data(), row);
+  };
+  model.equilibrium = [tapes](const ModelSetting& setting) {
+    std::vector<double> x(tapes->states);
+    tapes->start.run(setting.parameters.data(), x.data());
+    return x;
+  };
+  model.prepare = [tapes](const ModelSetting& setting) -> std::unique_ptr<PreparedPoint> {
+    return std::make_unique<TextPoint>(tapes, setting);
+  };
+  model.period = [tapes](const ModelSetting& setting) {
+    return tapes->period.run(setting.parameters);
+  };
+  return model;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,12 @@
+// A node as text that parse_expression() reads as the same node.
+#pragma once
+
+#include <string>
+
+#include "expression/expression.hpp"
+
+namespace gearsweep {
+
+std::string to_text(const ExpressionGraph& graph, NodeId id);
+
+}  // namespace gearsweep

@@ -1,0 +1,37 @@
+// Expressions worked out on the host, in double.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "expression/expression.hpp"
+
+namespace gearsweep {
+
+// What some nodes come to, given others. A value type; the graph is not needed any more.
+class Tape {
+ public:
+  Tape() = default;
+  // inputs: nodes whose values are given, in this order; all that outputs depend on, but numbers,
+  // is among them or made of them.
+  Tape(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
+       const std::vector<NodeId>& outputs);
+
+  // inputs, outputs: one number for each, in the constructor's order. They may not overlap.
+  void run(const double* inputs, double* outputs) const;
+  // The same for what has one output.
+  double run(const std::vector<double>& inputs) const;
+
+ private:
+  struct Step {
+    Operation operation;
+    std::size_t a, b, c;  // places of its arguments
+  };
+
+  std::size_t inputs_ = 0;
+  std::vector<double> numbers_;  // their places follow those of the inputs
+  std::vector<Step> steps_;      // their places follow those of the numbers
+  std::vector<std::size_t> outputs_;
+};
+
+}  // namespace gearsweep

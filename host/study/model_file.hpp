@@ -1,0 +1,17 @@
+// A model's file: TOML with equations to a Model.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "model/model.hpp"
+
+namespace gearsweep {
+
+// The text of the file at `path`. Throws InputError.
+std::string model_file_text(const std::string& path);
+
+// source: names the text in messages. Throws InputError with the place.
+std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source);
+
+}  // namespace gearsweep

@@ -1,0 +1,86 @@
+// A model of equations gives what its header gives.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/pair_model.hpp"
+#include "support/run.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+const std::string kRest =
+    "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 1.6\ncount = 12\n"
+    "[[axes]]\nname = 'Fte'\nfrom = 0.01\nto = 0.1\ncount = 6\n"
+    "[integrate]\nmax_step = 0.05\nsettle = 300\nrecord = 50\ncontract = false\n"
+    "[observe]\nquantities = ['x_rms', 'dmf_max', 'period', 'contact_class', 'contact_gap', "
+    "'lyapunov_max']\n";
+
+std::string text_study() { return "[model]\ntext = '''\n" + pair_model() + "'''\n" + kRest; }
+
+// By name, over all points.
+const std::vector<double>& values_of(const SweepResult& result, const std::string& name) {
+  const std::vector<Quantity>& quantities = result.study.selection.quantities;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (quantities[i].name == name) return result.values[i];
+  }
+  throw std::logic_error("no map " + name);
+}
+
+// Sums are taken in another order, so motions are the same until rounding has grown: where the
+// motion is periodic, for ever.
+TEST(TextModel, HasTheMapsOfItsHeader) {
+  const SweepResult text = run(text_study());
+  const SweepResult header = run("[model]\nname = 'gear1'\n" + kRest);
+  const std::vector<double>& periods = values_of(header, "period");
+  std::size_t periodic = 0;
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    ASSERT_EQ(values_of(text, "period")[i], periods[i]) << i;
+    if (periods[i] == 0.0) continue;
+    ++periodic;
+    for (const char* name : {"x_rms", "dmf_max", "contact_gap", "lyapunov_max"}) {
+      EXPECT_NEAR(values_of(text, name)[i], values_of(header, name)[i], 1e-7) << name << " " << i;
+    }
+    EXPECT_EQ(values_of(text, "contact_class")[i], values_of(header, "contact_class")[i]) << i;
+  }
+  EXPECT_GT(periodic, periods.size() / 2);
+}
+
+// The host evaluates the tree, the device compiles it: the reference engine is a second opinion.
+TEST(TextModel, IsTheSameOnTheHost) {
+  const std::vector<std::string> short_run = {"integrate.settle=20", "integrate.record=10",
+                                              "integrate.stop=\"never\"", "integrate.warm_up=5"};
+  std::vector<std::string> on_host = short_run;
+  on_host.emplace_back("integrate.engine=\"reference\"");
+  const SweepResult device = run(text_study(), short_run);
+  const SweepResult host = run(text_study(), on_host);
+  for (const char* name : {"x_rms", "dmf_max"}) {
+    for (std::size_t i = 0; i < device.status.size(); ++i) {
+      EXPECT_NEAR(values_of(device, name)[i], values_of(host, name)[i], 1e-10) << name << " " << i;
+    }
+  }
+}
+
+// Halving the step leaves a sixteenth of the error where contacts are corrected.
+TEST(TextModel, KeepsItsOrderWhereTeethMeetAndPart) {
+  const auto x_rms = [](double step) {
+    return values_of(
+        run("[model]\ntext = '''\n" + pair_model() +
+            "'''\n[parameters]\nFte = 0.08\n[[axes]]\nname = 'omega'\nvalues = [0.55, "
+            "0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9]\n[integrate]\nsettle = 0\nrecord = "
+            "10\nstop = 'never'\nmax_step = " +
+            std::to_string(step) + "\n[observe]\nquantities = ['x_rms', 'contact_losses']\n"),
+        "x_rms");
+  };
+  const std::vector<double> fine = x_rms(0.0025), half = x_rms(0.04), whole = x_rms(0.08);
+  double orders = 0.0;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    orders += std::log2(std::abs(whole[i] - fine[i]) / std::abs(half[i] - fine[i]));
+  }
+  EXPECT_GT(orders / static_cast<double>(fine.size()), 3.5);
+}
+
+}  // namespace
+}  // namespace gearsweep::testing

@@ -1,0 +1,175 @@
+// Models as equations: what is read, and what is refused with its place.
+#include "study/model_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "model/error.hpp"
+#include "study/study.hpp"
+#include "support/pair_model.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string with(std::string text, const std::string& what, const std::string& instead) {
+  text.replace(text.find(what), what.size(), instead);
+  return text;
+}
+
+std::string refusal_of(const std::string& text) {
+  try {
+    read_model_text(text, "pair.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ModelFile, HasItsNamesInOrder) {
+  const auto model = read_model_text(pair_model(), "pair.toml");
+  EXPECT_EQ(model->name, "pair");
+  EXPECT_THAT(model->state_names(), ElementsAre("x", "v"));
+  EXPECT_EQ(model->parameters[0].name, "omega");
+  EXPECT_EQ(model->parameters[9].name, "k_3");
+  EXPECT_EQ(model->signals[0].unit, "k0 b_n");
+  EXPECT_TRUE(model->has_contact);
+  for (const ParameterInfo& parameter : model->parameters) {
+    EXPECT_FALSE(parameter.shapes_phase) << parameter.name;
+  }
+}
+
+// The header is a second opinion: written by hand.
+TEST(ModelFile, AgreesWithTheHeaderOfTheSameModel) {
+  const auto text = read_model_text(pair_model(), "pair.toml");
+  const Model& header = *find_model("gear1");
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  for (int i = 0; i < 10000; ++i) {
+    ModelSetting own = text->default_setting(), theirs = header.default_setting();
+    for (std::size_t p = 0; p < own.parameters.size(); ++p) {
+      own.parameters[p] *= 1.0 + 0.9 * share(random);
+      const int index = header.find_parameter(text->parameters[p].name);
+      theirs.parameters[static_cast<std::size_t>(index)] = own.parameters[p];
+    }
+    const double psi = 0.5 + 0.5 * share(random);
+    std::vector<double> row(text->phase_coefs.size()), their_row(header.phase_coefs.size());
+    text->phase_coefs_at(own, psi, psi, row.data());
+    header.phase_coefs_at(theirs, psi, psi, their_row.data());
+    const auto point = text->prepare(own), their_point = header.prepare(theirs);
+    EXPECT_DOUBLE_EQ(point->period(), their_point->period());
+    const std::vector<double> x = {3.0 * share(random), share(random)};
+    std::vector<double> mine(4), expected(4);
+    const auto compare = [&](const char* what, double scale) {
+      for (std::size_t k = 0; k < mine.size(); ++k) {
+        ASSERT_NEAR(mine[k], expected[k], 1e-14 * scale) << what << " " << k;
+      }
+    };
+    point->rhs(row.data(), x.data(), mine.data());
+    their_point->rhs(their_row.data(), x.data(), expected.data());
+    compare("rhs", 10.0);
+    point->jacobian(row.data(), x.data(), mine.data());
+    their_point->jacobian(their_row.data(), x.data(), expected.data());
+    compare("jacobian", 2.0);
+    point->force_direction(row.data(), mine.data());
+    their_point->force_direction(their_row.data(), expected.data());
+    compare("force direction", 2.0);
+    point->penetration_gradient(row.data(), x.data(), -1.0, mine.data());
+    their_point->penetration_gradient(their_row.data(), x.data(), -1.0, expected.data());
+    compare("penetration", 1.0);
+  }
+  EXPECT_EQ(text->equilibrium(text->default_setting()),
+            header.equilibrium(header.default_setting()));
+}
+
+TEST(ModelFile, TabulatesWhatCannotBeTakenApart) {
+  const auto model =
+      read_model_text(with(pair_model(), "k*cos(phase)", "k*cos(phase + Fm)"), "pair.toml");
+  for (const ParameterInfo& parameter : model->parameters) {
+    EXPECT_EQ(parameter.shapes_phase, parameter.name == "Fm") << parameter.name;
+  }
+}
+
+// At a jump, the value of the side that is asked for.
+TEST(ModelFile, HasBothSidesOfAJump) {
+  const auto model = read_model_text(
+      with(with(pair_model(), "k*cos(phase)", "k*if(phase < 2*pi*z, 1, -1)"),
+           "period = \"2*pi/omega\"", "period = \"2*pi/omega\"\njumps = [\"2*pi*z\"]"),
+      "pair.toml");
+  const ModelSetting setting = model->default_setting();
+  EXPECT_THAT(model->break_phases(setting), ElementsAre(0.0, ::testing::DoubleEq(0.05)));
+  const auto point = model->prepare(setting);
+  const auto stiffness = [&](double inside) {
+    std::vector<double> row(model->phase_coefs.size()), direction(2);
+    model->phase_coefs_at(setting, 0.05, inside, row.data());
+    point->force_direction(row.data(), direction.data());
+    return -direction[1];
+  };
+  EXPECT_NEAR(stiffness(0.06) - stiffness(0.04), 0.4, 1e-14);
+}
+
+TEST(ModelFile, IsRefusedWithThePlace) {
+  EXPECT_THAT(
+      refusal_of(with(pair_model(), "2*z*v", "2*z*v*stifness")),
+      AllOf(HasSubstr("pair.toml:24:33: unknown name 'stifness'; did you mean 'stiffness'?"),
+            HasSubstr("- 2*z*v*stifness"), HasSubstr("^")));
+  EXPECT_THAT(refusal_of(with(pair_model(), "f = \"backlash(x, b)\"", "f = \"backlash(f, b)\"")),
+              HasSubstr("pair.toml:20:6: 'f' is defined by itself: f -> f"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "[equations]", "spare = \"b\"\n[equations]")),
+              HasSubstr("'spare' is used nowhere"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "\nx = \"v\"", "")), HasSubstr("'x' has no equation"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "x = \"v\"", "x = \"v\"\ny = \"v\"")),
+              HasSubstr("'y' is not a state"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "x = 0.05")),
+              HasSubstr("'x' is defined twice"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "sin = 0.05")),
+              HasSubstr("'sin' has a meaning of its own"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "2*pi/omega", "2*pi/v")),
+              HasSubstr("the period may use parameters alone, not 'v'"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "min = 1e-4", "mni = 1e-4")),
+              HasSubstr("unknown key 'mni'"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "[forcing]", "[forces]")), HasSubstr("no [forcing]"));
+  EXPECT_THAT(refusal_of(std::string(10 << 20, ' ')), HasSubstr("too large for a model"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "\"v\"\n", "\"v\"); system(\"\n")),
+              HasSubstr("pair.toml:"));
+}
+
+// A part that is used twice stays one part, however often that is done.
+TEST(ModelFile, TakesNoLongerForPartsOfParts) {
+  for (const std::string part : {"phase*k", "x", "k", "sin(phase)"}) {
+    std::string constants = "c0 = \"" + part + "\"\n";
+    for (int i = 1; i < 120; ++i) {
+      const std::string before = "c" + std::to_string(i - 1);
+      const std::string joined = i % 2 == 0 ? before + " + " + before : before + "*" + before;
+      constants += "c" + std::to_string(i) + " = \"if(v > 0, " + joined + ", " + before + ")\"\n";
+    }
+    const std::string text =
+        with(with(pair_model(), "[equations]", constants + "[equations]"), "2*z*v", "2*z*v*c119");
+    EXPECT_EQ(refusal_of(text), "accepted");
+  }
+}
+
+// A result file holds the study, and so the model.
+TEST(ModelFile, BecomesAPartOfTheStudy) {
+  const std::string text = "[model]\nfile = 'elsewhere.toml'\ntext = '''\n" + pair_model() +
+                           "'''\n[[axes]]\nname = 'omega'\nvalues = [0.5]\n";
+  const Study study = read_study(text, "s.toml");
+  EXPECT_EQ(study.model->name, "pair");
+  EXPECT_EQ(read_study(study.toml, "again").model->text, study.model->text);
+  EXPECT_THAT(
+      [] {
+        read_study("[model]\nfile = 'missing.toml'\n[[axes]]\nname = 'x'\nvalues = [0.5]\n", "s");
+      },
+      ::testing::ThrowsMessage<InputError>(
+          AllOf(HasSubstr("s:2: "), HasSubstr("missing.toml: there is no such file"))));
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
