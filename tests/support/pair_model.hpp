@@ -14,7 +14,7 @@ inline std::string pair_model() {
          "v = { unit = \"b_n varpi\", meaning = \"velocity\" }\n"
          "[parameters]\n"
          "omega = { value = 0.8, min = 1e-4, max = 100 }\n"
-         "b = 1.0\n"
+         "b = { value = 1.0, min = 0 }\n"
          "z = 0.05\n"
          "Fm = 0.1\n"
          "Fte = 0.01\n"

@@ -127,6 +127,19 @@ class KernelWriter {
                    "p options");
   }
 
+  // A backlash that is never negative takes fewer operations.
+  std::string penetration_text() const {
+    const std::string begin = "  const real penetration =\n      ";
+    if (!lowered_.contact->may_be_negative) {
+      return begin +
+             "contact->deflection -\n"
+             "      lane_clamp(contact->deflection, -contact->backlash, contact->backlash);\n";
+    }
+    return begin +
+           "lane_max(contact->deflection - contact->backlash, (real)(0)) +\n"
+           "      lane_min(contact->deflection + contact->backlash, (real)(0));\n";
+  }
+
   void write_contact() {
     const Contact& contact = *lowered_.contact;
     const std::string arguments = "const ModelPoint* point, const PhaseCoefs* phase, ";
@@ -136,10 +149,7 @@ class KernelWriter {
         "point phase x");
     write_function("model_rhs_in_contact",
                    arguments + "const real* x, const ModelContact* contact, real* dx",
-                   places("dx", lowered_.in_contact), "point phase x",
-                   "  const real penetration =\n"
-                   "      lane_max(contact->deflection - contact->backlash, (real)(0)) +\n"
-                   "      lane_min(contact->deflection + contact->backlash, (real)(0));\n");
+                   places("dx", lowered_.in_contact), "point phase x", penetration_text());
     out_ += fmt::format(
         "\nSHARED_FN void model_rhs({}const real* x, real* dx) {{\n"
         "  ModelContact contact;\n"

@@ -20,7 +20,8 @@ struct Dependence {
 // A part of a sum, or of a product.
 struct Part {
   NodeId id;
-  bool is_inverse;  // subtracted, or divided by
+  bool is_inverse;        // subtracted, or divided by
+  bool has_state = true;  // whether a state changes it
 };
 
 class Lowering {
@@ -182,8 +183,9 @@ class Lowering {
     return make(operation, left, part.id);
   }
 
-  // Whatever no state changes goes together: of the point alone, of the phase alone. The others
-  // follow, those that wait longest for the states last.
+  // What no state changes goes together, and first: of the point alone, of the phase alone, of
+  // both. The evaluations of a step share it. The others follow, those that wait longest for the
+  // states last.
   NodeId join(NodeId id, bool is_product, bool* is_negative) {
     std::vector<Part> parts;
     take_apart(id, is_product, false, true, &parts, is_negative);
@@ -197,12 +199,14 @@ class Lowering {
       } else if (!depends.state && !depends.parameter) {
         of_phase = joined(of_phase, part, is_product);
       } else if (is_product && part.is_inverse && !depends.state) {
-        rest.push_back({coef(make(Operation::divide, neutral, part.id)), false});
+        rest.push_back({coef(make(Operation::divide, neutral, part.id)), false, false});
       } else {
-        rest.push_back({inner(part.id), part.is_inverse});
+        rest.push_back({inner(part.id), part.is_inverse, depends.state});
       }
     }
-    std::ranges::stable_sort(rest, {}, [&](const Part& part) { return (*graph_)[part.id].depth; });
+    std::ranges::stable_sort(rest, {}, [&](const Part& part) {
+      return std::pair(part.has_state, (*graph_)[part.id].depth);
+    });
     NodeId all = inner(of_point);
     all = joined(all, {inner(of_phase), false}, is_product);
     for (const Part& part : rest) all = joined(all, part, is_product);
@@ -224,6 +228,18 @@ class Lowering {
     });
   }
 
+  // Of what is known to be a parameter.
+  bool may_be_negative(NodeId id) const {
+    const auto field = std::ranges::find(lowered_.point, id);
+    if (field == lowered_.point.end()) return true;
+    const NodeId value =
+        lowered_.point_values[static_cast<std::size_t>(field - lowered_.point.begin())];
+    const auto parameter = std::ranges::find(formula_->parameters, value);
+    return parameter == formula_->parameters.end() ||
+           formula_
+               ->are_negative[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
+  }
+
   void find_contact() {
     std::set<NodeId> found;
     for (const NodeId id : parts_of(*graph_, lowered_.equations)) {
@@ -232,7 +248,8 @@ class Lowering {
     if (found.size() != 1) return;
     const NodeId penetration = graph_->symbol("penetration");
     Contact contact{penetration, (*graph_)[*found.begin()].arguments[0],
-                    (*graph_)[*found.begin()].arguments[1]};
+                    (*graph_)[*found.begin()].arguments[1], true};
+    contact.may_be_negative = may_be_negative(contact.backlash);
     Rewriter with_penetration(graph_, {{*found.begin(), penetration}});
     std::vector<NodeId> in_contact, direction, carried, symbols;
     for (const NodeId row : lowered_.equations) {

@@ -12,6 +12,7 @@ namespace gearsweep {
 struct Contact {
   NodeId penetration;           // the symbol that stands for it in `in_contact`
   NodeId deflection, backlash;  // of states, point and phase
+  bool may_be_negative;         // the backlash: then both flanks may touch at once
 };
 
 // In the inner loop, symbols are states and those of `point` and `coefs`.
