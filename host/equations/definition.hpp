@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +35,9 @@ struct ModelDefinition {
   ExpressionText period;                      // in dimensionless time; of parameters alone
   std::vector<ExpressionText> jumps;          // phases, in radians; of parameters alone
   double max_step = 0.05;
+  // Parameters in which the points of a study differ: what depends on the phase and on none of
+  // these is tabulated whole.
+  std::set<std::string> swept;
   std::string text;  // of the whole file
 };
 

@@ -334,7 +334,8 @@ std::string model_file_text(const std::string& path) {
   return text;
 }
 
-std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source) {
+std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source,
+                                             const std::set<std::string>& swept) {
   if (text.size() > kMaxBytes) {
     throw InputError(
         fmt::format("{}: too large for a model; at most {} bytes are possible", source, kMaxBytes));
@@ -345,7 +346,9 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
   refuse_deep_keys(text, source);
   try {
     const toml::table root = toml::parse(text, source);
-    return std::make_shared<const Model>(make_model(ModelReader(root, text, source).run()));
+    ModelDefinition definition = ModelReader(root, text, source).run();
+    definition.swept = swept;
+    return std::make_shared<const Model>(make_model(definition));
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", source, error.source().begin.line,
                                  error.description()));

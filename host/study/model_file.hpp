@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "model/model.hpp"
@@ -11,7 +12,9 @@ namespace gearsweep {
 // The text of the file at `path`. Throws InputError.
 std::string model_file_text(const std::string& path);
 
-// source: names the text in messages. Throws InputError with the place.
-std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source);
+// source: names the text in messages. swept: names in which the points of a study differ
+// (ModelDefinition). Throws InputError with the place.
+std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source,
+                                             const std::set<std::string>& swept = {});
 
 }  // namespace gearsweep

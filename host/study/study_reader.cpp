@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "model/error.hpp"
@@ -120,21 +121,34 @@ void apply_preset(const PresetInfo& preset, Study* study) {
   }
 }
 
+// As they stand in the text: axes are checked when the model is known.
+std::set<std::string> axis_names(const toml::table& root) {
+  std::set<std::string> names;
+  const toml::array* axes = root.contains("axes") ? root.get("axes")->as_array() : nullptr;
+  if (axes == nullptr) return names;
+  for (const toml::node& axis : *axes) {
+    const toml::table* table = axis.as_table();
+    const toml::node* name = table == nullptr ? nullptr : table->get("name");
+    if (name != nullptr && name->is_string()) names.insert(name->as_string()->get());
+  }
+  return names;
+}
+
 // A model of the user's own, from the text that the study holds since the file was read.
-void read_own_model(TableReader* reader, Study* study) {
+void read_own_model(const toml::table& root, TableReader* reader, Study* study) {
   const std::string file = reader->text("file", "the study's model");
   if (reader->find("name") != nullptr) {
     fail_at(*reader->find("name"), "give the model's name or its file, not both");
   }
-  study->own_model = read_model_text(reader->text("text", ""), file);
+  study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root));
   study->model = study->own_model.get();
 }
 
-void read_model(const toml::table* table, Study* study) {
+void read_model(const toml::table& root, const toml::table* table, Study* study) {
   TableReader reader(table, study_table("model"));
   if (const toml::node* text = reader.find("text");
       text != nullptr || reader.find("file") != nullptr) {
-    read_own_model(&reader, study);
+    read_own_model(root, &reader, study);
   } else {
     const std::string name = reader.text("name", kDefaultModel);
     study->model = find_model(name);
@@ -329,7 +343,7 @@ Study read_study(const std::string& text, const std::string& source,
   Study study;
   TableReader reader(&root, study_table(""));
   study.title = reader.text("title", "");
-  read_model(reader.table("model"), &study);
+  read_model(root, reader.table("model"), &study);
   const toml::table* parameters = reader.table("parameters");
   const std::vector<GearParameter> gear = read_gear(reader.table("gear"), &study);
   refuse_misplaced(root, *study.model);

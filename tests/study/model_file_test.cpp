@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "model/error.hpp"
 #include "study/study.hpp"
@@ -41,14 +42,29 @@ TEST(ModelFile, HasItsNamesInOrder) {
   EXPECT_EQ(model->parameters[9].name, "k_3");
   EXPECT_EQ(model->signals[0].unit, "k0 b_n");
   EXPECT_TRUE(model->has_contact);
-  for (const ParameterInfo& parameter : model->parameters) {
-    EXPECT_FALSE(parameter.shapes_phase) << parameter.name;
-  }
+}
+
+// What differs from point to point is parted from the phase, where it can be.
+TEST(ModelFile, TabulatesWhatIsTheSameForAllPoints) {
+  const auto shaping = [](const std::set<std::string>& swept) {
+    const auto model = read_model_text(pair_model(), "pair.toml", swept);
+    std::set<std::string> names;
+    for (const ParameterInfo& parameter : model->parameters) {
+      if (parameter.shapes_phase) names.insert(parameter.name);
+    }
+    return std::pair(names, model->phase_coefs.size());
+  };
+  const std::set<std::string> all = {"omega", "b",     "z", "Fm",  "Fte",
+                                     "Fte_2", "Fte_3", "k", "k_2", "k_3"};
+  EXPECT_EQ(shaping(all), std::pair(std::set<std::string>(), std::size_t{3}));
+  const std::set<std::string> shapes = {"Fte", "Fte_2", "Fte_3", "k", "k_2", "k_3"};
+  EXPECT_EQ(shaping({"omega"}), std::pair(shapes, std::size_t{2}));
 }
 
 // The header is a second opinion: written by hand.
-TEST(ModelFile, AgreesWithTheHeaderOfTheSameModel) {
-  const auto text = read_model_text(pair_model(), "pair.toml");
+class Sweeps : public ::testing::TestWithParam<std::set<std::string>> {};
+TEST_P(Sweeps, AgreeWithTheHeaderOfTheSameModel) {
+  const auto text = read_model_text(pair_model(), "pair.toml", GetParam());
   const Model& header = *find_model("gear1");
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
@@ -89,9 +105,14 @@ TEST(ModelFile, AgreesWithTheHeaderOfTheSameModel) {
             header.equilibrium(header.default_setting()));
 }
 
+INSTANTIATE_TEST_SUITE_P(OfParameters, Sweeps,
+                         ::testing::Values(std::set<std::string>(), std::set<std::string>{"omega"},
+                                           std::set<std::string>{"k", "Fte_2"}));
+
 TEST(ModelFile, TabulatesWhatCannotBeTakenApart) {
   const auto model =
-      read_model_text(with(pair_model(), "k*cos(phase)", "k*cos(phase + Fm)"), "pair.toml");
+      read_model_text(with(pair_model(), "k*cos(phase)", "k*cos(phase + Fm)"), "pair.toml",
+                      {"k", "k_2", "k_3", "Fm", "Fte", "Fte_2", "Fte_3"});
   for (const ParameterInfo& parameter : model->parameters) {
     EXPECT_EQ(parameter.shapes_phase, parameter.name == "Fm") << parameter.name;
   }

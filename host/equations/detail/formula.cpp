@@ -31,6 +31,7 @@ class FormulaReader {
     for (const ParameterInfo& parameter : definition_.parameters) {
       formula_.parameters.push_back(formula_.graph.symbol(parameter.name));
       formula_.are_negative.push_back(parameter.min < 0.0);
+      formula_.are_swept.push_back(definition_.swept.contains(parameter.name));
     }
     formula_.phase = formula_.graph.symbol("phase");
     // Those that nothing uses, too: a mistake in one is a mistake.

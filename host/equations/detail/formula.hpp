@@ -13,6 +13,7 @@ namespace gearsweep {
 struct Formula {
   ExpressionGraph graph;
   std::vector<NodeId> states, parameters;  // symbols
+  std::vector<bool> are_swept;             // [parameter]: whether points differ in it
   std::vector<bool> are_negative;          // [parameter]: whether it may be
   NodeId phase = 0;
   std::vector<NodeId> equations, start, signals, jumps;

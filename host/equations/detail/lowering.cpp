@@ -15,6 +15,7 @@ namespace {
 // What a node depends on.
 struct Dependence {
   bool state = false, phase = false, parameter = false;
+  bool swept = false;  // a parameter that differs from point to point
 };
 
 // A part of a sum, or of a product.
@@ -67,14 +68,22 @@ class Lowering {
       found.phase = id == formula_->phase;
       found.state = std::ranges::find(formula_->states, id) != formula_->states.end();
       found.parameter = !found.phase && !found.state;
+      found.swept = found.parameter && is_swept(id);
     }
     for (const NodeId argument : node.arguments) {
       const Dependence below = of(argument);
       found.state |= below.state;
       found.phase |= below.phase;
       found.parameter |= below.parameter;
+      found.swept |= below.swept;
     }
     return dependences_.emplace(id, found).first->second;
+  }
+
+  bool is_swept(NodeId id) const {
+    const auto parameter = std::ranges::find(formula_->parameters, id);
+    return parameter == formula_->parameters.end() ||
+           formula_->are_swept[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
   }
 
   NodeId make(Operation operation, NodeId a, NodeId b) { return graph_->make(operation, {a, b}); }
@@ -93,7 +102,7 @@ class Lowering {
     if (graph_->is_number(id)) return id;
     const Dependence depends = of(id);
     if (!depends.state && !depends.phase) return point_field(id);
-    if (!depends.state && !depends.parameter) return coef(id);
+    if (!depends.state && !depends.swept) return coef(id);
     switch (node.operation) {
       case Operation::add:
       case Operation::subtract:
@@ -190,13 +199,14 @@ class Lowering {
     std::vector<Part> parts;
     take_apart(id, is_product, false, true, &parts, is_negative);
     const NodeId neutral = graph_->number(is_product ? 1.0 : 0.0);
-    NodeId of_point = neutral, of_phase = neutral;
+    NodeId of_point = neutral, of_all = neutral, of_phase = neutral;
     std::vector<Part> rest;
     for (const Part& part : parts) {
       const Dependence depends = of(part.id);
       if (!depends.state && !depends.phase) {
-        of_point = joined(of_point, part, is_product);
-      } else if (!depends.state && !depends.parameter) {
+        NodeId& constant = depends.swept ? of_point : of_all;
+        constant = joined(constant, part, is_product);
+      } else if (!depends.state && !depends.swept) {
         of_phase = joined(of_phase, part, is_product);
       } else if (is_product && part.is_inverse && !depends.state) {
         rest.push_back({coef(make(Operation::divide, neutral, part.id)), false, false});
@@ -207,6 +217,10 @@ class Lowering {
     std::ranges::stable_sort(rest, {}, [&](const Part& part) {
       return std::pair(part.has_state, (*graph_)[part.id].depth);
     });
+    // What is the same for all points goes with what is there.
+    const bool has_phase_alone = of_point == neutral && of_phase != neutral;
+    NodeId& host = has_phase_alone ? of_phase : of_point;
+    host = joined(host, {of_all, false}, is_product);
     NodeId all = inner(of_point);
     all = joined(all, {inner(of_phase), false}, is_product);
     for (const Part& part : rest) all = joined(all, part, is_product);
