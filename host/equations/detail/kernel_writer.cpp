@@ -171,8 +171,8 @@ class KernelWriter {
     });
   }
 
-  // `kept` times: the coefficient as a field of ModelLinear, which it becomes. is_scaled: times
-  // the scale.
+  // The coefficient, times the scale if is_scaled, as what the tangent's statements read: a field of
+  // ModelLinear, or of the point where that has it already.
   NodeId field(NodeId coefficient, bool is_scaled) {
     const NodeId value =
         is_scaled ? graph_->make(Operation::multiply, {coefficient, scale_}) : coefficient;
@@ -187,7 +187,8 @@ class KernelWriter {
     return field_symbols_[index];
   }
 
-  // A coefficient of -1 or of another sign costs nothing in the sum.
+  // base + the terms. A coefficient's sign goes into the sum, so that two that differ in it alone
+  // share a field.
   NodeId sum_of(const LinearSum& sum, NodeId base, bool is_scaled,
                 const std::vector<NodeId>& tangents) {
     NodeId all = base;

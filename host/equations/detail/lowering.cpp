@@ -273,7 +273,7 @@ class Lowering {
     for (std::size_t j = 0; j < direction.size(); ++j) {
       symbols.push_back(graph_->symbol(fmt::format("direction[{}]", j)));
     }
-    // With the penetration held: a direction that moves it would have a say in it.
+    // With the penetration held, as kernels/rk4/crossing.h wants it.
     for (const NodeId row : in_contact) {
       NodeId all = graph_->number(0.0);
       for (std::size_t j = 0; j < direction.size(); ++j) {
