@@ -63,6 +63,63 @@ TEST(TextModel, IsTheSameOnTheHost) {
   }
 }
 
+// Each function where a state changes it, where the phase does, and where neither does.
+TEST(TextModel, HasEveryFunctionOnTheDevice) {
+  const std::vector<std::string> functions = {"sin(A)",
+                                              "cos(A)",
+                                              "tan(A/4)",
+                                              "asin(A/4)",
+                                              "acos(A/4)",
+                                              "atan(A)",
+                                              "atan2(A, 2)",
+                                              "sinh(A)",
+                                              "cosh(A)",
+                                              "tanh(A)",
+                                              "exp(A)",
+                                              "log(2 + A^2)",
+                                              "sqrt(2 + A^3)",
+                                              "abs(A)",
+                                              "sign(A - 0.3)",
+                                              "floor(2*A + 0.37)",
+                                              "min(A, 0.5)",
+                                              "max(A, 0.5)",
+                                              "clamp(A, 0.2, 0.5)",
+                                              "step(A - 0.4)",
+                                              "stop(A, 0.3)",
+                                              "backlash(A, 0.3)",
+                                              "(2 + A)^1.5",
+                                              "(2 + A)^A",
+                                              "1/(2 + A)^3",
+                                              "if(A < 0.3 and not A <= 0.1 or A == 2, A, 1 - A)"};
+  for (const std::string argument : {"x", "sin(phase)", "p", "x + sin(phase) + p", "x*p"}) {
+    std::string sum = "0";
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      std::string text = functions[i];
+      for (std::size_t at = 0; (at = text.find('A')) != std::string::npos;) {
+        text.replace(at, 1, "(" + argument + ")");
+      }
+      sum += " + " + std::to_string(i + 1) + "*" + text;
+    }
+    const std::string study =
+        "[model]\ntext = '''\n[model]\nname = \"functions\"\n[states]\nx = { start = \"0.1\" }\n"
+        "[parameters]\np = 0.45\n[equations]\nx = \"0.3 - 0.5*x + 0.1*cos(phase)\"\n[forcing]\n"
+        "period = \"2*pi\"\n[signals]\n"
+        "all = \"" +
+        sum +
+        "\"\n'''\n[[axes]]\nname = 'p'\nfrom = 0.05\nto = 0.7\ncount = 9\n[integrate]\n"
+        "max_step = 0.1\nsettle = 2\nrecord = 2\nextend = 1\nstop = 'never'\n"
+        "[observe]\nquantities = ['all_mean', 'all_max']\n";
+    const SweepResult device = run(study);
+    const SweepResult host = run(study, {"integrate.engine=\"reference\""});
+    for (std::size_t map = 0; map < device.values.size(); ++map) {
+      for (std::size_t point = 0; point < device.status.size(); ++point) {
+        EXPECT_NEAR(device.values[map][point], host.values[map][point], 1e-9)
+            << argument << ": map " << map << ", point " << point;
+      }
+    }
+  }
+}
+
 // Halving the step leaves a sixteenth of the error where contacts are corrected.
 TEST(TextModel, KeepsItsOrderWhereTeethMeetAndPart) {
   const auto x_rms = [](double step) {
