@@ -51,16 +51,16 @@ SHARED_FN void driving_take_turns(real* x) {
 
 #ifdef MODEL_CONTACT
 SHARED_FN void driving_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                               ModelContact* contact) {
+                               ModelContact* contacts) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
-  model_contact(point, phase, whole, contact);
+  model_contact(point, phase, whole, contacts);
 }
 
 SHARED_FN void driving_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase,
-                                      const real* x, const ModelContact* contact, real* dx) {
+                                      const real* x, const ModelContact* contacts, real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real slope[WHOLE_STATE_COUNT];
-  model_rhs_in_contact(point, phase, whole, contact, slope);
+  model_rhs_in_contact(point, phase, whole, contacts, slope);
   driving_keep(slope, dx);
 }
 
@@ -71,19 +71,44 @@ SHARED_FN void driving_contact_tangent(const ModelPoint* point, const ModelLinea
 }
 
 SHARED_FN void driving_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
-                                       real* direction) {
-  real whole[WHOLE_STATE_COUNT];
-  model_force_direction(point, phase, whole);
-  driving_keep(whole, direction);
+                                       const real* x, int contact, real* direction) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  real whole_direction[WHOLE_STATE_COUNT];
+  model_force_direction(point, phase, whole, contact, whole_direction);
+  driving_keep(whole_direction, direction);
 }
 
 SHARED_FN void driving_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
-                                               const real* direction, real* dx) {
-  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
+                                               const real* x, const real* direction, real* dx) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  const real whole_direction[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
   real slope[WHOLE_STATE_COUNT];
-  model_force_direction_carried(point, phase, whole, slope);
+  model_force_direction_carried(point, phase, whole, whole_direction, slope);
   driving_keep(slope, dx);
 }
+
+#ifdef MODEL_CONTACT_FEEDBACK
+SHARED_FN void driving_contact_along(const ModelPoint* point, const PhaseCoefs* phase,
+                                     const real* x, const real* direction, ModelContact* added) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  const real whole_direction[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
+  model_contact_along(point, phase, whole, whole_direction, added);
+}
+#define model_contact_along driving_contact_along
+#endif
+
+#ifdef MODEL_FORCE_DIRECTION_VARIES
+SHARED_FN void driving_force_direction_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+                                               const real* x, int contact, const real* w,
+                                               real* out) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  const real whole_w[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
+  real whole_out[WHOLE_STATE_COUNT];
+  model_force_direction_tangent(point, phase, whole, contact, whole_w, whole_out);
+  driving_keep(whole_out, out);
+}
+#define model_force_direction_tangent driving_force_direction_tangent
+#endif
 
 #define model_contact driving_contact
 #define model_rhs_in_contact driving_rhs_in_contact

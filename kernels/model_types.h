@@ -54,11 +54,19 @@ typedef struct {
 } PhaseCoefs;
 
 #ifdef MODEL_CONTACT
-// Where the contact stands: the drive flank touches while backlash < deflection, the back flank
+// Where a contact stands: the drive flank touches while backlash < deflection, the back flank
 // while deflection < -backlash; while a backlash is negative, both may.
 typedef struct {
   real deflection, backlash;
 } ModelContact;
+
+// A model may have several contacts; those that have the drive flank alone are one-sided.
+#ifndef MODEL_CONTACTS
+#define MODEL_CONTACTS 1
+#define MODEL_ONE_SIDED(contact) 0
+// X(contact, signals: deflection, backlash)
+#define MODEL_CONTACT_SIGNALS(X) X(0, deflection, backlash)
+#endif
 #endif
 
 #ifdef MODEL_HOST_PART

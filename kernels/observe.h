@@ -5,13 +5,29 @@
 //   NAME_finish(sums, round, out)   its outputs, once all periods are recorded
 // sums are the numbers that an observable keeps during the record. An observable with
 // NAME_PER_CHANNEL looks at one state or signal: its init gets the value at the start; its step
-// gets the values at the step's four moments, and the step.
+// gets the values at the step's four moments, and the step. One with NAME_PER_CONTACT gets the
+// depths of a contact instead.
 
 // A moment on the phase grid. At a break phase there are two of them.
 typedef struct {
   ModelSignals signals;
   real x[MODEL_STATE_COUNT];
 } Moment;
+
+// How far a contact's deflection is beyond the limits of its flanks; of one that is one-sided the
+// back flank is never reached.
+typedef struct {
+  real drive, back;
+  real backlash;
+} ContactDepths;
+
+SHARED_FN ContactDepths contact_depths(real deflection, real backlash, bool is_one_sided) {
+  const real one = 1;
+  const real back = -deflection - backlash;
+  const ContactDepths depths = {deflection - backlash, is_one_sided ? -one : back,
+                                is_one_sided ? one : backlash};
+  return depths;
+}
 
 // What observables see of a step: its start, middle and end, and the moment half a step before
 // them. Between these a quantity follows a cubic (step_curve.h).

@@ -6,18 +6,29 @@ typedef struct {
   mask was_smooth;  // the step before this one, of the same segment
 } Watcher;
 
+// Whether the same flanks of one contact touch at two moments.
+SHARED_FN mask watch_same_flanks(real deflection, real backlash, real later_deflection,
+                                 real later_backlash, bool is_one_sided) {
+  const mask drive = (backlash < deflection) == (later_backlash < later_deflection);
+  if (is_one_sided) return drive;
+  return drive & ((deflection < -backlash) == (later_deflection < -later_backlash));
+}
+
+#define WATCH_SAME_FLANKS(contact, deflection, backlash)                                          \
+  same =                                                                                          \
+      same & watch_same_flanks(a->signals.deflection, a->signals.backlash, b->signals.deflection, \
+                               b->signals.backlash, MODEL_ONE_SIDED(contact));
+
 // Whether the same flanks touch at both moments: then the field between them is smooth.
 SHARED_FN mask watch_same_contact(const Moment* a, const Moment* b) {
-#ifdef MODEL_CONTACT
-  const ModelSignals* one = &a->signals;
-  const ModelSignals* other = &b->signals;
-  return ((one->backlash < one->deflection) == (other->backlash < other->deflection)) &
-         ((one->deflection < -one->backlash) == (other->deflection < -other->backlash));
-#else
   const real zero = 0;
+  mask same = zero == zero;
+#ifdef MODEL_CONTACT
+  MODEL_CONTACT_SIGNALS(WATCH_SAME_FLANKS)
+#else
   (void)a, (void)b;
-  return zero == zero;
 #endif
+  return same;
 }
 
 SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, TABLE PhaseCoefs* stage,

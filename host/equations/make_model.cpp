@@ -10,6 +10,7 @@
 #include "equations/detail/lowering.hpp"
 #include "expression/differentiate.hpp"
 #include "expression/tape.hpp"
+#include "model/error.hpp"
 
 namespace gearsweep {
 namespace {
@@ -39,7 +40,12 @@ struct Tapes {
   Tape period, start, jumps, coefs;  // of parameters; coefs: then the phase and one inside
   Tape point;                        // of parameters
   // Of states, point and coefs.
-  Tape rhs, jacobian, signals, force_direction, penetration_gradient;
+  Tape rhs, jacobian, signals;
+  struct OfContact {
+    Tape direction, direction_slope;  // [state], [state][state]
+    Tape gradients;                   // of the deflection, then of the backlash, [state]
+  };
+  std::vector<OfContact> contacts;
   std::size_t states = 0, points = 0, coef_count = 0;
 };
 
@@ -52,14 +58,6 @@ Tapes tapes_of(Formula* formula, const Lowered& lowered) {
   tapes.coef_count = lowered.coefs.size();
   const NodeId inside = formula->graph.symbol("inside");
   const std::vector<NodeId> coefs = one_sided(formula, lowered.coef_values, inside);
-  std::vector<NodeId> gradient;
-  if (lowered.contact) {
-    for (const NodeId of : {lowered.contact->deflection, lowered.contact->backlash}) {
-      for (const NodeId state : formula->states) {
-        gradient.push_back(derivative(&formula->graph, of, state));
-      }
-    }
-  }
   std::vector<NodeId> phased = parameters;
   phased.push_back(formula->phase);
   phased.push_back(inside);
@@ -74,8 +72,19 @@ Tapes tapes_of(Formula* formula, const Lowered& lowered) {
   tapes.rhs = Tape(graph, moment, lowered.equations);
   tapes.jacobian = Tape(graph, moment, lowered.jacobian);
   tapes.signals = Tape(graph, moment, lowered.signals);
-  tapes.force_direction = Tape(graph, moment, lowered.force_direction);
-  tapes.penetration_gradient = Tape(graph, moment, gradient);
+  for (const Contact& contact : lowered.contacts.list) {
+    const auto slopes = [&](const std::vector<NodeId>& of) {
+      std::vector<NodeId> out;
+      for (const NodeId id : of) {
+        for (const NodeId state : formula->states) {
+          out.push_back(derivative(&formula->graph, id, state));
+        }
+      }
+      return Tape(graph, moment, out);
+    };
+    tapes.contacts.push_back({Tape(graph, moment, contact.direction), slopes(contact.direction),
+                              slopes({contact.deflection, contact.backlash})});
+  }
   return tapes;
 }
 
@@ -98,16 +107,20 @@ class TextPoint final : public PreparedPoint {
   void signals(const double* coefs, const double* x, double* out) const override {
     run(tapes_->signals, coefs, x, out);
   }
-  void force_direction(const double* coefs, double* out) const override {
-    const std::vector<double> nowhere(tapes_->states);  // no state changes it
-    run(tapes_->force_direction, coefs, nowhere.data(), out);
+  void force_direction(std::size_t contact, const double* coefs, const double* x,
+                       double* out) const override {
+    run(tapes_->contacts[contact].direction, coefs, x, out);
   }
-  void penetration_gradient(const double* coefs, const double* x, double flank,
+  void force_direction_slope(std::size_t contact, const double* coefs, const double* x,
+                             double* out) const override {
+    run(tapes_->contacts[contact].direction_slope, coefs, x, out);
+  }
+  void penetration_gradient(const ContactLimit& limit, const double* coefs, const double* x,
                             double* out) const override {
     std::vector<double> gradients(2 * tapes_->states);
-    run(tapes_->penetration_gradient, coefs, x, gradients.data());
+    run(tapes_->contacts[limit.contact].gradients, coefs, x, gradients.data());
     for (std::size_t j = 0; j < tapes_->states; ++j) {
-      out[j] = gradients[j] - flank * gradients[tapes_->states + j];
+      out[j] = gradients[j] - limit.flank * gradients[tapes_->states + j];
     }
   }
 
@@ -151,7 +164,6 @@ void set_lists(const ModelDefinition& definition, const Lowered& lowered, Model*
   model->presets = definition.presets;
   model->max_step = definition.max_step;
   model->text = definition.text;
-  model->has_contact = lowered.contact.has_value();
   for (std::size_t i = 0; i < model->parameters.size(); ++i) {
     model->parameters[i].shapes_phase = lowered.shapes_phase[i];
   }
@@ -167,21 +179,48 @@ void set_lists(const ModelDefinition& definition, const Lowered& lowered, Model*
   }
 }
 
-// The signals that what looks at contacts needs.
-void add_contact_signals(const Formula& formula, ModelDefinition* definition, Lowered* lowered) {
-  const std::vector<NodeId> parts = parts_of(formula.graph, {lowered->contact->deflection});
-  std::string unit = "1";
+// The unit of the first state that a node depends on.
+std::string unit_of(const Formula& formula, const ModelDefinition& definition, NodeId id) {
+  const std::vector<NodeId> parts = parts_of(formula.graph, {id});
   for (std::size_t i = 0; i < formula.states.size(); ++i) {
-    if (std::ranges::find(parts, formula.states[i]) == parts.end()) continue;
-    unit = definition->states[i].unit;
-    break;
+    const bool is_in = std::ranges::find(parts, formula.states[i]) != parts.end();
+    if (is_in) return definition.states[i].unit;
   }
-  const auto add = [&](const std::string& name, const std::string& meaning, NodeId id) {
-    definition->signals.push_back({name, unit, meaning});
-    lowered->signals.push_back(id);
+  return "1";
+}
+
+void refuse_taken(const ModelDefinition& definition, const std::string& name) {
+  const auto is_taken = [&](const auto& infos) {
+    return std::ranges::any_of(infos, [&](const auto& info) { return info.name == name; });
   };
-  add("deflection", "what the backlash is taken from", lowered->contact->deflection);
-  add("backlash", "half of the backlash", lowered->contact->backlash);
+  if (!is_taken(definition.states) && !is_taken(definition.signals)) return;
+  throw InputError(fmt::format(
+      "{}: '{}' is what a signal of one of the model's contacts is called; take another name",
+      definition.period.file, name));
+}
+
+// The contacts, with the signals that what looks at them needs.
+std::vector<ContactInfo> add_contact_signals(const Formula& formula, ModelDefinition* definition,
+                                             Lowered* lowered) {
+  std::vector<ContactInfo> contacts;
+  for (const Contact& contact : lowered->contacts.list) {
+    const std::string before = contact.name.empty() ? "" : contact.name + "_";
+    const std::string unit = unit_of(formula, *definition, contact.deflection);
+    const auto add = [&](const std::string& name, const std::string& meaning, NodeId id) {
+      refuse_taken(*definition, before + name);
+      definition->signals.push_back({before + name, unit, meaning});
+      lowered->signals.push_back(id);
+      return lowered->signals.size() - 1;
+    };
+    const bool is_stop = contact.is_one_sided;
+    const std::size_t deflection =
+        add("deflection", is_stop ? "what meets the stop" : "what the backlash is taken from",
+            contact.deflection);
+    const std::size_t backlash =
+        add("backlash", is_stop ? "where the stop is" : "half of the backlash", contact.backlash);
+    contacts.push_back({contact.name, deflection, backlash, is_stop});
+  }
+  return contacts;
 }
 
 }  // namespace
@@ -190,10 +229,11 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   Lowered lowered = lower(&formula);
-  if (lowered.contact) add_contact_signals(formula, &definition, &lowered);
+  const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);
   const auto tapes = std::make_shared<const Tapes>(tapes_of(&formula, lowered));
   Model model;
   set_lists(definition, lowered, &model);
+  model.contacts = contacts;
   model.kernel = kernel_of(definition, &formula, lowered);
   const std::size_t jumps = formula.jumps.size();
   model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };

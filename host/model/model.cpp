@@ -22,8 +22,17 @@ int Model::find_state(std::string_view state) const { return index_of(states, st
 int Model::find_signal(std::string_view signal) const { return index_of(signals, signal); }
 int Model::find_option(std::string_view option) const { return index_of(options, option); }
 
+std::vector<ContactLimit> Model::contact_limits() const {
+  std::vector<ContactLimit> limits;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    limits.push_back({i, 1.0});
+    if (!contacts[i].is_one_sided) limits.push_back({i, -1.0});
+  }
+  return limits;
+}
+
 const ChannelInfo* Model::contact_force() const {
-  const int signal = has_contact ? find_signal("dmf") : -1;
+  const int signal = contacts.empty() ? -1 : find_signal("dmf");
   return signal < 0 ? nullptr : &signals[static_cast<std::size_t>(signal)];
 }
 

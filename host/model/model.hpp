@@ -41,6 +41,21 @@ struct ModelSetting {
   std::vector<int> options;
 };
 
+// A place where a force begins: at both limits of a backlash, or at the one limit of a stop. Its
+// drive flank touches where the deflection D is beyond the backlash b', its back flank where D is
+// below -b'.
+struct ContactInfo {
+  std::string name;  // its quantities begin with it; empty where it is a model's only one
+  std::size_t deflection = 0, backlash = 0;  // signals
+  bool is_one_sided = false;                 // it has the drive flank alone
+};
+
+// One flank's limit: p = D - flank b' is 0 there.
+struct ContactLimit {
+  std::size_t contact = 0;
+  double flank = 1.0;  // 1: drive, which touches where p > 0; -1: back, where p < 0
+};
+
 // One point's right-hand side, with everything that does not change in time worked out.
 class PreparedPoint {
  public:
@@ -54,11 +69,14 @@ class PreparedPoint {
   // out: one number per signal.
   virtual void signals(const double* coefs, const double* x, double* out) const = 0;
 
-  // Of a model that has_contact. out: d(dx_i/dtau)/d(penetration), one number per state.
-  virtual void force_direction(const double* coefs, double* out) const = 0;
-  // Of a model that has_contact. out: d(penetration)/dx_j of a flank, 1 (drive) or -1 (back),
-  // touching or not; one number per state.
-  virtual void penetration_gradient(const double* coefs, const double* x, double flank,
+  // Of a contact. out: d(dx_i/dtau)/d(penetration), one number per state.
+  virtual void force_direction(std::size_t contact, const double* coefs, const double* x,
+                               double* out) const = 0;
+  // out: row-major, how the force direction changes with each state.
+  virtual void force_direction_slope(std::size_t contact, const double* coefs, const double* x,
+                                     double* out) const = 0;
+  // out: d(p)/dx_j at a limit, touching or not; one number per state.
+  virtual void penetration_gradient(const ContactLimit& limit, const double* coefs, const double* x,
                                     double* out) const = 0;
 };
 
@@ -88,9 +106,7 @@ struct Model {
   std::vector<PresetInfo> presets;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
-  // A force grows from the limits of a backlash: the signals `deflection` and `backlash`, and
-  // where the model tells the force itself, `dmf` (contact_force()).
-  bool has_contact = false;
+  std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
   // take and give the states of the whole model.
@@ -125,7 +141,9 @@ struct Model {
   int find_option(std::string_view option) const;
 
   std::vector<std::string> state_names() const;
-  // The signal that is the force between the teeth; nullptr of a model that has none.
+  // Of all contacts, in their order; the drive flank's first.
+  std::vector<ContactLimit> contact_limits() const;
+  // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.
   const ChannelInfo* contact_force() const;
 
   ModelSetting default_setting() const;

@@ -48,16 +48,21 @@ struct ObservableOutput {
   OutputRole role = OutputRole::none;
 };
 
-// Its quantities are NAME or NAME_suffix, or CHANNEL_suffix where there is one for each channel.
+// What an observable is made for.
+enum class ObservedPart {
+  whole,    // once: its quantities are NAME or NAME_suffix
+  channel,  // for each state and signal: CHANNEL_suffix
+  contact,  // for each contact: NAME_suffix, or CONTACT_NAME_suffix where contacts have names
+};
+
 struct Observable {
   std::string name;
   ObservableRole role;
-  bool is_per_channel;  // one instance per state or signal
-  int accumulators;     // numbers that it keeps for each point between rounds; counts in kPerState
-  int tangents;         // tangent vectors that it needs; counts in kPerState
+  ObservedPart part = ObservedPart::whole;
+  int accumulators;  // numbers that it keeps for each point between rounds; counts in kPerState
+  int tangents;      // tangent vectors that it needs; counts in kPerState
   // Name of the dimension of its outputs, one number for each state; empty: plain numbers.
   std::string dimension;
-  std::vector<std::string> needed_signals;  // what a model must offer
   std::vector<ObservableOutput> outputs;
 };
 

@@ -2,25 +2,27 @@
 
 namespace gearsweep {
 
-Contact contact_of(const Depths& depths) { return {depths[0] > 0.0, depths[1] > 0.0}; }
+Contact contact_of(const Depths& depths) {
+  Contact contact;
+  for (const double depth : depths) contact.push_back(depth > 0.0);
+  return contact;
+}
 
 ContactField::ContactField(const Model& model, const PreparedPoint& point)
     : point_(point),
-      has_contact_(model.has_contact),
+      contacts_(model.contacts),
+      limits_(model.contact_limits()),
       signals_(model.signals.size()),
       force_direction_(static_cast<Eigen::Index>(model.states.size())),
-      gradient_(static_cast<Eigen::Index>(model.states.size())) {
-  if (!has_contact_) return;
-  deflection_ = static_cast<std::size_t>(model.find_signal("deflection"));
-  backlash_ = static_cast<std::size_t>(model.find_signal("backlash"));
-}
+      gradient_(static_cast<Eigen::Index>(model.states.size())) {}
 
 Depths ContactField::depths(const double* coefs, const Eigen::VectorXd& state) {
-  if (!has_contact_) return {-1.0, -1.0};
-  point_.signals(coefs, state.data(), signals_.data());
   Depths out;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = kFlanks[i] * signals_[deflection_] - signals_[backlash_];
+  if (limits_.empty()) return out;
+  point_.signals(coefs, state.data(), signals_.data());
+  for (const ContactLimit& limit : limits_) {
+    const ContactInfo& contact = contacts_[limit.contact];
+    out.push_back(limit.flank * signals_[contact.deflection] - signals_[contact.backlash]);
   }
   return out;
 }
@@ -30,11 +32,10 @@ Depths ContactField::slope(const double* coefs, const Eigen::VectorXd& state, co
   point_.rhs(coefs, state.data(), out->data());
   const Depths seen = depths(coefs, state);
   const Contact actual = contact_of(seen);
-  if (actual == held) return seen;
-  point_.force_direction(coefs, force_direction_.data());
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (held[i] == actual[i]) continue;
-    *out += (held[i] ? 1.0 : -1.0) * kFlanks[i] * seen[i] * force_direction_;
+    point_.force_direction(limits_[i].contact, coefs, state.data(), force_direction_.data());
+    *out += (held[i] ? 1.0 : -1.0) * limits_[i].flank * seen[i] * force_direction_;
   }
   return seen;
 }
@@ -42,18 +43,21 @@ Depths ContactField::slope(const double* coefs, const Eigen::VectorXd& state, co
 void ContactField::jacobian(const double* coefs, const Eigen::VectorXd& state, const Contact& held,
                             RowMatrix* out) {
   point_.jacobian(coefs, state.data(), out->data());
-  const Contact actual = contact_of(depths(coefs, state));
-  if (actual == held) return;
+  const Depths seen = depths(coefs, state);
+  const Contact actual = contact_of(seen);
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (held[i] == actual[i]) continue;
-    *out += (held[i] ? 1.0 : -1.0) * gained(coefs, state, i);
+    RowMatrix turned(out->rows(), out->cols());
+    point_.force_direction_slope(limits_[i].contact, coefs, state.data(), turned.data());
+    *out +=
+        (held[i] ? 1.0 : -1.0) * (gained(coefs, state, i) + limits_[i].flank * seen[i] * turned);
   }
 }
 
 RowMatrix ContactField::gained(const double* coefs, const Eigen::VectorXd& state,
-                               std::size_t flank) {
-  point_.force_direction(coefs, force_direction_.data());
-  point_.penetration_gradient(coefs, state.data(), kFlanks[flank], gradient_.data());
+                               std::size_t limit) {
+  point_.force_direction(limits_[limit].contact, coefs, state.data(), force_direction_.data());
+  point_.penetration_gradient(limits_[limit], coefs, state.data(), gradient_.data());
   return force_direction_ * gradient_;
 }
 

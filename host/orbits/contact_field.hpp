@@ -1,22 +1,20 @@
 // A model's field with the contact held: where a flank is held to touch its force goes on beyond
 // the limit of the backlash, where it is held not to there is none. So the field is smooth, and a
-// Runge-Kutta step that ends where the true contact changes keeps its order. The two limits D = b'
-// and D = -b' have nothing to do with each other: whatever the sign of b', each has a flank of its
-// own, and both may touch.
+// Runge-Kutta step that ends where the true contact changes keeps its order. Limits have nothing to
+// do with each other: whatever the sign of b', D = b' and D = -b' have a flank each, and both may
+// touch.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "model/model.hpp"
 
 namespace gearsweep {
 
-// One entry for each flank: drive, back.
-constexpr std::array<double, 2> kFlanks = {1.0, -1.0};
-using Contact = std::array<bool, 2>;   // it touches
-using Depths = std::array<double, 2>;  // D - b' and -D - b'; it touches where positive
+// One entry for each of the model's limits (Model::contact_limits()).
+using Contact = std::vector<bool>;   // it touches
+using Depths = std::vector<double>;  // D - b' or -D - b'; it touches where positive
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -27,7 +25,6 @@ class ContactField {
   // Both must outlive the field.
   ContactField(const Model& model, const PreparedPoint& point);
 
-  // Of a model without contact: no flank ever touches.
   Depths depths(const double* coefs, const Eigen::VectorXd& state);
 
   // Writes the derivative by time, and returns the depths at the state.
@@ -36,13 +33,13 @@ class ContactField {
   // Writes the slope's derivative by the state.
   void jacobian(const double* coefs, const Eigen::VectorXd& state, const Contact& held,
                 RowMatrix* out);
-  // What the Jacobian gains where a flank begins to touch.
-  RowMatrix gained(const double* coefs, const Eigen::VectorXd& state, std::size_t flank);
+  // What the Jacobian gains where a flank begins to touch at its limit.
+  RowMatrix gained(const double* coefs, const Eigen::VectorXd& state, std::size_t limit);
 
  private:
   const PreparedPoint& point_;
-  bool has_contact_;
-  std::size_t deflection_ = 0, backlash_ = 0;  // which signals
+  std::vector<ContactInfo> contacts_;
+  std::vector<ContactLimit> limits_;
   std::vector<double> signals_;
   Eigen::VectorXd force_direction_;
   Eigen::RowVectorXd gradient_;

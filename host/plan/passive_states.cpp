@@ -25,7 +25,7 @@ std::set<std::size_t> states_looked_at(const Study& study) {
   std::set<std::size_t> seen(study.selection.poincare.begin(), study.selection.poincare.end());
   seen.insert(0);
   for (const Observer& observer : study.selection.observers) {
-    const int state = study.model->find_state(observer.channel);
+    const int state = study.model->find_state(observer.part);
     if (state >= 0) seen.insert(static_cast<std::size_t>(state));
   }
   return seen;
@@ -34,13 +34,18 @@ std::set<std::size_t> states_looked_at(const Study& study) {
 // The states that the signals it looks at depend on.
 std::set<std::size_t> states_of_signals(const Study& study, const Structure& structure) {
   std::set<std::size_t> states;
-  const auto see = [&](const std::string& name) {
-    const int signal = study.model->find_signal(name);
-    if (signal >= 0) states.merge(structure.drivers_of_signal(static_cast<std::size_t>(signal)));
-  };
+  const auto see = [&](std::size_t signal) { states.merge(structure.drivers_of_signal(signal)); };
   for (const Observer& observer : study.selection.observers) {
-    see(observer.channel);
-    for (const std::string& signal : observer.observable->needed_signals) see(signal);
+    if (observer.observable->part == ObservedPart::channel) {
+      const int signal = study.model->find_signal(observer.part);
+      if (signal >= 0) see(static_cast<std::size_t>(signal));
+    }
+    if (observer.observable->part != ObservedPart::contact) continue;
+    for (const ContactInfo& contact : study.model->contacts) {
+      if (contact.name != observer.part) continue;
+      see(contact.deflection);
+      see(contact.backlash);
+    }
   }
   return states;
 }

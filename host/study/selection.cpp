@@ -14,7 +14,7 @@ namespace {
 // Where a quantity comes from.
 struct Source {
   const Observable* observable;
-  std::string channel;
+  std::string part;
   std::size_t output_in_observable;
 };
 
@@ -25,44 +25,62 @@ struct Offer {
   OutputRole role() const { return source.observable->outputs[source.output_in_observable].role; }
 };
 
-bool model_has_signals(const Model& model, const Observable& observable) {
-  return std::all_of(observable.needed_signals.begin(), observable.needed_signals.end(),
-                     [&](const std::string& signal) { return model.find_signal(signal) >= 0; });
+// A part of the model that an observable is made for; of one for the whole all are empty.
+struct Part {
+  std::string name, unit, meaning;
+};
+
+std::vector<Part> parts_for(const Observable& observable, const Model& model) {
+  std::vector<Part> parts;
+  const auto add = [&](const ChannelInfo& channel) {
+    parts.push_back({channel.name, channel.unit, channel.meaning});
+  };
+  switch (observable.part) {
+    case ObservedPart::whole:
+      return {{}};
+    case ObservedPart::channel:
+      std::ranges::for_each(model.states, add);
+      std::ranges::for_each(model.signals, add);
+      return parts;
+    case ObservedPart::contact:
+      for (const ContactInfo& contact : model.contacts) {
+        parts.push_back({contact.name, "", contact.name});
+      }
+      return parts;
+  }
+  return parts;
 }
 
-// The offers of one observable: once for each channel, or once.
-void add_offers(const Observable& observable, const ChannelInfo& channel, std::size_t state_count,
+// What the names of the observable's quantities begin with.
+std::string stem_of(const Observable& observable, const Part& part) {
+  if (observable.part == ObservedPart::channel) return part.name;
+  return part.name.empty() ? observable.name : part.name + "_" + observable.name;
+}
+
+// The offers of one observable for a part of the model.
+void add_offers(const Observable& observable, const Part& part, std::size_t state_count,
                 std::vector<Offer>* offers) {
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
-    const bool per_channel = observable.is_per_channel;
-    const std::string& stem = per_channel ? channel.name : observable.name;
+    const std::string stem = stem_of(observable, part);
     Quantity quantity;
     quantity.name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
-    quantity.unit = output.unit.empty() && output.flags.empty() ? channel.unit : output.unit;
+    quantity.unit = output.unit.empty() && output.flags.empty() ? part.unit : output.unit;
     quantity.meaning =
-        per_channel ? fmt::format("{}: {}", channel.meaning, output.meaning) : output.meaning;
+        part.meaning.empty() ? output.meaning : fmt::format("{}: {}", part.meaning, output.meaning);
     quantity.flags = output.flags;
     quantity.dimension = observable.dimension;
-    if (per_channel) quantity.channel = channel.name;
+    if (observable.part == ObservedPart::channel) quantity.channel = part.name;
     if (!observable.dimension.empty()) quantity.width = state_count;
-    offers->push_back({quantity, {&observable, per_channel ? channel.name : "", i}});
+    offers->push_back({quantity, {&observable, part.name, i}});
   }
 }
 
 std::vector<Offer> offers_of(const Model& model) {
   std::vector<Offer> offers;
   for (const Observable& observable : observables()) {
-    if (!model_has_signals(model, observable)) continue;
-    if (!observable.is_per_channel) {
-      add_offers(observable, {}, model.states.size(), &offers);
-      continue;
-    }
-    for (const ChannelInfo& state : model.states) {
-      add_offers(observable, state, model.states.size(), &offers);
-    }
-    for (const ChannelInfo& signal : model.signals) {
-      add_offers(observable, signal, model.states.size(), &offers);
+    for (const Part& part : parts_for(observable, model)) {
+      add_offers(observable, part, model.states.size(), &offers);
     }
   }
   return offers;
@@ -84,7 +102,7 @@ std::vector<Quantity> census_quantities() {
 std::size_t first_output_of(const Source& source, std::size_t states, Selection* selection) {
   std::size_t first = 0;
   for (const Observer& observer : selection->observers) {
-    if (observer.observable == source.observable && observer.channel == source.channel) {
+    if (observer.observable == source.observable && observer.part == source.part) {
       return first;
     }
     first += observer.outputs;
@@ -92,7 +110,7 @@ std::size_t first_output_of(const Source& source, std::size_t states, Selection*
   const Observable& observable = *source.observable;
   const std::size_t outputs =
       observable.role == ObservableRole::samples ? 0 : observable.outputs.size();
-  selection->observers.push_back({&observable, source.channel,
+  selection->observers.push_back({&observable, source.part,
                                   numbers_of(observable.accumulators, states),
                                   outputs * (observable.dimension.empty() ? 1 : states),
                                   numbers_of(observable.tangents, states)});
@@ -108,7 +126,7 @@ std::size_t add_output(const Offer& offer, std::size_t states, Selection* select
 std::size_t add_role(const std::vector<Offer>& offers, OutputRole role, const std::string& channel,
                      std::size_t states, Selection* selection) {
   const auto offer = std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
-    return candidate.role() == role && candidate.source.channel == channel;
+    return candidate.role() == role && candidate.source.part == channel;
   });
   return add_output(*offer, states, selection);
 }

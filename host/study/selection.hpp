@@ -14,7 +14,7 @@ namespace gearsweep {
 // One observable at work; `channel` is a state or signal, empty unless there is one for each.
 struct Observer {
   const Observable* observable = nullptr;
-  std::string channel;
+  std::string part;  // name of the state, signal or contact that it looks at
   // Numbers for each point, with the model's number of states put in.
   std::size_t accumulators = 0, outputs = 0, tangents = 0;
 };

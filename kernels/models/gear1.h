@@ -122,14 +122,17 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
 
 // How dx/dtau changes with the penetration.
 SHARED_FN void model_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
-                                     real* direction) {
+                                     const real* x, int contact, real* direction) {
+  (void)x;
+  (void)contact;
   direction[STATE_x] = 0;
   direction[STATE_v] = -gear1_stiffness(point, phase);
 }
 
 // How dx/dtau changes along a direction. That has no position, and so leaves the penetration alone.
 SHARED_FN void model_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
-                                             const real* direction, real* dx) {
+                                             const real* x, const real* direction, real* dx) {
+  (void)x;
   (void)phase;
   dx[STATE_x] = direction[STATE_v];
   dx[STATE_v] = -point->damping * direction[STATE_v];

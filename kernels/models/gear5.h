@@ -281,7 +281,9 @@ SHARED_FN void model_rhs(const ModelPoint* point, const PhaseCoefs* phase, const
 
 // How dx/dtau changes with the penetration.
 SHARED_FN void model_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
-                                     real* direction) {
+                                     const real* x, int contact, real* direction) {
+  (void)x;
+  (void)contact;
   const Gear5Mesh mesh = gear5_mesh(point, phase);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) direction[i] = 0;
@@ -295,7 +297,8 @@ SHARED_FN void model_force_direction(const ModelPoint* point, const PhaseCoefs* 
 // How dx/dtau changes along a direction. That has no positions, and so leaves the penetration
 // alone.
 SHARED_FN void model_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
-                                             const real* direction, real* dx) {
+                                             const real* x, const real* direction, real* dx) {
+  (void)x;
   const real zero = 0;
   const real rate =
       gear5_deflection(point, direction[STATE_v1], direction[STATE_v3], direction[STATE_v5]);

@@ -1,11 +1,11 @@
 // Contact regime of the teeth: on the drive flank while D > b', on the back flank while D < -b', in
-// the gap while neither, wedged while both, which takes a negative b'. Inside a step the distance
+// the gap while neither, wedged while both, which takes a negative b'. A stop has the drive flank
+// alone. Inside a step the distance
 // from a limit follows the cubic of step_curve.h; its roots give the shares of the step's time. A
 // contact that begins and ends within one step counts, and so does one that is lost and regained.
 
 #define CONTACT_ROLE measure
-// The signals that a model must have for it.
-#define CONTACT_SIGNALS(X) X(deflection) X(backlash)
+#define CONTACT_PER_CONTACT
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
 #define CONTACT_OUTPUTS(X)                                            \
   X(drive, "1", "", "fraction of time on the drive flank alone")      \
@@ -32,21 +32,16 @@ enum {
 #ifdef __OPENCL_VERSION__
 enum { contact_outputs = CONTACT_OUTPUTS(COUNT_OUTPUT) };
 
-SHARED_FN void contact_init(real* sums, const Moment* start) {
+SHARED_FN void contact_init(real* sums, ContactDepths start) {
   sums[contact_drive] = 0;
   sums[contact_back] = 0;
   sums[contact_wedged] = 0;
   sums[contact_losses] = 0;
   sums[contact_gap_seen] = 0;
-  sums[contact_min_backlash] = start->signals.backlash;
+  sums[contact_min_backlash] = start.backlash;
   sums[contact_period_drive] = 0;
   sums[contact_period_back] = 0;
   sums[contact_period_wedged] = 0;
-}
-
-// How far the deflection is beyond the limit of a flank, 1 (drive) or -1 (back).
-SHARED_FN real contact_depth(const Moment* moment, real flank) {
-  return flank * moment->signals.deflection - moment->signals.backlash;
 }
 
 // The root of the depth between t = from and t = to, where its signs differ, and between which it
@@ -71,16 +66,14 @@ SHARED_FN real contact_root(const StepCurve* depth, real from, real to, mask is_
   return t;
 }
 
-// The share of a step during which a flank is touched; adds the contact losses.
-SHARED_FN real contact_share(const Step* step, real flank, real* losses) {
+// The share of a step during which a flank is touched, by its depth at the step's four moments;
+// adds the contact losses.
+SHARED_FN real contact_share(real earlier, real before, real middle, real after, real cubic,
+                             real* losses) {
   const real zero = 0;
   const real one_half = (scalar)(0.5);
   const real one = 1;
-  const real before = contact_depth(step->before, flank);
-  const real middle = contact_depth(step->middle, flank);
-  const real after = contact_depth(step->after, flank);
-  const StepCurve depth =
-      step_curve(contact_depth(step->earlier, flank), before, middle, after, step->cubic);
+  const StepCurve depth = step_curve(earlier, before, middle, after, cubic);
   const mask on_before = before > zero;
   const mask on_after = after > zero;
   const real whole = lane_select(on_before, one, zero);
@@ -109,23 +102,24 @@ SHARED_FN real contact_share(const Step* step, real flank, real* losses) {
   return lane_select(changes & (in_first | in_second), share, whole);
 }
 
-SHARED_FN void contact_step(real* sums, const Step* step) {
+SHARED_FN void contact_step(real* sums, ContactDepths earlier, ContactDepths before,
+                            ContactDepths middle, ContactDepths after, const Step* step) {
   const real zero = 0;
   const real one = 1;
-  const Moment* before = step->before;
-  const Moment* after = step->after;
   const scalar weight = step->weight;
   real losses = 0;
-  const real drive = contact_share(step, one, &losses);
-  const real back = contact_share(step, -one, &losses);
+  const real drive =
+      contact_share(earlier.drive, before.drive, middle.drive, after.drive, step->cubic, &losses);
+  const real back =
+      contact_share(earlier.back, before.back, middle.back, after.back, step->cubic, &losses);
   // Two shares at the same end of the step overlap in the shorter one; shares at opposite ends
   // overlap by what their sum exceeds 1.
-  const mask apart = ((contact_depth(before, one) > zero) != (contact_depth(before, -one) > zero)) &
-                     ((contact_depth(after, one) > zero) != (contact_depth(after, -one) > zero));
+  const mask apart = ((before.drive > zero) != (before.back > zero)) &
+                     ((after.drive > zero) != (after.back > zero));
   const real excess = (drive + back) - one;
   const real both = lane_select(apart, lane_max(excess, zero), lane_min(drive, back));
   // Without a backlash a gap between the flanks is rounding.
-  const mask open = lane_max(before->signals.backlash, after->signals.backlash) > zero;
+  const mask open = lane_max(before.backlash, after.backlash) > zero;
   const real touching = (drive + back) - both;
   const mask gap = (touching <= zero) | (open & (touching < one));
   sums[contact_period_drive] += weight * (drive - both);
@@ -134,8 +128,8 @@ SHARED_FN void contact_step(real* sums, const Step* step) {
   sums[contact_losses] += losses;
   sums[contact_gap_seen] = lane_select(gap, one, sums[contact_gap_seen]);
   // Both ends: a backlash may jump at a break phase.
-  sums[contact_min_backlash] = lane_min(
-      sums[contact_min_backlash], lane_min(before->signals.backlash, after->signals.backlash));
+  sums[contact_min_backlash] =
+      lane_min(sums[contact_min_backlash], lane_min(before.backlash, after.backlash));
 }
 
 // Sums over one period first, so that many short shares keep their digits in fp32.

@@ -7,22 +7,20 @@
 
 #include "rk4/crossing.h"
 
-// Where the contact is at each evaluation; nothing in a model without it.
-#ifdef MODEL_CONTACT
-typedef ModelContact Rk4Contact;
-#else
-typedef int Rk4Contact;
+// In a model without contact there is nothing to see.
+#ifndef MODEL_CONTACT
+typedef int ContactSeen;
 typedef int Crossings;
 #endif
 
 // dx = dx/dtau.
 SHARED_FN void rk4_slope(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                         Rk4Contact* contact, real* dx) {
+                         ContactSeen* seen, real* dx) {
 #ifdef MODEL_CONTACT
-  model_contact(point, phase, x, contact);
-  model_rhs_in_contact(point, phase, x, contact, dx);
+  model_contact(point, phase, x, seen->at);
+  model_rhs_in_contact(point, phase, x, seen->at, dx);
 #else
-  (void)contact;
+  (void)seen;
   model_rhs(point, phase, x, dx);
 #endif
 }
@@ -85,27 +83,27 @@ SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* st
   real slope[MODEL_STATE_COUNT];
   real at[MODEL_STATE_COUNT];
   real next[MODEL_STATE_COUNT];
-  Rk4Contact contact[RK4_EVALUATIONS];
+  ContactSeen seen[RK4_EVALUATIONS];
 
   if (is_linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
-  rk4_slope(point, &start, x, &contact[0], slope);
+  rk4_slope(point, &start, x, &seen[0], slope);
   if (beside & RK4_MIDDLE) rk4_middle_begin(h, slope, middle_state);
   rk4_advance(x, lengths.sixth_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
   if (is_linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
-  rk4_slope(point, &middle, at, &contact[1], slope);
+  rk4_slope(point, &middle, at, &seen[1], slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, lengths.half_h, slope, at);
   if (is_linear) model_linearize(point, &middle, at, h, &linear[2]);
-  rk4_slope(point, &middle, at, &contact[2], slope);
+  rk4_slope(point, &middle, at, &seen[2], slope);
   rk4_advance(next, lengths.third_h, slope, next);
   rk4_advance(x, h, slope, at);
   if (is_linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
-  rk4_slope(point, &end, at, &contact[3], slope);
+  rk4_slope(point, &end, at, &seen[3], slope);
   rk4_advance(next, lengths.sixth_h, slope, next);
 #ifdef MODEL_CONTACT
   if (beside & RK4_CORRECTED) {
-    crossings_correct(point, &start, &end, h, contact, next, crossings);
+    crossings_correct(point, &start, &end, h, seen, x, next, crossings);
   }
 #endif
   if (beside & RK4_MIDDLE) rk4_middle_end(x, next, h, slope, middle_state);
@@ -156,11 +154,11 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, int beside,
   model_tangent(point, &linear[2], w3, w, w4);
   model_tangent(point, &linear[3], w4, zeros, last);
 #ifdef MODEL_CONTACT
-  ModelContact added[RK4_EVALUATIONS];
-  model_contact_tangent(point, &linear[0], w, &added[0]);
-  model_contact_tangent(point, &linear[1], w2, &added[1]);
-  model_contact_tangent(point, &linear[2], w3, &added[2]);
-  model_contact_tangent(point, &linear[3], w4, &added[3]);
+  ContactSeen added[RK4_EVALUATIONS];
+  model_contact_tangent(point, &linear[0], w, added[0].at);
+  model_contact_tangent(point, &linear[1], w2, added[1].at);
+  model_contact_tangent(point, &linear[2], w3, added[2].at);
+  model_contact_tangent(point, &linear[3], w4, added[3].at);
 #endif
   UNROLL
   for (int i = 0; i < RK4_POSITIONS; ++i) {
@@ -172,6 +170,6 @@ SHARED_FN void rk4_tangent_step(const ModelPoint* point, real h, int beside,
     w[i] = last[i] + third * ((w4[i] + two * w3[i]) + (w2[i] - w[i]));
   }
 #ifdef MODEL_CONTACT
-  if (beside & RK4_CORRECTED) crossings_correct_tangent(crossings, added, w);
+  if (beside & RK4_CORRECTED) crossings_correct_tangent(point, crossings, added, w);
 #endif
 }

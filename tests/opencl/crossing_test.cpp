@@ -61,9 +61,9 @@ TEST(CrossingLocate, FindsTheParabolasRoot) {
   for (int i = 0; i < 100000; ++i) {
     const double p[] = {some_penetration<double>(&random), some_penetration<double>(&random), 0.0,
                         some_penetration<double>(&random)};
-    const double all[] = {p[0], p[1], p[1], p[3]};
+    double all[] = {p[0], p[1], p[1], p[3]};
     fp64::Crossing crossing;
-    fp64::crossing_locate(all, 1.0, &crossing);
+    fp64::crossing_locate(1.0, &crossing, all);
     if (!crossing.any) continue;
     ++crossings;
     // A root near the step's start or end is known to rounding of the share; one of two that
@@ -80,10 +80,10 @@ TEST(CrossingLocate, IsAShareOfTheStepInFp32) {
   for (int i = 0; i < 1000000; ++i) {
     const float start = some_penetration<float>(&random);
     const float middle = some_penetration<float>(&random);
-    const float p[] = {start, middle, middle, some_penetration<float>(&random)};
+    float p[] = {start, middle, middle, some_penetration<float>(&random)};
     for (const float flank : {1.0F, -1.0F}) {
       fp32::Crossing crossing;
-      fp32::crossing_locate(p, flank, &crossing);
+      fp32::crossing_locate(flank, &crossing, p);
       if (!crossing.any) continue;
       ASSERT_GE(crossing.after, 0.0F) << p[0] << " " << p[1] << " " << p[3];
       ASSERT_LE(crossing.after, 1.001F) << p[0] << " " << p[1] << " " << p[3];

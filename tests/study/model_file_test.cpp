@@ -41,7 +41,9 @@ TEST(ModelFile, HasItsNamesInOrder) {
   EXPECT_EQ(model->parameters[0].name, "omega");
   EXPECT_EQ(model->parameters[9].name, "k_3");
   EXPECT_EQ(model->signals[0].unit, "k0 b_n");
-  EXPECT_TRUE(model->has_contact);
+  ASSERT_EQ(model->contacts.size(), 1U);
+  EXPECT_EQ(model->contacts[0].name, "");
+  EXPECT_FALSE(model->contacts[0].is_one_sided);
 }
 
 // What differs from point to point is parted from the phase, where it can be.
@@ -94,11 +96,12 @@ TEST_P(Sweeps, AgreeWithTheHeaderOfTheSameModel) {
     point->jacobian(row.data(), x.data(), mine.data());
     their_point->jacobian(their_row.data(), x.data(), expected.data());
     compare("jacobian", 2.0);
-    point->force_direction(row.data(), mine.data());
-    their_point->force_direction(their_row.data(), expected.data());
+    point->force_direction(0, row.data(), x.data(), mine.data());
+    their_point->force_direction(0, their_row.data(), x.data(), expected.data());
     compare("force direction", 2.0);
-    point->penetration_gradient(row.data(), x.data(), -1.0, mine.data());
-    their_point->penetration_gradient(their_row.data(), x.data(), -1.0, expected.data());
+    const ContactLimit back{0, -1.0};
+    point->penetration_gradient(back, row.data(), x.data(), mine.data());
+    their_point->penetration_gradient(back, their_row.data(), x.data(), expected.data());
     compare("penetration", 1.0);
   }
   EXPECT_EQ(text->equilibrium(text->default_setting()),
@@ -128,9 +131,9 @@ TEST(ModelFile, HasBothSidesOfAJump) {
   EXPECT_THAT(model->break_phases(setting), ElementsAre(0.0, ::testing::DoubleEq(0.05)));
   const auto point = model->prepare(setting);
   const auto stiffness = [&](double inside) {
-    std::vector<double> row(model->phase_coefs.size()), direction(2);
+    std::vector<double> row(model->phase_coefs.size()), direction(2), x(2);
     model->phase_coefs_at(setting, 0.05, inside, row.data());
-    point->force_direction(row.data(), direction.data());
+    point->force_direction(0, row.data(), x.data(), direction.data());
     return -direction[1];
   };
   EXPECT_NEAR(stiffness(0.06) - stiffness(0.04), 0.4, 1e-14);

@@ -50,6 +50,7 @@ class FormulaReader {
     }
     formula_.period = of_parameters(definition_.period, "the period");
     refuse_unused();
+    formula_.constants.assign(constants_.begin(), constants_.end());
     return std::move(formula_);
   }
 

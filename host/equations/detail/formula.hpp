@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "equations/definition.hpp"
@@ -15,6 +16,7 @@ struct Formula {
   std::vector<NodeId> states, parameters;  // symbols
   std::vector<bool> are_swept;             // [parameter]: whether points differ in it
   std::vector<bool> are_negative;          // [parameter]: whether it may be
+  std::vector<std::pair<std::string, NodeId>> constants;  // by name
   NodeId phase = 0;
   std::vector<NodeId> equations, start, signals, jumps;
   NodeId period = 0;

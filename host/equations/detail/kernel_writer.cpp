@@ -7,6 +7,7 @@
 
 #include "equations/detail/linearization.hpp"
 #include "equations/detail/statements.hpp"
+#include "expression/differentiate.hpp"
 
 namespace gearsweep {
 namespace {
@@ -30,21 +31,23 @@ class KernelWriter {
     };
     name(lowered.point);
     name(lowered.coefs);
-    name(lowered.direction);
+    name(lowered.contacts.along);
     for (std::size_t i = 0; i < formula->states.size(); ++i) {
       names_[formula->states[i]] = fmt::format("x[STATE_{}]", definition.states[i].name);
     }
     for (std::size_t i = 0; i < formula->parameters.size(); ++i) {
       names_[formula->parameters[i]] = fmt::format("p->{}_", definition.parameters[i].name);
     }
-    if (lowered.contact) names_[lowered.contact->penetration] = "penetration";
+    for (std::size_t i = 0; i < lowered.contacts.list.size(); ++i) {
+      names_[lowered.contacts.list[i].penetration] = fmt::format("penetration{}", i);
+    }
   }
 
   std::string text() {
     write_lists();
     write_point();
-    if (lowered_.contact) {
-      write_contact();
+    if (has_contacts()) {
+      write_contacts();
     } else {
       write_function("model_rhs",
                      "const ModelPoint* point, const PhaseCoefs* phase, const real* x, real* dx",
@@ -63,6 +66,8 @@ class KernelWriter {
   }
 
  private:
+  bool has_contacts() const { return !lowered_.contacts.list.empty(); }
+
   std::vector<Assignment> places(const std::string& array, const std::vector<NodeId>& ids) const {
     std::vector<Assignment> out;
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -110,7 +115,7 @@ class KernelWriter {
     }
     if (!angles.empty()) write_list("MODEL_ANGLES", angles);
     if (is_second_order(*formula_, lowered_)) out_ += "#define MODEL_SECOND_ORDER\n";
-    if (lowered_.contact) out_ += "#define MODEL_CONTACT\n";
+    if (has_contacts()) write_contact_lists();
     out_ += "\n#include \"model_types.h\"\n";
   }
 
@@ -127,39 +132,119 @@ class KernelWriter {
                    "p options");
   }
 
-  // A backlash that is never negative takes fewer operations.
-  std::string penetration_text() const {
-    const std::string begin = "  const real penetration =\n      ";
-    if (!lowered_.contact->may_be_negative) {
-      return begin +
-             "contact->deflection -\n"
-             "      lane_clamp(contact->deflection, -contact->backlash, contact->backlash);\n";
+  void write_contact_lists() {
+    const std::vector<Contact>& contacts = lowered_.contacts.list;
+    std::vector<std::string> signals;
+    std::string one_sided;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const std::string before = contacts[i].name.empty() ? "" : contacts[i].name + "_";
+      signals.push_back(fmt::format("{0}, {1}deflection, {1}backlash", i, before));
+      if (!contacts[i].is_one_sided) continue;
+      one_sided += fmt::format("{}(contact) == {}", one_sided.empty() ? "" : " || ", i);
     }
-    return begin +
-           "lane_max(contact->deflection - contact->backlash, (real)(0)) +\n"
-           "      lane_min(contact->deflection + contact->backlash, (real)(0));\n";
+    out_ += fmt::format("#define MODEL_CONTACT\n#define MODEL_CONTACTS {}\n", contacts.size());
+    out_ +=
+        fmt::format("#define MODEL_ONE_SIDED(contact) ({})\n", one_sided.empty() ? "0" : one_sided);
+    write_list("MODEL_CONTACT_SIGNALS", signals);
+    if (lowered_.contacts.has_feedback) out_ += "#define MODEL_CONTACT_FEEDBACK\n";
+    if (lowered_.contacts.direction_varies) out_ += "#define MODEL_FORCE_DIRECTION_VARIES\n";
   }
 
-  void write_contact() {
-    const Contact& contact = *lowered_.contact;
-    const std::string arguments = "const ModelPoint* point, const PhaseCoefs* phase, ";
-    write_function(
-        "model_contact", arguments + "const real* x, ModelContact* contact",
-        {{"contact->deflection", contact.deflection}, {"contact->backlash", contact.backlash}},
-        "point phase x");
-    write_function("model_rhs_in_contact",
-                   arguments + "const real* x, const ModelContact* contact, real* dx",
-                   places("dx", lowered_.in_contact), "point phase x", penetration_text());
+  // A backlash that is never negative takes fewer operations.
+  static std::string penetration_text(const Contact& contact, std::size_t index) {
+    const std::string name = fmt::format("  const real penetration{} =\n      ", index);
+    const std::string seen = fmt::format("contacts[{}].", index);
+    if (contact.is_one_sided) {
+      return fmt::format("{0}lane_max({1}deflection - {1}backlash, (real)(0));\n", name, seen);
+    }
+    if (!contact.may_be_negative) {
+      return fmt::format(
+          "{0}{1}deflection -\n      lane_clamp({1}deflection, -{1}backlash, {1}backlash);\n", name,
+          seen);
+    }
+    return fmt::format(
+        "{0}lane_max({1}deflection - {1}backlash, (real)(0)) +\n"
+        "      lane_min({1}deflection + {1}backlash, (real)(0));\n",
+        name, seen);
+  }
+
+  void write_contacts() {
+    const Contacts& contacts = lowered_.contacts;
+    const std::string at_state =
+        "const ModelPoint* point, const PhaseCoefs* phase, const real* x, ";
+    std::vector<Assignment> seen, along;
+    std::string penetrations;
+    for (std::size_t i = 0; i < contacts.list.size(); ++i) {
+      const Contact& contact = contacts.list[i];
+      seen.emplace_back(fmt::format("contacts[{}].deflection", i), contact.deflection);
+      seen.emplace_back(fmt::format("contacts[{}].backlash", i), contact.backlash);
+      along.emplace_back(fmt::format("added[{}].deflection", i), contacts.deflection_along[i]);
+      along.emplace_back(fmt::format("added[{}].backlash", i), contacts.backlash_along[i]);
+      penetrations += penetration_text(contact, i);
+    }
+    write_function("model_contact", at_state + "ModelContact* contacts", seen, "point phase x");
+    write_function("model_rhs_in_contact", at_state + "const ModelContact* contacts, real* dx",
+                   places("dx", contacts.equations), "point phase x", penetrations);
     out_ += fmt::format(
-        "\nSHARED_FN void model_rhs({}const real* x, real* dx) {{\n"
-        "  ModelContact contact;\n"
-        "  model_contact(point, phase, x, &contact);\n"
-        "  model_rhs_in_contact(point, phase, x, &contact, dx);\n}}\n",
-        arguments);
-    write_function("model_force_direction", arguments + "real* direction",
-                   places("direction", lowered_.force_direction), "point phase");
-    write_function("model_force_direction_carried", arguments + "const real* direction, real* dx",
-                   places("dx", lowered_.force_direction_carried), "point phase direction");
+        "\nSHARED_FN void model_rhs({}real* dx) {{\n"
+        "  ModelContact contacts[MODEL_CONTACTS];\n"
+        "  model_contact(point, phase, x, contacts);\n"
+        "  model_rhs_in_contact(point, phase, x, contacts, dx);\n}}\n",
+        at_state);
+    write_directions(at_state);
+    write_function("model_force_direction_carried", at_state + "const real* direction, real* dx",
+                   places("dx", contacts.carried), "point phase x direction");
+    if (contacts.has_feedback) {
+      write_function("model_contact_along", at_state + "const real* direction, ModelContact* added",
+                     along, "point phase x direction");
+    }
+  }
+
+  // A function for each contact, and one that chooses among them.
+  void write_by_contact(const std::string& name, const std::string& parameters,
+                        const std::string& arguments,
+                        const std::vector<std::vector<Assignment>>& bodies) {
+    std::string choice;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      write_function(fmt::format("{}{}", name, i), parameters, bodies[i], arguments);
+      std::string list = arguments;
+      for (std::size_t at = 0; (at = list.find(' ', at)) != std::string::npos; at += 2) {
+        list.replace(at, 1, ", ");
+      }
+      choice += fmt::format("  if (contact == {}) {}{}({});\n", i, name, i, list);
+    }
+    std::string with_contact = parameters;
+    with_contact.replace(with_contact.find("const real* x, "), 15, "const real* x, int contact, ");
+    out_ += fmt::format("\nSHARED_FN void {}({}) {{\n{}}}\n", name, with_contact, choice);
+  }
+
+  void write_directions(const std::string& at_state) {
+    std::vector<std::vector<Assignment>> directions, turned;
+    for (const Contact& contact : lowered_.contacts.list) {
+      directions.push_back(places("direction", contact.direction));
+      turned.push_back(places("out", turned_by_tangent(contact.direction)));
+    }
+    write_by_contact("model_force_direction", at_state + "real* direction",
+                     "point phase x direction", directions);
+    if (!lowered_.contacts.direction_varies) return;
+    write_by_contact("model_force_direction_tangent", at_state + "const real* w, real* out",
+                     "point phase x w out", turned);
+  }
+
+  // What a tangent vector w adds to these.
+  std::vector<NodeId> turned_by_tangent(const std::vector<NodeId>& values) {
+    std::vector<NodeId> out;
+    for (const NodeId value : values) {
+      NodeId all = graph_->number(0.0);
+      for (std::size_t j = 0; j < formula_->states.size(); ++j) {
+        const NodeId w = graph_->symbol(fmt::format("w[{}]", j));
+        names_[w] = fmt::format("w[STATE_{}]", definition_.states[j].name);
+        const NodeId slope = derivative(graph_, value, formula_->states[j]);
+        all = graph_->make(Operation::add, {all, graph_->make(Operation::multiply, {slope, w})});
+      }
+      out.push_back(all);
+    }
+    return out;
   }
 
   // A coefficient that neither states nor the phase change needs no place in ModelLinear.
@@ -171,8 +256,8 @@ class KernelWriter {
     });
   }
 
-  // The coefficient, times the scale if is_scaled, as what the tangent's statements read: a field of
-  // ModelLinear, or of the point where that has it already.
+  // The coefficient, times the scale if is_scaled, as what the tangent's statements read: a field
+  // of ModelLinear, or of the point where that has it already.
   NodeId field(NodeId coefficient, bool is_scaled) {
     const NodeId value =
         is_scaled ? graph_->make(Operation::multiply, {coefficient, scale_}) : coefficient;
@@ -207,9 +292,9 @@ class KernelWriter {
 
   void write_linearization() {
     std::vector<NodeId> outputs = lowered_.equations;
-    if (lowered_.contact) {
-      outputs.push_back(lowered_.contact->deflection);
-      outputs.push_back(lowered_.contact->backlash);
+    for (const Contact& contact : lowered_.contacts.list) {
+      outputs.push_back(contact.deflection);
+      outputs.push_back(contact.backlash);
     }
     const Linearization linear = linearize(formula_, outputs);
     scale_ = graph_->symbol("scale");
@@ -232,10 +317,13 @@ class KernelWriter {
       rows.emplace_back(fmt::format("out[STATE_{}]", name),
                         sum_of(linear.outputs[i], base, true, tangents));
     }
-    if (lowered_.contact) {
-      const std::size_t states = formula_->states.size();
-      contact = {{"added->deflection", sum_of(linear.outputs[states], zero, false, tangents)},
-                 {"added->backlash", sum_of(linear.outputs[states + 1], zero, false, tangents)}};
+    for (std::size_t i = 0; i < lowered_.contacts.list.size(); ++i) {
+      const std::size_t at = formula_->states.size() + 2 * i;
+      const auto sum = [&](std::size_t row) {
+        return sum_of(linear.outputs[row], zero, false, tangents);
+      };
+      contact.emplace_back(fmt::format("added[{}].deflection", i), sum(at));
+      contact.emplace_back(fmt::format("added[{}].backlash", i), sum(at + 1));
     }
 
     out_ += "\n// What the derivative at a state is made of.\ntypedef struct {\n";
@@ -255,7 +343,7 @@ class KernelWriter {
     out_ += "\n// out = base + scale J w; out is neither w nor base.";
     write_function("model_tangent", arguments + "const real* base, real* out", rows,
                    "point linear w");
-    if (lowered_.contact) {
+    if (has_contacts()) {
       write_function("model_contact_tangent", arguments + "ModelContact* added", contact,
                      "point linear w");
     }

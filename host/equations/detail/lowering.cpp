@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 #include "expression/differentiate.hpp"
 
@@ -47,7 +46,7 @@ class Lowering {
         lowered_.jacobian.push_back(derivative(graph_, row, state));
       }
     }
-    find_contact();
+    find_contacts_of(equations);
     return std::move(lowered_);
   }
 
@@ -236,12 +235,6 @@ class Lowering {
     return is_negative ? graph_->make(Operation::negate, {all}) : all;
   }
 
-  bool depends_on_states(NodeId id) const {
-    return std::ranges::any_of(parts_of(*graph_, {id}), [&](NodeId part) {
-      return std::ranges::find(formula_->states, part) != formula_->states.end();
-    });
-  }
-
   // Of what is known to be a parameter.
   bool may_be_negative(NodeId id) const {
     const auto field = std::ranges::find(lowered_.point, id);
@@ -254,45 +247,33 @@ class Lowering {
                ->are_negative[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
   }
 
-  void find_contact() {
-    std::set<NodeId> found;
-    for (const NodeId id : parts_of(*graph_, lowered_.equations)) {
-      if ((*graph_)[id].operation == Operation::backlash) found.insert(id);
+  // equations: before they were lowered, as the names of constants are of these.
+  void find_contacts_of(const std::vector<NodeId>& equations) {
+    std::map<NodeId, std::string> names;
+    for (const NodeId id : parts_of(*graph_, equations)) {
+      const auto lowered = inner_.find(id);
+      if (lowered != inner_.end()) names[lowered->second] = innermost_constant(id);
     }
-    if (found.size() != 1) return;
-    const NodeId penetration = graph_->symbol("penetration");
-    Contact contact{penetration, (*graph_)[*found.begin()].arguments[0],
-                    (*graph_)[*found.begin()].arguments[1], true};
-    contact.may_be_negative = may_be_negative(contact.backlash);
-    Rewriter with_penetration(graph_, {{*found.begin(), penetration}});
-    std::vector<NodeId> in_contact, direction, carried, symbols;
-    for (const NodeId row : lowered_.equations) {
-      in_contact.push_back(with_penetration(row));
-      direction.push_back(derivative(graph_, in_contact.back(), penetration));
+    lowered_.contacts = find_contacts(formula_, lowered_.equations, names);
+    for (Contact& contact : lowered_.contacts.list) {
+      contact.may_be_negative = may_be_negative(contact.backlash);
     }
-    for (std::size_t j = 0; j < direction.size(); ++j) {
-      symbols.push_back(graph_->symbol(fmt::format("direction[{}]", j)));
+  }
+
+  // The smallest constant that holds a node; empty where there is none.
+  std::string innermost_constant(NodeId id) {
+    const Operation operation = (*graph_)[id].operation;
+    if (operation != Operation::backlash && operation != Operation::stop) return "";
+    Rewriter simplify(graph_, {});
+    std::string name;
+    std::size_t least = graph_->size() + 1;
+    for (const auto& [constant, value] : formula_->constants) {
+      const std::vector<NodeId> parts = parts_of(*graph_, {simplify(value)});
+      if (std::ranges::find(parts, id) == parts.end() || parts.size() >= least) continue;
+      least = parts.size();
+      name = constant;
     }
-    // With the penetration held, as kernels/rk4/crossing.h wants it.
-    for (const NodeId row : in_contact) {
-      NodeId all = graph_->number(0.0);
-      for (std::size_t j = 0; j < direction.size(); ++j) {
-        if (graph_->is_number(direction[j], 0.0)) continue;
-        const NodeId slope = derivative(graph_, row, formula_->states[j]);
-        all = make(Operation::add, all, make(Operation::multiply, slope, symbols[j]));
-      }
-      carried.push_back(all);
-    }
-    const auto is_free = [&](NodeId id) {
-      const std::vector<NodeId> parts = parts_of(*graph_, {id});
-      return !depends_on_states(id) && std::ranges::find(parts, penetration) == parts.end();
-    };
-    if (!std::ranges::all_of(direction, is_free) || !std::ranges::all_of(carried, is_free)) return;
-    lowered_.contact = contact;
-    lowered_.in_contact = std::move(in_contact);
-    lowered_.force_direction = std::move(direction);
-    lowered_.force_direction_carried = std::move(carried);
-    lowered_.direction = std::move(symbols);
+    return name;
   }
 
   Formula* formula_;

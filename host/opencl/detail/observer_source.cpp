@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -12,7 +13,7 @@ namespace {
 // What an observer is called in the program: motion, moments_of_x1.
 std::string name_of(const Observer& observer) {
   const std::string& name = observer.observable->name;
-  return observer.channel.empty() ? name : fmt::format("{}_of_{}", name, observer.channel);
+  return observer.part.empty() ? name : fmt::format("{}_of_{}", name, observer.part);
 }
 
 bool is_verdict(const Observer& observer) {
@@ -56,7 +57,7 @@ class ObserverSource {
         [&](const Observer& observer) { return fmt::format(", {}", seen(observer, "start")); });
     write_function(
         "step", "const Observers* observers, const Step* step", [&](const Observer& observer) {
-          if (!observer.observable->is_per_channel) return std::string(", step");
+          if (observer.observable->part == ObservedPart::whole) return std::string(", step");
           return fmt::format(", {}, {}, {}, {}, step", seen(observer, "step->earlier"),
                              seen(observer, "step->before"), seen(observer, "step->middle"),
                              seen(observer, "step->after"));
@@ -116,12 +117,19 @@ class ObserverSource {
          << arrays << "  const Observers observers = {" << pointers << "}\n";
   }
 
-  // What an observer sees of a moment: all of it, or the value of its channel.
+  // What an observer sees of a moment: all of it, the value of its channel, or its contact.
   std::string seen(const Observer& observer, const std::string& moment) const {
-    if (!observer.observable->is_per_channel) return moment;
-    return study_.model->find_state(observer.channel) >= 0
-               ? fmt::format("{}->x[STATE_{}]", moment, observer.channel)
-               : fmt::format("{}->signals.{}", moment, observer.channel);
+    const Model& model = *study_.model;
+    if (observer.observable->part == ObservedPart::whole) return moment;
+    if (observer.observable->part == ObservedPart::channel) {
+      return model.find_state(observer.part) >= 0
+                 ? fmt::format("{}->x[STATE_{}]", moment, observer.part)
+                 : fmt::format("{}->signals.{}", moment, observer.part);
+    }
+    const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
+    return fmt::format("contact_depths({0}->signals.{1}, {0}->signals.{2}, {3})", moment,
+                       model.signals[contact->deflection].name,
+                       model.signals[contact->backlash].name, contact->is_one_sided);
   }
 
   // A function that calls that of each observable, with its accumulators and what `rest` gives.

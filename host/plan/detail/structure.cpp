@@ -83,7 +83,7 @@ Structure::Structure(const Model& model, const std::vector<ModelSetting>& settin
     const std::unique_ptr<PreparedPoint> point = model.prepare(setting);
     for (const Sample& sample : samples_of(model, setting)) {
       look(*point, sample.coefs, sample.x);
-      if (model.has_contact) look_at_contact(*point, sample.coefs, sample.x);
+      look_at_contact(*point, sample.coefs, sample.x);
     }
   }
 }
@@ -111,12 +111,14 @@ void Structure::look(const PreparedPoint& point, const std::vector<double>& coef
   }
 }
 
+// What changes the force's direction is seen by look() where a flank touches, and counts here
+// wherever the direction itself does.
 void Structure::look_at_contact(const PreparedPoint& point, const std::vector<double>& coefs,
                                 const std::vector<double>& x) {
   std::vector<double> direction(x.size()), gradient(x.size());
-  point.force_direction(coefs.data(), direction.data());
-  for (const double flank : {1.0, -1.0}) {
-    point.penetration_gradient(coefs.data(), x.data(), flank, gradient.data());
+  for (const ContactLimit& limit : model_.contact_limits()) {
+    point.force_direction(limit.contact, coefs.data(), x.data(), direction.data());
+    point.penetration_gradient(limit, coefs.data(), x.data(), gradient.data());
     for (std::size_t j = 0; j < x.size(); ++j) {
       if (gradient[j] == 0.0) continue;
       contact_drivers_.insert(j);

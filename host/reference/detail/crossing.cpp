@@ -25,9 +25,10 @@ double root(const Eigen::Vector4d& p) {
 
 }  // namespace
 
-std::optional<CrossingWeights> crossing_weights(const Eigen::Vector4d& p, double flank) {
-  const bool contact_before = flank * p[0] > 0.0;
-  const bool contact_after = flank * p[3] > 0.0;
+std::optional<CrossingWeights> crossing_weights(const Eigen::Vector4d& seen,
+                                                const Eigen::Vector4d& p, double flank) {
+  const bool contact_before = flank * seen[0] > 0.0;
+  const bool contact_after = flank * seen[3] > 0.0;
   if (contact_before == contact_after) return std::nullopt;
   const double from = root(p);
   // Simpson's rule, exact for the parabola and for its product with the lever 1 - u.
@@ -38,7 +39,7 @@ std::optional<CrossingWeights> crossing_weights(const Eigen::Vector4d& p, double
   weights.moment = length / 6.0 * (length * parabola(from) + 0.5 * length * middle);
   // What the evaluations saw; those in the middle stand at the levers of their weights.
   for (Eigen::Index i = 1; i < 4; ++i) {
-    if ((flank * p[i] > 0.0) != contact_after) continue;
+    if ((flank * seen[i] > 0.0) != contact_after) continue;
     weights.sum[i] -= i < 3 ? 1.0 / 3.0 : 1.0 / 6.0;
     if (i < 3) weights.moment[i] -= 1.0 / 6.0;
   }
@@ -47,6 +48,16 @@ std::optional<CrossingWeights> crossing_weights(const Eigen::Vector4d& p, double
     weights.moment = -weights.moment;
   }
   return weights;
+}
+
+Eigen::Matrix4d crossing_feedback(const Eigen::Vector4d& seen, double flank, double feedback) {
+  const bool contact_after = flank * seen[3] > 0.0;
+  const double gain = contact_after ? feedback : -feedback;
+  const auto is_beyond = [&](Eigen::Index i) { return (flank * seen[i] > 0.0) == contact_after; };
+  Eigen::Matrix4d clean = Eigen::Matrix4d::Identity();
+  if (is_beyond(1)) clean(2, 1) -= 0.5 * gain;
+  if (is_beyond(2)) clean(3, 2) -= gain;
+  return clean;
 }
 
 }  // namespace gearsweep

@@ -14,8 +14,15 @@ struct CrossingWeights {
   Eigen::Vector4d sum, moment;
 };
 
-// Nothing when the limit is not crossed. `flank` is 1 for the drive flank (p = D - b', in contact
-// when positive), -1 for the back flank (p = D + b', in contact when negative).
-std::optional<CrossingWeights> crossing_weights(const Eigen::Vector4d& p, double flank);
+// Nothing when the limit is not crossed between what the first and the last evaluation saw; p: what
+// they would have seen on the smooth continuation of the motion. `flank` is 1 for the drive flank
+// (p = D - b', in contact when positive), -1 for the back flank (p = D + b', in contact when
+// negative).
+std::optional<CrossingWeights> crossing_weights(const Eigen::Vector4d& seen,
+                                                const Eigen::Vector4d& p, double flank);
+
+// The matrix that makes that p of what was seen; feedback: how much a unit of p changes p within
+// the step.
+Eigen::Matrix4d crossing_feedback(const Eigen::Vector4d& seen, double flank, double feedback);
 
 }  // namespace gearsweep

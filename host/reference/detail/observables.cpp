@@ -92,14 +92,16 @@ class Moments final : public ReferenceObservable {
 
 class Contact final : public ReferenceObservable {
  public:
-  explicit Contact(const Model& model)
-      : deflection_(model, "deflection"), backlash_(model, "backlash") {}
+  Contact(const Model& model, const ContactInfo& contact)
+      : deflection_(model, model.signals[contact.deflection].name),
+        backlash_(model, model.signals[contact.backlash].name),
+        is_one_sided_(contact.is_one_sided) {}
 
   void step(const TrajectoryStep& step) override {
     const Moment& before = step.before;
     const Moment& after = step.after;
     const Touch drive = touch(step, 1.0);
-    const Touch back = touch(step, -1.0);
+    const Touch back = is_one_sided_ ? Touch{} : touch(step, -1.0);
     const double sum = drive.share + back.share;
     const bool opposite = drive.at_start != back.at_start && drive.at_end != back.at_end;
     const double both = opposite ? std::max(0.0, sum - 1.0) : std::min(drive.share, back.share);
@@ -108,9 +110,10 @@ class Contact final : public ReferenceObservable {
     wedged_ += step.share * both;
     losses_ += drive.losses + back.losses;
     // Without a backlash a gap between the flanks is rounding.
-    const bool open = std::max(backlash_(before), backlash_(after)) > 0.0;
+    const bool open = is_one_sided_ || std::max(backlash_(before), backlash_(after)) > 0.0;
     const double touching = sum - both;
     if (touching <= 0.0 || (open && touching < 1.0)) seen_gap_ = true;
+    if (is_one_sided_) return;
     min_backlash_ = std::min({min_backlash_, backlash_(before), backlash_(after)});
   }
 
@@ -171,6 +174,7 @@ class Contact final : public ReferenceObservable {
   }
 
   Channel deflection_, backlash_;
+  bool is_one_sided_;
   double drive_ = 0.0, back_ = 0.0, wedged_ = 0.0, losses_ = 0.0;
   double min_backlash_ = std::numeric_limits<double>::infinity();
   bool seen_gap_ = false;
@@ -181,9 +185,12 @@ class Contact final : public ReferenceObservable {
 std::unique_ptr<ReferenceObservable> make_observable(const Model& model, const Observer& observer,
                                                      double period_tolerance) {
   const std::string& kind = observer.observable->name;
-  if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.channel));
-  if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.channel));
-  if (kind == "contact") return std::make_unique<Contact>(model);
+  if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.part));
+  if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.part));
+  if (kind == "contact") {
+    const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
+    return std::make_unique<Contact>(model, *contact);
+  }
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
   if (kind == "kaplan_yorke") return make_kaplan_yorke();

@@ -1,5 +1,6 @@
 #include "reference/detail/trajectory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,14 +14,11 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
       angles_(plan.study().model->angles),
-      has_contact_(plan.study().model->has_contact),
-      has_events_(plan.study().integrate.events && has_contact_),
+      contacts_(plan.study().model->contacts),
+      limits_(plan.study().model->contact_limits()),
+      has_events_(plan.study().integrate.events && !limits_.empty()),
       point_(plan.study().model->prepare(plan.setting_of(point))),
-      state_(state) {
-  if (!has_contact_) return;
-  deflection_ = plan.study().model->find_signal("deflection");
-  backlash_ = plan.study().model->find_signal("backlash");
-}
+      state_(state) {}
 
 bool Trajectory::advance_period() { return advance_period(StepCallback()); }
 
@@ -75,15 +73,17 @@ Moment Trajectory::moment(std::size_t row, const Eigen::VectorXd& state) const {
   return out;
 }
 
+double Trajectory::beyond(const ContactLimit& limit, const Eigen::VectorXd& signals) const {
+  const ContactInfo& contact = contacts_[limit.contact];
+  return signals[static_cast<Eigen::Index>(contact.deflection)] -
+         limit.flank * signals[static_cast<Eigen::Index>(contact.backlash)];
+}
+
 bool Trajectory::same_contact(const Moment& a, const Moment& b) const {
-  if (!has_contact_) return true;
-  for (const double flank : {1.0, -1.0}) {
-    const auto touches = [&](const Moment& moment) {
-      return flank * moment.signals[deflection_] > moment.signals[backlash_];
-    };
-    if (touches(a) != touches(b)) return false;
-  }
-  return true;
+  return std::ranges::all_of(limits_, [&](const ContactLimit& limit) {
+    return (limit.flank * beyond(limit, a.signals) > 0.0) ==
+           (limit.flank * beyond(limit, b.signals) > 0.0);
+  });
 }
 
 Eigen::VectorXd Trajectory::step(std::size_t row, double h) {
@@ -105,35 +105,49 @@ Eigen::VectorXd Trajectory::step(std::size_t row, double h) {
 }
 
 void Trajectory::correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at) {
+  for (const ContactLimit& limit : limits_) correct_crossing(limit, row, h, at);
+}
+
+void Trajectory::correct_crossing(const ContactLimit& limit, std::size_t row, double h,
+                                  const std::array<Bundle, 4>& at) {
+  using Row = Eigen::RowVectorXd;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index states = state_.size();
-  const auto coefs = [&](std::size_t i) { return grid_.coefs.data() + (row + i) * row_width_; };
   constexpr std::array<std::size_t, 4> kRow = {0, 1, 1, 2};
-  Eigen::Vector4d deflection, backlash;
+  const auto coefs = [&](std::size_t i) { return grid_.coefs.data() + (row + i) * row_width_; };
+  Eigen::Vector4d seen;
   for (std::size_t i = 0; i < 4; ++i) {
     Eigen::VectorXd signals(static_cast<Eigen::Index>(signal_count_));
     point_->signals(coefs(kRow[i]), at[i].state.data(), signals.data());
-    deflection[static_cast<Eigen::Index>(i)] = signals[deflection_];
-    backlash[static_cast<Eigen::Index>(i)] = signals[backlash_];
+    seen[static_cast<Eigen::Index>(i)] = beyond(limit, signals);
   }
-  for (const double flank : {1.0, -1.0}) {
-    const Eigen::Vector4d p = deflection - flank * backlash;
-    const auto weights = crossing_weights(p, flank);
-    if (!weights) continue;
-    Eigen::VectorXd first(states), last(states);
-    point_->force_direction(coefs(0), first.data());
-    point_->force_direction(coefs(2), last.data());
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(states, states);
-    point_->jacobian(coefs(2), state_.data(), jacobian.data());
-    const Eigen::VectorXd carry = first - last + h * jacobian * last;
-    state_ += h * (last * weights->sum.dot(p) + carry * weights->moment.dot(p));
-    for (std::size_t i = 0; i < 4 && tangents_.cols() > 0; ++i) {
-      Eigen::RowVectorXd gradient(states);
-      point_->penetration_gradient(coefs(kRow[i]), at[i].state.data(), flank, gradient.data());
-      const auto k = static_cast<Eigen::Index>(i);
-      tangents_ +=
-          h * (last * weights->sum[k] + carry * weights->moment[k]) * (gradient * at[i].tangents);
-    }
+  Eigen::VectorXd first(states), last(states);
+  point_->force_direction(limit.contact, coefs(0), at[0].state.data(), first.data());
+  point_->force_direction(limit.contact, coefs(2), state_.data(), last.data());
+  Row gradient(states);
+  point_->penetration_gradient(limit, coefs(2), state_.data(), gradient.data());
+  const Eigen::Matrix4d clean = crossing_feedback(seen, limit.flank, h * gradient.dot(last));
+  const Eigen::Vector4d p = clean * seen;
+  const auto weights = crossing_weights(seen, p, limit.flank);
+  if (!weights) return;
+  Matrix jacobian(states, states);
+  point_->jacobian(coefs(2), state_.data(), jacobian.data());
+  const Eigen::VectorXd carry = first - last + h * jacobian * last;
+  const double sum = weights->sum.dot(p), moment = weights->moment.dot(p);
+  Matrix first_slope(states, states), last_slope(states, states);
+  point_->force_direction_slope(limit.contact, coefs(0), at[0].state.data(), first_slope.data());
+  point_->force_direction_slope(limit.contact, coefs(2), state_.data(), last_slope.data());
+  state_ += h * (last * sum + carry * moment);
+  if (tangents_.cols() == 0) return;
+  Matrix p_by_tangents(4, tangents_.cols());
+  for (std::size_t i = 0; i < 4; ++i) {
+    point_->penetration_gradient(limit, coefs(kRow[i]), at[i].state.data(), gradient.data());
+    p_by_tangents.row(static_cast<Eigen::Index>(i)) = gradient * at[i].tangents;
   }
+  p_by_tangents = clean * p_by_tangents;
+  tangents_ +=
+      h * (last_slope * sum + (first_slope - last_slope) * moment) * tangents_ +
+      h * (last * weights->sum.transpose() + carry * weights->moment.transpose()) * p_by_tangents;
 }
 
 bool Trajectory::in_range() const {

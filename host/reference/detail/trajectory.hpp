@@ -59,16 +59,20 @@ class Trajectory {
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
   bool same_contact(const Moment& a, const Moment& b) const;
-  // Corrects the step's end for the crossings of the contact's limits between its evaluations `at`.
+  // p of a limit (ContactLimit).
+  double beyond(const ContactLimit& limit, const Eigen::VectorXd& signals) const;
+  // Correct the step's end for the crossings of the contacts' limits between its evaluations `at`.
   void correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at);
+  void correct_crossing(const ContactLimit& limit, std::size_t row, double h,
+                        const std::array<Bundle, 4>& at);
   bool in_range() const;
 
   PhaseGrid grid_;
   std::size_t row_width_, signal_count_;
   std::vector<std::size_t> angles_;  // states
-  bool has_contact_;
-  bool has_events_;                             // steps that cross a limit are corrected
-  Eigen::Index deflection_ = 0, backlash_ = 0;  // signals of a model that has contact
+  std::vector<ContactInfo> contacts_;
+  std::vector<ContactLimit> limits_;
+  bool has_events_;  // steps that cross a limit are corrected
   std::unique_ptr<PreparedPoint> point_;
   Eigen::VectorXd state_;
   Eigen::MatrixXd tangents_;

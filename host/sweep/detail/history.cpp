@@ -102,16 +102,13 @@ class History {
     trace.period = point_->period();
     trace.channels = model_.states;
     trace.channels.insert(trace.channels.end(), model_.signals.begin(), model_.signals.end());
-    if (has_contact()) {
+    for (const ContactInfo& contact : model_.contacts) {
       trace.channels.push_back(
-          {"contact", "1", "1 on the drive flank, 0 in the gap, -1 on the back flank, 2 on both"});
+          {contact.name.empty() ? "contact" : contact.name + "_contact", "1",
+           "1 on the drive flank, 0 in the gap, -1 on the back flank, 2 on both"});
     }
     trace.values.resize(trace.channels.size());
     return trace;
-  }
-
-  bool has_contact() const {
-    return model_.find_signal("deflection") >= 0 && model_.find_signal("backlash") >= 0;
   }
 
   void add(double periods, const double* coefs, const double* x, Trace* trace) const {
@@ -121,12 +118,12 @@ class History {
     std::size_t channel = 0;
     for (std::size_t i = 0; i < model_.states.size(); ++i) trace->values[channel++].push_back(x[i]);
     for (const double signal : signals) trace->values[channel++].push_back(signal);
-    if (!has_contact()) return;
-    const double deflection = signals[static_cast<std::size_t>(model_.find_signal("deflection"))];
-    const double backlash = signals[static_cast<std::size_t>(model_.find_signal("backlash"))];
-    const bool drive = deflection > backlash;
-    const bool back = deflection < -backlash;
-    trace->values[channel].push_back(drive && back ? 2.0 : drive ? 1.0 : back ? -1.0 : 0.0);
+    for (const ContactInfo& contact : model_.contacts) {
+      const double deflection = signals[contact.deflection], backlash = signals[contact.backlash];
+      const bool drive = deflection > backlash;
+      const bool back = !contact.is_one_sided && deflection < -backlash;
+      trace->values[channel++].push_back(drive && back ? 2.0 : drive ? 1.0 : back ? -1.0 : 0.0);
+    }
   }
 
   const Model& model_;
