@@ -89,7 +89,7 @@ Flow::Seen Flow::carry(const Part& part, double to, Place* place) {
   stage(last, part.held, work.at, &work.slope);
   add(h / 6.0);
   *place = work.sum;
-  for (std::size_t i = 0; i < second.size(); ++i) seen[1][i] = 0.5 * (second[i] + third[i]);
+  for (std::size_t i = 0; i < second.size(); ++i) seen[1].push_back(0.5 * (second[i] + third[i]));
   seen[2] = field_.depths(last, place->state);
   return seen;
 }

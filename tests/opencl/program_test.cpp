@@ -77,7 +77,7 @@ TEST(ProgramSource, CallsEachObserverByName) {
   EXPECT_THAT(source,
               AllOf(HasSubstr("real moments_of_dmf_sums[moments_accumulators];"),
                     HasSubstr("moments_init(observers->moments_of_dmf, start->signals.dmf);"),
-                    HasSubstr("contact_step(observers->contact, step);"),
+                    HasSubstr("contact_step(observers->contact, contact_depths("),
                     HasSubstr("period_end_period(observers->period, section);"),
                     HasSubstr("poincare_end_period(0, section);"), HasSubstr("{STATE_v1, }")));
 }
