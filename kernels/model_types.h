@@ -6,6 +6,8 @@
 // that), then includes this file, then defines its functions. No include guard: the host
 // includes each model into a namespace of its own.
 
+#include "functions.h"
+
 #define MODEL_STATE_INDEX(name, unit, meaning) STATE_##name,
 #define MODEL_PARAMETER_FIELD(name, unit, value, min, max, shapes_phase, meaning) real name;
 #define MODEL_OPTION_FIELD(name, choices, meaning) int name;

@@ -111,6 +111,9 @@ class Partials {
         return inverse(a());
       case Operation::square_root:
         return make(Operation::divide, number(0.5), id_);
+      case Operation::square_root_above_one:
+        return make(Operation::divide, number(0.5),
+                    make(Operation::square_root, make(Operation::add, one_, a())));
       default:  // absolute
         return graph_->make(Operation::select,
                             {make(Operation::less, a(), zero_), number(-1.0), one_});

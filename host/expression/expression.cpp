@@ -21,6 +21,7 @@ constexpr std::array kFunctions = {FunctionInfo{"sin", Operation::sine, 1},
                                    FunctionInfo{"exp", Operation::exponential, 1},
                                    FunctionInfo{"log", Operation::logarithm, 1},
                                    FunctionInfo{"sqrt", Operation::square_root, 1},
+                                   FunctionInfo{"sqrt1pm1", Operation::square_root_above_one, 1},
                                    FunctionInfo{"abs", Operation::absolute, 1},
                                    FunctionInfo{"sign", Operation::sign, 1},
                                    FunctionInfo{"floor", Operation::floor, 1},
@@ -108,6 +109,8 @@ double apply(Operation operation, double a, double b, double c) {
       return std::log(a);
     case Operation::square_root:
       return std::sqrt(a);
+    case Operation::square_root_above_one:
+      return a / (1.0 + std::sqrt(1.0 + a));
     case Operation::absolute:
       return std::fabs(a);
     case Operation::sign:

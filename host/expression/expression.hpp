@@ -48,6 +48,7 @@ enum class Operation : std::uint8_t {
   exponential,
   logarithm,
   square_root,
+  square_root_above_one,  // (x): sqrt(1 + x) - 1
   absolute,
   sign,
   floor,

@@ -120,6 +120,7 @@ typedef struct {
   real sliding_damping;  // 2 zeta mu
   real b;
   real per_centre;            // 1 / A
+  real per_half_centre;       // 2 / A
   real per_two_centres;       // 1 / (2 A)
   real mass_p, mass_g;        // m1, m2
   real bearing_damping[4];    // 2 m c zeta of x2..x5
@@ -137,6 +138,7 @@ SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, Mod
   point->sliding_damping = damping * p->mu;
   point->b = p->b;
   point->per_centre = (scalar)(1) / p->A;
+  point->per_half_centre = (scalar)(2) * point->per_centre;
   point->per_two_centres = (scalar)(0.5) * point->per_centre;
   point->mass_p = p->m1;
   point->mass_g = p->m2;
@@ -158,47 +160,15 @@ SHARED_FN real gear5_deflection(const ModelPoint* point, real s1, real s3, real 
   return s1 - s3 + s5;
 }
 
-// (S - A)/y = 2/(1 + S/A), where S^2 = A^2 + 2 A y and p = y/A; no difference of nearly equal
-// lengths. On CPUs a square root and a division at every stage make the step a quarter longer.
-// The shafts move little against A, and for |p| < 1/256 the Taylor series of
-// (sqrt(1 + 2 p) - 1)/p = 1 - p/2 + p^2/2 - 5 p^3/8 + 7 p^4/8 - 21 p^5/16 + 33 p^6/16 - 429 p^7/128
-// does: each coefficient is less than twice the one before, and so what is cut off is at most
-// |c_n p^n|/(1 - 2 |p|) for c_n p^n the first term of it, relative to a sum that is at least
-// 1 - |p|/2. In fp64 (n = 7) that is less than 4.8e-17, in fp32 (n = 3) 3.8e-8: below half a unit
-// in the last place, 1.1e-16 and 6.0e-8. Each lane takes the form that its own p asks for, so no
-// value depends on the neighbours; a work-item whose lanes are all near skips the other form.
-SHARED_FN real gear5_wedge_ratio(const ModelPoint* point, const PhaseCoefs* phase, real u, real v,
-                                 real p) {
-  const real near_squared = (scalar)(1.0 / 65536.0);
-  const real c0 = 1;
-  const real c1 = (scalar)(-0.5);
-  const real c2 = (scalar)(0.5);
-  const real c3 = (scalar)(-0.625);
-  const real c4 = (scalar)(0.875);
-  const real c5 = (scalar)(-1.3125);
-  const real c6 = (scalar)(2.0625);
-  const real p2 = p * p;
-  real higher = c2;
-  if (REAL_BITS != 32) higher = (c2 + c3 * p) + ((c4 + c5 * p) + c6 * p2) * p2;
-  real ratio = (c0 + c1 * p) + higher * p2;
-  if (!all_lanes(p2 < near_squared)) {
-    const real across = phase->cos_alpha + u * point->per_centre;
-    const real along = phase->sin_alpha + v * point->per_centre;
-    const real exact = (scalar)(2) / (c0 + lane_sqrt(across * across + along * along));
-    ratio = lane_select(p2 < near_squared, ratio, exact);
-  }
-  return ratio;
-}
-
-// b' of Eq. (20) = b + (S - A) tan(alpha). With u = x4 - x2 and v = x3 - x5, S^2 = A^2 + 2 A y.
+// b' of Eq. (20) = b + (S - A) tan(alpha). With u = x4 - x2 and v = x3 - x5, S^2 = A^2 + 2 A y, so
+// that (S - A)/y = 2/(1 + S/A) has no difference of nearly equal lengths.
 SHARED_FN real gear5_backlash(const ModelPoint* point, const PhaseCoefs* phase, const real* x) {
   if (!point->dynamic) return point->b;
   const real u = x[STATE_x4] - x[STATE_x2];
   const real v = x[STATE_x3] - x[STATE_x5];
   const real y = u * (phase->cos_alpha + u * point->per_two_centres) +
                  v * (phase->sin_alpha + v * point->per_two_centres);
-  const real ratio = gear5_wedge_ratio(point, phase, u, v, y * point->per_centre);
-  return point->b + (y * phase->tan_alpha) * ratio;
+  return point->b + (y * phase->tan_alpha) * root_ratio(y * point->per_half_centre);
 }
 
 // f, the part of the deflection beyond each flank's limit: max(D - b', 0) + min(D + b', 0). That is

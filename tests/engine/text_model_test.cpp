@@ -78,6 +78,8 @@ TEST(TextModel, HasEveryFunctionOnTheDevice) {
                                               "exp(A)",
                                               "log(2 + A^2)",
                                               "sqrt(2 + A^3)",
+                                              "sqrt1pm1(A/20)",
+                                              "sqrt1pm1(A/2000)",
                                               "abs(A)",
                                               "sign(A - 0.3)",
                                               "floor(2*A + 0.37)",

@@ -68,6 +68,8 @@ Dual dual_of(Operation operation, const std::array<Dual, 3>& from) {
       return {value, da / a};
     case Operation::square_root:
       return {value, da / (2.0 * std::sqrt(a))};
+    case Operation::square_root_above_one:
+      return {value, da / (2.0 * std::sqrt(1.0 + a))};
     case Operation::absolute:
       return {value, a < 0.0 ? -da : da};
     case Operation::min:

@@ -5,27 +5,21 @@
 #include <algorithm>
 #include <functional>
 
-#include "equations/detail/linearization.hpp"
 #include "equations/detail/statements.hpp"
+#include "equations/detail/tangent_program.hpp"
 #include "expression/differentiate.hpp"
 
 namespace gearsweep {
 namespace {
 
-// The first half are positions, the second half their velocities, in the same order.
-bool is_second_order(const Formula& formula, const Lowered& lowered) {
-  const std::size_t states = formula.states.size();
-  if (states % 2 != 0) return false;
-  for (std::size_t i = 0; i < states / 2; ++i) {
-    if (lowered.equations[i] != formula.states[states / 2 + i]) return false;
-  }
-  return true;
-}
-
 class KernelWriter {
  public:
   KernelWriter(const ModelDefinition& definition, Formula* formula, const Lowered& lowered)
-      : definition_(definition), formula_(formula), graph_(&formula->graph), lowered_(lowered) {
+      : definition_(definition),
+        formula_(formula),
+        graph_(&formula->graph),
+        lowered_(lowered),
+        tangent_(tangent_program(formula, lowered)) {
     const auto name = [&](const std::vector<NodeId>& symbols) {
       for (const NodeId id : symbols) names_[id] = (*graph_)[id].symbol;
     };
@@ -41,6 +35,7 @@ class KernelWriter {
     for (std::size_t i = 0; i < lowered.contacts.list.size(); ++i) {
       names_[lowered.contacts.list[i].penetration] = fmt::format("penetration{}", i);
     }
+    name_tangents();
   }
 
   std::string text() {
@@ -66,6 +61,20 @@ class KernelWriter {
   }
 
  private:
+  void name_tangents() {
+    names_[tangent_.scale] = "scale";
+    for (std::size_t i = 0; i < formula_->states.size(); ++i) {
+      names_[tangent_.tangent[i]] = fmt::format("w[STATE_{}]", definition_.states[i].name);
+      names_[tangent_.base[i]] = fmt::format("base[STATE_{}]", definition_.states[i].name);
+    }
+    for (std::size_t i = 0; i < tangent_.fields.size(); ++i) {
+      names_[tangent_.fields[i]] = fmt::format("linear->j{}", i);
+    }
+    for (std::size_t i = 0; i < tangent_.point.size(); ++i) {
+      names_[tangent_.point[i]] = fmt::format("point->c{}", lowered_.point.size() + i);
+    }
+  }
+
   bool has_contacts() const { return !lowered_.contacts.list.empty(); }
 
   std::vector<Assignment> places(const std::string& array, const std::vector<NodeId>& ids) const {
@@ -114,7 +123,7 @@ class KernelWriter {
       if (definition_.are_angles[i]) angles.push_back(definition_.states[i].name);
     }
     if (!angles.empty()) write_list("MODEL_ANGLES", angles);
-    if (is_second_order(*formula_, lowered_)) out_ += "#define MODEL_SECOND_ORDER\n";
+    if (lowered_.is_second_order) out_ += "#define MODEL_SECOND_ORDER\n";
     if (has_contacts()) write_contact_lists();
     out_ += "\n#include \"model_types.h\"\n";
   }
@@ -122,10 +131,14 @@ class KernelWriter {
   void write_point() {
     out_ += "\n// What a point needs in the inner loop.\ntypedef struct {\n  real period;\n";
     std::vector<Assignment> assignments = {{"point->period", formula_->period}};
-    for (std::size_t i = 0; i < lowered_.point.size(); ++i) {
-      out_ += fmt::format("  real c{};\n", i);
-      assignments.emplace_back(names_.at(lowered_.point[i]), lowered_.point_values[i]);
-    }
+    const auto add = [&](const std::vector<NodeId>& symbols, const std::vector<NodeId>& values) {
+      for (std::size_t i = 0; i < symbols.size(); ++i) {
+        out_ += fmt::format("  real c{};\n", assignments.size() - 1);
+        assignments.emplace_back(names_.at(symbols[i]), values[i]);
+      }
+    };
+    add(lowered_.point, lowered_.point_values);
+    add(tangent_.point, tangent_.point_values);
     out_ += "} ModelPoint;\n";
     write_function("model_prepare",
                    "const ModelParameters* p, ModelOptions options, ModelPoint* point", assignments,
@@ -247,91 +260,18 @@ class KernelWriter {
     return out;
   }
 
-  // A coefficient that neither states nor the phase change needs no place in ModelLinear.
-  bool is_of_point(NodeId id) const {
-    const std::vector<NodeId> parts = parts_of(*graph_, {id});
-    return std::ranges::none_of(parts, [&](NodeId part) {
-      return std::ranges::find(formula_->states, part) != formula_->states.end() ||
-             std::ranges::find(lowered_.coefs, part) != lowered_.coefs.end();
-    });
-  }
-
-  // The coefficient, times the scale if is_scaled, as what the tangent's statements read: a field
-  // of ModelLinear, or of the point where that has it already.
-  NodeId field(NodeId coefficient, bool is_scaled) {
-    const NodeId value =
-        is_scaled ? graph_->make(Operation::multiply, {coefficient, scale_}) : coefficient;
-    if (!is_scaled && is_of_point(value)) return value;
-    const auto known = std::ranges::find(fields_, value);
-    const auto index = static_cast<std::size_t>(known - fields_.begin());
-    if (known == fields_.end()) {
-      fields_.push_back(value);
-      field_symbols_.push_back(graph_->symbol(fmt::format("linear->j{}", index)));
-      names_[field_symbols_.back()] = fmt::format("linear->j{}", index);
-    }
-    return field_symbols_[index];
-  }
-
-  // base + the terms. A coefficient's sign goes into the sum, so that two that differ in it alone
-  // share a field.
-  NodeId sum_of(const LinearSum& sum, NodeId base, bool is_scaled,
-                const std::vector<NodeId>& tangents) {
-    NodeId all = base;
-    for (const LinearTerm& term : sum) {
-      const Node node = (*graph_)[term.coefficient];
-      const bool is_negative = node.operation == Operation::negate ||
-                               (node.operation == Operation::number && node.number < 0.0);
-      const NodeId size =
-          is_negative ? graph_->make(Operation::negate, {term.coefficient}) : term.coefficient;
-      const NodeId product =
-          graph_->make(Operation::multiply, {field(size, is_scaled), tangents[term.of]});
-      all = graph_->make(is_negative ? Operation::subtract : Operation::add, {all, product});
-    }
-    return all;
-  }
-
   void write_linearization() {
-    std::vector<NodeId> outputs = lowered_.equations;
-    for (const Contact& contact : lowered_.contacts.list) {
-      outputs.push_back(contact.deflection);
-      outputs.push_back(contact.backlash);
-    }
-    const Linearization linear = linearize(formula_, outputs);
-    scale_ = graph_->symbol("scale");
-    names_[scale_] = "scale";
-
-    std::vector<NodeId> tangents;  // of states, then of shared parts
-    for (std::size_t i = 0; i < formula_->states.size(); ++i) {
-      tangents.push_back(graph_->symbol(fmt::format("w[{}]", i)));
-      names_[tangents.back()] = fmt::format("w[STATE_{}]", definition_.states[i].name);
-    }
-    const NodeId zero = graph_->number(0.0);
-    for (const LinearSum& part : linear.parts) {
-      tangents.push_back(sum_of(part, zero, false, tangents));
-    }
-    std::vector<Assignment> rows, contact;
-    for (std::size_t i = 0; i < formula_->states.size(); ++i) {
-      const std::string& name = definition_.states[i].name;
-      const NodeId base = graph_->symbol(fmt::format("base[{}]", i));
-      names_[base] = fmt::format("base[STATE_{}]", name);
-      rows.emplace_back(fmt::format("out[STATE_{}]", name),
-                        sum_of(linear.outputs[i], base, true, tangents));
-    }
+    std::vector<Assignment> contact;
     for (std::size_t i = 0; i < lowered_.contacts.list.size(); ++i) {
-      const std::size_t at = formula_->states.size() + 2 * i;
-      const auto sum = [&](std::size_t row) {
-        return sum_of(linear.outputs[row], zero, false, tangents);
-      };
-      contact.emplace_back(fmt::format("added[{}].deflection", i), sum(at));
-      contact.emplace_back(fmt::format("added[{}].backlash", i), sum(at + 1));
+      contact.emplace_back(fmt::format("added[{}].deflection", i), tangent_.contacts[2 * i]);
+      contact.emplace_back(fmt::format("added[{}].backlash", i), tangent_.contacts[2 * i + 1]);
     }
-
     out_ += "\n// What the derivative at a state is made of.\ntypedef struct {\n";
-    if (fields_.empty()) out_ += "  real none;\n";  // a struct must have a member
+    if (tangent_.fields.empty()) out_ += "  real none;\n";  // a struct must have a member
     std::vector<Assignment> assignments;
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
+    for (std::size_t i = 0; i < tangent_.fields.size(); ++i) {
       out_ += fmt::format("  real j{};\n", i);
-      assignments.emplace_back(fmt::format("linear->j{}", i), fields_[i]);
+      assignments.emplace_back(fmt::format("linear->j{}", i), tangent_.field_values[i]);
     }
     out_ += "} ModelLinear;\n";
     write_function("model_linearize",
@@ -341,8 +281,8 @@ class KernelWriter {
     const std::string arguments =
         "const ModelPoint* point, const ModelLinear* linear, const real* w, ";
     out_ += "\n// out = base + scale J w; out is neither w nor base.";
-    write_function("model_tangent", arguments + "const real* base, real* out", rows,
-                   "point linear w");
+    write_function("model_tangent", arguments + "const real* base, real* out",
+                   places("out", tangent_.rows), "point linear w");
     if (has_contacts()) {
       write_function("model_contact_tangent", arguments + "ModelContact* added", contact,
                      "point linear w");
@@ -353,9 +293,8 @@ class KernelWriter {
   Formula* formula_;
   ExpressionGraph* graph_;
   const Lowered& lowered_;
+  const TangentProgram tangent_;
   std::map<NodeId, std::string> names_;
-  NodeId scale_ = 0;
-  std::vector<NodeId> fields_, field_symbols_;  // of ModelLinear
   std::string out_;
 };
 

@@ -68,7 +68,8 @@ class Elimination {
     parents_[child].insert(parent);
   }
 
-  // Edges that eliminating it adds.
+  // Operations that eliminating it adds. The sum of a node takes one for each of its children, but
+  // one less where a child is added as it is.
   int cost(NodeId id) const {
     const auto& children = children_.at(id);
     const auto& parents = parents_.at(id);
@@ -78,7 +79,14 @@ class Elimination {
         if (!children_.at(parent).contains(child)) ++added;
       }
     }
-    return added - static_cast<int>(children.size()) - static_cast<int>(parents.size());
+    const bool begins_free =
+        std::ranges::any_of(children, [&](const auto& edge) { return is_one(edge.second); });
+    return added - static_cast<int>(children.size()) + (begins_free ? 1 : 0) -
+           static_cast<int>(parents.size());
+  }
+
+  bool is_one(NodeId coefficient) const {
+    return graph_->is_number(coefficient, 1.0) || graph_->is_number(coefficient, -1.0);
   }
 
   bool eliminate_best() {

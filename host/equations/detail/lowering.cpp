@@ -14,14 +14,17 @@ namespace {
 // What a node depends on.
 struct Dependence {
   bool state = false, phase = false, parameter = false;
-  bool swept = false;  // a parameter that differs from point to point
+  bool velocity = false;  // the second half of the states, where it is the first half's slope
+  bool swept = false;     // a parameter that differs from point to point
 };
 
 // A part of a sum, or of a product.
 struct Part {
   NodeId id;
-  bool is_inverse;        // subtracted, or divided by
-  bool has_state = true;  // whether a state changes it
+  bool is_inverse;  // subtracted, or divided by
+  // What waits longest for the states is joined last: what no state changes, what positions alone
+  // do, the others; the longer expressions after the shorter ones.
+  std::array<std::size_t, 3> wait = {};
 };
 
 class Lowering {
@@ -36,6 +39,7 @@ class Lowering {
     for (const NodeId id : formula_->equations) equations.push_back(simplify(id));
     for (const NodeId id : formula_->signals) signals.push_back(simplify(id));
     formula_->period = simplify(formula_->period);
+    lowered_.is_second_order = is_second_order(equations);
     std::vector<NodeId> roots = equations;
     roots.insert(roots.end(), signals.begin(), signals.end());
     count_uses(roots);
@@ -51,6 +55,13 @@ class Lowering {
   }
 
  private:
+  bool is_second_order(const std::vector<NodeId>& equations) const {
+    const std::size_t half = equations.size() / 2;
+    return equations.size() % 2 == 0 &&
+           std::equal(equations.begin(), equations.begin() + static_cast<std::ptrdiff_t>(half),
+                      formula_->states.begin() + static_cast<std::ptrdiff_t>(half));
+  }
+
   void count_uses(const std::vector<NodeId>& roots) {
     for (const NodeId id : parts_of(*graph_, roots)) {
       for (const NodeId argument : (*graph_)[id].arguments) ++uses_[argument];
@@ -65,13 +76,18 @@ class Lowering {
     const Node node = (*graph_)[id];
     if (node.operation == Operation::symbol) {
       found.phase = id == formula_->phase;
-      found.state = std::ranges::find(formula_->states, id) != formula_->states.end();
+      const auto state = std::ranges::find(formula_->states, id);
+      found.state = state != formula_->states.end();
+      found.velocity =
+          lowered_.is_second_order && found.state &&
+          static_cast<std::size_t>(state - formula_->states.begin()) >= formula_->states.size() / 2;
       found.parameter = !found.phase && !found.state;
       found.swept = found.parameter && is_swept(id);
     }
     for (const NodeId argument : node.arguments) {
       const Dependence below = of(argument);
       found.state |= below.state;
+      found.velocity |= below.velocity;
       found.phase |= below.phase;
       found.parameter |= below.parameter;
       found.swept |= below.swept;
@@ -208,28 +224,82 @@ class Lowering {
       } else if (!depends.state && !depends.swept) {
         of_phase = joined(of_phase, part, is_product);
       } else if (is_product && part.is_inverse && !depends.state) {
-        rest.push_back({coef(make(Operation::divide, neutral, part.id)), false, false});
+        rest.push_back({coef(make(Operation::divide, neutral, part.id)), false});
       } else {
-        rest.push_back({inner(part.id), part.is_inverse, depends.state});
+        const NodeId made = inner(part.id);
+        rest.push_back(
+            {made, part.is_inverse, {depends.state, depends.velocity, (*graph_)[made].depth}});
       }
     }
-    std::ranges::stable_sort(rest, {}, [&](const Part& part) {
-      return std::pair(part.has_state, (*graph_)[part.id].depth);
-    });
+    std::ranges::stable_sort(rest, {}, &Part::wait);
     // What is the same for all points goes with what is there.
     const bool has_phase_alone = of_point == neutral && of_phase != neutral;
     NodeId& host = has_phase_alone ? of_phase : of_point;
     host = joined(host, {of_all, false}, is_product);
     NodeId all = inner(of_point);
     all = joined(all, {inner(of_phase), false}, is_product);
+    // Of two products that are added, the second one is worked out first: the sum is fused with the
+    // other.
+    const bool is_plain = !is_product && all == neutral && rest.size() > 1;
+    if (is_plain && !rest[0].is_inverse && !rest[1].is_inverse) std::swap(rest[0], rest[1]);
     for (const Part& part : rest) all = joined(all, part, is_product);
     return all;
   }
+
   NodeId sum(NodeId id) {
     bool is_negative = false;
     return join(id, false, &is_negative);
   }
+  bool is_of_point(NodeId id) {
+    const Dependence& depends = of(id);
+    return !depends.state && !depends.phase;
+  }
+
+  std::vector<Part> factors_of(NodeId id, bool is_root, bool* is_negative) {
+    std::vector<Part> factors;
+    take_apart(id, true, false, is_root, &factors, is_negative);
+    return factors;
+  }
+
+  // A product of what belongs to the point with one sum, as a sum of products: c (k x + d v + f)
+  // becomes (c k) x + (c d) v + c f, with an operation less. Unchanged where more than one part of
+  // the sum would need a multiplication of its own.
+  NodeId distributed(NodeId id) {
+    bool is_negative = false;
+    NodeId factor = graph_->number(1.0);
+    std::vector<NodeId> others;
+    for (const Part& part : factors_of(id, true, &is_negative)) {
+      if (is_of_point(part.id)) {
+        factor = joined(factor, part, true);
+      } else {
+        others.push_back(part.id);
+        if (part.is_inverse) return id;
+      }
+    }
+    if (others.size() != 1 || uses_[others[0]] > 1 || graph_->is_number(factor)) return id;
+    if (!of(others[0]).state) return id;
+    const Operation operation = (*graph_)[others[0]].operation;
+    if (operation != Operation::add && operation != Operation::subtract) return id;
+    std::vector<Part> terms;
+    take_apart(others[0], false, false, true, &terms, &is_negative);
+    int bare = 0;
+    for (const Part& term : terms) {
+      bool is_turned = false;
+      const std::vector<Part> own = factors_of(term.id, false, &is_turned);
+      if (std::ranges::none_of(own, [&](const Part& part) { return is_of_point(part.id); })) ++bare;
+    }
+    if (bare > 1) return id;
+    NodeId all = graph_->number(0.0);
+    for (const Part& term : terms) {
+      const NodeId product = make(Operation::multiply, factor, term.id);
+      all = joined(all, {product, term.is_inverse != is_negative}, false);
+    }
+    return all;
+  }
+
   NodeId product(NodeId id) {
+    const NodeId sum = distributed(id);
+    if (sum != id) return inner(sum);
     bool is_negative = false;
     const NodeId all = join(id, true, &is_negative);
     return is_negative ? graph_->make(Operation::negate, {all}) : all;

@@ -14,6 +14,9 @@ struct Lowered {
   std::vector<NodeId> point, point_values;  // symbols, and what they are made of: parameters
   std::vector<NodeId> coefs, coef_values;   // symbols, and what they are made of: phase, parameters
   std::vector<bool> shapes_phase;           // [parameter]: coefficients depend on it
+  // The first half of the states are positions, the second half their velocities, in the same
+  // order.
+  bool is_second_order = false;
   std::vector<NodeId> equations, signals;
   std::vector<NodeId> jacobian;  // [row][column]
   Contacts contacts;

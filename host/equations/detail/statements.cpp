@@ -99,6 +99,8 @@ class Statements {
         return fmt::format("lane_abs({})", vector(0));
       case Operation::square_root:
         return fmt::format("lane_sqrt({})", vector(0));
+      case Operation::square_root_above_one:
+        return fmt::format("lane_sqrt1pm1({})", vector(0));
       case Operation::sign:
         return fmt::format(
             "lane_select({0} < (real)(0), (real)(-1), lane_select((real)(0) < {0}, (real)(1), "
