@@ -20,6 +20,7 @@ foreach(kind model observable)
   foreach(header ${headers})
     get_filename_component(NAME ${header} NAME_WE)
     string(TOUPPER ${NAME} UPPER)
+    set(HEADER ${kind}s/${NAME}.h)
     configure_file(model/bind_${kind}.cpp.in ${GENERATED}/${kind}_${NAME}.cpp @ONLY)
     list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/${kind}_${NAME}.cpp)
     string(APPEND DECLARATIONS "namespace ${kind}_${NAME} {\n${first}${rest} bind();\n}\n")
@@ -44,14 +45,18 @@ gearsweep_embed(${GENERATED}/kernel_sources.cpp kernel_sources opencl/detail/ker
                 ${kernel_files})
 set(GEARSWEEP_KERNEL_SOURCES ${GENERATED}/kernel_sources.cpp)
 
+file(GLOB model_files CONFIGURE_DEPENDS ${KERNELS}/models/*.toml)
+gearsweep_embed(${GENERATED}/model_texts.cpp model_texts study/builtin_models.hpp ${KERNELS}/models
+                ${model_files})
+
 set(STUDIES ${PROJECT_SOURCE_DIR}/host/studies)
 file(GLOB_RECURSE study_files CONFIGURE_DEPENDS ${STUDIES}/*.toml)
 gearsweep_embed(${GENERATED}/builtin_studies.cpp builtin_studies study/builtin_studies.hpp
                 ${STUDIES} ${study_files})
-set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp)
+set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp ${GENERATED}/model_texts.cpp)
 
 # The version and a hash of all sources that decide a result.
-file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS ${KERNELS}/*.h ${KERNELS}/*.cl
+file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS ${KERNELS}/*.h ${KERNELS}/*.cl ${KERNELS}/*.toml
      ${PROJECT_SOURCE_DIR}/host/*.cpp ${PROJECT_SOURCE_DIR}/host/*.hpp
      ${PROJECT_SOURCE_DIR}/host/*.in)
 add_custom_command(OUTPUT ${GENERATED}/version.cpp

@@ -13,6 +13,7 @@
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/builtin_models.hpp"
 #include "study/model_file.hpp"
 
 namespace gearsweep {
@@ -20,7 +21,7 @@ namespace {
 
 struct ModelArguments {
   std::string name, preset, study;
-  bool as_json = false;
+  bool as_json = false, as_text = false, as_kernel = false;
 };
 
 // The model with a preset's values. A study needs an axis; one of an initial state changes none of
@@ -43,10 +44,8 @@ Study study_of(const ModelArguments& arguments) {
   }
   const Model* model = find_model(arguments.name);
   if (model == nullptr) {
-    std::vector<std::string> known;
-    for (const Model& candidate : models()) known.push_back(candidate.name);
-    throw InputError(
-        fmt::format("unknown model '{}'{}", arguments.name, suggest_name(arguments.name, known)));
+    throw InputError(fmt::format("unknown model '{}'{}", arguments.name,
+                                 suggest_name(arguments.name, model_names())));
   }
   return study_of_preset(fmt::format("name = '{}'", model->name), *model, arguments.preset);
 }
@@ -134,9 +133,23 @@ void print_model(const Study& study) {
   }
   print_channels(model);
   print_quantities(model);
+  if (!model.findings.empty()) {
+    answer("\nfound in its equations\n");
+    for (const std::string& line : model.findings) answer("  {}\n", line);
+  }
   TextTable presets;
   for (const PresetInfo& preset : model.presets) presets.add({preset.name, preset.meaning});
   answer("\npresets\n{}", presets.text());
+}
+
+// The file of equations, or what the device's compiler gets of it.
+void print_source(const Model& model, const std::string& source) {
+  if (source.empty()) {
+    throw InputError(fmt::format(
+        "'{}' is no file of equations: it is written in OpenCL C ('gearsweep kernels' shows it)",
+        model.name));
+  }
+  answer("{}", source);
 }
 
 void print_model_as_json(const Study& study) {
@@ -156,6 +169,7 @@ void print_model_as_json(const Study& study) {
     const auto chosen = static_cast<std::size_t>(study.setting.options[i]);
     json["options"][model.options[i].name] = model.options[i].choices[chosen];
   }
+  json["findings"] = model.findings;
   for (const ChannelInfo& info : model.states) json["states"].push_back(info.name);
   for (const ChannelInfo& info : model.signals) json["signals"].push_back(info.name);
   for (const Quantity& quantity : offered_quantities(model)) {
@@ -179,11 +193,23 @@ void add_model_command(CLI::App* app) {
                    "Show the values that this study gives, [gear] table included")
       ->type_name(kStudyValue)
       ->excludes(preset);
-  command->add_flag("--json", arguments->as_json, "For scripts");
+  CLI::Option* json = command->add_flag("--json", arguments->as_json, "For scripts");
+  CLI::Option* text =
+      command
+          ->add_flag("--text", arguments->as_text, "Print the model's file, to start your own from")
+          ->excludes(json);
+  command
+      ->add_flag("--kernel", arguments->as_kernel,
+                 "Print the OpenCL C that is made of the model's equations")
+      ->excludes(json)
+      ->excludes(text);
   command->footer(
       "Examples:\n"
       "  gearsweep model\n"
       "  gearsweep model gear5 --preset consistent\n"
+      "  gearsweep model gear1 --text > mine.toml     a file of equations, to change\n"
+      "  gearsweep model mine.toml                    what it has, and what was found in it\n"
+      "  gearsweep model mine.toml --kernel           what the device's compiler gets\n"
       "  gearsweep model --study mine.toml");
   command->callback([arguments] {
     if (arguments->name.empty() && arguments->study.empty()) {
@@ -191,7 +217,11 @@ void add_model_command(CLI::App* app) {
       return;
     }
     const Study study = study_of(*arguments);
-    if (arguments->as_json) {
+    if (arguments->as_text) {
+      print_source(*study.model, study.model->text);
+    } else if (arguments->as_kernel) {
+      print_source(*study.model, study.model->kernel);
+    } else if (arguments->as_json) {
       print_model_as_json(study);
     } else {
       print_model(study);

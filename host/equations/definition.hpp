@@ -26,7 +26,10 @@ struct ModelDefinition {
   std::string name, summary;
   std::vector<ChannelInfo> states, signals;
   std::vector<bool> are_angles;           // [state]
-  std::vector<ParameterInfo> parameters;  // shapes_phase: found by read_definition()
+  std::vector<ParameterInfo> parameters;  // shapes_phase: found by make_model()
+  std::vector<ExpressionText> symbols;    // [parameter]: its name in expressions
+  // `option.choice` is a condition in expressions.
+  std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
   std::vector<NamedExpression> constants;     // used by what follows, and by each other
   std::vector<ExpressionText> equations;      // [state]

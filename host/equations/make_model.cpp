@@ -9,6 +9,7 @@
 #include "equations/detail/kernel_writer.hpp"
 #include "equations/detail/lowering.hpp"
 #include "expression/differentiate.hpp"
+#include "expression/print.hpp"
 #include "expression/tape.hpp"
 #include "model/error.hpp"
 
@@ -37,8 +38,8 @@ std::vector<NodeId> one_sided(Formula* formula, const std::vector<NodeId>& value
 
 // All that the host works out, in double.
 struct Tapes {
-  Tape period, start, jumps, coefs;  // of parameters; coefs: then the phase and one inside
-  Tape point;                        // of parameters
+  // Of parameters and choices of options; coefs: then of the phase and one inside.
+  Tape period, start, jumps, coefs, point;
   // Of states, point and coefs.
   Tape rhs, jacobian, signals;
   struct OfContact {
@@ -47,11 +48,24 @@ struct Tapes {
   };
   std::vector<OfContact> contacts;
   std::size_t states = 0, points = 0, coef_count = 0;
+  std::vector<std::size_t> choices;  // [option]: how many there are
 };
+
+// Parameters, then 1 for each choice that is made and 0 for the others.
+std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting) {
+  std::vector<double> inputs = setting.parameters;
+  for (std::size_t i = 0; i < tapes.choices.size(); ++i) {
+    for (std::size_t choice = 0; choice < tapes.choices[i]; ++choice) {
+      inputs.push_back(setting.options[i] == static_cast<int>(choice) ? 1.0 : 0.0);
+    }
+  }
+  return inputs;
+}
 
 Tapes tapes_of(Formula* formula, const Lowered& lowered) {
   const ExpressionGraph& graph = formula->graph;
-  const std::vector<NodeId>& parameters = formula->parameters;
+  std::vector<NodeId> parameters = formula->parameters;
+  parameters.insert(parameters.end(), formula->choices.begin(), formula->choices.end());
   Tapes tapes;
   tapes.states = formula->states.size();
   tapes.points = lowered.point.size();
@@ -91,10 +105,10 @@ Tapes tapes_of(Formula* formula, const Lowered& lowered) {
 class TextPoint final : public PreparedPoint {
  public:
   TextPoint(std::shared_ptr<const Tapes> tapes, const ModelSetting& setting)
-      : tapes_(std::move(tapes)),
-        period_(tapes_->period.run(setting.parameters)),
-        moment_(tapes_->states + tapes_->points + tapes_->coef_count) {
-    tapes_->point.run(setting.parameters.data(), moment_.data() + tapes_->states);
+      : tapes_(std::move(tapes)), moment_(tapes_->states + tapes_->points + tapes_->coef_count) {
+    const std::vector<double> inputs = inputs_of(*tapes_, setting);
+    period_ = tapes_->period.run(inputs);
+    tapes_->point.run(inputs.data(), moment_.data() + tapes_->states);
   }
 
   double period() const override { return period_; }
@@ -134,12 +148,12 @@ class TextPoint final : public PreparedPoint {
   }
 
   std::shared_ptr<const Tapes> tapes_;
-  double period_;
+  double period_ = 0.0;
   std::vector<double> moment_;  // states, point, coefs
 };
 
 std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
-  const double period = tapes.period.run(setting.parameters);
+  const double period = tapes.period.run(inputs_of(tapes, setting));
   if (std::isfinite(period) && period > 0.0) return "";
   return fmt::format("the forcing period is {}; it must be a finite number above 0", period);
 }
@@ -147,7 +161,7 @@ std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
 // In [0, 1), as all begin with 0.
 std::vector<double> jumps_of(const Tapes& tapes, std::size_t count, const ModelSetting& setting) {
   std::vector<double> phases(count + 1);
-  tapes.jumps.run(setting.parameters.data(), phases.data() + 1);
+  tapes.jumps.run(inputs_of(tapes, setting).data(), phases.data() + 1);
   for (double& phase : phases) {
     phase /= kTurn;
     phase -= std::floor(phase);
@@ -155,12 +169,14 @@ std::vector<double> jumps_of(const Tapes& tapes, std::size_t count, const ModelS
   return phases;
 }
 
-void set_lists(const ModelDefinition& definition, const Lowered& lowered, Model* model) {
+void set_lists(const ModelDefinition& definition, const Formula& formula, const Lowered& lowered,
+               Model* model) {
   model->name = definition.name;
   model->summary = definition.summary;
   model->states = definition.states;
   model->signals = definition.signals;
   model->parameters = definition.parameters;
+  model->options = definition.options;
   model->presets = definition.presets;
   model->max_step = definition.max_step;
   model->text = definition.text;
@@ -171,7 +187,8 @@ void set_lists(const ModelDefinition& definition, const Lowered& lowered, Model*
     if (definition.are_angles[i]) model->angles.push_back(i);
   }
   for (std::size_t i = 0; i < lowered.coefs.size(); ++i) {
-    model->phase_coefs.push_back({fmt::format("w{}", i), "", ""});
+    model->phase_coefs.push_back(
+        {fmt::format("w{}", i), "", to_short_text(formula.graph, lowered.coef_values[i])});
   }
   // As a header without any has (kernels/model_types.h).
   if (lowered.coefs.empty()) {
@@ -223,6 +240,29 @@ std::vector<ContactInfo> add_contact_signals(const Formula& formula, ModelDefini
   return contacts;
 }
 
+std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
+                                     const Lowered& lowered) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) { lines.push_back(line); };
+  const ExpressionGraph& graph = formula.graph;
+  if (lowered.is_second_order) add("second order: positions, then their velocities");
+  for (const Contact& contact : lowered.contacts.list) {
+    const std::string name = contact.name.empty() ? "" : fmt::format(" '{}'", contact.name);
+    add(fmt::format("{}{}: {}", contact.is_one_sided ? "stop" : "backlash", name,
+                    contact.is_corrected ? "steps that cross its limits are corrected"
+                                         : "the force does not begin with a slope: not corrected"));
+  }
+  for (const NodeId id : lowered.coef_values) {
+    add(fmt::format("tabulated over the phase: {}", to_short_text(graph, id)));
+  }
+  for (std::size_t i = 0; i < definition.parameters.size(); ++i) {
+    if (!lowered.shapes_phase[i] || !formula.are_swept[i]) continue;
+    add(fmt::format("'{}' cannot be parted from the phase: each of its values has a table",
+                    definition.parameters[i].name));
+  }
+  return lines;
+}
+
 }  // namespace
 
 Model make_model(const ModelDefinition& given) {
@@ -230,10 +270,15 @@ Model make_model(const ModelDefinition& given) {
   Formula formula = parse_formula(definition);
   Lowered lowered = lower(&formula);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);
-  const auto tapes = std::make_shared<const Tapes>(tapes_of(&formula, lowered));
+  Tapes worked_out = tapes_of(&formula, lowered);
+  for (const OptionInfo& option : definition.options) {
+    worked_out.choices.push_back(option.choices.size());
+  }
+  const auto tapes = std::make_shared<const Tapes>(std::move(worked_out));
   Model model;
-  set_lists(definition, lowered, &model);
+  set_lists(definition, formula, lowered, &model);
   model.contacts = contacts;
+  model.findings = findings_of(definition, formula, lowered);
   model.kernel = kernel_of(definition, &formula, lowered);
   const std::size_t jumps = formula.jumps.size();
   model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };
@@ -243,21 +288,21 @@ Model make_model(const ModelDefinition& given) {
   model.phase_coefs_at = [tapes](const ModelSetting& setting, double psi, double inside,
                                  double* row) {
     row[0] = 1.0;
-    std::vector<double> inputs = setting.parameters;
+    std::vector<double> inputs = inputs_of(*tapes, setting);
     inputs.push_back(kTurn * psi);
     inputs.push_back(kTurn * inside);
     tapes->coefs.run(inputs.data(), row);
   };
   model.equilibrium = [tapes](const ModelSetting& setting) {
     std::vector<double> x(tapes->states);
-    tapes->start.run(setting.parameters.data(), x.data());
+    tapes->start.run(inputs_of(*tapes, setting).data(), x.data());
     return x;
   };
   model.prepare = [tapes](const ModelSetting& setting) -> std::unique_ptr<PreparedPoint> {
     return std::make_unique<TextPoint>(tapes, setting);
   };
   model.period = [tapes](const ModelSetting& setting) {
-    return tapes->period.run(setting.parameters);
+    return tapes->period.run(inputs_of(*tapes, setting));
   };
   return model;
 }

@@ -10,8 +10,8 @@
 //   signed := ("-" | "+") signed | power
 //   power := primary (("^" | "**") signed)?
 //   primary := number | name | function "(" expression ("," expression)* ")" | "(" expression ")"
-// Conditions (what compares, and, or, not) and numbers are of two kinds; if(condition, yes, no)
-// makes a number of a condition.
+// A name may have a point in it, as option.choice. Conditions (what compares, and, or, not) and
+// numbers are of two kinds; if(condition, yes, no) makes a number of a condition.
 #pragma once
 
 #include <array>

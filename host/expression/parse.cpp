@@ -229,7 +229,12 @@ class Parser {
 
   NodeId named() {
     const std::size_t start = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    const auto goes_on = [this](std::size_t at) {
+      return at < text_.size() && (is_letter(text_[at]) || is_digit(text_[at]));
+    };
+    while (goes_on(at_)) ++at_;
+    if (at_ < text_.size() && text_[at_] == '.' && goes_on(at_ + 1)) ++at_;  // option.choice
+    while (goes_on(at_)) ++at_;
     const std::string name(text_.substr(start, at_ - start));
     if (take("(")) return called(start, name);
     if (name == "pi") return graph_->number(std::numbers::pi);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gearsweep {
 namespace {
@@ -16,6 +17,7 @@ struct Binding {
 };
 
 constexpr int kSigned = 7, kPrimary = 9;
+constexpr double kShort = 100.0;  // parts of a text that is read at a glance
 
 Binding binding_of(Operation operation) {
   switch (operation) {
@@ -54,8 +56,15 @@ int binding_of(const Node& node) {
   return binding_of(node.operation).own;
 }
 
+// 0 < option.choice stands for what an expression calls by the name alone.
+bool is_choice(const ExpressionGraph& graph, const Node& node) {
+  return node.operation == Operation::less && graph.is_number(node.arguments[0], 0.0) &&
+         graph[node.arguments[1]].symbol.find('.') != std::string::npos;
+}
+
 std::string text_of(const ExpressionGraph& graph, NodeId id, int least) {
   const Node& node = graph[id];
+  if (is_choice(graph, node)) return graph[node.arguments[1]].symbol;
   if (binding_of(node) < least) return fmt::format("({})", text_of(graph, id, 0));
   if (node.operation == Operation::number) return fmt::format("{}", node.number);
   if (node.operation == Operation::symbol) return node.symbol;
@@ -74,5 +83,17 @@ std::string text_of(const ExpressionGraph& graph, NodeId id, int least) {
 }  // namespace
 
 std::string to_text(const ExpressionGraph& graph, NodeId id) { return text_of(graph, id, 0); }
+
+std::string to_short_text(const ExpressionGraph& graph, NodeId id) {
+  // A part counts as often as the text would have it.
+  std::map<NodeId, double> sizes;
+  for (const NodeId part : parts_of(graph, {id})) {
+    double size = 1.0;
+    for (const NodeId argument : graph[part].arguments) size += sizes.at(argument);
+    sizes[part] = size;
+  }
+  if (sizes.at(id) <= kShort) return to_text(graph, id);
+  return fmt::format("an expression of {} parts", sizes.size());
+}
 
 }  // namespace gearsweep

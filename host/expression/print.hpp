@@ -9,4 +9,7 @@ namespace gearsweep {
 
 std::string to_text(const ExpressionGraph& graph, NodeId id);
 
+// The same for a reader, in one line; of what is long, only how long it is.
+std::string to_short_text(const ExpressionGraph& graph, NodeId id);
+
 }  // namespace gearsweep

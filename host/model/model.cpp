@@ -71,9 +71,4 @@ std::vector<double> Model::own_state(const std::vector<double>& state_of_whole) 
   return own;
 }
 
-const Model* find_model(std::string_view name) {
-  const int index = index_of(models(), name);
-  return index < 0 ? nullptr : &models()[static_cast<std::size_t>(index)];
-}
-
 }  // namespace gearsweep

@@ -1,5 +1,6 @@
-// A model as the host sees it: the lists of its header in kernels/models/ and its functions in
-// double precision. Each header is bound by a generated file (bind_model.cpp.in).
+// A model as the host sees it: its lists, and its functions in double precision. A header of
+// kernels/models/ is bound by a generated file (bind_model.cpp.in); what is given as equations is
+// made by make_model() (equations/definition.hpp).
 #pragma once
 
 #include <functional>
@@ -117,9 +118,11 @@ struct Model {
   // quarter of it, to within three standard errors of a mean over 32,000 periods, or to a
   // thousandth of the largest of them. A model may bring its own (MODEL_MAX_STEP).
   double max_step = 0.05;
-  // Of a model that is given as a text of equations: that text, and the header for the device
-  // compiler that is made of it. Empty where kernels/models/ has the header.
+  // Of a model that is given as a text of equations: that text, the header for the device compiler
+  // that is made of it, and what the program found in it, a line each. Empty where kernels/models/
+  // has the header.
   std::string text, kernel;
+  std::vector<std::string> findings;
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
   std::function<std::string(const ModelSetting&)> check;
@@ -153,11 +156,5 @@ struct Model {
   // A state of the whole model as one of this.
   std::vector<double> own_state(const std::vector<double>& state_of_whole) const;
 };
-
-// All built-in models, by name.
-const std::vector<Model>& models();
-
-// nullptr when there is none of that name.
-const Model* find_model(std::string_view name);
 
 }  // namespace gearsweep

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -13,8 +14,9 @@ namespace gearsweep {
 std::string model_file_text(const std::string& path);
 
 // source: names the text in messages. swept: names in which the points of a study differ
-// (ModelDefinition). Throws InputError with the place.
-std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source,
-                                             const std::set<std::string>& swept = {});
+// (ModelDefinition); all, if nothing is given. Throws InputError with the place.
+std::shared_ptr<const Model> read_model_text(
+    const std::string& text, const std::string& source,
+    const std::optional<std::set<std::string>>& swept = std::nullopt);
 
 }  // namespace gearsweep

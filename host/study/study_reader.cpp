@@ -10,6 +10,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/builtin_models.hpp"
 #include "study/detail/axis_reader.hpp"
 #include "study/detail/gear_table.hpp"
 #include "study/detail/initial_reader.hpp"
@@ -144,18 +145,28 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
   study->model = study->own_model.get();
 }
 
+// One of equations is read anew: what is tabulated depends on the study's axes.
+void read_builtin_model(const toml::table& root, TableReader* reader, Study* study) {
+  const std::string name = reader->text("name", kDefaultModel);
+  if (const std::string* text = model_text(name)) {
+    study->own_model = read_model_text(*text, name + ".toml", axis_names(root));
+    study->model = study->own_model.get();
+    return;
+  }
+  study->model = find_model(name);
+  if (study->model == nullptr) {
+    fail_at(*reader->find("name"),
+            fmt::format("unknown model '{}'{}", name, suggest_name(name, model_names())));
+  }
+}
+
 void read_model(const toml::table& root, const toml::table* table, Study* study) {
   TableReader reader(table, study_table("model"));
   if (const toml::node* text = reader.find("text");
       text != nullptr || reader.find("file") != nullptr) {
     read_own_model(root, &reader, study);
   } else {
-    const std::string name = reader.text("name", kDefaultModel);
-    study->model = find_model(name);
-    if (study->model == nullptr) {
-      fail_at(*reader.find("name"),
-              fmt::format("unknown model '{}'{}", name, suggest_name(name, names_of(models()))));
-    }
+    read_builtin_model(root, &reader, study);
   }
   const Model& model = *study->model;
   study->setting = model.default_setting();

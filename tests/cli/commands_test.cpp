@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "study/builtin_models.hpp"
 #include "study/selection.hpp"
 #include "support/process.hpp"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "study/builtin_models.hpp"
 #include "support/run.hpp"
 #include "support/text.hpp"
 

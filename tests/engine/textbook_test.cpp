@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "study/builtin_models.hpp"
 #include "support/print_rows.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"

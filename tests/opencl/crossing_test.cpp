@@ -16,7 +16,7 @@ using std::fabs;
 using std::sqrt;
 using real = double;
 using scalar = double;
-#include "models/gear1.h"
+#include "equations/headers/gear1.h"
 // The integrator needs the model.
 #include "rk4/rk4.h"
 }  // namespace fp64
@@ -26,7 +26,7 @@ using std::fabs;
 using std::sqrt;
 using real = float;
 using scalar = float;
-#include "models/gear1.h"
+#include "equations/headers/gear1.h"
 // The integrator needs the model.
 #include "rk4/rk4.h"
 }  // namespace fp32

@@ -13,6 +13,7 @@
 
 #include "model/error.hpp"
 #include "result/result_file.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep::testing {
 

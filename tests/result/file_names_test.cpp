@@ -11,6 +11,7 @@
 #include "result/example_result.hpp"
 #include "result/random_result.hpp"
 #include "result/trace_file.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "result/example_result.hpp"
 #include "result/random_result.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep {
 namespace {

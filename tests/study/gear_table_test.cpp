@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "model/error.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep {
 namespace {

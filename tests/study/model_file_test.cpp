@@ -10,6 +10,7 @@
 #include <set>
 
 #include "model/error.hpp"
+#include "study/builtin_models.hpp"
 #include "study/study.hpp"
 #include "support/pair_model.hpp"
 
@@ -63,59 +64,10 @@ TEST(ModelFile, TabulatesWhatIsTheSameForAllPoints) {
   EXPECT_EQ(shaping({"omega"}), std::pair(shapes, std::size_t{2}));
 }
 
-// The header is a second opinion: written by hand.
-class Sweeps : public ::testing::TestWithParam<std::set<std::string>> {};
-TEST_P(Sweeps, AgreeWithTheHeaderOfTheSameModel) {
-  const auto text = read_model_text(pair_model(), "pair.toml", GetParam());
-  const Model& header = *find_model("gear1");
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> share(-1.0, 1.0);
-  for (int i = 0; i < 10000; ++i) {
-    ModelSetting own = text->default_setting(), theirs = header.default_setting();
-    for (std::size_t p = 0; p < own.parameters.size(); ++p) {
-      own.parameters[p] *= 1.0 + 0.9 * share(random);
-      const int index = header.find_parameter(text->parameters[p].name);
-      theirs.parameters[static_cast<std::size_t>(index)] = own.parameters[p];
-    }
-    const double psi = 0.5 + 0.5 * share(random);
-    std::vector<double> row(text->phase_coefs.size()), their_row(header.phase_coefs.size());
-    text->phase_coefs_at(own, psi, psi, row.data());
-    header.phase_coefs_at(theirs, psi, psi, their_row.data());
-    const auto point = text->prepare(own), their_point = header.prepare(theirs);
-    EXPECT_DOUBLE_EQ(point->period(), their_point->period());
-    const std::vector<double> x = {3.0 * share(random), share(random)};
-    std::vector<double> mine(4), expected(4);
-    const auto compare = [&](const char* what, double scale) {
-      for (std::size_t k = 0; k < mine.size(); ++k) {
-        ASSERT_NEAR(mine[k], expected[k], 1e-14 * scale) << what << " " << k;
-      }
-    };
-    point->rhs(row.data(), x.data(), mine.data());
-    their_point->rhs(their_row.data(), x.data(), expected.data());
-    compare("rhs", 10.0);
-    point->jacobian(row.data(), x.data(), mine.data());
-    their_point->jacobian(their_row.data(), x.data(), expected.data());
-    compare("jacobian", 2.0);
-    point->force_direction(0, row.data(), x.data(), mine.data());
-    their_point->force_direction(0, their_row.data(), x.data(), expected.data());
-    compare("force direction", 2.0);
-    const ContactLimit back{0, -1.0};
-    point->penetration_gradient(back, row.data(), x.data(), mine.data());
-    their_point->penetration_gradient(back, their_row.data(), x.data(), expected.data());
-    compare("penetration", 1.0);
-  }
-  EXPECT_EQ(text->equilibrium(text->default_setting()),
-            header.equilibrium(header.default_setting()));
-}
-
-INSTANTIATE_TEST_SUITE_P(OfParameters, Sweeps,
-                         ::testing::Values(std::set<std::string>(), std::set<std::string>{"omega"},
-                                           std::set<std::string>{"k", "Fte_2"}));
-
 TEST(ModelFile, TabulatesWhatCannotBeTakenApart) {
   const auto model =
       read_model_text(with(pair_model(), "k*cos(phase)", "k*cos(phase + Fm)"), "pair.toml",
-                      {"k", "k_2", "k_3", "Fm", "Fte", "Fte_2", "Fte_3"});
+                      std::set<std::string>{"k", "k_2", "k_3", "Fm", "Fte", "Fte_2", "Fte_3"});
   for (const ParameterInfo& parameter : model->parameters) {
     EXPECT_EQ(parameter.shapes_phase, parameter.name == "Fm") << parameter.name;
   }

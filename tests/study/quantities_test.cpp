@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/error.hpp"
+#include "study/builtin_models.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {

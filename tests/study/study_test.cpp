@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "study/builtin_models.hpp"
 #include "study/refusal.hpp"
 #include "study/settings.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/model.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep::testing {
 

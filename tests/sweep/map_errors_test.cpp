@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "study/builtin_models.hpp"
+
 namespace gearsweep::testing {
 namespace {
 

@@ -9,6 +9,7 @@
 #include "cli/detail/study_source.hpp"
 #include "model/model.hpp"
 #include "model/names.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep {
 namespace {
@@ -19,12 +20,6 @@ struct Candidates {
   std::vector<std::string> endings;  // of files: "nc"
   bool any_file = false, folders = false;
 };
-
-std::vector<std::string> model_names() {
-  std::vector<std::string> names;
-  for (const Model& model : models()) names.push_back(model.name);
-  return names;
-}
 
 Candidates candidates_of(const std::string& value) {
   if (value == kStudyValue) return {builtin_study_names(), {"toml", "nc"}, false, false};

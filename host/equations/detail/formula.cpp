@@ -28,10 +28,14 @@ class FormulaReader {
     for (const ChannelInfo& state : definition_.states) {
       formula_.states.push_back(formula_.graph.symbol(state.name));
     }
-    for (const ParameterInfo& parameter : definition_.parameters) {
-      formula_.parameters.push_back(formula_.graph.symbol(parameter.name));
+    for (std::size_t i = 0; i < definition_.parameters.size(); ++i) {
+      const ParameterInfo& parameter = definition_.parameters[i];
+      formula_.parameters.push_back(formula_.graph.symbol(definition_.symbols[i].text));
       formula_.are_negative.push_back(parameter.min < 0.0);
       formula_.are_swept.push_back(definition_.swept.contains(parameter.name));
+    }
+    for (const std::string& name : choice_names()) {
+      formula_.choices.push_back(formula_.graph.symbol(name));
     }
     formula_.phase = formula_.graph.symbol("phase");
     // Those that nothing uses, too: a mistake in one is a mistake.
@@ -80,14 +84,15 @@ class FormulaReader {
   std::optional<NodeId> find(const std::string& name) {
     used_.insert(name);
     if (name == "phase") return formula_.phase;
-    const auto among = [&](const auto& infos, const std::vector<NodeId>& ids) {
-      for (std::size_t i = 0; i < infos.size(); ++i) {
-        if (infos[i].name == name) return std::optional(ids[i]);
+    for (const std::vector<NodeId>* symbols : {&formula_.states, &formula_.parameters}) {
+      for (const NodeId id : *symbols) {
+        if (formula_.graph[id].symbol == name) return id;
       }
-      return std::optional<NodeId>();
-    };
-    if (const auto state = among(definition_.states, formula_.states)) return state;
-    if (const auto parameter = among(definition_.parameters, formula_.parameters)) return parameter;
+    }
+    for (const NodeId id : formula_.choices) {
+      if (formula_.graph[id].symbol != name) continue;
+      return formula_.graph.as_written(Operation::less, {formula_.graph.number(0.0), id});
+    }
     const auto constant = std::ranges::find(definition_.constants, name, &NamedExpression::name);
     if (constant == definition_.constants.end()) return std::nullopt;
     return value_of(*constant);
@@ -110,7 +115,21 @@ class FormulaReader {
     return id;
   }
 
+  std::vector<std::string> choice_names() const {
+    std::vector<std::string> names;
+    for (const OptionInfo& option : definition_.options) {
+      for (const std::string& choice : option.choices) {
+        names.push_back(fmt::format("{}.{}", option.name, choice));
+      }
+    }
+    return names;
+  }
+
   void refuse_unused() const {
+    for (const ExpressionText& symbol : definition_.symbols) {
+      if (used_.contains(symbol.text)) continue;
+      fail_in(symbol, 0, fmt::format("parameter '{}' is used nowhere", symbol.text));
+    }
     for (const NamedExpression& constant : definition_.constants) {
       if (used_.contains(constant.name)) continue;
       fail_in(constant.expression, 0, fmt::format("'{}' is used nowhere", constant.name));
@@ -120,7 +139,8 @@ class FormulaReader {
   std::vector<std::string> known_names() const {
     std::vector<std::string> known = {"phase"};
     for (const ChannelInfo& state : definition_.states) known.push_back(state.name);
-    for (const ParameterInfo& parameter : definition_.parameters) known.push_back(parameter.name);
+    for (const ExpressionText& symbol : definition_.symbols) known.push_back(symbol.text);
+    for (const std::string& choice : choice_names()) known.push_back(choice);
     for (const NamedExpression& constant : definition_.constants) known.push_back(constant.name);
     return known;
   }

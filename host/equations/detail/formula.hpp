@@ -14,8 +14,10 @@ namespace gearsweep {
 struct Formula {
   ExpressionGraph graph;
   std::vector<NodeId> states, parameters;  // symbols
-  std::vector<bool> are_swept;             // [parameter]: whether points differ in it
-  std::vector<bool> are_negative;          // [parameter]: whether it may be
+  // Symbols, of all options one after the other: 1 of the choice that is made, otherwise 0.
+  std::vector<NodeId> choices;
+  std::vector<bool> are_swept;     // [parameter]: whether points differ in it
+  std::vector<bool> are_negative;  // [parameter]: whether it may be
   std::vector<std::pair<std::string, NodeId>> constants;  // by name
   NodeId phase = 0;
   std::vector<NodeId> equations, start, signals, jumps;

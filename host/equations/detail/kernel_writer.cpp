@@ -8,6 +8,7 @@
 #include "equations/detail/statements.hpp"
 #include "equations/detail/tangent_program.hpp"
 #include "expression/differentiate.hpp"
+#include "expression/print.hpp"
 
 namespace gearsweep {
 namespace {
@@ -32,6 +33,13 @@ class KernelWriter {
     for (std::size_t i = 0; i < formula->parameters.size(); ++i) {
       names_[formula->parameters[i]] = fmt::format("p->{}_", definition.parameters[i].name);
     }
+    std::size_t choice = 0;
+    for (const OptionInfo& option : definition.options) {
+      for (std::size_t i = 0; i < option.choices.size(); ++i) {
+        names_[formula->choices[choice++]] =
+            fmt::format("(scalar)(options.{}_ == {})", option.name, i);
+      }
+    }
     for (std::size_t i = 0; i < lowered.contacts.list.size(); ++i) {
       names_[lowered.contacts.list[i].penetration] = fmt::format("penetration{}", i);
     }
@@ -39,6 +47,7 @@ class KernelWriter {
   }
 
   std::string text() {
+    write_heading();
     write_lists();
     write_point();
     if (has_contacts()) {
@@ -72,6 +81,16 @@ class KernelWriter {
     }
     for (std::size_t i = 0; i < tangent_.point.size(); ++i) {
       names_[tangent_.point[i]] = fmt::format("point->c{}", lowered_.point.size() + i);
+    }
+  }
+
+  // Printed from the tree, as all that is of the file: nothing of its text can end the comment.
+  void write_heading() {
+    out_ += fmt::format("// {}: written from its equations.\n", definition_.name);
+    if (lowered_.coefs.empty()) return;
+    out_ += "// Tabulated over the phase:\n";
+    for (std::size_t i = 0; i < lowered_.coefs.size(); ++i) {
+      out_ += fmt::format("//   w{} = {}\n", i, to_short_text(*graph_, lowered_.coef_values[i]));
     }
   }
 
@@ -112,12 +131,19 @@ class KernelWriter {
       parameters.push_back(parameter.name + "_, 0, 0, 0, 0, 0, 0");
     }
     for (const ChannelInfo& signal : definition_.signals) signals.push_back(signal.name + ", 0, 0");
-    for (std::size_t i = 0; i < lowered_.coefs.size(); ++i)
+    for (std::size_t i = 0; i < lowered_.coefs.size(); ++i) {
       coefs.push_back(fmt::format("w{}, 0", i));
+    }
     write_list("MODEL_STATES", states);
     write_list("MODEL_PARAMETERS", parameters);
     write_list("MODEL_SIGNALS", signals);
     if (!coefs.empty()) write_list("MODEL_PHASE_COEFS", coefs);
+    if (!definition_.options.empty()) {
+      std::vector<std::string> options;
+      for (const OptionInfo& option : definition_.options)
+        options.push_back(option.name + "_, 0, 0");
+      write_list("MODEL_OPTIONS", options);
+    }
     std::vector<std::string> angles;
     for (std::size_t i = 0; i < definition_.states.size(); ++i) {
       if (definition_.are_angles[i]) angles.push_back(definition_.states[i].name);
@@ -133,7 +159,8 @@ class KernelWriter {
     std::vector<Assignment> assignments = {{"point->period", formula_->period}};
     const auto add = [&](const std::vector<NodeId>& symbols, const std::vector<NodeId>& values) {
       for (std::size_t i = 0; i < symbols.size(); ++i) {
-        out_ += fmt::format("  real c{};\n", assignments.size() - 1);
+        out_ += fmt::format("  real c{};  // {}\n", assignments.size() - 1,
+                            to_short_text(*graph_, values[i]));
         assignments.emplace_back(names_.at(symbols[i]), values[i]);
       }
     };

@@ -96,6 +96,7 @@ class Lowering {
   }
 
   bool is_swept(NodeId id) const {
+    if (std::ranges::find(formula_->choices, id) != formula_->choices.end()) return false;
     const auto parameter = std::ranges::find(formula_->parameters, id);
     return parameter == formula_->parameters.end() ||
            formula_->are_swept[static_cast<std::size_t>(parameter - formula_->parameters.begin())];

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "study/builtin_models.hpp"
 #include "study/detail/gear_keys.hpp"
 
 namespace gearsweep {

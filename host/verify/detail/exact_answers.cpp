@@ -4,6 +4,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "study/builtin_models.hpp"
+
 namespace gearsweep {
 
 double gear5_exponent_sum(const ModelSetting& setting) {

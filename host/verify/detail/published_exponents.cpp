@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "study/builtin_models.hpp"
+
 namespace gearsweep {
 namespace {
 

@@ -1,0 +1,53 @@
+#include "study/detail/model_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "expression/expression.hpp"
+#include "study/detail/toml_access.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Words of C and OpenCL C, and of the grammar.
+const std::set<std::string, std::less<>>& reserved_words() {
+  static const std::set<std::string, std::less<>> kWords = {
+      "auto",    "bool",      "break",    "case",     "char",     "const",  "continue", "default",
+      "do",      "double",    "else",     "enum",     "extern",   "float",  "for",      "global",
+      "goto",    "half",      "if",       "inline",   "int",      "kernel", "local",    "long",
+      "private", "real",      "register", "restrict", "return",   "scalar", "short",    "signed",
+      "sizeof",  "static",    "struct",   "switch",   "typedef",  "uchar",  "uint",     "ulong",
+      "union",   "unsigned",  "ushort",   "void",     "volatile", "while",  "mask",     "constant",
+      "and",     "or",        "not",      "phase",    "pi",       "status", "step",     "clamp",
+      "stop",    "deflection"};
+  return kWords;
+}
+
+}  // namespace
+
+bool is_model_name(const std::string& text) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !text.empty() && text.size() <= kMaxModelNameLetters && is_letter(text.front()) &&
+         std::ranges::all_of(
+             text, [&](char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '9'); });
+}
+
+void ModelNames::take(const toml::node& node, const std::string& name) {
+  take_outside(node, name);
+  const auto function = std::ranges::find(functions(), name, &FunctionInfo::name);
+  if (function != functions().end() || reserved_words().contains(name)) {
+    fail_at(node, fmt::format("'{}' has a meaning of its own; take another name", name));
+  }
+}
+
+void ModelNames::take_outside(const toml::node& node, const std::string& name) {
+  if (!is_model_name(name)) {
+    fail_at(node, fmt::format("'{}' cannot be a name; a name has up to {} letters, digits and _, "
+                              "and begins with a letter",
+                              name, kMaxModelNameLetters));
+  }
+  if (!taken_.insert(name).second) fail_at(node, fmt::format("'{}' is defined twice", name));
+}
+
+}  // namespace gearsweep
