@@ -44,6 +44,8 @@ class Partials {
       case Operation::sign:
       case Operation::floor:
         return {zero_};
+      case Operation::table:  // its argument is made of the phase, which is never varied
+        return {zero_, zero_};
       default:
         break;
     }

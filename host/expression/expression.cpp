@@ -59,6 +59,7 @@ std::size_t arity(Operation operation) {
     case Operation::equal:
     case Operation::conjunction:
     case Operation::disjunction:
+    case Operation::table:
       return 2;
     default:
       return std::ranges::find(kFunctions, operation, &FunctionInfo::operation)->arguments;
@@ -141,6 +142,7 @@ double apply(Operation operation, double a, double b, double c) {
       return a != 0.0 ? b : c;
     case Operation::number:
     case Operation::symbol:
+    case Operation::table:
       break;
   }
   return a;
@@ -150,7 +152,8 @@ NodeId ExpressionGraph::intern(Node node) {
   for (const NodeId argument : node.arguments) {
     node.depth = std::max(node.depth, nodes_[argument].depth + 1);
   }
-  Key key{node.operation, std::bit_cast<std::uint64_t>(node.number), node.symbol, node.arguments};
+  Key key{node.operation, std::bit_cast<std::uint64_t>(node.number), node.symbol, node.table.get(),
+          node.arguments};
   const auto [known, is_new] = ids_.try_emplace(std::move(key), static_cast<NodeId>(nodes_.size()));
   if (is_new) nodes_.push_back(std::move(node));
   return known->second;
@@ -167,6 +170,21 @@ NodeId ExpressionGraph::symbol(const std::string& name) {
   node.operation = Operation::symbol;
   node.symbol = name;
   return intern(std::move(node));
+}
+
+NodeId ExpressionGraph::table(std::shared_ptr<const PeriodicTable> table, NodeId phase,
+                              NodeId toward) {
+  Node node;
+  node.operation = Operation::table;
+  node.table = std::move(table);
+  node.arguments = {phase, toward};
+  return intern(std::move(node));
+}
+
+NodeId ExpressionGraph::with_arguments(NodeId id, const std::vector<NodeId>& arguments) {
+  const Operation operation = nodes_[id].operation;
+  if (operation != Operation::table) return make(operation, arguments);
+  return table(nodes_[id].table, arguments[0], arguments[1]);
 }
 
 NodeId ExpressionGraph::as_written(Operation operation, const std::vector<NodeId>& arguments) {
@@ -331,14 +349,13 @@ Rewriter::Rewriter(ExpressionGraph* graph, std::map<NodeId, NodeId> replaced)
 NodeId Rewriter::operator()(NodeId id) {
   for (const NodeId part : parts_of(*graph_, {id})) {
     if (known_.contains(part)) continue;
-    const Operation operation = (*graph_)[part].operation;
     std::vector<NodeId> arguments = (*graph_)[part].arguments;
     if (arguments.empty()) {
       known_[part] = part;
       continue;
     }
     for (NodeId& argument : arguments) argument = known_.at(argument);
-    known_[part] = graph_->make(operation, arguments);
+    known_[part] = graph_->with_arguments(part, arguments);
   }
   return known_.at(id);
 }

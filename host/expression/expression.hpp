@@ -10,6 +10,8 @@
 //   signed := ("-" | "+") signed | power
 //   power := primary (("^" | "**") signed)?
 //   primary := number | name | function "(" expression ("," expression)* ")" | "(" expression ")"
+//            | "table" "(" quoted "," expression ("," ("linear" | "cubic"))? ")"
+//   quoted := a file's name between " and ", or between ' and '
 // A name may have a point in it, as option.choice. Conditions (what compares, and, or, not) and
 // numbers are of two kinds; if(condition, yes, no) makes a number of a condition.
 #pragma once
@@ -18,11 +20,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
+
+#include "expression/periodic_table.hpp"
 
 namespace gearsweep {
 
@@ -62,7 +67,8 @@ enum class Operation : std::uint8_t {
   conjunction,
   disjunction,
   negation,
-  select  // (condition, yes, no)
+  select,  // (condition, yes, no)
+  table    // (phase, toward): PeriodicTable::at
 };
 
 // Of a function that is called by name.
@@ -77,7 +83,7 @@ std::span<const FunctionInfo> functions();
 std::size_t arity(Operation operation);
 // Whether it gives a condition, not a number.
 bool is_condition(Operation operation);
-// What it gives; conditions are 1 or 0.
+// What it gives, but for a table; conditions are 1 or 0.
 double apply(Operation operation, double a, double b, double c);
 
 using NodeId = std::uint32_t;
@@ -86,6 +92,7 @@ struct Node {
   Operation operation = Operation::number;
   double number = 0.0;
   std::string symbol;
+  std::shared_ptr<const PeriodicTable> table;  // of Operation::table
   std::vector<NodeId> arguments;
   std::size_t depth = 1;  // nodes on the longest way down
 };
@@ -98,17 +105,22 @@ class ExpressionGraph {
 
   NodeId number(double value);
   NodeId symbol(const std::string& name);
+  // Tables are told apart by their addresses.
+  NodeId table(std::shared_ptr<const PeriodicTable> table, NodeId phase, NodeId toward);
   // Of what is written, as it is written.
   NodeId as_written(Operation operation, const std::vector<NodeId>& arguments);
   // Simplified by rules that change no value, but for what would not be finite: sums with 0,
   // products with 0 and 1, signs, small whole powers, parts that are numbers.
   NodeId make(Operation operation, const std::vector<NodeId>& arguments);
+  // The node with other arguments, simplified.
+  NodeId with_arguments(NodeId id, const std::vector<NodeId>& arguments);
 
   bool is_number(NodeId id, double value) const;
   bool is_number(NodeId id) const { return nodes_[id].operation == Operation::number; }
 
  private:
-  using Key = std::tuple<Operation, std::uint64_t, std::string, std::vector<NodeId>>;
+  using Key =
+      std::tuple<Operation, std::uint64_t, std::string, const PeriodicTable*, std::vector<NodeId>>;
 
   NodeId intern(Node node);
   // A choice of which a branch is 0. A factor goes into the other branch: it need not be finite

@@ -53,7 +53,9 @@ class Parser {
   }
 
   NodeId make(std::size_t position, Operation operation, const std::vector<NodeId>& arguments) {
-    const NodeId id = graph_->as_written(operation, arguments);
+    return checked(position, graph_->as_written(operation, arguments));
+  }
+  NodeId checked(std::size_t position, NodeId id) const {
     if ((*graph_)[id].depth > kMaxDepth) {
       fail(position, fmt::format("more than {} operations follow one from another; give parts of "
                                  "it names, in [constants]",
@@ -239,6 +241,7 @@ class Parser {
     if (take("(")) return called(start, name);
     if (name == "pi") return graph_->number(std::numbers::pi);
     if (const std::optional<NodeId> known = names_.find(name)) return *known;
+    if (name == "table") fail(start, "'table' is a function: table(\"file.csv\", phase)");
     if (std::ranges::find(functions(), name, &FunctionInfo::name) != functions().end()) {
       fail(start, fmt::format("'{}' is a function: {}(...)", name, name));
     }
@@ -251,12 +254,51 @@ class Parser {
     return known;
   }
 
+  // Between quotes of either kind; there is no way to write such a quote within.
+  std::string quoted() {
+    const std::size_t start = here();
+    const char quote = start < text_.size() ? text_[start] : ' ';
+    if (quote != '"' && quote != '\'') {
+      fail(start, "the name of a file must stand here, in quotes: table(\"file.csv\", phase)");
+    }
+    const std::size_t end = text_.find(quote, start + 1);
+    if (end == std::string_view::npos) fail(start, "the name of a file has no quote at its end");
+    const std::string_view name = text_.substr(start + 1, end - start - 1);
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
+    if (name.empty() || std::ranges::any_of(name, is_control)) {
+      fail(start, "this cannot be the name of a file");
+    }
+    at_ = end + 1;
+    return std::string(name);
+  }
+
+  // What stands in the parentheses of table().
+  NodeId table(std::size_t start) {
+    TableCall call;
+    call.file_at = here();
+    call.file = quoted();
+    if (!take(",")) fail(here(), "',' and the phase are missing: table(\"file.csv\", phase)");
+    call.argument_at = here();
+    call.argument = number_at(call.argument_at, expression());
+    if (take(",")) {
+      if (take_word("cubic")) {
+        call.interpolation = Interpolation::cubic;
+      } else if (!take_word("linear")) {
+        fail(here(), "a table is read as 'linear' or 'cubic'");
+      }
+    }
+    if (!take(")")) fail(here(), "')' is missing");
+    if (!names_.table) fail(call.file_at, "there are no tables here");
+    return checked(start, graph_->table(names_.table(call), call.argument, call.argument));
+  }
+
   NodeId called(std::size_t start, const std::string& name) {
+    if (name == "table") return table(start);
     const auto info = std::ranges::find(functions(), name, &FunctionInfo::name);
     const bool is_clamp = name == "clamp";
     const bool is_step = name == "step";
     if (info == functions().end() && !is_clamp && !is_step) {
-      std::vector<std::string> known = {"clamp", "step"};
+      std::vector<std::string> known = {"clamp", "step", "table"};
       for (const FunctionInfo& function : functions()) known.emplace_back(function.name);
       fail(start, fmt::format("unknown function '{}'{}", name, suggest_name(name, known)));
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,10 +21,21 @@ struct ExpressionError : std::runtime_error {
   std::size_t position;
 };
 
+// table("file.csv", argument, interpolation), as a text has it.
+struct TableCall {
+  std::string file;
+  NodeId argument = 0;
+  Interpolation interpolation = Interpolation::linear;
+  std::size_t file_at = 0, argument_at = 0;  // bytes of the text where these begin
+};
+
 // The names that a text may use, beside functions and pi.
 struct ExpressionNames {
   std::function<std::optional<NodeId>(const std::string& name)> find;
   std::function<std::vector<std::string>()> known;  // for the message about another name
+  // The same one for each call that asks for the same. Throws ExpressionError. Empty where a text
+  // may read no tables.
+  std::function<std::shared_ptr<const PeriodicTable>(const TableCall&)> table = {};
 };
 
 // The node as written; clamp, step and pi are written out. A condition only where is_condition.

@@ -74,6 +74,14 @@ std::string text_of(const ExpressionGraph& graph, NodeId id, int least) {
     if (node.arguments.size() == 1) return binding.text + last;
     return text_of(graph, node.arguments[0], binding.left) + binding.text + last;
   }
+  if (node.operation == Operation::table) {
+    const PeriodicTable& table = *node.table;
+    const char quote = table.name().find('"') == std::string::npos ? '"' : '\'';
+    const bool is_linear = table.interpolation() == Interpolation::linear;
+    return fmt::format("table({}{}{}, {}{})", quote, table.name(), quote,
+                       text_of(graph, node.arguments[0], 0),
+                       is_linear ? "" : fmt::format(", {}", name_of(table.interpolation())));
+  }
   std::vector<std::string> arguments;
   for (const NodeId argument : node.arguments) arguments.push_back(text_of(graph, argument, 0));
   const auto info = std::ranges::find(functions(), node.operation, &FunctionInfo::operation);

@@ -42,6 +42,10 @@ Tape::Tape(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
       return i < node.arguments.size() ? places.at(node.arguments[i]) : 0;
     };
     steps_.push_back({node.operation, place(0), place(1), place(2)});
+    if (node.operation == Operation::table) {
+      steps_.back().c = tables_.size();
+      tables_.push_back(node.table);
+    }
     places.emplace(id, inputs_ + numbers_.size() + steps_.size() - 1);
   }
   for (const NodeId id : outputs) outputs_.push_back(places.at(id));
@@ -55,7 +59,9 @@ void Tape::run(const double* inputs, double* outputs) const {
   std::copy_n(inputs, inputs_, values);
   double* next = std::ranges::copy(numbers_, values + inputs_).out;
   for (const Step& step : steps_) {
-    *next++ = apply(step.operation, values[step.a], values[step.b], values[step.c]);
+    *next++ = step.operation == Operation::table
+                  ? tables_[step.c]->at(values[step.a], values[step.b])
+                  : apply(step.operation, values[step.a], values[step.b], values[step.c]);
   }
   for (const std::size_t place : outputs_) *outputs++ = values[place];
 }

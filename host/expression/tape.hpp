@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "expression/expression.hpp"
@@ -25,13 +26,14 @@ class Tape {
  private:
   struct Step {
     Operation operation;
-    std::size_t a, b, c;  // places of its arguments
+    std::size_t a, b, c;  // places of its arguments; of a table c: which one
   };
 
   std::size_t inputs_ = 0;
   std::vector<double> numbers_;  // their places follow those of the inputs
   std::vector<Step> steps_;      // their places follow those of the numbers
   std::vector<std::size_t> outputs_;
+  std::vector<std::shared_ptr<const PeriodicTable>> tables_;
 };
 
 }  // namespace gearsweep

@@ -1,0 +1,166 @@
+#include "expression/periodic_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr std::size_t kFewest = 2, kFewestCubic = 3;
+
+// lower x[i - 1] + diagonal x[i] + upper x[i + 1] = right.
+struct Row {
+  double lower, diagonal, upper, right;
+};
+
+// Elimination without pivots: the diagonal outweighs what stands beside it.
+std::vector<double> solve(std::vector<Row> rows) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double factor = rows[i].lower / rows[i - 1].diagonal;
+    rows[i].diagonal -= factor * rows[i - 1].upper;
+    rows[i].right -= factor * rows[i - 1].right;
+  }
+  std::vector<double> x(rows.size());
+  for (std::size_t i = rows.size(); i-- > 0;) {
+    const double above = i + 1 < rows.size() ? rows[i].upper * x[i + 1] : 0.0;
+    x[i] = (rows[i].right - above) / rows[i].diagonal;
+  }
+  return x;
+}
+
+// Where the first row's lower neighbour is the last unknown, and the other way round: the matrix is
+// one without these corners and a product of two vectors (Sherman and Morrison).
+std::vector<double> solve_cyclic(std::vector<Row> rows) {
+  const double corner = rows.front().lower, other = rows.back().upper;
+  const double gamma = -rows.front().diagonal;
+  rows.front().diagonal -= gamma;
+  rows.back().diagonal -= corner * other / gamma;
+  std::vector<double> x = solve(rows);
+  for (Row& row : rows) row.right = 0.0;
+  rows.front().right = gamma;
+  rows.back().right = other;
+  const std::vector<double> z = solve(rows);
+  const double factor =
+      (x.front() + corner * x.back() / gamma) / (1.0 + z.front() + corner * z.back() / gamma);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * z[i];
+  return x;
+}
+
+// Of a spline's second derivatives: its slope is the same on both sides of the middle one of three
+// knots.
+template <class Knot>
+Row smooth_row(const Knot& before, const Knot& knot, const Knot& after, double phase_before) {
+  const double left = knot.phase - phase_before, right = after.phase - knot.phase;
+  const double turn = (after.value - knot.value) / right - (knot.value - before.value) / left;
+  return {left, 2.0 * (left + right), right, 6.0 * turn};
+}
+
+}  // namespace
+
+const char* name_of(Interpolation interpolation) {
+  return interpolation == Interpolation::cubic ? "cubic" : "linear";
+}
+
+PeriodicTable::PeriodicTable(std::string name, const std::vector<TablePoint>& points,
+                             Interpolation interpolation)
+    : name_(std::move(name)), interpolation_(interpolation) {
+  const std::size_t fewest = interpolation == Interpolation::cubic ? kFewestCubic : kFewest;
+  if (points.size() < fewest) {
+    throw InputError(fmt::format("'{}' has {} points; a {} table needs at least {}", name_,
+                                 points.size(), name_of(interpolation), fewest));
+  }
+  const auto jump = std::ranges::adjacent_find(points, {}, &TablePoint::phase);
+  const auto begin = jump == points.end() ? points.begin() : jump + 1;
+  for (auto point = begin; point != points.end(); ++point) {
+    knots_.push_back({point->phase, point->value});
+  }
+  for (auto point = points.begin(); point != begin; ++point) {
+    knots_.push_back({point->phase + kTurn, point->value});
+  }
+  if (jump == points.end()) knots_.push_back({points[0].phase + kTurn, points[0].value});
+  pieces_.push_back(0);
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+    if (knots_[i].phase == knots_[i + 1].phase) pieces_.push_back(i + 1);
+  }
+  if (jump != points.end()) {
+    for (const std::size_t piece : pieces_) jumps_.push_back(knots_[piece].phase);
+  }
+  pieces_.push_back(knots_.size());
+  if (interpolation != Interpolation::cubic) return;
+  if (jump == points.end()) {
+    bend_period();
+  } else {
+    for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
+      bend_piece(pieces_[i], pieces_[i + 1] - 1);
+    }
+  }
+}
+
+void PeriodicTable::bend_period() {
+  const std::size_t last = knots_.size() - 1;  // the first one, a period later
+  std::vector<Row> rows;
+  rows.push_back(
+      smooth_row(knots_[last - 1], knots_[0], knots_[1], knots_[last - 1].phase - kTurn));
+  for (std::size_t i = 1; i < last; ++i) {
+    rows.push_back(smooth_row(knots_[i - 1], knots_[i], knots_[i + 1], knots_[i - 1].phase));
+  }
+  const std::vector<double> bends = solve_cyclic(std::move(rows));
+  for (std::size_t i = 0; i <= last; ++i) knots_[i].bend = bends[i % last];
+}
+
+// The first two intervals have one cubic, as have the last two ("not a knot"): so nothing is
+// assumed of the ends, and their error is of fourth order, too.
+void PeriodicTable::bend_piece(std::size_t first, std::size_t last) {
+  if (last - first < 2) return;
+  const auto length = [&](std::size_t i) { return knots_[i + 1].phase - knots_[i].phase; };
+  std::vector<Row> rows;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    rows.push_back(smooth_row(knots_[i - 1], knots_[i], knots_[i + 1], knots_[i - 1].phase));
+  }
+  // Through three knots: one parabola.
+  const bool is_parabola = rows.size() == 1;
+  const double begin = is_parabola ? 0.0 : length(first) / length(first + 1);
+  const double end = is_parabola ? 0.0 : length(last - 1) / length(last - 2);
+  rows.front().diagonal += rows.front().lower * (1.0 + begin);
+  rows.front().upper -= rows.front().lower * begin;
+  rows.back().diagonal += rows.back().upper * (1.0 + end);
+  rows.back().lower -= rows.back().upper * end;
+  const std::vector<double> bends = solve(std::move(rows));
+  for (std::size_t i = 0; i < bends.size(); ++i) knots_[first + 1 + i].bend = bends[i];
+  const auto bend = [&](std::size_t i) { return knots_[i].bend; };
+  knots_[first].bend = bend(first + 1) + begin * (bend(first + 1) - bend(first + 2));
+  knots_[last].bend = bend(last - 1) + end * (bend(last - 1) - bend(last - 2));
+}
+
+double PeriodicTable::at(double phase, double toward) const {
+  if (!std::isfinite(phase) || !std::isfinite(toward)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double turns = kTurn * std::floor((toward - knots_.front().phase) / kTurn);
+  const double side = toward - turns;
+  const auto phase_of = [&](std::size_t knot) { return knots_[knot].phase; };
+  const auto piece =
+      std::ranges::upper_bound(pieces_.begin() + 1, pieces_.end() - 1, side, {}, phase_of);
+  const std::size_t first = *(piece - 1), last = *piece - 1;
+  const double x = std::clamp(phase - turns, phase_of(first), phase_of(last));
+  const auto begin = knots_.begin();
+  const auto after =
+      std::ranges::upper_bound(begin + static_cast<std::ptrdiff_t>(first) + 1,
+                               begin + static_cast<std::ptrdiff_t>(last), x, {}, &Knot::phase);
+  const Knot &left = *(after - 1), &right = *after;
+  const double length = right.phase - left.phase;
+  const double b = (x - left.phase) / length, a = 1.0 - b;
+  const double line = left.value + b * (right.value - left.value);
+  const double bent = (a * a - 1.0) * a * left.bend + (b * b - 1.0) * b * right.bend;
+  return line + bent * length * length / 6.0;
+}
+
+}  // namespace gearsweep

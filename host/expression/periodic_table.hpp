@@ -1,0 +1,58 @@
+// A curve through measured points, once in each period of 2 pi.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gearsweep {
+
+struct TablePoint {
+  double phase = 0.0;  // rad
+  double value = 0.0;
+  bool operator==(const TablePoint&) const = default;
+};
+
+enum class Interpolation : std::uint8_t {
+  linear,
+  cubic  // a spline: between two jumps one of its own, otherwise one that is periodic
+};
+
+const char* name_of(Interpolation interpolation);
+
+// A value type.
+class PeriodicTable {
+ public:
+  // points: from the first one to less than 2 pi behind it, with rising phases. Two of the same
+  // phase are a jump from the first one's value to the second one's. name: of their file. Throws
+  // InputError where they are too few.
+  PeriodicTable(std::string name, const std::vector<TablePoint>& points,
+                Interpolation interpolation);
+
+  const std::string& name() const { return name_; }
+  Interpolation interpolation() const { return interpolation_; }
+  // Where it jumps: phases in radians.
+  const std::vector<double>& jumps() const { return jumps_; }
+
+  // The value at any phase, in radians; at a jump that of the side on which `toward` lies, which is
+  // a phase with no jump in between. NaN where a phase is not finite.
+  double at(double phase, double toward) const;
+
+ private:
+  struct Knot {
+    double phase, value;
+    double bend = 0.0;  // the second derivative
+  };
+
+  void bend_period();
+  void bend_piece(std::size_t first, std::size_t last);
+
+  std::string name_;
+  Interpolation interpolation_;
+  std::vector<Knot> knots_;  // of one period, both ends included; where there are jumps, from one
+  std::vector<std::size_t> pieces_;  // the first knot of each piece without jumps, and the end
+  std::vector<double> jumps_;
+};
+
+}  // namespace gearsweep
