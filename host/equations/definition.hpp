@@ -2,13 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "expression/periodic_table.hpp"
 #include "model/model.hpp"
 
 namespace gearsweep {
+
+// The points of the table in a file, as PeriodicTable wants them. Throws InputError. Empty where a
+// model may read no tables.
+using TablePoints = std::function<std::vector<TablePoint>(const std::string& file)>;
 
 struct ExpressionText {
   std::string text;
@@ -41,6 +47,7 @@ struct ModelDefinition {
   // Parameters in which the points of a study differ: what depends on the phase and on none of
   // these is tabulated whole.
   std::set<std::string> swept;
+  TablePoints table_points;
   std::string text;  // of the whole file
 };
 

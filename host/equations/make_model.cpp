@@ -19,13 +19,16 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // What follows a jump of the phase is told by conditions, signs and whole parts: in these, the
-// phase is one inside the segment.
+// phase is one inside the segment. A table that jumps is told on which side it is read.
 std::vector<NodeId> one_sided(Formula* formula, const std::vector<NodeId>& values, NodeId inside) {
   ExpressionGraph* graph = &formula->graph;
   Rewriter to_inside(graph, {{formula->phase, inside}});
   std::map<NodeId, NodeId> replaced;
   for (const NodeId id : parts_of(*graph, values)) {
     const Operation operation = (*graph)[id].operation;
+    if (operation == Operation::table && !(*graph)[id].table->jumps().empty()) {
+      replaced[id] = graph->with_arguments(id, {formula->phase, inside});
+    }
     const bool jumps =
         is_condition(operation) || operation == Operation::sign || operation == Operation::floor;
     if (jumps) replaced[id] = to_inside(id);

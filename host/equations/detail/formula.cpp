@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "equations/detail/tables.hpp"
 #include "expression/parse.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -22,7 +23,8 @@ namespace {
 
 class FormulaReader {
  public:
-  explicit FormulaReader(const ModelDefinition& definition) : definition_(definition) {}
+  explicit FormulaReader(const ModelDefinition& definition)
+      : definition_(definition), tables_(definition.table_points) {}
 
   Formula run() {
     for (const ChannelInfo& state : definition_.states) {
@@ -53,6 +55,7 @@ class FormulaReader {
       formula_.jumps.push_back(of_parameters(text, "a phase of a jump"));
     }
     formula_.period = of_parameters(definition_.period, "the period");
+    for (const double jump : tables_.jumps()) formula_.jumps.push_back(formula_.graph.number(jump));
     refuse_unused();
     formula_.constants.assign(constants_.begin(), constants_.end());
     return std::move(formula_);
@@ -60,8 +63,10 @@ class FormulaReader {
 
  private:
   NodeId parse(const ExpressionText& text) {
-    const ExpressionNames names = {.find = [this](const std::string& name) { return find(name); },
-                                   .known = [this] { return known_names(); }};
+    const ExpressionNames names = {
+        .find = [this](const std::string& name) { return find(name); },
+        .known = [this] { return known_names(); },
+        .table = [this](const TableCall& call) { return tables_.read(call, formula_); }};
     try {
       return parse_expression(text.text, names, &formula_.graph);
     } catch (const ExpressionError& error) {
@@ -72,6 +77,9 @@ class FormulaReader {
   NodeId of_parameters(const ExpressionText& text, const std::string& what) {
     const NodeId id = parse(text);
     for (const NodeId part : parts_of(formula_.graph, {id})) {
+      if (formula_.graph[part].operation == Operation::table) {
+        fail_in(text, 0, fmt::format("{} may use parameters alone, not a table", what));
+      }
       const bool is_state = std::ranges::find(formula_.states, part) != formula_.states.end();
       if (!is_state && part != formula_.phase) continue;
       fail_in(
@@ -147,6 +155,7 @@ class FormulaReader {
 
   const ModelDefinition& definition_;
   Formula formula_;
+  Tables tables_;
   std::map<std::string, NodeId> constants_;
   std::vector<std::string> open_;  // constants that are being read, outermost first
   std::set<std::string> used_;

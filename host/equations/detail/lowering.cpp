@@ -84,6 +84,8 @@ class Lowering {
       found.parameter = !found.phase && !found.state;
       found.swept = found.parameter && is_swept(id);
     }
+    // At a fixed place, too: so it is tabulated, and no device sees it.
+    found.phase |= node.operation == Operation::table;
     for (const NodeId argument : node.arguments) {
       const Dependence below = of(argument);
       found.state |= below.state;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace gearsweep {
 namespace {
@@ -113,6 +114,8 @@ class Statements {
         return fmt::format("lane_max({} - {}, (real)(0))", vector(0), vector(1));
       case Operation::power:
         return fmt::format("pow({}, {})", vector(0), vector(1));
+      case Operation::table:
+        throw std::logic_error("a table is no function of the device");
       default:
         break;
     }
