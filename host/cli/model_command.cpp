@@ -15,6 +15,7 @@
 #include "model/names.hpp"
 #include "study/builtin_models.hpp"
 #include "study/model_file.hpp"
+#include "study/table_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -39,7 +40,8 @@ bool is_file(const std::string& name) { return name.find_first_of("./") != std::
 Study study_of(const ModelArguments& arguments) {
   if (!arguments.study.empty()) return load_study(arguments.study, {});
   if (is_file(arguments.name)) {
-    const auto model = read_model_text(model_file_text(arguments.name), arguments.name);
+    const auto model = read_model_text(model_file_text(arguments.name), arguments.name, {},
+                                       tables_beside(arguments.name));
     return study_of_preset(fmt::format("file = '{}'", arguments.name), *model, arguments.preset);
   }
   const Model* model = find_model(arguments.name);

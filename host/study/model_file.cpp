@@ -37,7 +37,8 @@ std::string model_file_text(const std::string& path) {
 }
 
 std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source,
-                                             const std::optional<std::set<std::string>>& swept) {
+                                             const std::optional<std::set<std::string>>& swept,
+                                             const TablePoints& table_points) {
   if (text.size() > kMaxBytes) {
     throw InputError(
         fmt::format("{}: too large for a model; at most {} bytes are possible", source, kMaxBytes));
@@ -50,6 +51,7 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
     const toml::table root = toml::parse(text, source);
     ModelDefinition definition = read_definition(root, text, source);
     definition.swept = swept ? *swept : parameter_names(definition);
+    definition.table_points = table_points;
     return std::make_shared<const Model>(make_model(definition));
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", source, error.source().begin.line,

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "equations/definition.hpp"
 #include "model/model.hpp"
 
 namespace gearsweep {
@@ -14,9 +15,11 @@ namespace gearsweep {
 std::string model_file_text(const std::string& path);
 
 // source: names the text in messages. swept: names in which the points of a study differ
-// (ModelDefinition); all, if nothing is given. Throws InputError with the place.
+// (ModelDefinition); all, if nothing is given. table_points: of the files that it names. Throws
+// InputError with the place.
 std::shared_ptr<const Model> read_model_text(
     const std::string& text, const std::string& source,
-    const std::optional<std::set<std::string>>& swept = std::nullopt);
+    const std::optional<std::set<std::string>>& swept = std::nullopt,
+    const TablePoints& table_points = {});
 
 }  // namespace gearsweep

@@ -65,6 +65,9 @@ StudyTable model_table() {
            {"file", "string", "",
             "A model of your own instead: the file with its equations, beside the study."},
            {"text", "string", "", "The text of that file, where a result holds the study."},
+           {"tables", "table", "",
+            "The numbers of the files that its table() reads, where a result holds the study: a "
+            "phase in radians and a value per line, by the file's name."},
            {"preset", "string", "the model's first",
             "Values to start from: 'gearsweep model NAME' lists them."},
            option}};

@@ -21,6 +21,7 @@
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
 #include "study/study.hpp"
+#include "study/table_file.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -48,19 +49,39 @@ toml::table parse(const std::string& text, const std::string& source) {
   }
 }
 
+// The numbers that the model reads from files become a part of the study, as its text does.
+void take_in_tables(const std::string& text, const std::string& name, const std::string& file,
+                    toml::table* model) {
+  if (const toml::node* node = model->get("tables")) {
+    fail_at(*node, "tables belong to a model's text; with its file they are read beside it");
+  }
+  if (text.find("table") == std::string::npos) return;  // a model is read a second time for them
+  toml::table tables;
+  read_model_text(text, name, {}, [&, beside = tables_beside(file)](const std::string& table) {
+    std::vector<TablePoint> points = beside(table);
+    tables.insert_or_assign(table, table_text(points));
+    return points;
+  });
+  if (!tables.empty()) model->insert("tables", std::move(tables));
+}
+
 // The text of the model's file becomes a part of the study, which needs no other file any more.
 void take_in_model_file(const std::string& source, toml::table* root) {
   toml::table* model = root->contains("model") ? (*root)["model"].as_table() : nullptr;
   if (model == nullptr || !model->contains("file") || model->contains("text")) return;
   const toml::node& node = *model->get("file");
   if (!node.is_string()) fail_at(node, "file must be a string in quotes");
+  const std::string& name = node.as_string()->get();
   const std::filesystem::path file =
-      std::filesystem::path(source).parent_path() / std::filesystem::path(node.as_string()->get());
+      std::filesystem::path(source).parent_path() / std::filesystem::path(name);
+  std::string text;
   try {
-    model->insert("text", model_file_text(file.string()));
+    text = model_file_text(file.string());
   } catch (const InputError& error) {
     fail_at(node, error.what());
   }
+  take_in_tables(text, name, file.string(), model);
+  model->insert("text", text);
 }
 
 template <class Info>
@@ -141,8 +162,24 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
   if (reader->find("name") != nullptr) {
     fail_at(*reader->find("name"), "give the model's name or its file, not both");
   }
-  study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root));
+  const toml::table* tables = reader->table("tables");
+  std::set<std::string> used;
+  study->own_model = read_model_text(
+      reader->text("text", ""), file, axis_names(root), [&](const std::string& table) {
+        const toml::node* node = tables == nullptr ? nullptr : tables->get(table);
+        if (node == nullptr) {
+          throw InputError(fmt::format("'{}' is not in [model.tables] of the study", table));
+        }
+        if (!node->is_string()) fail_at(*node, "a table must be a string of numbers, in quotes");
+        used.insert(table);
+        return parse_table(node->as_string()->get(), fmt::format("'{}' in [model.tables]", table));
+      });
   study->model = study->own_model.get();
+  if (tables == nullptr) return;
+  for (const auto& [key, node] : *tables) {
+    if (used.contains(std::string(key.str()))) continue;
+    fail_at(node, fmt::format("'{}' is read by no expression of the model", key.str()));
+  }
 }
 
 // One of equations is read anew: what is tabulated depends on the study's axes.
@@ -166,6 +203,9 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
       text != nullptr || reader.find("file") != nullptr) {
     read_own_model(root, &reader, study);
   } else {
+    if (const toml::node* tables = reader.find("tables")) {
+      fail_at(*tables, "tables belong to the text of a model of your own");
+    }
     read_builtin_model(root, &reader, study);
   }
   const Model& model = *study->model;
