@@ -124,7 +124,8 @@ class PointReader {
                       "decimal point: 0.5, 1.25",
                       fields.size(), fields.size() == 1 ? "" : "s"));
     }
-    add(number(fields[0]), number(fields[1]));
+    const double phase = number(fields[0]);
+    add(phase, number(fields[1]));
   }
 
   void read_header(std::string_view field) {

@@ -5,13 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <random>
 #include <set>
 
 #include "model/error.hpp"
 #include "study/builtin_models.hpp"
+#include "study/refusal.hpp"
 #include "study/study.hpp"
+#include "study/table_file.hpp"
+#include "support/folder.hpp"
 #include "support/pair_model.hpp"
 
 namespace gearsweep::testing {
@@ -115,6 +119,149 @@ TEST(ModelFile, IsRefusedWithThePlace) {
   EXPECT_THAT(refusal_of(std::string(10 << 20, ' ')), HasSubstr("too large for a model"));
   EXPECT_THAT(refusal_of(with(pair_model(), "\"v\"\n", "\"v\"); system(\"\n")),
               HasSubstr("pair.toml:"));
+}
+
+// What the tables of these tests hold, by file.
+std::vector<TablePoint> table_points(const std::string& file) {
+  if (file == "saw.csv") return parse_table("1 1\n1 -1\n4 0\n", file);
+  if (file != "mesh.csv") throw InputError(file + ":7: wrong");
+  return parse_table("0 0\n1 1\n3 -1\n", file);
+}
+
+std::string with_table(const std::string& table) {
+  return with(pair_model(), "k*cos(phase)", "k*" + table);
+}
+
+std::shared_ptr<const Model> table_model(const std::string& table,
+                                         const std::set<std::string>& swept = {}) {
+  return read_model_text(with_table(table), "pair.toml", swept, table_points);
+}
+
+// Of the model's teeth, at a moment.
+double stiffness_at(const Model& model, const ModelSetting& setting, double psi, double inside) {
+  std::vector<double> row(model.phase_coefs.size()), direction(2), x(2);
+  model.phase_coefs_at(setting, psi, inside, row.data());
+  model.prepare(setting)->force_direction(0, row.data(), x.data(), direction.data());
+  return -direction[1];
+}
+
+TEST(ModelFile, ReadsATable) {
+  const auto model = table_model("table('mesh.csv', 2*phase)");
+  const auto plain = table_model("(1 - abs(2*phase - 1))");
+  const double psi = 0.1;  // 2 phase is below 3
+  EXPECT_NEAR(stiffness_at(*model, model->default_setting(), psi, psi),
+              stiffness_at(*plain, plain->default_setting(), psi, psi), 1e-14);
+  EXPECT_THAT(model->break_phases(model->default_setting()), ElementsAre(0.0));
+}
+
+// As cos(phase + shift) is; also at a fixed place, since no device has the table.
+TEST(ModelFile, TabulatesATable) {
+  const std::set<std::string> all = {"omega", "Fm", "k", "k_2", "k_3", "Fte", "Fte_2", "Fte_3"};
+  for (const std::string place : {"phase + Fm", "Fm"}) {
+    const auto model = table_model("table('mesh.csv', " + place + ", cubic)", all);
+    for (const ParameterInfo& parameter : model->parameters) {
+      EXPECT_EQ(parameter.shapes_phase, parameter.name == "Fm") << parameter.name;
+    }
+    EXPECT_EQ(model->kernel.find("table"), std::string::npos);
+  }
+}
+
+TEST(ModelFile, EndsStepsWhereATableJumps) {
+  for (const std::string table :
+       {"table('saw.csv', phase)", "table(\\\"saw.csv\\\", phase, cubic)"}) {
+    const auto model = table_model(table);
+    const ModelSetting setting = model->default_setting();
+    const double jump = 0.5 / std::numbers::pi;
+    EXPECT_THAT(model->break_phases(setting), ElementsAre(0.0, ::testing::DoubleEq(jump)));
+    const double after = stiffness_at(*model, setting, jump, jump + 0.01);
+    const double before = stiffness_at(*model, setting, jump, jump - 0.01);
+    EXPECT_NEAR(after - before, 2.0 * setting.parameters[7], 1e-14);
+  }
+}
+
+TEST(ModelFile, RefusesATableWithThePlace) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      read_model_text(text, "pair.toml", {}, table_points);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal(with_table("table('mesh.csv', phase + x)")),
+              AllOf(HasSubstr("a table may be read at a phase alone, not at a state 'x'\n"),
+                    HasSubstr("pair.toml:19:38: "), HasSubstr("^")));
+  EXPECT_THAT(refusal(with_table("table('mesh.csv', f)")), HasSubstr("not at a state 'x'"));
+  EXPECT_THAT(refusal(with_table("table('other.csv', phase)")),
+              HasSubstr("pair.toml:19:26: other.csv:7: wrong\n"));
+  EXPECT_THAT(refusal(with_table("table('saw.csv', phase + k)")),
+              HasSubstr("pair.toml:19:37: 'saw.csv' jumps at 1 rad; a table that jumps may be read "
+                        "at 'phase' alone"));
+  EXPECT_THAT(refusal(with(pair_model(), "2*pi/omega", "table('mesh.csv', 1)")),
+              HasSubstr("the period may use parameters alone, not a table"));
+  EXPECT_THAT(refusal(with(pair_model(), "\"b + Fm\"", "\"table('mesh.csv', Fm)\"")),
+              HasSubstr("a start may use parameters alone, not a table"));
+  EXPECT_THAT(refusal(with(pair_model(), "z = 0.05", "table = 0.05")),
+              HasSubstr("'table' has a meaning of its own"));
+  EXPECT_THAT(refusal_of(with_table("table('mesh.csv', phase)")), HasSubstr("no tables here"));
+  std::string sum = "0";
+  for (int i = 0; i < 17; ++i) sum += " + table('m" + std::to_string(i) + ".csv', phase)";
+  const auto any = [](const std::string& file) { return parse_table("0 0\n1 1\n", file); };
+  EXPECT_THAT([&] { read_model_text(with_table("(" + sum + ")"), "pair.toml", {}, any); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("a model reads at most 16 tables")));
+}
+
+// The study of a file has the numbers of its tables, and needs no file any more.
+TEST(ModelFile, TakesItsTablesIntoTheStudy) {
+  const std::string text =
+      "[model]\nfile = 'sub/pair.toml'\n[[axes]]\nname = 'omega'\nvalues = [0.5]\n";
+  const std::string table = "sub/mesh \"1\".csv";
+  Study study;
+  {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "sub");
+    folder.write("sub/pair.toml", with(with_table("table('mesh \"1\".csv', phase)"),
+                                       "stiffness = \"1 - k*table('mesh \"1\".csv', phase)",
+                                       "stiffness = \"1 - k*table('mesh \\\"1\\\".csv', phase)"));
+    folder.write(table, "degree,k\n0,0.1\n90,1\n360,0.1\n");
+    study = read_study(text, (folder / "s.toml").string());
+    EXPECT_THAT(
+        [&] { read_study(text + "[model.tables]\n'a' = ''\n", (folder / "s.toml").string()); },
+        ::testing::ThrowsMessage<InputError>(HasSubstr("tables belong to a model's text")));
+    folder.write(table, "degree,k\n0,0.1\n90,x\n360,0.1\n");
+    EXPECT_THAT([&] { read_study(text, (folder / "s.toml").string()); },
+                ::testing::ThrowsMessage<InputError>(AllOf(
+                    HasSubstr("sub/pair.toml:19:"), HasSubstr("csv:3: 'x' is not a number"))));
+  }
+  EXPECT_THAT(study.toml, HasSubstr("1.5707963267948966 1"));
+  const Study again = read_study(study.toml, "again");
+  EXPECT_EQ(again.toml, study.toml);
+  for (int i = 0; i < 1000; ++i) {
+    const double psi = i / 1000.0;
+    EXPECT_EQ(stiffness_at(*again.model, again.setting, psi, psi),
+              stiffness_at(*study.model, study.setting, psi, psi));
+  }
+}
+
+TEST(ModelFile, RefusesHostileTablesOfAStudy) {
+  const auto refusal_with = [](const std::string& tables) {
+    return refusal("[model]\ntext = '''\n" + with_table("table(\\\"mesh.csv\\\", phase)") +
+                   "'''\n" + tables + "[[axes]]\nname = 'omega'\nvalues = [0.5]\n");
+  };
+  const std::string good = "[model.tables]\n'mesh.csv' = \"0 1\\n1 2\"\n";
+  EXPECT_EQ(refusal_with(good), "");
+  EXPECT_THAT(refusal_with(""), HasSubstr("'mesh.csv' is not in [model.tables] of the study"));
+  EXPECT_THAT(refusal_with("[model.tables]\n'mesh.csv' = 3\n"),
+              HasSubstr("a table must be a string of numbers"));
+  EXPECT_THAT(refusal_with("tables = 3\n"), HasSubstr("'tables' must be a table"));
+  EXPECT_THAT(refusal_with(good + "'other.csv' = '0 1'\n"),
+              HasSubstr("'other.csv' is read by no expression of the model"));
+  EXPECT_THAT(refusal_with("[model.tables]\n'mesh.csv' = \"0 1\\n1 nan\"\n"),
+              HasSubstr("'mesh.csv' in [model.tables]:2: 'nan' is out of range"));
+  EXPECT_THAT(refusal_with("[model.tables]\n'mesh.csv' = \"0 1\\u0000\"\n"),
+              HasSubstr("'mesh.csv' in [model.tables]: not a text file"));
+  EXPECT_THAT(refusal("[model]\nname = 'gear5'\n" + good + "[[axes]]\nname = 'omega'\n"),
+              HasSubstr("tables belong to the text of a model of your own"));
 }
 
 // A part that is used twice stays one part, however often that is done.
