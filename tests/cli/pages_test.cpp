@@ -59,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(All, Pages, ::testing::ValuesIn(pages_but_the_gallery()
                                                      std::regex("[^A-Za-z0-9]"), "_");
                          });
 
-// A study or a style begins with a comment that says under which name the commands find it.
+// A study, a style or a table of numbers begins with a comment that says under which name the
+// commands find it.
 TEST_P(Pages, CommandsWorkInTheirOrder) {
   const Folder folder;
   bool has_commands = false;
@@ -68,10 +69,10 @@ TEST_P(Pages, CommandsWorkInTheirOrder) {
     const std::string where = fmt::format("{}:{}", page_.name(), block.line);
     if (block.not_run) continue;
     if (block.language == "python") python += block.text;
-    if (block.language == "toml") {
+    if (block.language == "toml" || block.language == "csv") {
       std::smatch name;
       const std::string first = first_line(block.text);
-      ASSERT_TRUE(std::regex_match(first, name, std::regex("# ([a-z]+\\.toml)"))) << where;
+      ASSERT_TRUE(std::regex_match(first, name, std::regex("# ([a-z]+\\.(toml|csv))"))) << where;
       folder.write(name[1], block.text);
       // What has no axes is the style of a picture, which the next command takes.
       if (block.text.find("[[axes]]") == std::string::npos) continue;
@@ -97,7 +98,7 @@ TEST_P(Pages, CommandsWorkInTheirOrder) {
 
 // A block in a language that nothing looks at would rot.
 TEST(Documentation, BlocksAreInLanguagesThatAreChecked) {
-  const std::set<std::string> checked = {"sh", "toml", "python", "cpp"};
+  const std::set<std::string> checked = {"sh", "toml", "csv", "python", "cpp"};
   const std::set<std::string> only_shown = {"matlab", "cmake", "text"};
   for (const Page& page : documentation()) {
     SCOPED_TRACE(page.name());
