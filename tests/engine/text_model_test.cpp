@@ -202,6 +202,30 @@ TEST(TextModel, HasTheMotionOfATableThatJumps) {
   EXPECT_LT(largest_difference(run(with_table), run(with_conditions)), 1e-12);
 }
 
+// A spline has no corners, so a step over one of its points loses nothing; straight lines have.
+TEST(TextModel, KeepsItsOrderWithASpline) {
+  const auto order = [](const std::string& table) {
+    const auto x_rms = [&](double step) {
+      return values_of(
+          run(table_study(table, 9,
+                          "[[axes]]\nname = 'omega'\nvalues = [0.55, 0.6, 0.65, 0.7, "
+                          "1.1, 1.2, 1.3, 1.4]\n[integrate]\nsettle = 0\nrecord = "
+                          "10\nstop = 'never'\nmax_step = " +
+                              std::to_string(step) + "\n[observe]\nquantities = ['x_rms']\n")),
+          "x_rms");
+    };
+    const std::vector<double> fine = x_rms(0.0025), half = x_rms(0.04), whole = x_rms(0.08);
+    double error = 0.0, error_of_half = 0.0;
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      error += std::fabs(whole[i] - fine[i]);
+      error_of_half += std::fabs(half[i] - fine[i]);
+    }
+    return std::log2(error / error_of_half);
+  };
+  EXPECT_GT(order("table('cosine.csv', phase, cubic)"), 3.5);
+  EXPECT_LT(order("table('cosine.csv', phase)"), 3.3);
+}
+
 // Halving the step leaves a sixteenth of the error where contacts are corrected.
 TEST(TextModel, KeepsItsOrderWhereTeethMeetAndPart) {
   const auto x_rms = [](double step) {

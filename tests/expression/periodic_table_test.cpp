@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 
@@ -64,8 +65,8 @@ TEST(PeriodicTable, IsStraightBetweenPoints) {
 // Halving the distance leaves a quarter of the error, or a sixteenth.
 TEST(PeriodicTable, HasTheOrderOfItsInterpolation) {
   for (const double bent : {0.0, 0.2}) {
-    for (const auto& [interpolation, factor] :
-         {std::pair(Interpolation::linear, 4.0), std::pair(Interpolation::cubic, 16.0)}) {
+    for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
+      const double factor = interpolation == Interpolation::linear ? 4.0 : 16.0;
       const auto error = [&](int count) {
         return largest_error(
             PeriodicTable("wave", points_of(wave, count, 0.1, 0.1 + kTurn, bent), interpolation),

@@ -1,12 +1,14 @@
 // Files of measured curves: what is read, and what is refused with its line.
 #include "study/table_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <clocale>
 #include <cmath>
 #include <filesystem>
+#include <locale>
 #include <numbers>
 #include <random>
 
@@ -16,7 +18,6 @@
 namespace gearsweep::testing {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -149,6 +150,22 @@ TEST(TableFile, IsTheSameWhenWrittenAndReadAgain) {
   }
   const std::vector<TablePoint> jumps = points("0 -1\n3 0\n3 0.1\n6.2831853 1\n6.2831853 -1\n");
   EXPECT_EQ(points(table_text(jumps)), jumps);
+}
+
+// With a decimal comma, whether or not the machine has a language that writes one.
+TEST(TableFile, IsTheSameInEveryLocale) {
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+  };
+  const std::string text = "0 1.5\n0.25 -2.5\n";
+  const std::vector<TablePoint> read = points(text);
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
+  const std::string was = std::setlocale(LC_ALL, nullptr);
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  EXPECT_EQ(points(text), read);
+  EXPECT_EQ(table_text(read), text);
+  std::setlocale(LC_ALL, was.c_str());
+  std::locale::global(before);
 }
 
 TEST(TableFile, LiesBesideItsModel) {
