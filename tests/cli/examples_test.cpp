@@ -73,13 +73,20 @@ TEST(Examples, BuiltInStudiesAreSensible) {
 bool is_study(const std::string& text) { return text.find("[[axes]]") != std::string::npos; }
 bool is_model(const std::string& text) { return text.find("[equations]") != std::string::npos; }
 
-// A page's models lie beside its studies, under the names in their first lines.
+// "# mine.toml" in the first line of a text.
+void write_as_named(const Folder& folder, const std::string& text) {
+  folder.write(text.substr(2, text.find('\n') - 2), text);
+}
+
+// A page's models and tables lie beside its studies, under the names in their first lines.
 TEST(Examples, StudiesOfThePagesAreSensible) {
   std::size_t count = 0;
   for (const auto& path : all_pages()) {
     const Folder folder;
-    for (const std::string& text : read_page(path).blocks_of("toml")) {
-      if (is_model(text)) folder.write(text.substr(2, text.find('\n') - 2), text);
+    const Page page = read_page(path);
+    for (const std::string& table : page.blocks_of("csv")) write_as_named(folder, table);
+    for (const std::string& text : page.blocks_of("toml")) {
+      if (is_model(text)) write_as_named(folder, text);
       if (!is_study(text)) continue;
       ++count;
       expect_sensible(read_study(text, folder / path.filename().string()), text);
