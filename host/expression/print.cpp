@@ -100,8 +100,11 @@ std::string to_short_text(const ExpressionGraph& graph, NodeId id) {
     for (const NodeId argument : graph[part].arguments) size += sizes.at(argument);
     sizes[part] = size;
   }
-  if (sizes.at(id) <= kShort) return to_text(graph, id);
-  return fmt::format("an expression of {} parts", sizes.size());
+  if (sizes.at(id) > kShort) return fmt::format("an expression of {} parts", sizes.size());
+  std::string text = to_text(graph, id);
+  std::ranges::replace_if(
+      text, [](char c) { return c < ' ' || c > '~' || c == '\\' || c == '?'; }, '_');
+  return text;
 }
 
 }  // namespace gearsweep
