@@ -68,7 +68,8 @@ class Builder {
   // In an order in which what waits longest is added last. Of the first two products the second
   // one is worked out first, since the sum is fused with the other.
   LinearSum latest_inside(LinearSum sum) const {
-    std::ranges::stable_partition(sum, [&](const LinearTerm& term) { return !is_late(term.of); });
+    std::stable_partition(sum.begin(), sum.end(),
+                          [&](const LinearTerm& term) { return !is_late(term.of); });
     if (sum.size() > 1) std::swap(sum[0], sum[1]);
     return sum;
   }
