@@ -11,6 +11,14 @@ namespace gearsweep {
 // otherwise "; known: a, b, c" (shortened after a dozen).
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known);
 
+// Of what has a `name`: states, parameters, options, presets.
+template <class Info>
+std::vector<std::string> names_of(const std::vector<Info>& infos) {
+  std::vector<std::string> names;
+  for (const Info& info : infos) names.push_back(info.name);
+  return names;
+}
+
 // The words of a list such as "consistent printed".
 std::vector<std::string> split_words(std::string_view words);
 

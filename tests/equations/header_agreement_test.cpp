@@ -201,7 +201,7 @@ TEST_P(Headers, RestAndJumpWhereTheEquationsDo) {
     const auto phases = [](const Model& model, const ModelSetting& setting) {
       std::vector<double> all = model.break_phases(setting);
       std::ranges::sort(all);
-      all.erase(std::ranges::unique(all).begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
       return all;
     };
     const std::vector<double> jumps = phases(file, own), expected_jumps = phases(header(), theirs);

@@ -25,6 +25,14 @@ TEST_F(PlotMapTest, AnEvenGridIsAnImageWithGreyForWhatDiverged) {
                             HasSubstr("diverged at 1 of 12 points")));
 }
 
+// As that of a user's own model may be.
+TEST_F(PlotMapTest, AnAxisWhoseMeaningIsItsNameIsLabelledOnce) {
+  SweepResult result = example_result();
+  result.study.axes[1].meaning = "b";
+  EXPECT_THAT(script_of({.paths = {write(result)}}),
+              HasSubstr("\"{/:Italic b} ({/:Italic b}_{n})\""));
+}
+
 // Boxes that only touch would show bright seams in vector formats.
 TEST_F(PlotMapTest, AnUnevenOrLogarithmicGridIsAnImageToo) {
   SweepResult result = example_result();

@@ -59,6 +59,13 @@ class PlotTraceTest : public gearsweep::testing::PictureTest {
   Study study_;
 };
 
+TEST_F(PlotTraceTest, OnlyGearsHaveMeshPeriods) {
+  Trace trace = made_trace(study_, 20, 16);
+  trace.channels[2].name = "force";
+  EXPECT_THAT(script_of({write("own.nc", {trace}, {"omega=0.5"})}, ""),
+              HasSubstr("time (forcing periods)"));
+}
+
 TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
   const std::string path = write_one();
   EXPECT_THAT(

@@ -283,6 +283,76 @@ TEST(ModelFile, RefusesHostileTablesOfAStudy) {
               HasSubstr("tables belong to the text of a model of your own"));
 }
 
+// The law of a spring, by name.
+std::string with_option(const std::string& choices, const std::string& condition) {
+  return with(with(pair_model(), "[constants]",
+                   "[options]\nlaw = { choices = " + choices + " }\n[constants]"),
+              "stiffness*f\"", "if(" + condition + ", stiffness*f, f^3)\"");
+}
+
+TEST(ModelFile, HasOptionsByName) {
+  const auto model =
+      read_model_text(with_option("[\"linear\", \"cubic\"]", "law.linear"), "pair.toml");
+  ASSERT_EQ(model->options.size(), 1U);
+  EXPECT_EQ(model->options[0].name, "law");
+  ModelSetting linear = model->default_setting(), cubic = linear;
+  cubic.options[0] = 1;
+  const auto force = [&](const ModelSetting& setting) {
+    std::vector<double> row(model->phase_coefs.size()), x = {3.0, 0.0}, dx(2);
+    model->phase_coefs_at(setting, 0.25, 0.25, row.data());
+    model->prepare(setting)->rhs(row.data(), x.data(), dx.data());
+    return dx[1];
+  };
+  // Two beyond the backlash: 2 K against 8, with K = 1 + k_2 at a quarter of the period.
+  EXPECT_NEAR(force(linear) - force(cubic), 8.0 - 2.0 * 1.1, 1e-14);
+}
+
+TEST(ModelFile, RefusesOptionsThatSayTooLittle) {
+  EXPECT_THAT(refusal_of(with_option("[\"linear\", \"cubic\"]", "law.cubik")),
+              HasSubstr("unknown name 'law.cubik'; did you mean 'law.cubic'?"));
+  EXPECT_THAT(refusal_of(with_option("[\"linear\"]", "law.linear")),
+              HasSubstr("option 'law' needs from 2 to 64 different names as choices"));
+  EXPECT_THAT(refusal_of(with_option("[\"a\", \"a\"]", "law.a")), HasSubstr("different names"));
+  EXPECT_THAT(refusal_of(with_option("[\"a\", \"b c\"]", "law.a")), HasSubstr("different names"));
+  EXPECT_THAT(refusal_of(with_option("[\"a\", \"b\"]", "law.a + 1 < 0")),
+              HasSubstr("a condition stands where a number is needed"));
+}
+
+TEST(ModelFile, MayCallAParameterByAnotherNameInExpressions) {
+  const std::string text =
+      with(with(pair_model(), "z = 0.05", "phase = { as = \"z\", value = 0.05 }"), "[signals]",
+           "[presets.damped]\nphase = 0.2\n[signals]");
+  const auto model = read_model_text(text, "pair.toml");
+  EXPECT_EQ(model->parameters[2].name, "phase");
+  EXPECT_THAT(model->presets, ::testing::SizeIs(2));
+  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "phase = { as = \"sin\", value = 0.05 }")),
+              HasSubstr("'sin' has a meaning of its own"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "phase = { as = \"b\", value = 0.05 }")),
+              HasSubstr("'b' is defined twice"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "z = 0.05\nspare = 1.0")),
+              HasSubstr("parameter 'spare' is used nowhere"));
+}
+
+// The values of the file are a preset, too; the file may name it.
+TEST(ModelFile, HasItsOwnValuesAsAPreset) {
+  const auto names_after = [](const std::string& presets) {
+    std::vector<std::string> names;
+    const auto model =
+        read_model_text(with(pair_model(), "[signals]", presets + "[signals]"), "pair.toml");
+    for (const PresetInfo& preset : model->presets) names.push_back(preset.name);
+    return names;
+  };
+  EXPECT_THAT(names_after(""), ElementsAre("default"));
+  EXPECT_THAT(names_after("[presets.soft]\nk = 0.5\n"), ElementsAre("default", "soft"));
+  EXPECT_THAT(names_after("[presets.own]\npolicy = \"fixed\"\n[presets.soft]\nk = 0.5\n"),
+              ElementsAre("own", "soft"));
+  EXPECT_THAT(
+      refusal_of(with(pair_model(), "[signals]", "[presets.a]\npolicy = \"fix\"\n[signals]")),
+      HasSubstr("fixed"));
+  EXPECT_THAT(refusal_of(with(pair_model(), "[signals]", "[presets.a]\nkk = 1.0\n[signals]")),
+              HasSubstr("unknown key 'kk'"));
+}
+
 // A part that is used twice stays one part, however often that is done.
 TEST(ModelFile, TakesNoLongerForPartsOfParts) {
   for (const std::string part : {"phase*k", "x", "k", "sin(phase)"}) {

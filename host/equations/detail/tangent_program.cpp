@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -67,7 +68,8 @@ class Builder {
   // In an order in which what waits longest is added last. Of the first two products the second
   // one is worked out first, since the sum is fused with the other.
   LinearSum latest_inside(LinearSum sum) const {
-    std::ranges::stable_partition(sum, [&](const LinearTerm& term) { return !is_late(term.of); });
+    std::stable_partition(sum.begin(), sum.end(),
+                          [&](const LinearTerm& term) { return !is_late(term.of); });
     if (sum.size() > 1) std::swap(sum[0], sum[1]);
     return sum;
   }
@@ -104,9 +106,71 @@ class Builder {
     }
     if (is_of_point(id)) return point_symbol(id);
     if (node.operation == Operation::multiply) return prepared_product(id);
+    if (is_sum(node)) {
+      const NodeId collected = with_like_terms_together(id);
+      if (collected != id) return prepared(collected);
+    }
     std::vector<NodeId> arguments;
     for (const NodeId argument : node.arguments) arguments.push_back(prepared(argument));
     return graph_->make(node.operation, arguments);
+  }
+
+  // A number times factors, in the order of their ids.
+  using Terms = std::map<std::vector<NodeId>, double>;
+
+  bool is_sum(const Node& node) const {
+    return node.operation == Operation::add || node.operation == Operation::subtract;
+  }
+
+  // x*(c*x) + (x + x)*(c*x) as 3*c*x*x: the rule for products leaves such sums behind. Unchanged
+  // where no two terms are alike.
+  NodeId with_like_terms_together(NodeId id) {
+    Terms terms;
+    const std::size_t count = take_terms(id, 1.0, &terms);
+    if (terms.size() == count) return id;
+    NodeId all = graph_->number(0.0);
+    for (const auto& [factors, number] : terms) {
+      NodeId term = graph_->number(std::fabs(number));
+      for (const NodeId factor : factors) {
+        term = graph_->make(Operation::multiply, {term, factor});
+      }
+      all = graph_->make(number < 0.0 ? Operation::subtract : Operation::add, {all, term});
+    }
+    return all;
+  }
+
+  // How many there were. What is used elsewhere, too, stays whole.
+  std::size_t take_terms(NodeId id, double number, Terms* terms) {
+    const Node node = (*graph_)[id];
+    if (is_sum(node) && uses_[id] < 2) {
+      const double sign = node.operation == Operation::subtract ? -1.0 : 1.0;
+      return take_terms(node.arguments[0], number, terms) +
+             take_terms(node.arguments[1], sign * number, terms);
+    }
+    std::vector<NodeId> factors;
+    take_numbered_factors(id, &number, &factors);
+    std::ranges::sort(factors);
+    (*terms)[factors] += number;
+    return 1;
+  }
+
+  void take_numbered_factors(NodeId id, double* number, std::vector<NodeId>* factors) {
+    const Node node = (*graph_)[id];
+    if (node.operation == Operation::number) {
+      *number *= node.number;
+    } else if (node.operation == Operation::negate) {
+      *number = -*number;
+      take_numbered_factors(node.arguments[0], number, factors);
+    } else if (node.operation == Operation::multiply && uses_[id] < 2) {
+      for (const NodeId argument : node.arguments) {
+        take_numbered_factors(argument, number, factors);
+      }
+    } else if (node.operation == Operation::add && node.arguments[0] == node.arguments[1]) {
+      *number *= 2.0;
+      take_numbered_factors(node.arguments[0], number, factors);
+    } else {
+      factors->push_back(id);
+    }
   }
 
   // What belongs to the point first, then the factors that most other parts have, too: products

@@ -192,7 +192,8 @@ std::string axis_label(const ResultAxis& axis) {
   if (axis.meaning.starts_with(kInitial) && !symbol.empty()) {
     return fmt::format("{}{}{}", kInitial, symbol, unit_markup(axis.unit));
   }
-  if (axis.meaning.empty() || axis.meaning.size() > kLongest) {
+  const bool says_nothing = axis.meaning.empty() || axis.meaning == axis.name;
+  if (says_nothing || axis.meaning.size() > kLongest) {
     return (symbol.empty() ? words_of(axis.name) : symbol) + unit_markup(axis.unit);
   }
   // The pinion's speed has no symbol of its own.

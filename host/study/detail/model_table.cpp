@@ -1,0 +1,207 @@
+#include "study/detail/model_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "model/error.hpp"
+#include "model/names.hpp"
+#include "study/builtin_models.hpp"
+#include "study/detail/toml_access.hpp"
+#include "study/model_file.hpp"
+#include "study/table_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The numbers that the model reads from files become a part of the study, as its text does.
+void take_in_tables(const std::string& text, const std::string& name, const std::string& file,
+                    toml::table* model) {
+  if (const toml::node* node = model->get("tables")) {
+    fail_at(*node, "tables belong to a model's text; with its file they are read beside it");
+  }
+  if (text.find("table") == std::string::npos) return;  // a model is read a second time for them
+  toml::table tables;
+  read_model_text(text, name, {}, [&, beside = tables_beside(file)](const std::string& table) {
+    std::vector<TablePoint> points = beside(table);
+    tables.insert_or_assign(table, table_text(points));
+    return points;
+  });
+  if (!tables.empty()) model->insert("tables", std::move(tables));
+}
+
+void set_parameter(const toml::node& node, const std::string& name, const std::string& origin,
+                   Study* study) {
+  const Model& model = *study->model;
+  const int found = model.find_parameter(name);
+  if (found < 0) {
+    fail_at(node, fmt::format("unknown parameter '{}' of model '{}'{}", name, model.name,
+                              suggest_name(name, names_of(model.parameters))));
+  }
+  const auto index = static_cast<std::size_t>(found);
+  const ParameterInfo& info = model.parameters[index];
+  study->setting.parameters[index] = read_number(node, name, info.min, info.max);
+  study->parameter_origins[index] = origin;
+}
+
+// A list under a plain name fills NAME, NAME_2, NAME_3, ...
+void set_parameter_or_list(const toml::node& node, const std::string& name,
+                           const std::string& origin, Study* study) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) {
+    set_parameter(node, name, origin, study);
+    return;
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string element = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
+    if (study->model->find_parameter(element) < 0 && study->model->find_parameter(name) >= 0) {
+      fail_at(node, fmt::format("parameter '{}' takes at most {} numbers", name, i));
+    }
+    set_parameter((*list)[i], element, origin, study);
+  }
+}
+
+// What a preset assigns: options, the initial policy, parameters.
+void apply_preset(const PresetInfo& preset, Study* study) {
+  const std::string origin = "preset " + preset.name;
+  const toml::table table = toml::parse(preset.toml, origin);
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (name == "policy") {
+      TableReader reader(&table, "[preset]");
+      study->initial.policy = static_cast<InitialPolicy>(reader.choice(name, 0, policy_names()));
+    } else if (const int option = study->model->find_option(name); option >= 0) {
+      const auto index = static_cast<std::size_t>(option);
+      TableReader reader(&table, "[preset]");
+      study->setting.options[index] =
+          static_cast<int>(reader.choice(name, 0, study->model->options[index].choices));
+      study->option_origins[index] = origin;
+    } else {
+      set_parameter(node, name, origin, study);
+    }
+  }
+}
+
+// As they stand in the text: axes are checked when the model is known.
+std::set<std::string> axis_names(const toml::table& root) {
+  std::set<std::string> names;
+  const toml::array* axes = root.contains("axes") ? root.get("axes")->as_array() : nullptr;
+  if (axes == nullptr) return names;
+  for (const toml::node& axis : *axes) {
+    const toml::table* table = axis.as_table();
+    const toml::node* name = table == nullptr ? nullptr : table->get("name");
+    if (name != nullptr && name->is_string()) names.insert(name->as_string()->get());
+  }
+  return names;
+}
+
+// A model of the user's own, from the text that the study holds since the file was read.
+void read_own_model(const toml::table& root, TableReader* reader, Study* study) {
+  const std::string file = reader->text("file", "the study's model");
+  if (reader->find("name") != nullptr) {
+    fail_at(*reader->find("name"), "give the model's name or its file, not both");
+  }
+  const toml::table* tables = reader->table("tables");
+  std::set<std::string> used;
+  study->own_model = read_model_text(
+      reader->text("text", ""), file, axis_names(root), [&](const std::string& table) {
+        const toml::node* node = tables == nullptr ? nullptr : tables->get(table);
+        if (node == nullptr) {
+          throw InputError(fmt::format("'{}' is not in [model.tables] of the study", table));
+        }
+        if (!node->is_string()) fail_at(*node, "a table must be a string of numbers, in quotes");
+        used.insert(table);
+        return parse_table(node->as_string()->get(), fmt::format("'{}' in [model.tables]", table));
+      });
+  study->model = study->own_model.get();
+  if (tables == nullptr) return;
+  for (const auto& [key, node] : *tables) {
+    if (used.contains(std::string(key.str()))) continue;
+    fail_at(node, fmt::format("'{}' is read by no expression of the model", key.str()));
+  }
+}
+
+// One of equations is read anew: what is tabulated depends on the study's axes.
+void read_builtin_model(const toml::table& root, TableReader* reader, Study* study) {
+  const std::string name = reader->text("name", kDefaultModel);
+  if (const std::string* text = model_text(name)) {
+    study->own_model = read_model_text(*text, name + ".toml", axis_names(root));
+    study->model = study->own_model.get();
+    return;
+  }
+  study->model = find_model(name);
+  if (study->model == nullptr) {
+    fail_at(*reader->find("name"),
+            fmt::format("unknown model '{}'{}", name, suggest_name(name, model_names())));
+  }
+}
+
+}  // namespace
+
+void read_model(const toml::table& root, const toml::table* table, Study* study) {
+  TableReader reader(table, study_table("model"));
+  if (const toml::node* text = reader.find("text");
+      text != nullptr || reader.find("file") != nullptr) {
+    read_own_model(root, &reader, study);
+  } else {
+    if (const toml::node* tables = reader.find("tables")) {
+      fail_at(*tables, "tables belong to the text of a model of your own");
+    }
+    read_builtin_model(root, &reader, study);
+  }
+  const Model& model = *study->model;
+  study->setting = model.default_setting();
+  study->parameter_origins.assign(model.parameters.size(), "default");
+  study->option_origins.assign(model.options.size(), "default");
+  study->preset = model.presets.empty() ? "" : model.presets.front().name;
+  if (const toml::node* node = reader.find("preset")) {
+    study->preset = reader.text("preset", "");
+    const auto preset =
+        std::find_if(model.presets.begin(), model.presets.end(),
+                     [&](const PresetInfo& candidate) { return candidate.name == study->preset; });
+    if (preset == model.presets.end()) {
+      fail_at(*node, fmt::format("unknown preset '{}' of model '{}'{}", study->preset, model.name,
+                                 suggest_name(study->preset, names_of(model.presets))));
+    }
+    study->parameter_origins.assign(model.parameters.size(), "preset " + study->preset);
+    study->option_origins.assign(model.options.size(), "preset " + study->preset);
+    apply_preset(*preset, study);
+  }
+  for (std::size_t i = 0; i < model.options.size(); ++i) {
+    const OptionInfo& option = model.options[i];
+    const toml::node* node = reader.find(option.name);
+    if (node == nullptr) continue;
+    study->setting.options[i] = static_cast<int>(reader.choice(option.name, 0, option.choices));
+    study->option_origins[i] = place_of(*node);
+  }
+  reader.refuse_unknown();
+}
+
+void take_in_model_file(const std::string& source, toml::table* root) {
+  toml::table* model = root->contains("model") ? (*root)["model"].as_table() : nullptr;
+  if (model == nullptr || !model->contains("file") || model->contains("text")) return;
+  const toml::node& node = *model->get("file");
+  if (!node.is_string()) fail_at(node, "file must be a string in quotes");
+  const std::string& name = node.as_string()->get();
+  const std::filesystem::path file =
+      std::filesystem::path(source).parent_path() / std::filesystem::path(name);
+  std::string text;
+  try {
+    text = model_file_text(file.string());
+  } catch (const InputError& error) {
+    fail_at(node, error.what());
+  }
+  take_in_tables(text, name, file.string(), model);
+  model->insert("text", text);
+}
+
+void read_parameters(const toml::table* table, Study* study) {
+  if (table == nullptr) return;
+  for (const auto& [key, node] : *table) {
+    set_parameter_or_list(node, std::string(key.str()), place_of(node), study);
+  }
+}
+
+}  // namespace gearsweep
