@@ -382,8 +382,9 @@ TEST(ZooBlankenshipKahraman, TeethPartWhereMathieusMotionReachesZero) {
   }
 }
 
-// Blankenship and Kahraman found that with parametric excitation alone the load does not move the
-// jumps. While the back flank is not met, all of the motion beyond the drive flank grows with it.
+// With parametric excitation alone, and while the back flank is not met, the force beyond the drive
+// flank is homogeneous of degree one: with the load grows all of the motion from there, and nothing
+// moves in frequency.
 TEST(ZooBlankenshipKahraman, TheLoadScalesTheMotionAndMovesNoJump) {
   std::vector<double> highest, gaps;
   for (const double F : {0.05, 0.1, 0.2}) {
