@@ -77,7 +77,9 @@ TEST(InsideSteps, ExtremesAndAveragesOfEveryModelAreOfFourthOrder) {
       usual += std::log2(at_once);
       EXPECT_LT(at_once, 1e-4);
     }
-    EXPECT_GT((coarse - usual) / 3.0, 3.5) << "mean order of three";
+    // A force of the power 3/2 bends without limit where it begins: steps there are of order 5/2.
+    const double order = model.name == "hertz" ? 2.3 : 3.5;
+    EXPECT_GT((coarse - usual) / 3.0, order) << "mean order of three";
   }
 }
 
