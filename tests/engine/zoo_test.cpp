@@ -61,7 +61,7 @@ std::vector<double> exponents_of(const SweepResult& result, std::size_t point, s
   return exponents;
 }
 
-double sum_of(const std::vector<double>& values) {
+double total_of(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum;
@@ -537,7 +537,7 @@ TEST(ZooDuffingPair, InPhaseItIsUedasOscillator) {
     second += exponents[1] / 32.0;
     EXPECT_EQ(map_of(result, "apart_max")[i], 0.0);
     // What steps of 0.04 make of the sum, as in ExactSum of the textbook models.
-    EXPECT_NEAR(sum_of(exponents), -2.0 * 0.05 - 2.0 * 2.0, 1e-4);
+    EXPECT_NEAR(total_of(exponents), -2.0 * 0.05 - 2.0 * 2.0, 1e-4);
   }
   EXPECT_NEAR(largest, 0.1034, 0.003);
   EXPECT_NEAR(second, -0.1534, 0.003);
@@ -652,7 +652,7 @@ TEST(ZooChua, DoubleScrollHasItsPublishedExponents) {
     const double inside = map_of(result, "contact_gap")[i];
     const double m0 = -8.0 / 7.0, m1 = -5.0 / 7.0;
     // Steps of 0.02, and shares that follow the motion inside them by a cubic.
-    EXPECT_NEAR(sum_of(exponents), -1.0 - 9.0 * (1.0 + inside * m0 + (1.0 - inside) * m1), 1e-4);
+    EXPECT_NEAR(total_of(exponents), -1.0 - 9.0 * (1.0 + inside * m0 + (1.0 - inside) * m1), 1e-4);
   }
   EXPECT_NEAR(mean[0], 0.3271, 0.005);
   EXPECT_NEAR(mean[1], 0.0, 0.002);
