@@ -42,7 +42,7 @@ def as_python(value: object) -> object:
 def assert_same_attributes(own: dict, other: dict, left_out: frozenset = frozenset()) -> None:
     assert list(own) == list(other)
     for name in own.keys() - left_out:
-        assert type(own[name]) is type(other[name]), name
+        assert own[name].__class__ is other[name].__class__, name
         numpy.testing.assert_array_equal(own[name], other[name], err_msg=name)
         assert numpy.asarray(own[name]).dtype == numpy.asarray(other[name]).dtype, name
 
