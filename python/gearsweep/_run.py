@@ -79,7 +79,7 @@ def run(
     for trouble in troubles:
         warn(trouble)
     made = _dataset(*described)
-    if (made.status != 0).all():
+    if made.status.values.all():
         warn("every point failed; the maps are empty")
     return made
 
