@@ -160,8 +160,8 @@ def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:
     if isinstance(source, os.PathLike):
         return Study._of(_core.find_study(os.fspath(source), made))
     text = _text(source)
-    # No name and no path has a line or an assignment.
-    if "\n" in text or "=" in text:
+    # A name has neither lines nor assignments, and hardly any path.
+    if "\n" in text or ("=" in text and not os.path.exists(text)):
         return Study._of(_core.read_study(text, "study", made))
     return Study._of(_core.find_study(text, made))
 

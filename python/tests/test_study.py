@@ -51,7 +51,7 @@ def test_tells_what_it_is(study):
 
 
 def test_is_read_from_each_place(study, tmp_path):
-    text = tmp_path / "mine.toml"
+    text = tmp_path / "b=1.toml"
     text.write_text(study.toml)
     result = tmp_path / "map.nc"
     command("run", str(text), "-o", str(result), "--quiet")
