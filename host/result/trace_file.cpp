@@ -76,13 +76,13 @@ class TraceWriter {
         study_(study),
         placed_(placed),
         file_(*file),
-        notes_(study, placed, file),
+        notes_(study, placed),
         trace_(file_.define_dimension("trace", traces.size())),
         moment_(file_.define_dimension("moment", longest())) {}
 
   void write(const std::vector<std::string>& labels, const Provenance& provenance) {
     file_.put_attribute(NC_GLOBAL, "content", kContent);
-    notes_.put_provenance(provenance);
+    file_.put_attributes(NC_GLOBAL, notes_.provenance(provenance));
     const std::string time = time_unit(*study_.model);
     write_labels(labels);
     write_numbers("period", time, "forcing period in dimensionless time",
@@ -130,7 +130,7 @@ class TraceWriter {
   void write_numbers(const std::string& name, const std::string& unit, const std::string& meaning,
                      const Value& value) {
     const int variable = file_.define_variable(name, NC_DOUBLE, {trace_});
-    notes_.describe(variable, unit, meaning);
+    file_.put_attributes(variable, notes_.describe(unit, meaning));
     std::vector<double> numbers;
     for (const Trace& trace : traces_) numbers.push_back(value(trace));
     file_.put(variable, {0}, {numbers.size()}, numbers);
@@ -140,7 +140,7 @@ class TraceWriter {
   void write_history(const ChannelInfo& info, const Values& values_of) {
     const double missing = std::numeric_limits<double>::quiet_NaN();
     const int variable = file_.define_variable(info.name, NC_DOUBLE, {trace_, moment_});
-    notes_.describe(variable, info.unit, info.meaning);
+    file_.put_attributes(variable, notes_.describe(info.unit, info.meaning));
     file_.put_attribute(variable, "_FillValue", missing);
     file_.compress(variable);
     for (std::size_t i = 0; i < traces_.size(); ++i) {

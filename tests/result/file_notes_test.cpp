@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "result/detail/netcdf_file.hpp"
 #include "result/example_result.hpp"
 #include "result/random_result.hpp"
 #include "result/trace_file.hpp"

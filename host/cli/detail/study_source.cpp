@@ -1,78 +1,12 @@
 #include "cli/detail/study_source.hpp"
 
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 #include "cli/standard_streams.hpp"
-#include "model/error.hpp"
-#include "model/names.hpp"
-#include "model/regular_file.hpp"
-#include "result/damage.hpp"
-#include "result/result_file.hpp"
-#include "study/builtin_studies.hpp"
 
 namespace gearsweep {
-namespace {
-
-constexpr std::uintmax_t kMaxStudyBytes = std::uintmax_t{16} << 20U;
-
-std::string read_text(const std::string& path) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  if (!error && bytes > kMaxStudyBytes) {
-    throw InputError(fmt::format("{}: too large for a study; a study is a short TOML text", path));
-  }
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw InputError(fmt::format("{}: cannot be read", path));
-  return text.str();
-}
-
-}  // namespace
-
-std::vector<std::string> builtin_study_names() {
-  std::vector<std::string> names;
-  for (const auto& [file, text] : builtin_studies()) {
-    names.push_back(std::filesystem::path(file).replace_extension().string());
-  }
-  return names;
-}
-
-const std::string& builtin_study_text(const std::string& name) {
-  const auto found = builtin_studies().find(name + ".toml");
-  if (found == builtin_studies().end()) {
-    throw InputError(fmt::format("there is no built-in study '{}'{}", name,
-                                 suggest_name(name, builtin_study_names())));
-  }
-  return found->second;
-}
-
-namespace {
-
-Study read(const std::string& name_or_path, const std::vector<std::string>& overrides,
-           const std::vector<std::string>& zooms) {
-  if (has_regular_file(name_or_path, "a study")) {
-    ensure_undamaged(name_or_path);
-    const std::string text =
-        is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);
-    return read_study(text, name_or_path, overrides, zooms);
-  }
-  const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;
-  if (!is_builtin && name_or_path.find_first_of("./") != std::string::npos) {
-    throw InputError(fmt::format("{}: there is no such file", name_or_path));
-  }
-  return read_study(builtin_study_text(name_or_path), name_or_path, overrides, zooms);
-}
-
-}  // namespace
 
 Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms) {
-  const Study study = read(name_or_path, overrides, zooms);
+  const Study study = find_study(name_or_path, overrides, zooms);
   for (const std::string& notice : study.notices) tell("gearsweep: warning: {}\n", notice);
   return study;
 }

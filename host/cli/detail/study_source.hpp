@@ -1,21 +1,14 @@
-// Where a study comes from: a TOML file, a result file, or a built-in study by name.
+// The study of a command.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "study/study.hpp"
+#include "result/study_source.hpp"
 
 namespace gearsweep {
 
-// Names of the built-in studies, in alphabetical order.
-std::vector<std::string> builtin_study_names();
-
-// TOML text of a built-in study. Throws InputError for an unknown name.
-const std::string& builtin_study_text(const std::string& name);
-
-// Tells of what the study has twice. Throws InputError when there is neither such a file nor such a
-// built-in study, or it is wrong.
+// What find_study() finds. Tells of what the study has twice.
 Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms = {});
 

@@ -30,28 +30,28 @@ bool have_one_unit(const std::vector<ChannelInfo>& channels) {
 
 }  // namespace
 
-FileNotes::FileNotes(const Study& study, const std::vector<std::string>& varied, NetcdfFile* file)
-    : study_(study), file_(*file), damping_(unit_of_damping(study, varied)) {}
+FileNotes::FileNotes(const Study& study, const std::vector<std::string>& varied)
+    : study_(study), damping_(unit_of_damping(study, varied)) {}
 
-void FileNotes::put_provenance(const Provenance& provenance) {
-  const auto put = [&](const char* name, const auto& value) {
-    file_.put_attribute(NC_GLOBAL, name, value);
-  };
+std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const {
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  put("title", study_.title);
-  put("study", study_.toml);
-  put("settings", resolved_settings(study_));
-  put("gearsweep_version", provenance.version);
-  put("source_hash", provenance.source_hash);
-  put("command_line", provenance.command_line);
-  put("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now)));
+  std::vector<Attribute> notes = {
+      {"title", study_.title},
+      {"study", study_.toml},
+      {"settings", resolved_settings(study_)},
+      {"gearsweep_version", provenance.version},
+      {"source_hash", provenance.source_hash},
+      {"command_line", provenance.command_line},
+      {"created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
+  };
   const Scales& scales = study_.scales;
-  if (!scales.known()) return;
-  put("scale_varpi_rad_per_s", scales.varpi);
-  put("scale_b_n_m", scales.b_n);
-  put("scale_k0_N_per_m", scales.k0);
-  put("scale_force_N", scales.k0 * scales.b_n);
-  put("scale_rpm_per_omega", scales.rpm_per_omega);
+  if (!scales.known()) return notes;
+  notes.push_back({"scale_varpi_rad_per_s", scales.varpi});
+  notes.push_back({"scale_b_n_m", scales.b_n});
+  notes.push_back({"scale_k0_N_per_m", scales.k0});
+  notes.push_back({"scale_force_N", scales.k0 * scales.b_n});
+  notes.push_back({"scale_rpm_per_omega", scales.rpm_per_omega});
+  return notes;
 }
 
 SiUnit FileNotes::si_of(const std::string& unit) const {
@@ -63,25 +63,27 @@ SiUnit FileNotes::si_of(const std::string& unit) const {
   return si.scale > 0.0 ? si : SiUnit{1.0, "1"};
 }
 
-void FileNotes::describe(int variable, const std::string& unit, const std::string& meaning) {
-  file_.put_attribute(variable, "units", unit.empty() ? "1" : unit);
-  file_.put_attribute(variable, "long_name", meaning);
+std::vector<Attribute> FileNotes::describe(const std::string& unit,
+                                           const std::string& meaning) const {
+  std::vector<Attribute> notes = {{"units", unit.empty() ? "1" : unit}, {"long_name", meaning}};
   const SiUnit si = si_of(unit);
-  if (si.name == "1") return;
-  file_.put_attribute(variable, "scale_to_SI", si.scale);
-  file_.put_attribute(variable, "SI_units", si.name);
+  if (si.name == "1") return notes;
+  notes.push_back({"scale_to_SI", si.scale});
+  notes.push_back({"SI_units", si.name});
+  return notes;
 }
 
-void FileNotes::describe(int variable, const std::vector<ChannelInfo>& channels,
-                         const std::string& list, const std::string& meaning) {
-  describe(variable, have_one_unit(channels) ? channels.front().unit : "see " + list + "_units",
-           meaning);
-  file_.put_attribute(variable, "coordinates",
-                      fmt::format("{}", fmt::join(lists_of_channels(list), " ")));
+std::vector<Attribute> FileNotes::describe(const std::vector<ChannelInfo>& channels,
+                                           const std::string& list,
+                                           const std::string& meaning) const {
+  std::vector<Attribute> notes =
+      describe(have_one_unit(channels) ? channels.front().unit : "see " + list + "_units", meaning);
+  notes.push_back({"coordinates", fmt::format("{}", fmt::join(lists_of_channels(list), " "))});
+  return notes;
 }
 
-void FileNotes::put_channels(const std::vector<ChannelInfo>& channels, const std::string& list,
-                             int dimension) {
+void FileNotes::add_channels(const std::vector<ChannelInfo>& channels, const std::string& list,
+                             const std::string& dimension, Dataset* out) const {
   std::vector<std::string> units, meanings, si_units;
   std::vector<double> scales;
   for (const ChannelInfo& channel : channels) {
@@ -92,29 +94,16 @@ void FileNotes::put_channels(const std::vector<ChannelInfo>& channels, const std
     si_units.push_back(si.name);
   }
   const std::string each = "each " + list;
-  put_texts(list + "_units", "unit of " + each, dimension, units);
-  put_texts(list + "_long_name", "meaning of " + each, dimension, meanings);
+  add_texts(list + "_units", "unit of " + each, dimension, units, out);
+  add_texts(list + "_long_name", "meaning of " + each, dimension, meanings, out);
   if (!study_.scales.known()) return;
-  const int scale = file_.define_variable(list + "_scale_to_SI", NC_DOUBLE, {dimension});
-  describe(scale, "see " + list + "_SI_units", "1 of the unit of " + each);
-  file_.put(scale, {0}, {scales.size()}, scales);
-  put_texts(list + "_SI_units", "unit of SI of " + each, dimension, si_units);
-}
-
-void FileNotes::put_texts(const std::string& variable, const std::string& meaning, int dimension,
-                          const std::vector<std::string>& texts) {
-  std::size_t width = 1;
-  for (const std::string& text : texts) width = std::max(width, text.size());
-  const int length = file_.define_dimension(variable + "_strlen", width);
-  const int id = file_.define_variable(variable, NC_CHAR, {dimension, length});
-  file_.put_attribute(id, "long_name", meaning);
-  file_.put_attribute(id, "_Encoding", "utf-8");
-  std::string all;
-  for (std::string text : texts) {
-    text.resize(width, '\0');
-    all += text;
-  }
-  file_.put_text(id, {0, 0}, {texts.size(), width}, all);
+  out->variables.push_back(
+      {.name = list + "_scale_to_SI",
+       .stored = Stored::real,
+       .dimensions = {dimension},
+       .attributes = describe("see " + list + "_SI_units", "1 of the unit of " + each),
+       .elements = scales});
+  add_texts(list + "_SI_units", "unit of SI of " + each, dimension, si_units, out);
 }
 
 std::vector<std::string> FileNotes::lists_of_channels(const std::string& list) const {
@@ -123,6 +112,24 @@ std::vector<std::string> FileNotes::lists_of_channels(const std::string& list) c
     lists.insert(lists.end(), {list + "_scale_to_SI", list + "_SI_units"});
   }
   return lists;
+}
+
+void add_texts(const std::string& variable, const std::string& meaning,
+               const std::string& dimension, const std::vector<std::string>& texts, Dataset* out) {
+  std::size_t width = 1;
+  for (const std::string& text : texts) width = std::max(width, text.size());
+  std::string all;
+  for (std::string text : texts) {
+    text.resize(width, '\0');
+    all += text;
+  }
+  const std::string letters = variable + "_strlen";
+  out->dimensions.push_back({letters, width});
+  out->variables.push_back({.name = variable,
+                            .stored = Stored::letter,
+                            .dimensions = {dimension, letters},
+                            .attributes = {{"long_name", meaning}, {"_Encoding", "utf-8"}},
+                            .elements = all});
 }
 
 std::string time_unit(const Model& model) {

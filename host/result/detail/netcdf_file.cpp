@@ -134,10 +134,22 @@ void NetcdfFile::put_attribute(int variable, const std::string& attribute, doubl
         fmt::format("write the attribute '{}'", attribute));
 }
 
+void NetcdfFile::put_attribute(int variable, const std::string& attribute, float number) {
+  check(nc_put_att_float(id_, variable, attribute.c_str(), NC_FLOAT, 1, &number),
+        fmt::format("write the attribute '{}'", attribute));
+}
+
 void NetcdfFile::put_attribute(int variable, const std::string& attribute,
                                const std::vector<signed char>& numbers) {
   check(nc_put_att_schar(id_, variable, attribute.c_str(), NC_BYTE, numbers.size(), numbers.data()),
         fmt::format("write the attribute '{}'", attribute));
+}
+
+void NetcdfFile::put_attributes(int variable, const std::vector<Attribute>& attributes) {
+  for (const Attribute& attribute : attributes) {
+    std::visit([&](const auto& value) { put_attribute(variable, attribute.name, value); },
+               attribute.value);
+  }
 }
 
 void NetcdfFile::compress(int variable) {
@@ -147,26 +159,25 @@ void NetcdfFile::compress(int variable) {
 }
 
 void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
-                     const std::vector<std::size_t>& count, const std::vector<double>& values) {
+                     const std::vector<std::size_t>& count, std::span<const double> values) {
   check(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()),
         fmt::format("write the variable '{}'", variable_name(variable)));
 }
 
 void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
-                     const std::vector<std::size_t>& count, const std::vector<float>& values) {
+                     const std::vector<std::size_t>& count, std::span<const float> values) {
   check(nc_put_vara_float(id_, variable, start.data(), count.data(), values.data()),
         fmt::format("write the variable '{}'", variable_name(variable)));
 }
 
 void NetcdfFile::put(int variable, const std::vector<std::size_t>& start,
-                     const std::vector<std::size_t>& count,
-                     const std::vector<signed char>& values) {
+                     const std::vector<std::size_t>& count, std::span<const signed char> values) {
   check(nc_put_vara_schar(id_, variable, start.data(), count.data(), values.data()),
         fmt::format("write the variable '{}'", variable_name(variable)));
 }
 
 void NetcdfFile::put_text(int variable, const std::vector<std::size_t>& start,
-                          const std::vector<std::size_t>& count, const std::string& text) {
+                          const std::vector<std::size_t>& count, std::string_view text) {
   check(nc_put_vara_text(id_, variable, start.data(), count.data(), text.data()),
         fmt::format("write the variable '{}'", variable_name(variable)));
 }

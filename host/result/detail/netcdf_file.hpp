@@ -5,9 +5,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "result/dataset.hpp"
 
 namespace gearsweep {
 
@@ -36,19 +39,21 @@ class NetcdfFile {
   // `variable` may be NC_GLOBAL.
   void put_attribute(int variable, const std::string& attribute, const std::string& text);
   void put_attribute(int variable, const std::string& attribute, double number);
+  void put_attribute(int variable, const std::string& attribute, float number);
   void put_attribute(int variable, const std::string& attribute,
                      const std::vector<signed char>& numbers);
+  void put_attributes(int variable, const std::vector<Attribute>& attributes);
 
   void compress(int variable);
   // A block of a variable; start and count have one entry per dimension.
   void put(int variable, const std::vector<std::size_t>& start,
-           const std::vector<std::size_t>& count, const std::vector<double>& values);
+           const std::vector<std::size_t>& count, std::span<const double> values);
   void put(int variable, const std::vector<std::size_t>& start,
-           const std::vector<std::size_t>& count, const std::vector<float>& values);
+           const std::vector<std::size_t>& count, std::span<const float> values);
   void put(int variable, const std::vector<std::size_t>& start,
-           const std::vector<std::size_t>& count, const std::vector<signed char>& values);
+           const std::vector<std::size_t>& count, std::span<const signed char> values);
   void put_text(int variable, const std::vector<std::size_t>& start,
-                const std::vector<std::size_t>& count, const std::string& text);
+                const std::vector<std::size_t>& count, std::string_view text);
 
   std::vector<std::string> variables() const;
   std::string variable_name(int variable) const;

@@ -1,0 +1,286 @@
+#include "result/dataset.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "result/detail/file_names.hpp"
+#include "result/detail/file_notes.hpp"
+#include "result/result_size.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kComponents = "component";  // the dimension of quantities of every state
+
+std::vector<std::string> names_of_axes(const Study& study) {
+  std::vector<std::string> names;
+  for (const Axis& axis : study.axes) names.push_back(axis.name);
+  return names;
+}
+
+// 1, 2, ...
+std::vector<double> numbers_to(std::size_t last) {
+  std::vector<double> numbers(last);
+  std::iota(numbers.begin(), numbers.end(), 1.0);
+  return numbers;
+}
+
+std::vector<signed char> codes_of(const std::vector<std::string>& flags) {
+  std::vector<signed char> codes(flags.size());
+  std::iota(codes.begin(), codes.end(), static_cast<signed char>(0));
+  return codes;
+}
+
+void add_flags(const std::vector<signed char>& codes, const std::vector<std::string>& names,
+               std::vector<Attribute>* attributes) {
+  attributes->push_back({"flag_values", codes});
+  attributes->push_back({"flag_meanings", fmt::format("{}", fmt::join(names, " "))});
+}
+
+std::vector<std::string> names_of(const std::vector<ChannelInfo>& channels) {
+  std::vector<std::string> names;
+  for (const ChannelInfo& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
+// Puts the dataset together, variable by variable.
+class Description {
+ public:
+  explicit Description(const SweepResult& result)
+      : result_(result), study_(result.study), notes_(result.study, names_of_axes(result.study)) {}
+
+  Dataset make(const Provenance& provenance) {
+    add_provenance(provenance);
+    for (auto axis = study_.axes.rbegin(); axis != study_.axes.rend(); ++axis) add_axis(*axis);
+    add_status();
+    for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
+      add_quantity(study_.selection.quantities[i], result_.values[i]);
+    }
+    if (study_.selection.census) add_attractors();
+    if (!study_.selection.poincare.empty()) add_poincare();
+    return std::move(out_);
+  }
+
+ private:
+  void add_provenance(const Provenance& provenance) {
+    out_.attributes = notes_.provenance(provenance);
+    const auto add = [&](const char* name, auto value) {
+      out_.attributes.push_back({name, std::move(value)});
+    };
+    add("device", result_.engine.device);
+    add("driver", result_.engine.driver);
+    add("kernel_macros", result_.engine.macros);
+    add("integration_steps", result_.steps);
+    add("stopped_trajectories", static_cast<double>(result_.stopped));
+    add("compute_seconds", result_.seconds);
+    add("kernel_seconds", result_.kernel_seconds);
+    add("integrated_states", fmt::format("{}", fmt::join(result_.integrated, " ")));
+    if (!result_.pilot) return;
+    add("pilot_max_step", result_.pilot->step);
+    add("pilot_error", result_.pilot->error);
+    add("pilot_sensitive", result_.pilot->sensitive);
+    add("pilot_points", static_cast<double>(result_.pilot->points));
+  }
+
+  void add_axis(const Axis& axis) {
+    const std::string name = name_in_result(axis, study_);
+    out_.dimensions.push_back({name, axis.values.size()});
+    map_dimensions_.push_back(name);
+    DataVariable variable = {.name = name,
+                             .stored = Stored::real,
+                             .dimensions = {name},
+                             .attributes = notes_.describe(axis.unit, axis.meaning),
+                             .elements = std::span(axis.values)};
+    variable.attributes.push_back({"scale", axis.logarithmic ? "log" : "linear"});
+    out_.variables.push_back(std::move(variable));
+  }
+
+  void add_status() {
+    DataVariable variable = {.name = "status",
+                             .stored = Stored::byte,
+                             .dimensions = map_dimensions_,
+                             .attributes = notes_.describe("", "why the point ended"),
+                             .elements = std::span(result_.status),
+                             .is_compressed = true};
+    std::vector<std::string> names, meanings;
+    std::vector<signed char> codes;
+    const auto add = [&](const char* name, int code, const char* meaning) {
+      names.emplace_back(name);
+      codes.push_back(static_cast<signed char>(code));
+      meanings.push_back(fmt::format("{}: {}", name, meaning));
+    };
+#define GEARSWEEP_ADD_STATUS(name, code, meaning) add(#name, code, meaning);
+    SWEEP_STATUSES(GEARSWEEP_ADD_STATUS)
+#undef GEARSWEEP_ADD_STATUS
+    add_flags(codes, names, &variable.attributes);
+    variable.attributes.push_back({"comment", fmt::format("{}", fmt::join(meanings, "; "))});
+    out_.variables.push_back(std::move(variable));
+  }
+
+  void add_quantity(const Quantity& quantity, const std::vector<double>& values) {
+    const bool is_class = !quantity.flags.empty();
+    DataVariable variable = {.name = quantity.name,
+                             .stored = is_class ? Stored::byte : stored_real(),
+                             .dimensions = map_dimensions_,
+                             .attributes = {},
+                             .elements = std::span(values),
+                             .is_compressed = true};
+    if (quantity.width > 1) {
+      add_numbered(quantity.dimension, quantity.width);
+      variable.dimensions.push_back(quantity.dimension);
+    }
+    variable.attributes = quantity.dimension == kComponents
+                              ? notes_.describe(study_.model->states, kComponents, quantity.meaning)
+                              : notes_.describe(quantity.unit, quantity.meaning);
+    variable.attributes.push_back(fill_of(variable.stored));
+    if (is_class) add_flags(codes_of(quantity.flags), quantity.flags, &variable.attributes);
+    add_pilot_error(quantity.name, &variable);
+    out_.variables.push_back(std::move(variable));
+  }
+
+  void add_pilot_error(const std::string& quantity, DataVariable* variable) const {
+    if (!result_.pilot) return;
+    const auto error = result_.pilot->errors.find(quantity);
+    if (error == result_.pilot->errors.end()) return;
+    variable->attributes.push_back({"pilot_error", error->second});
+  }
+
+  // The list that `attractor` numbers, along a dimension of its own.
+  void add_attractors() {
+    const std::string number = "attractor_number";
+    const std::vector<Attractor>& list = result_.attractors;
+    add_numbered(number, list.size());
+    const auto add = [&](const std::string& name, const std::string& unit,
+                         const std::string& meaning, const auto& value) {
+      std::vector<double> values;
+      for (const Attractor& attractor : list) values.push_back(value(attractor));
+      out_.variables.push_back({.name = name,
+                                .stored = Stored::real,
+                                .dimensions = {number},
+                                .attributes = notes_.describe(unit, meaning),
+                                .elements = std::move(values)});
+    };
+    const ChannelInfo& first = study_.model->states.front();
+    add("attractor_motion_class", "", "kind of motion of each attractor",
+        [](const Attractor& a) { return static_cast<double>(a.motion); });
+    add_flags(codes_of(motion_names()), motion_names(), &out_.variables.back().attributes);
+    add("attractor_period", "1", "period in forcing periods; 0: none",
+        [](const Attractor& a) { return a.period; });
+    add(fmt::format("attractor_{}_rms", first.name), first.unit,
+        fmt::format("root mean square of {}, mean over the attractor's trajectories", first.name),
+        [](const Attractor& a) { return a.rms; });
+    if (const ChannelInfo* force = study_.model->contact_force()) {
+      add(fmt::format("attractor_{}_max", force->name), force->unit,
+          "largest dynamic meshing force of the attractor",
+          [](const Attractor& a) { return a.peak; });
+    }
+    add("attractor_lyapunov_max", "1/tau",
+        "largest Lyapunov exponent, mean over the attractor's trajectories",
+        [](const Attractor& a) { return a.exponent; });
+    add("attractor_share", "1", "share of all trajectories that reached the attractor",
+        [&](const Attractor& a) {
+          return static_cast<double>(a.trajectories) / static_cast<double>(study_.trajectories());
+        });
+  }
+
+  // The dimension of this name with the coordinate 1, 2, ..., unless it is there already.
+  void add_numbered(const std::string& name, std::size_t size) {
+    const bool is_known =
+        std::any_of(out_.variables.begin(), out_.variables.end(),
+                    [&](const DataVariable& known) { return known.name == name; });
+    if (is_known) return;
+    const std::string what = name == "attractor_number" ? "attractor" : name;
+    add_count(name, size, fmt::format("number of the {}", what));
+    if (name != kComponents) return;
+    // What the numbers of the model's states stand for.
+    const std::vector<ChannelInfo>& states = study_.model->states;
+    add_texts(kComponents + std::string("_state"), "state of each component", name,
+              names_of(states), &out_);
+    notes_.add_channels(states, kComponents, name, &out_);
+  }
+
+  void add_count(const std::string& name, std::size_t size, const std::string& meaning) {
+    out_.dimensions.push_back({name, size});
+    out_.variables.push_back({.name = name,
+                              .stored = Stored::integer,
+                              .dimensions = {name},
+                              .attributes = notes_.describe("", meaning),
+                              .elements = numbers_to(size)});
+  }
+
+  void add_poincare() {
+    const std::size_t record = study_.integrate.record;
+    const std::vector<ChannelInfo> states = chosen_states();
+    out_.dimensions.push_back({"state", states.size()});
+    add_texts("state", "state that was sampled", "state", names_of(states), &out_);
+    notes_.add_channels(states, "state", "state", &out_);
+    add_count("sample", record, "recorded period");
+
+    const SampleBlock block = block_of_samples(study_);
+    DataVariable variable = {
+        .name = "poincare",
+        .stored = stored_real(),
+        .dimensions = map_dimensions_,
+        .attributes = notes_.describe(states, "state", "states at phase 0 of each recorded period"),
+        .elements = std::span(result_.samples),
+        .is_compressed = true,
+        .chunk = {block.rows, block.columns, states.size(), record}};
+    if (map_dimensions_.size() == 1) variable.chunk.erase(variable.chunk.begin());
+    variable.dimensions.insert(variable.dimensions.end(), {"state", "sample"});
+    variable.attributes.push_back(fill_of(variable.stored));
+    out_.variables.push_back(std::move(variable));
+  }
+
+  std::vector<ChannelInfo> chosen_states() const {
+    std::vector<ChannelInfo> states;
+    for (const std::size_t state : study_.selection.poincare) {
+      states.push_back(study_.model->states[state]);
+    }
+    return states;
+  }
+
+  // Of the variable's own type.
+  static Attribute fill_of(Stored stored) {
+    constexpr const char* kName = "_FillValue";
+    if (stored == Stored::byte) return {kName, std::vector{kNoClass}};
+    if (stored == Stored::single) return {kName, std::numeric_limits<float>::quiet_NaN()};
+    return {kName, std::numeric_limits<double>::quiet_NaN()};
+  }
+
+  Stored stored_real() const { return study_.integrate.fp64 ? Stored::real : Stored::single; }
+
+  const SweepResult& result_;
+  const Study& study_;
+  const FileNotes notes_;
+  std::vector<std::string> map_dimensions_;  // (y, x) or (x)
+  Dataset out_;
+};
+
+}  // namespace
+
+std::size_t Dataset::size_of(const std::string& dimension) const {
+  const auto found = std::find_if(dimensions.begin(), dimensions.end(),
+                                  [&](const Dimension& own) { return own.name == dimension; });
+  if (found == dimensions.end()) {
+    throw std::logic_error(fmt::format("there is no dimension '{}'", dimension));
+  }
+  return found->size;
+}
+
+std::vector<std::size_t> Dataset::shape_of(const DataVariable& variable) const {
+  std::vector<std::size_t> shape;
+  for (const std::string& dimension : variable.dimensions) shape.push_back(size_of(dimension));
+  return shape;
+}
+
+Dataset dataset_of(const SweepResult& result, const Provenance& provenance) {
+  return Description(result).make(provenance);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,22 @@
+// Where a study comes from: a TOML file, a result file, or a built-in study by name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// Names of the built-in studies, in alphabetical order.
+std::vector<std::string> builtin_study_names();
+
+// TOML text of a built-in study. Throws InputError for an unknown name.
+const std::string& builtin_study_text(const std::string& name);
+
+// Throws InputError when there is neither such a file nor such a built-in study, or it is wrong. No
+// other thread may be at a NetCDF file meanwhile.
+Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                 const std::vector<std::string>& zooms = {});
+
+}  // namespace gearsweep

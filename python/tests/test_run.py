@@ -1,0 +1,138 @@
+"""Runs that are watched, stopped, beside each other, and after fork()."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+from conftest import MAP
+
+import gearsweep
+
+# Work for hours, in short rounds and small tiles: whatever stops it comes before its end.
+LONG = {
+    "axes.omega.count": 2000,
+    "axes.e0.count": 2000,
+    "integrate.tile": 64,
+    "integrate.max_step": 0.2,
+}
+# Several tiles, which a run that goes on finds in the journal or computes.
+TILES = {**MAP, "axes.omega.count": 40, "integrate.tile": 8, "integrate.max_step": 0.2}
+
+
+class Done(Exception):
+    """Raised by a progress function that has seen enough."""
+
+
+def test_progress_reaches_the_end():
+    seen: list[gearsweep.Progress] = []
+    made = gearsweep.run("coarse-map", set=TILES, progress=seen.append)
+    assert seen[-1].points_done == seen[-1].points == made.dmf_max.size
+    assert seen[-1].share == pytest.approx(1.0)
+    assert all(a.share <= b.share for a, b in zip(seen, seen[1:], strict=False))
+
+
+def test_progress_comes_in_the_calling_thread():
+    threads = set()
+    gearsweep.run("coarse-map", set=MAP, progress=lambda _: threads.add(threading.get_ident()))
+    assert threads == {threading.get_ident()}
+
+
+def test_ctrl_c_stops_and_keeps_the_journal(tmp_path):
+    journal = tmp_path / "journal"
+    some_done = threading.Event()
+    # From outside, as a terminal does: the run itself has to notice.
+    killer = threading.Thread(
+        target=lambda: some_done.wait() and os.kill(os.getpid(), signal.SIGINT)
+    )
+    killer.start()
+
+    def watch(news: gearsweep.Progress) -> None:
+        if news.points_done > 0:
+            some_done.set()
+
+    with pytest.raises(KeyboardInterrupt):
+        gearsweep.run("coarse-map", set=LONG, journal=journal, progress=watch)
+    killer.join()
+    assert journal.exists()
+
+
+def test_ctrl_c_stops_without_a_journal(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    timer = threading.Thread(target=lambda: os.kill(os.getpid(), signal.SIGINT))
+    with pytest.raises(KeyboardInterrupt):
+        timer.start()
+        gearsweep.run("coarse-map", set=LONG)
+    timer.join()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupted_run_goes_on(tmp_path):
+    journal = tmp_path / "journal"
+    plain = gearsweep.run("coarse-map", set=TILES)
+
+    def stop(news: gearsweep.Progress) -> None:
+        if news.points_done > 0:
+            raise Done
+
+    with pytest.raises(Done):
+        gearsweep.run("coarse-map", set=TILES, journal=journal, progress=stop)
+    assert journal.exists()
+    resumed = gearsweep.run("coarse-map", set=TILES, journal=journal)
+    assert resumed.equals(plain)
+    assert not journal.exists()
+
+
+def test_two_threads_run_at_once():
+    calls = [("coarse-map", MAP), ("coarse-chaos", MAP), ("coarse-map", TILES)]
+    alone = [gearsweep.run(study, set=changes) for study, changes in calls]
+    with ThreadPoolExecutor(len(calls)) as pool:
+        together = list(pool.map(lambda call: gearsweep.run(call[0], set=call[1]), calls))
+    assert all(one.equals(other) for one, other in zip(alone, together, strict=True))
+
+
+def test_other_threads_go_on_meanwhile():
+    ended = threading.Event()
+    counted = 0
+
+    def count() -> None:
+        nonlocal counted
+        while not ended.is_set():
+            counted += 1
+
+    counting = threading.Thread(target=count)
+    counting.start()
+    seen: list[int] = []
+    gearsweep.run("coarse-map", set=TILES, progress=lambda _: seen.append(counted))
+    ended.set()
+    counting.join()
+    assert seen[-1] > 0
+
+
+def test_a_forked_child_is_told_so():
+    gearsweep.run("coarse-map", set=MAP)
+    child = os.fork()
+    if child == 0:
+        signal.alarm(120)  # a hang ends here, and fails
+        status = 1
+        try:
+            gearsweep.run("coarse-map", set=MAP)
+        except gearsweep.RunError as error:
+            status = 0 if "after fork()" in str(error) else 2
+        os._exit(status)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+
+
+def test_a_child_that_was_forked_before_can_compute():
+    script = (
+        "import gearsweep, os\n"
+        "child = os.fork()\n"
+        f"gearsweep.run('coarse-map', set={MAP!r})\n"
+        "if child: raise SystemExit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
+    )
+    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
