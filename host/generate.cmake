@@ -27,6 +27,8 @@ foreach(kind model observable)
     string(APPEND ${list} "${kind}_${NAME}::bind(), ")
   endforeach()
 endforeach()
+# The lists of two headers have the same names.
+set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 configure_file(model/registry.cpp.in ${GENERATED}/registry.cpp @ONLY)
 list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/registry.cpp)
 

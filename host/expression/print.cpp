@@ -17,7 +17,7 @@ struct Binding {
 };
 
 constexpr int kSigned = 7, kPrimary = 9;
-constexpr double kShort = 100.0;  // parts of a text that is read at a glance
+constexpr double kReadAtAGlance = 100.0;  // parts of a text that is read at a glance
 
 Binding binding_of(Operation operation) {
   switch (operation) {
@@ -100,7 +100,7 @@ std::string to_short_text(const ExpressionGraph& graph, NodeId id) {
     for (const NodeId argument : graph[part].arguments) size += sizes.at(argument);
     sizes[part] = size;
   }
-  if (sizes.at(id) > kShort) return fmt::format("an expression of {} parts", sizes.size());
+  if (sizes.at(id) > kReadAtAGlance) return fmt::format("an expression of {} parts", sizes.size());
   std::string text = to_text(graph, id);
   std::ranges::replace_if(
       text, [](char c) { return c < ' ' || c > '~' || c == '\\' || c == '?'; }, '_');

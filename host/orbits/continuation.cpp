@@ -20,16 +20,16 @@ using Eigen::VectorXd;
 constexpr double kFirstStep = 2e-3, kMaxStep = 0.02, kMinStep = 1e-7;
 constexpr std::size_t kMaxOrbits = 4000;
 constexpr int kMaxCorrections = 12;
-constexpr int kQuickCorrection = 4;    // so many iterations or fewer: the next step is longer
-constexpr double kCorrected = 1e-12;   // residual, of the state's size
-constexpr double kBracket = 1e-6;      // arclength around a bifurcation
-constexpr double kRounding = 1e-11;    // of the range: what the straight line leaves
-constexpr double kGrazing = 10.0;      // brackets: so near to a limit the motion may touch or not
-constexpr double kJustDoubled = 1e-3;  // half_return of an orbit that has only just doubled
-constexpr double kHalved = 1e-9;       // half_return of an orbit of half the period
-constexpr double kStraight = 0.9;      // smallest cosine of the angle between neighbours
-constexpr double kFarLanding = 0.3;    // correction, as a share of the step
-constexpr double kDifference = 1e-6;   // of the range: step of the derivative by the parameter
+constexpr int kQuickCorrection = 4;      // so many iterations or fewer: the next step is longer
+constexpr double kCorrected = 1e-12;     // residual, of the state's size
+constexpr double kBracket = 1e-6;        // arclength around a bifurcation
+constexpr double kLineRounding = 1e-11;  // of the range: what the straight line leaves
+constexpr double kGrazing = 10.0;        // brackets: so near to a limit the motion may touch or not
+constexpr double kJustDoubled = 1e-3;    // half_return of an orbit that has only just doubled
+constexpr double kHalved = 1e-9;         // half_return of an orbit of half the period
+constexpr double kStraight = 0.9;        // smallest cosine of the angle between neighbours
+constexpr double kFarLanding = 0.3;      // correction, as a share of the step
+constexpr double kDifference = 1e-6;     // of the range: step of the derivative by the parameter
 
 // A solution of shooting: the state and, as the last entry, the parameter, both scaled; with the
 // unit tangent of the branch and the signs that tell bifurcations.
@@ -188,7 +188,7 @@ void estimate_error(const Follower& coarser, Test test, Bracket* bracket) {
   bracket->grazing = bracket->low.orbit.graze.distance < kGrazing * kBracket * coarser.size();
   if (!std::isfinite(again)) return;
   bracket->error =
-      kErrorPerChange * std::fabs(again - bracket->parameter) + kRounding * coarser.range();
+      kErrorPerChange * std::fabs(again - bracket->parameter) + kLineRounding * coarser.range();
   if (!bracket->grazing) return;
   bracket->error +=
       std::fabs(coarser.parameter_of(bracket->high) - coarser.parameter_of(bracket->low));

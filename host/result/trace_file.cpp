@@ -68,10 +68,10 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
 }
 
 // Defines the whole file, then fills it.
-class Writer {
+class TraceWriter {
  public:
-  Writer(const std::vector<Trace>& traces, const Study& study,
-         const std::vector<std::string>& placed, NetcdfFile* file)
+  TraceWriter(const std::vector<Trace>& traces, const Study& study,
+              const std::vector<std::string>& placed, NetcdfFile* file)
       : traces_(traces),
         study_(study),
         placed_(placed),
@@ -186,7 +186,7 @@ void write_traces(const std::vector<Trace>& traces, const std::vector<std::strin
   }
   OutputFile output(path);
   NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
-  Writer(traces, study, placed, &file).write(labels, provenance);
+  TraceWriter(traces, study, placed, &file).write(labels, provenance);
   file.close();
   output.commit();
 }

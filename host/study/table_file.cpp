@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
-constexpr std::size_t kMinPoints = 2, kMaxPoints = 100'000;
+constexpr std::size_t kMinTablePoints = 2, kMaxTablePoints = 100'000;
 constexpr std::size_t kMaxJumps = 100;  // the phase grid has a segment for each
 // In rad. Points of different phases are not closer; a last phase that is rounded to five digits is
 // still the period's end.
@@ -84,11 +84,11 @@ class PointReader {
       text_.remove_prefix(std::min(end + 1, text_.size()));
       read_line(fields_of(line.substr(0, line.find('#'))));
     }
-    if (points_.size() >= kMinPoints) close();
-    if (points_.size() < kMinPoints) {
+    if (points_.size() >= kMinTablePoints) close();
+    if (points_.size() < kMinTablePoints) {
       throw InputError(fmt::format("{}: a table of {} point{}; it needs at least {} in a period",
                                    source_, points_.size(), points_.size() == 1 ? "" : "s",
-                                   kMinPoints));
+                                   kMinTablePoints));
     }
     return std::move(points_);
   }
@@ -164,8 +164,8 @@ class PointReader {
                       unit_.name, given, begin / unit_.in_rad, end / unit_.in_rad));
     }
     if (!points_.empty()) refuse_close(given, phase);
-    if (points_.size() == kMaxPoints) {
-      fail(fmt::format("more than {} points; leave some out", kMaxPoints));
+    if (points_.size() == kMaxTablePoints) {
+      fail(fmt::format("more than {} points; leave some out", kMaxTablePoints));
     }
     points_.push_back({phase, value});
   }

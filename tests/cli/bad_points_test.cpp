@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // Steps of 0.05 are far too long for the stiffer bearing, which drives no gear.
-const char* const kStudy = R"([model]
+const char* const kBadPointsStudy = R"([model]
 preset = "coarse"
 [[axes]]
 name = "k1"
@@ -28,7 +28,7 @@ quantities = ["x1_rms"]
 
 TEST(BadPointsOfARun, AreCountedAndHaveAStatusInTheFile) {
   const Folder folder;
-  folder.write("study.toml", kStudy);
+  folder.write("study.toml", kBadPointsStudy);
   const Outcome outcome = gearsweep(folder, "run study.toml -o out.nc");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.err, HasSubstr("3 points: ok 2, diverged 1"));
@@ -38,7 +38,7 @@ TEST(BadPointsOfARun, AreCountedAndHaveAStatusInTheFile) {
 
 TEST(BadPointsOfARun, AreAnErrorWhenThereAreNoOthers) {
   const Folder folder;
-  folder.write("study.toml", kStudy);
+  folder.write("study.toml", kBadPointsStudy);
   const Outcome outcome =
       gearsweep(folder, "run study.toml -o out.nc --set 'axes.k1.values=[1e5, 1e6]'");
   EXPECT_EQ(outcome.status, 1);

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // 32 tiles; each point starts from its neighbour's end when `policy` says so.
-const std::string kStudy = coarse_study(16, 32, R"([integrate]
+const std::string kClusterStudy = coarse_study(16, 32, R"([integrate]
 settle = 100
 record = 20
 tile = 16
@@ -26,7 +26,7 @@ class ClusterTest : public ::testing::Test {
   void SetUp() override {
     if (!std::string(GEARSWEEP_HAS_MPI).starts_with("1")) GTEST_SKIP() << "built without MPI";
     if (run_in(folder_, "sh -c 'command -v mpirun'").status != 0) GTEST_SKIP() << "no mpirun";
-    folder_.write("study.toml", kStudy);
+    folder_.write("study.toml", kClusterStudy);
   }
 
   // The words of a shell. before: words that stand before the program.

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // 16 tiles; exponents and early stopping, so that all kernels are at work.
-const std::string kStudy = coarse_study(16, 16, R"([integrate]
+const std::string kDevicesStudy = coarse_study(16, 16, R"([integrate]
 settle = 150
 record = 20
 tile = 16
@@ -23,7 +23,7 @@ quantities = ["x1_rms", "dmf_max", "period", "lyapunov_max"]
 
 class DevicesTest : public ::testing::Test {
  protected:
-  void SetUp() override { folder_.write("study.toml", kStudy); }
+  void SetUp() override { folder_.write("study.toml", kDevicesStudy); }
 
   Outcome run(const std::string& output, const std::string& options,
               const std::string& environment = "") {

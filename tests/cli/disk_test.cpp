@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 // 16 tiles of 0.8 MB each in the journal, in all 13.2 MB; a result of 5 MB. No limit here is so low
 // that a driver could not keep its compiled kernels.
-const std::string kStudy = coarse_study(32, 32, R"([integrate]
+const std::string kDiskStudy = coarse_study(32, 32, R"([integrate]
 settle = 300
 record = 400
 stop = "never"
@@ -27,7 +27,7 @@ poincare = ["x1", "v1", "x2", "v2"]
 class DiskTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_.write("study.toml", kStudy);
+    folder_.write("study.toml", kDiskStudy);
     ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet").status, 0);
   }
 

@@ -17,7 +17,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-const char* const kStudy =
+const char* const kHostileNamesStudy =
     "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.6, 0.7]\n[integrate]\nsettle = 2\nrecord = 2\n";
 
 TEST(HostileNames, RunNothingInAnyCommand) {
@@ -26,7 +26,7 @@ TEST(HostileNames, RunNothingInAnyCommand) {
        {"|touch pwned;", "<touch pwned;", "`touch pwned`", "$(touch pwned)", "a\\b",
         "';system('touch pwned');'", "line\n!touch pwned\n"}) {
     SCOPED_TRACE(name);
-    folder.write(name + ".toml", kStudy);
+    folder.write(name + ".toml", kHostileNamesStudy);
     const auto file = [&](const std::string& ending) { return quoted(name + ending); };
     const auto expect_done = [&](const std::string& arguments, const std::string& written) {
       const Outcome done = gearsweep(folder, arguments);

@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // 64 tiles.
-const std::string kStudy = coarse_study(32, 32, R"([integrate]
+const std::string kInterruptStudy = coarse_study(32, 32, R"([integrate]
 settle = 60
 record = 20
 tile = 16
@@ -24,7 +24,7 @@ class InterruptTest : public ::testing::Test {
  protected:
   // A run that is given nothing else to do writes so often to its journal.
   void SetUp() override {
-    folder_.write("study.toml", kStudy);
+    folder_.write("study.toml", kInterruptStudy);
     writes_ = count_writes(folder_, "run study.toml -o whole.nc --quiet", ".journal");
     ASSERT_GT(writes_, 100);
   }

@@ -9,14 +9,14 @@
 namespace gearsweep::testing {
 namespace {
 
-const char* const kStudy =
+const char* const kKernelCacheStudy =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8]\n"
     "[integrate]\nsettle = 20\nrecord = 4\n[observe]\nquantities = ['x1_rms']\n";
 
 class KernelCacheTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_.write("study.toml", kStudy);
+    folder_.write("study.toml", kKernelCacheStudy);
     std::filesystem::create_directory(folder_ / "tmp");
     ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet").status, 0);
   }

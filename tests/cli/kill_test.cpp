@@ -12,7 +12,7 @@ namespace gearsweep::testing {
 namespace {
 
 // 16 tiles of every kind of launch, then a result of 6.5 MB before compression.
-const std::string kStudy = coarse_study(32, 32, R"([integrate]
+const std::string kKillStudy = coarse_study(32, 32, R"([integrate]
 settle = 80
 record = 200
 extend = 1
@@ -29,7 +29,7 @@ int chosen_kills() {
 
 class KillTest : public ::testing::Test {
  protected:
-  void SetUp() override { folder_.write("study.toml", kStudy); }
+  void SetUp() override { folder_.write("study.toml", kKillStudy); }
 
   long writes_to(const std::string& ending) const {
     return count_writes(folder_, "run study.toml -o whole.nc --quiet", ending);

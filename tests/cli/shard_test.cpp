@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // 10 tiles of each point's own and of an ensemble's trajectories.
-const std::string kStudy = coarse_study(10, 16, R"([initial]
+const std::string kShardStudy = coarse_study(10, 16, R"([initial]
 ensemble = 2
 [integrate]
 settle = 60
@@ -25,7 +25,7 @@ poincare = ["x1"]
 
 class ShardTest : public ::testing::Test {
  protected:
-  void SetUp() override { folder_.write("study.toml", kStudy); }
+  void SetUp() override { folder_.write("study.toml", kShardStudy); }
 
   Outcome run(const std::string& options) {
     return gearsweep(folder_, "run study.toml -o map.nc --quiet " + options);

@@ -17,14 +17,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const char* const kStudy =
+const char* const kSignalsStudy =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8]\n"
     "[integrate]\nsettle = 20\nrecord = 4\n[observe]\nquantities = ['x1_rms']\n";
 
 class SignalsTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_.write("study.toml", kStudy);
+    folder_.write("study.toml", kSignalsStudy);
     std::filesystem::create_directory(folder_ / "tmp");
   }
 

@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 
 // Four tiles.
-const std::string kStudy = coarse_study(16, 0, R"([integrate]
+const std::string kStreamsStudy = coarse_study(16, 0, R"([integrate]
 settle = 20
 record = 5
 tile = 4
@@ -27,7 +27,7 @@ quantities = ["x1_rms", "poincare"]
 
 class StreamsTest : public ::testing::Test {
  protected:
-  void SetUp() override { folder_.write("study.toml", kStudy); }
+  void SetUp() override { folder_.write("study.toml", kStreamsStudy); }
 
   // With these redirections: what the shell then still catches is all that the program says.
   Outcome run(const std::string& arguments, const std::string& redirections) {
@@ -156,7 +156,7 @@ TEST_F(StreamsTest, JsonIsUtf8WhateverTheNameOfTheFile) {
 }
 
 TEST_F(StreamsTest, ATextOfAFileGivesTheTerminalNoOrders) {
-  folder_.write("red.toml", "title = \"\\u001b[31mred\"\n" + std::string(kStudy));
+  folder_.write("red.toml", "title = \"\\u001b[31mred\"\n" + std::string(kStreamsStudy));
   ASSERT_EQ(gearsweep(folder_, "run red.toml -o out.nc --quiet").status, 0);
   EXPECT_THAT(gearsweep(folder_, "run study.toml -o out.nc --quiet").err,
               HasSubstr("the result of another study, '?[31mred'"));

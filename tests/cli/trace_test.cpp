@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const char* const kStudy =
+const char* const kTraceStudy =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8, 1.0]\n"
     "[[axes]]\nname = 'b'\nvalues = [0.5, 1.0]\n[integrate]\nsettle = 20\nrecord = 4\n"
     "[observe]\nquantities = ['x1_rms']\n";
@@ -20,7 +20,7 @@ const char* const kStudy =
 // Of a map the nearest point is taken, of a study the point itself.
 TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
   const Folder folder;
-  folder.write("study.toml", kStudy);
+  folder.write("study.toml", kTraceStudy);
   ASSERT_EQ(gearsweep(folder, "run study.toml -o map.nc --quiet").status, 0);
   const Outcome map =
       gearsweep(folder,
@@ -39,7 +39,7 @@ TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
 
 TEST(TraceCommand, StartsWhereItIsTold) {
   const Folder folder;
-  folder.write("study.toml", kStudy);
+  folder.write("study.toml", kTraceStudy);
   ASSERT_EQ(gearsweep(folder,
                       "trace study.toml --at omega=0.6,b=1,x1=0.25 --settle 0 --record 1 "
                       "-o start.csv --quiet")
@@ -56,7 +56,7 @@ class TraceRefusal : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(TraceRefusal, SaysWhatIsWrongAndLeavesNoFile) {
   const Folder folder;
-  folder.write("study.toml", kStudy);
+  folder.write("study.toml", kTraceStudy);
   const Outcome outcome = gearsweep(folder, GetParam().arguments);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().message));

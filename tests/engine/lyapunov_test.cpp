@@ -91,7 +91,7 @@ TEST(LyapunovSum, PrintedDynamicBacklash) {
 
 // Both engines do the same steps. They round differently, and chaos makes 1e-15 into 1e-11 over the
 // 130 units of time that the chaotic runs last.
-void expect_engines_agree(const std::string& toml, double tolerance) {
+void expect_exponents_agree(const std::string& toml, double tolerance) {
   const SweepResult kernel = run(toml + kObserveAll);
   const SweepResult reference = run(toml + kObserveAll, {"integrate.engine='reference'"});
   EXPECT_THAT(kernel.status, Each(0));
@@ -113,15 +113,15 @@ void expect_engines_agree(const std::string& toml, double tolerance) {
 // six digits against each other in a period, hence 1e-9.
 TEST(LyapunovEngines, AgreeOnRegularOrbits) {
   for (const std::string law : {"constant", "dynamic"}) {
-    expect_engines_agree("[model]\npreset = 'coarse'\nbacklash = '" + law +
-                             "'\n[[axes]]\nname = 'omega'\nvalues = [0.25, 0.65, 0.8, 1.0]\n"
-                             "[integrate]\nsettle = 60\nrecord = 40\n",
-                         1e-9);
+    expect_exponents_agree("[model]\npreset = 'coarse'\nbacklash = '" + law +
+                               "'\n[[axes]]\nname = 'omega'\nvalues = [0.25, 0.65, 0.8, 1.0]\n"
+                               "[integrate]\nsettle = 60\nrecord = 40\n",
+                           1e-9);
   }
 }
 
 TEST(LyapunovEngines, AgreeOnWedgedTeeth) {
-  expect_engines_agree(
+  expect_exponents_agree(
       "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\n"
       "values = [0.48, 0.5021]\n[[axes]]\nname = 'b'\nvalues = [0.02, 0.1, 0.2553]\n"
       "[integrate]\nsettle = 60\nrecord = 40\n",
@@ -130,11 +130,11 @@ TEST(LyapunovEngines, AgreeOnWedgedTeeth) {
 
 TEST(LyapunovEngines, AgreeOnChaosForSomePeriods) {
   for (const std::string law : {"constant", "dynamic"}) {
-    expect_engines_agree("[model]\npreset = 'coarse'\nbacklash = '" + law +
-                             "'\n[parameters]\nb = 1.4\n[[axes]]\nname = 'omega'\n"
-                             "values = [1.3, 1.35, 1.4, 1.7]\n[integrate]\nsettle = 10\n"
-                             "record = 17\n",
-                         1e-10);
+    expect_exponents_agree("[model]\npreset = 'coarse'\nbacklash = '" + law +
+                               "'\n[parameters]\nb = 1.4\n[[axes]]\nname = 'omega'\n"
+                               "values = [1.3, 1.35, 1.4, 1.7]\n[integrate]\nsettle = 10\n"
+                               "record = 17\n",
+                           1e-10);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 // motions are not chaotic, so neither's error grows, and no steady state is taken for granted.
 // At 2048 steps per period the kernel leaves 1e-11; the outside integration, whose error estimate
 // does not see the edges of the backlash, leaves up to 1e-9.
-constexpr double kTolerance = 5e-9;
+constexpr double kOutsideTolerance = 5e-9;
 constexpr std::size_t kPeriods = 60;
 
 struct Regimes {
@@ -41,7 +41,8 @@ Regimes expect_same_sections(const std::string& toml) {
       gear.advance_period(1e-12, &x);
       if (period + 2 < kPeriods) continue;
       for (std::size_t state = 0; state < 10; ++state) {
-        EXPECT_NEAR(samples_of(result, point, state)[period + 2 - kPeriods], x[state], kTolerance)
+        EXPECT_NEAR(samples_of(result, point, state)[period + 2 - kPeriods], x[state],
+                    kOutsideTolerance)
             << result.study.model->states[state].name << ", point " << point;
       }
     }

@@ -74,22 +74,22 @@ class Resume : public ::testing::Test {
 // However slowly progress is heard of, a run that is to stop is not at its end: each of the two
 // engines of a device has begun one tile of 4 at most whose end nobody has heard of. So when 24
 // points are told of, no more than 32 of the 60 are in the journal.
-const std::string kRest =
+const std::string kInParts =
     "tile = 4\nsettle = 30\nrecord = 8\n[observe]\nquantities = ['x1_rms', 'dmf_max', "
     "'contact_class', 'poincare']\npoincare = ['x1', 'v1']\n";
 const std::string kStudy =
     "[model]\npreset = 'coarse'\nformulation = 'printed'\n[[axes]]\nname = 'omega'\nfrom = 0.4\n"
     "to = 1.6\ncount = 12\n[[axes]]\nname = 'm1'\nvalues = [0.02, 0.03, 0.04, 0.35, 0.9]\n";
 
-TEST_F(Resume, GivesTheSameBits) { expect_resumes(kStudy + "[integrate]\n" + kRest); }
+TEST_F(Resume, GivesTheSameBits) { expect_resumes(kStudy + "[integrate]\n" + kInParts); }
 
 TEST_F(Resume, GivesTheSameBitsInTheReferenceEngine) {
-  expect_resumes(kStudy + "[integrate]\nengine = 'reference'\n" + kRest);
+  expect_resumes(kStudy + "[integrate]\nengine = 'reference'\n" + kInParts);
 }
 
 // The journal keeps the final states that the next stage of a chain starts from.
 TEST_F(Resume, GoesOnInTheMiddleOfAChain) {
-  expect_resumes(kStudy + "[initial]\npolicy = 'forward'\n[integrate]\n" + kRest);
+  expect_resumes(kStudy + "[initial]\npolicy = 'forward'\n[integrate]\n" + kInParts);
 }
 
 }  // namespace

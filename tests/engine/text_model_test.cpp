@@ -13,14 +13,14 @@
 namespace gearsweep::testing {
 namespace {
 
-const std::string kRest =
+const std::string kGrid =
     "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 1.6\ncount = 12\n"
     "[[axes]]\nname = 'Fte'\nfrom = 0.01\nto = 0.1\ncount = 6\n"
     "[integrate]\nmax_step = 0.05\nsettle = 300\nrecord = 50\ncontract = false\n"
     "[observe]\nquantities = ['x_rms', 'dmf_max', 'period', 'contact_class', 'contact_gap', "
     "'lyapunov_max']\n";
 
-std::string text_study() { return "[model]\ntext = '''\n" + pair_model() + "'''\n" + kRest; }
+std::string text_study() { return "[model]\ntext = '''\n" + pair_model() + "'''\n" + kGrid; }
 
 // By name, over all points.
 const std::vector<double>& values_of(const SweepResult& result, const std::string& name) {

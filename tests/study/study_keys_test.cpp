@@ -25,7 +25,7 @@ const char* const kGear =
     "bearing_stiffness_N_per_mm = 3.0e5\nbearing_damping_N_s_per_mm = 1.4\n"
     "mesh_damping_N_s_per_mm = 0.7\nface_width_mm = 20.0\nhalf_backlash_mm = 0.05\n"
     "torque_N_m = 61.3\ntransmission_error_um = 30.0\n";
-const char* const kAxis = "[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 0.7\ncount = 2\n";
+const char* const kTwoPoints = "[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 0.7\ncount = 2\n";
 
 // A study with one key set beside what a study needs; the key's own line comes last in its table.
 std::string study_with(const StudyTable& table, const std::string& key, const std::string& value) {
@@ -35,10 +35,10 @@ std::string study_with(const StudyTable& table, const std::string& key, const st
     if (at != std::string::npos) text.erase(at, text.find('\n', at + 1) - at);
     return text;
   };
-  if (table.name.empty()) return line + (key == "axes" ? "" : kAxis);
-  if (table.name == "axes") return without(kAxis) + line;
-  if (table.name == "gear") return without(kGear) + line + kAxis;
-  return table.heading + "\n" + line + kAxis;
+  if (table.name.empty()) return line + (key == "axes" ? "" : kTwoPoints);
+  if (table.name == "axes") return without(kTwoPoints) + line;
+  if (table.name == "gear") return without(kGear) + line + kTwoPoints;
+  return table.heading + "\n" + line + kTwoPoints;
 }
 
 // All that the keys of a study decide, in words.
@@ -85,7 +85,7 @@ TEST(StudyKeys, ADefaultIsWhatAStudyHasWithoutTheKey) {
                             key.fallback != "required" && key.fallback != "from";
       if (!is_value || key.is_pattern || key.name == "seed" || key.name == "spread") continue;
       const Study without =
-          read_study(table.name == "gear" ? std::string(kGear) + kAxis : kAxis, "");
+          read_study(table.name == "gear" ? std::string(kGear) + kTwoPoints : kTwoPoints, "");
       EXPECT_EQ(described(read_study(study_with(table, key.name, key.fallback), "")),
                 described(without))
           << key.name << " = " << key.fallback;
@@ -93,7 +93,7 @@ TEST(StudyKeys, ADefaultIsWhatAStudyHasWithoutTheKey) {
     }
   }
   EXPECT_GE(tried, 18);
-  const std::string ensemble = std::string(kAxis) + "[initial]\nensemble = 4\n";
+  const std::string ensemble = std::string(kTwoPoints) + "[initial]\nensemble = 4\n";
   for (const char* name : {"seed", "spread"}) {
     const std::string& fallback = find_key(study_table("initial"), name)->fallback;
     EXPECT_EQ(described(read_study(ensemble + name + " = " + fallback + "\n", "")),
@@ -107,7 +107,7 @@ std::string study_with_number(const StudyTable& table, const StudyKey& key, doub
   const std::string text =
       is_whole ? fmt::format("{}", static_cast<long long>(value)) : fmt::format("{}", value);
   std::string study = study_with(table, key.name, text);
-  if (key.name == "seed") study = kAxis + ("[initial]\nensemble = 4\nseed = " + text);
+  if (key.name == "seed") study = kTwoPoints + ("[initial]\nensemble = 4\nseed = " + text);
   if (key.name == "mesh_stiffness_N_per_m") study.erase(study.find("face_width_mm"), 21);
   return study;
 }
@@ -131,15 +131,16 @@ TEST(StudyKeys, RangesEndWhereTheTableSays) {
 }
 
 TEST(StudyKeys, AKeyOutsideItsTableIsToldWhereItBelongs) {
-  EXPECT_THAT(refusal(kAxis, {"mu=0.1"}), HasSubstr("--set mu=0.1: unknown key 'mu' in the study; "
-                                                    "did you mean 'parameters.mu'?"));
-  EXPECT_THAT(refusal(kAxis, {"settle=9"}), HasSubstr("'integrate.settle'"));
-  EXPECT_THAT(refusal(kAxis, {"backlash=dynamic"}), HasSubstr("'model.backlash'"));
-  EXPECT_THAT(refusal(kAxis, {"quantities=x1_rms"}), HasSubstr("'observe.quantities'"));
-  EXPECT_THAT(refusal(kAxis, {"count=9"}), HasSubstr("'axes.AXIS.count'"));
-  EXPECT_THAT(refusal(kAxis, {"name=gear1"}), HasSubstr("'model.name' or 'axes.AXIS.name'"));
-  EXPECT_THAT(refusal(kAxis, {"rho=28", "model.name=lorenz"}), HasSubstr("'parameters.rho'"));
-  EXPECT_THAT(refusal(std::string("mu = 0.1\n") + kAxis),
+  EXPECT_THAT(refusal(kTwoPoints, {"mu=0.1"}),
+              HasSubstr("--set mu=0.1: unknown key 'mu' in the study; "
+                        "did you mean 'parameters.mu'?"));
+  EXPECT_THAT(refusal(kTwoPoints, {"settle=9"}), HasSubstr("'integrate.settle'"));
+  EXPECT_THAT(refusal(kTwoPoints, {"backlash=dynamic"}), HasSubstr("'model.backlash'"));
+  EXPECT_THAT(refusal(kTwoPoints, {"quantities=x1_rms"}), HasSubstr("'observe.quantities'"));
+  EXPECT_THAT(refusal(kTwoPoints, {"count=9"}), HasSubstr("'axes.AXIS.count'"));
+  EXPECT_THAT(refusal(kTwoPoints, {"name=gear1"}), HasSubstr("'model.name' or 'axes.AXIS.name'"));
+  EXPECT_THAT(refusal(kTwoPoints, {"rho=28", "model.name=lorenz"}), HasSubstr("'parameters.rho'"));
+  EXPECT_THAT(refusal(std::string("mu = 0.1\n") + kTwoPoints),
               HasSubstr("s.toml:1: unknown key 'mu' in the study; did you mean 'parameters.mu'?"));
 }
 
@@ -147,8 +148,8 @@ TEST(StudyKeys, ATitleHasAnEnd) {
   // Letters of two bytes: they are counted, not their bytes.
   std::string title;
   for (int i = 0; i < 1000; ++i) title += "\xc3\xa4";
-  EXPECT_EQ(read_study("title = '" + title + "'\n" + kAxis, "s.toml").title, title);
-  EXPECT_THAT(refusal("title = '" + title + "x'\n" + kAxis),
+  EXPECT_EQ(read_study("title = '" + title + "'\n" + kTwoPoints, "s.toml").title, title);
+  EXPECT_THAT(refusal("title = '" + title + "x'\n" + kTwoPoints),
               HasSubstr("s.toml:1: title has 1001 characters; at most 1000 are possible"));
 }
 

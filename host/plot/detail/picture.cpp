@@ -12,7 +12,7 @@ namespace gearsweep {
 namespace {
 
 // Lengths in font sizes.
-constexpr double kLine = 1.35, kSmallLine = 1.15;
+constexpr double kFullLine = 1.35, kSmallLine = 1.15;
 constexpr double kKeyLine = 1.45, kSymbol = 2.0, kSymbolGap = 0.5, kKeyGap = 1.6;
 constexpr std::string_view kSmall = "{/*0.8 ";
 
@@ -39,7 +39,7 @@ std::vector<std::string> heading_lines(const Page& page, const std::string& titl
 
 double heading_height(const Page& page, const std::vector<std::string>& lines) {
   double height = 0.0;
-  for (const std::string& line : lines) height += line.starts_with(kSmall) ? kSmallLine : kLine;
+  for (const std::string& line : lines) height += line.starts_with(kSmall) ? kSmallLine : kFullLine;
   return lines.empty() ? 0.0 : page.em() * (height + 0.3);
 }
 
@@ -52,7 +52,7 @@ std::string draw_heading(const Page& page, const std::vector<std::string>& lines
   std::string text;
   double y = frame.top + heading_height(page, lines);
   for (const std::string& line : lines) {
-    const double own = page.em() * (line.starts_with(kSmall) ? kSmallLine : kLine);
+    const double own = page.em() * (line.starts_with(kSmall) ? kSmallLine : kFullLine);
     // Over the axes; over the page where it is too wide for that.
     const bool fits = page.width_of(line) < frame.width() + frame.left;
     const double x = fits ? 0.5 * (frame.left + frame.right) : 0.5 * page.width();
@@ -140,12 +140,13 @@ double left_room(const Page& page, const PanelAxis& y, double length) {
   } else {
     numbers = tics_of(page, "y", y.range, length, y.has_numbers).widest;
   }
-  return numbers + em * (0.85 + 0.35 + kLine * static_cast<double>(y.label.size()));
+  return numbers + em * (0.85 + 0.35 + kFullLine * static_cast<double>(y.label.size()));
 }
 
 double bottom_room(const Page& page, const PanelAxis& x) {
   const double em = page.em();
-  return em * ((x.has_numbers ? 1.75 : 0.5) + kLine * static_cast<double>(x.label.size()) + 0.1);
+  return em *
+         ((x.has_numbers ? 1.75 : 0.5) + kFullLine * static_cast<double>(x.label.size()) + 0.1);
 }
 
 double edge_room(const Page& page) { return 1.1 * page.em(); }
@@ -164,16 +165,16 @@ std::string panel_lines(const Page& page, const Frame& frame, double height, con
     text += fmt::format("set yrange [{}:{}]\n{}", y.range.min, y.range.max,
                         tics_of(page, "y", y.range, frame.height(), y.has_numbers).lines);
   }
-  double below = frame.bottom - em * ((x.has_numbers ? 1.75 : 0.5) + 0.5 * kLine);
+  double below = frame.bottom - em * ((x.has_numbers ? 1.75 : 0.5) + 0.5 * kFullLine);
   for (const std::string& line : x.label) {
     text += page.label_at(0.5 * (frame.left + frame.right), below, height, line, "center");
-    below -= em * kLine;
+    below -= em * kFullLine;
   }
-  double beside = frame.left - left_room(page, y, frame.height()) + em * (0.2 + 0.5 * kLine);
+  double beside = frame.left - left_room(page, y, frame.height()) + em * (0.2 + 0.5 * kFullLine);
   for (const std::string& line : y.label) {
     text += page.label_at(beside, 0.5 * (frame.bottom + frame.top), height, line,
                           "center rotate by 90");
-    beside += em * kLine;
+    beside += em * kFullLine;
   }
   return text;
 }
