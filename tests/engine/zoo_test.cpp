@@ -749,6 +749,24 @@ TEST(ZooHertz, CollisionTakesTheTimeOfHertz) {
   }
 }
 
+// Eight starts hit one after the other, so that some lanes of a vector touch while others do not.
+TEST(ZooHertz, GoesInByTheDepthOfHertz) {
+  const Points points = {.model = "hertz",
+                         .parameters = "omega = 1.0\nP = 0.0\nload = 0.0\nzeta = 0.0",
+                         .axis = "name = 'x'\nfrom = -2.2\nto = -0.1\ncount = 8",
+                         .start = "policy = 'fixed'\nstate = {v = 1.0}",
+                         .quantities = "'x_max'",
+                         .settle = 0,
+                         .record = 1,
+                         .steps = 2048};
+  const SweepResult result = points.run();
+  for (std::size_t i = 0; i < 8; ++i) {
+    // h^2.5 of steps of 0.003 is 5e-7.
+    EXPECT_NEAR(map_of(result, "x_max")[i], std::pow(1.25, 0.4), 5e-7) << i;
+    EXPECT_NEAR(last_state(result, i, 2)[1], -1.0, 5e-7) << i;
+  }
+}
+
 // ---- den_hartog --------------------------------------------------------------------------------
 
 // While x falls, x = V cos(w t + psi) + f (1 - cos t) + w q sin t with V = 1/(1 - w^2) and the
