@@ -34,3 +34,16 @@ SHARED_FN real lane_sqrt1pm1(const real x) {
   const real p = (scalar)(0.5) * x;
   return p * root_ratio(x);
 }
+
+#ifdef __OPENCL_VERSION__
+// base to the power of exponent. PoCL 3.1's own, of eight doubles, is wrong in other lanes where the
+// base is 0 in one.
+SHARED_FN real lane_pow(const real base, const real exponent) {
+  const real zero = 0;
+  const real one = 1;
+  const real power = pow(lane_select(base == zero, one, base), exponent);
+  const real of_zero =
+      lane_select(zero < exponent, zero, lane_select(exponent == zero, one, one / zero));
+  return lane_select(base == zero, of_zero, power);
+}
+#endif

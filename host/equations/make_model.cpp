@@ -251,9 +251,11 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
   if (lowered.is_second_order) add("second order: positions, then their velocities");
   for (const Contact& contact : lowered.contacts.list) {
     const std::string name = contact.name.empty() ? "" : fmt::format(" '{}'", contact.name);
+    const bool has_slope = std::ranges::any_of(
+        contact.direction, [&](NodeId id) { return !graph.is_number(id, 0.0); });
     add(fmt::format("{}{}: {}", contact.is_one_sided ? "stop" : "backlash", name,
-                    contact.is_corrected ? "steps that cross its limits are corrected"
-                                         : "the force does not begin with a slope: not corrected"));
+                    has_slope ? "steps that cross its limits are corrected"
+                              : "the force does not begin with a slope: steps are not corrected"));
   }
   for (const NodeId id : lowered.coef_values) {
     add(fmt::format("tabulated over the phase: {}", to_short_text(graph, id)));

@@ -99,6 +99,8 @@ TEST(TextModel, HasEveryFunctionOnTheDevice) {
                                               "backlash(A, 0.3)",
                                               "(2 + A)^1.5",
                                               "(2 + A)^A",
+                                              "max(A - 0.3, 0)^1.5",
+                                              "max(A - 0.3, 0)^(1 + A)",
                                               "1/(2 + A)^3",
                                               "if(A < 0.3 and not A <= 0.1 or A == 2, A, 1 - A)"};
   for (const std::string argument : {"x", "sin(phase)", "p", "x + sin(phase) + p", "x*p"}) {

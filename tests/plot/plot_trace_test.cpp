@@ -59,6 +59,18 @@ class PlotTraceTest : public gearsweep::testing::PictureTest {
   Study study_;
 };
 
+TEST_F(PlotTraceTest, ForceSaysWhatAModelOfOnesOwnLacks) {
+  const auto refusal_with = [&](const std::string& force, const std::string& contact) {
+    Trace trace = made_trace(study_, 20, 16);
+    trace.channels[2].name = force;
+    trace.channels[3].name = contact;
+    return refused({write("own.nc", {trace}, {"omega=0.5"})}, "force");
+  };
+  EXPECT_THAT(refusal_with("push", "contact"), HasSubstr("name a channel: -q force:NAME"));
+  EXPECT_THAT(refusal_with("dmf", "left_contact"), HasSubstr("-q time:left_contact draws one"));
+  EXPECT_THAT(refusal_with("dmf", "depth"), HasSubstr("neither backlash nor stop"));
+}
+
 TEST_F(PlotTraceTest, OnlyGearsHaveMeshPeriods) {
   Trace trace = made_trace(study_, 20, 16);
   trace.channels[2].name = "force";

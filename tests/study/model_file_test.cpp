@@ -353,6 +353,19 @@ TEST(ModelFile, HasItsOwnValuesAsAPreset) {
               HasSubstr("unknown key 'kk'"));
 }
 
+TEST(ModelFile, SaysWhatWasFoundInIt) {
+  using ::testing::Contains;
+  const auto findings = [](const std::string& force) {
+    return read_model_text(with(pair_model(), "stiffness*f\"", force + "\""), "pair.toml")
+        ->findings;
+  };
+  EXPECT_THAT(findings("stiffness*f"),
+              AllOf(Contains(HasSubstr("second order")),
+                    Contains("backlash: steps that cross its limits are corrected")));
+  EXPECT_THAT(findings("stiffness*f^3"), Contains(HasSubstr("steps are not corrected")));
+  EXPECT_THAT(findings("stiffness*f/sqrt(abs(f))"), Contains(HasSubstr("steps are not corrected")));
+}
+
 // A part that is used twice stays one part, however often that is done.
 TEST(ModelFile, TakesNoLongerForPartsOfParts) {
   for (const std::string part : {"phase*k", "x", "k", "sin(phase)"}) {

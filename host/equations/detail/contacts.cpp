@@ -66,8 +66,7 @@ class ContactFinder {
         contact.direction.push_back(at_limit(derivative(graph_, row, contact.penetration)));
       }
       back[contact.penetration] = contact.corner;
-      contact.is_corrected = is_finite(contact.direction);
-      if (!contact.is_corrected) {
+      if (!is_finite(contact.direction)) {
         contact.direction.assign(equations_.size(), graph_->number(0.0));
       }
       contacts_.direction_varies |= std::ranges::any_of(

@@ -20,7 +20,6 @@ struct Contact {
   // How the equations change with the penetration where that begins: [state]. All 0 where that is
   // not finite, as with the square root of a penetration; such a contact is not corrected.
   std::vector<NodeId> direction;
-  bool is_corrected = true;
 };
 
 struct Contacts {

@@ -113,7 +113,7 @@ class Statements {
       case Operation::stop:
         return fmt::format("lane_max({} - {}, (real)(0))", vector(0), vector(1));
       case Operation::power:
-        return fmt::format("pow({}, {})", vector(0), vector(1));
+        return fmt::format("lane_pow({}, {})", vector(0), vector(1));
       case Operation::table:
         throw std::logic_error("a table is no function of the device");
       default:

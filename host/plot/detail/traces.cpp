@@ -71,13 +71,31 @@ std::string velocity_of(const Trace& trace, const std::string& position) {
   return find_channel(trace, velocity) < 0 ? "" : velocity;
 }
 
+void refuse_without_flanks(const Trace& trace) {
+  if (find_channel(trace, "contact") >= 0) return;
+  const auto is_flank = [](const ChannelInfo& channel) {
+    return channel.name.ends_with("_contact");
+  };
+  const auto several = std::ranges::find_if(trace.channels, is_flank);
+  if (several == trace.channels.end()) {
+    throw InputError(
+        "'force' shows the flanks in contact, and this model has neither backlash nor stop");
+  }
+  throw InputError(
+      fmt::format("'force' shows the flanks of a model's only contact, and this model "
+                  "has several; -q time:{} draws one of them",
+                  several->name));
+}
+
 // What is drawn: one channel, or of a phase portrait that over which it is drawn, then it.
 std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::string>& words,
                                        const Trace& trace) {
   std::vector<std::string> names(words.begin() + 1, words.end());
   if (kind.name == "force") {
-    if (find_channel(trace, "contact") < 0) {
-      throw InputError("'force' shows the flanks in contact, and this model has no backlash");
+    refuse_without_flanks(trace);
+    if (names.empty() && find_channel(trace, "dmf") < 0) {
+      throw InputError(
+          "this model has no 'dmf', which 'force' shows; name a channel: -q force:NAME");
     }
     if (names.empty()) return {"dmf"};
   }
