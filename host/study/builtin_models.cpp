@@ -18,12 +18,12 @@ std::vector<std::string> model_names() {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all = [] {
+  static const std::vector<Model> kAll = [] {
     std::vector<Model> list;
     for (const std::string& name : model_names()) list.push_back(*find_model(name));
     return list;
   }();
-  return all;
+  return kAll;
 }
 
 const Model* find_model(std::string_view name) {
