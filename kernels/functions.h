@@ -36,8 +36,8 @@ SHARED_FN real lane_sqrt1pm1(const real x) {
 }
 
 #ifdef __OPENCL_VERSION__
-// base to the power of exponent. PoCL 3.1's own, of eight doubles, is wrong in other lanes where the
-// base is 0 in one.
+// base to the power of exponent. PoCL 3.1's own, of eight doubles, is wrong in other lanes where
+// the base is 0 in one.
 SHARED_FN real lane_pow(const real base, const real exponent) {
   const real zero = 0;
   const real one = 1;
