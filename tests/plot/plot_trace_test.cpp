@@ -256,7 +256,8 @@ TEST_F(PlotTraceTest, WhatCannotBeDrawnIsRefusedAndLeavesNoFile) {
   Trace free = made_trace(study_, 1, 16);
   free.channels.pop_back();
   free.values.pop_back();
-  EXPECT_THAT(refused({write("free.nc", {free}, {""})}, "force"), HasSubstr("no backlash"));
+  EXPECT_THAT(refused({write("free.nc", {free}, {""})}, "force"),
+              HasSubstr("neither backlash nor stop"));
   EXPECT_THAT(refused({path, path, path, path, path, path, path}, "time"), HasSubstr("7 are too"));
   PlotRequest cut = request({path}, "time");
   cut.at = {{"b", 1.0}};
