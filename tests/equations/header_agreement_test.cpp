@@ -96,6 +96,7 @@ void compare_at(const Model& file, const ModelSetting& own, const Model& header,
   std::vector<double> signals(file.signals.size()), their_signals(header.signals.size());
   point->signals(row.data(), x.data(), signals.data());
   their_point->signals(their_row.data(), x.data(), their_signals.data());
+  // A signal is made of the same parts; an energy has squares of states, which reach 3.
   const double size = 10.0 * std::max(1.0, *std::ranges::max_element(parts));
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const int index = header.find_signal(file.signals[i].name);
@@ -111,7 +112,7 @@ void compare_contacts_at(const Model& file, const ModelSetting& own, const Model
   const std::vector<double> row = row_of(file, own, psi), their_row = row_of(header, theirs, psi);
   const auto point = file.prepare(own), their_point = header.prepare(theirs);
   ASSERT_EQ(file.contacts.size(), header.contacts.size());
-  const std::vector<double> scales(n, 4.0);
+  const std::vector<double> scales(n, 4.0);  // stiffness times masses, and slopes: below 4 in all
   for (std::size_t contact = 0; contact < file.contacts.size(); ++contact) {
     std::vector<double> mine(n), expected(n);
     point->force_direction(contact, row.data(), x.data(), mine.data());
@@ -196,6 +197,7 @@ TEST_P(Headers, RestAndJumpWhereTheEquationsDo) {
     const ModelSetting own = translated(header(), theirs, file);
     const std::vector<double> rest = file.equilibrium(own), expected = header().equilibrium(theirs);
     for (std::size_t state = 0; state < rest.size(); ++state) {
+      // A root of a difference, as Roessler's, loses a digit.
       EXPECT_NEAR(rest[state], expected[state], 1e-13 * (1.0 + std::fabs(expected[state])));
     }
     const auto phases = [](const Model& model, const ModelSetting& setting) {
