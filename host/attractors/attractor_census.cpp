@@ -74,18 +74,32 @@ class Sets {
   std::vector<std::size_t> parent_;
 };
 
+// Numbers of the parameter values along an axis, place by place: 0 where it has initial states
+// alone. Rows of a list that differ in initial states alone have the same number.
+std::vector<std::size_t> numbers_along(const Axis& axis) {
+  std::map<std::vector<double>, std::size_t> known;
+  std::vector<std::size_t> numbers;
+  for (std::size_t place = 0; place < axis.values.size(); ++place) {
+    std::vector<double> values;
+    for (const Swept& swept : axis.swept()) {
+      if (!swept.is_state) values.push_back(swept.values[place]);
+    }
+    numbers.push_back(known.try_emplace(std::move(values), known.size()).first->second);
+  }
+  return numbers;
+}
+
 // A map's parameter values: points that differ in initial states alone are one site.
 class Sites {
  public:
-  explicit Sites(const Study& study) : nx_(study.axes[0].values.size()) {
-    if (!study.axes[0].is_state) columns_ = nx_;
-    if (study.axes.size() > 1 && !study.axes[1].is_state) rows_ = study.axes[1].values.size();
+  explicit Sites(const Study& study) : column_(numbers_along(study.axes[0])) {
+    if (study.axes.size() > 1) row_ = numbers_along(study.axes[1]);
+    columns_ = 1 + *std::ranges::max_element(column_);
+    rows_ = 1 + *std::ranges::max_element(row_);
   }
   std::size_t count() const { return columns_ * rows_; }
   std::size_t of_point(std::size_t point) const {
-    const std::size_t column = columns_ > 1 ? point % nx_ : 0;
-    const std::size_t row = rows_ > 1 ? point / nx_ : 0;
-    return row * columns_ + column;
+    return row_[point / column_.size()] * columns_ + column_[point % column_.size()];
   }
   // Those at the next value of each parameter.
   std::vector<std::size_t> after(std::size_t site) const {
@@ -96,7 +110,8 @@ class Sites {
   }
 
  private:
-  std::size_t nx_, columns_ = 1, rows_ = 1;
+  std::vector<std::size_t> column_, row_ = {0};  // of each place along x and y
+  std::size_t columns_ = 1, rows_ = 1;
 };
 
 // Clusters of trajectories: each is known by the first trajectory that came to it.

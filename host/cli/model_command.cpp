@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -54,13 +55,10 @@ Study study_of(const ModelArguments& arguments) {
 
 // Where a parameter's value comes from; swept ones say so.
 std::string origin_of(const Study& study, std::size_t parameter) {
-  for (const Axis& axis : study.axes) {
-    if (!axis.is_state && axis.index == parameter) {
-      return fmt::format("axis, {} .. {}, {} values", axis.values.front(), axis.values.back(),
-                         axis.values.size());
-    }
-  }
-  return study.parameter_origins[parameter];
+  const Swept* swept = study.find_swept(false, parameter);
+  if (swept == nullptr) return study.parameter_origins[parameter];
+  const auto [min, max] = std::ranges::minmax(swept->values);
+  return fmt::format("axis, {} .. {}, {} values", min, max, swept->values.size());
 }
 
 void print_models() {

@@ -16,6 +16,7 @@
 #include "result/damage.hpp"
 #include "result/result_file.hpp"
 #include "result/result_size.hpp"
+#include "result/study_source.hpp"
 #include "result/trace_file.hpp"
 
 namespace gearsweep {
@@ -50,7 +51,7 @@ std::string what_is_lost(const std::string& path, const Study& study) {
   try {
     ensure_undamaged(path);
     if (is_trace_file(path)) return "traces";
-    if (read_study(read_study_text(path), path).toml == study.toml) return "";
+    if (read_result_study(path).toml == study.toml) return "";
     const std::string title = ResultFile(path).title();
     return "the result of another study" + (title.empty() ? "" : fmt::format(", '{}'", title));
   } catch (const std::exception&) {

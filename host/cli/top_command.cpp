@@ -14,6 +14,7 @@
 #include "result/damage.hpp"
 #include "result/peaks.hpp"
 #include "result/result_file.hpp"
+#include "result/study_source.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -40,7 +41,7 @@ ResultMap read_map(const ResultFile& file, const std::string& quantity) {
 // The axes as --at knows them; a file may have had to give them other names.
 std::vector<std::string> names_of_axes(const ResultFile& file) {
   std::vector<std::string> names;
-  for (const Axis& axis : read_study(file.study_text(), file.path()).axes) {
+  for (const Axis& axis : read_result_study(file.path()).axes) {
     names.push_back(axis.name);
   }
   if (names.size() != file.axes().size()) {

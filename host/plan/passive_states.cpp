@@ -50,15 +50,23 @@ std::set<std::size_t> states_of_signals(const Study& study, const Structure& str
   return states;
 }
 
-// Values of an axis that stand for all: the least, the largest and one between, or all of them.
-std::vector<double> chosen_values(const Axis& axis, bool all) {
-  const std::vector<double>& values = axis.values;
-  if (all || values.size() <= 3) return values;
-  const auto [min, max] = std::ranges::minmax(values);
-  return {min, values[values.size() / 2], max};
+// Places of an axis that stand for all: those of the least and of the largest value of each thing
+// swept, and one between; or all of them.
+std::set<std::size_t> chosen_places(const Axis& axis, bool all) {
+  std::set<std::size_t> places;
+  const std::size_t count = axis.values.size();
+  for (std::size_t place = 0; place < count && (all || count <= 3); ++place) places.insert(place);
+  if (!places.empty()) return places;
+  for (const Swept& swept : axis.swept()) {
+    const auto [min, max] = std::ranges::minmax_element(swept.values);
+    places.insert(static_cast<std::size_t>(min - swept.values.begin()));
+    places.insert(static_cast<std::size_t>(max - swept.values.begin()));
+  }
+  places.insert(count / 2);
+  return places;
 }
 
-// Settings of the study: each axis goes through its chosen values, or all of them while the other
+// Settings of the study: each axis goes through its chosen places, or all of them while the other
 // one goes through the chosen.
 std::vector<ModelSetting> settings_of(const Study& study, bool all) {
   std::vector<ModelSetting> settings;
@@ -66,11 +74,13 @@ std::vector<ModelSetting> settings_of(const Study& study, bool all) {
     std::vector<ModelSetting> own = {study.setting};
     for (std::size_t number = 0; number < study.axes.size(); ++number) {
       const Axis& axis = study.axes[number];
-      if (axis.is_state) continue;
+      if (!axis.sweeps_parameter()) continue;
       std::vector<ModelSetting> wider;
-      for (const double value : chosen_values(axis, all && number == whole_axis)) {
+      for (const std::size_t place : chosen_places(axis, all && number == whole_axis)) {
         for (ModelSetting setting : own) {
-          setting.parameters[axis.index] = value;
+          for (const Swept& swept : axis.swept()) {
+            if (!swept.is_state) setting.parameters[swept.index] = swept.values[place];
+          }
           wider.push_back(std::move(setting));
         }
       }
@@ -82,19 +92,14 @@ std::vector<ModelSetting> settings_of(const Study& study, bool all) {
   return settings;
 }
 
-bool is_swept(const Study& study, bool is_state, std::size_t index) {
-  return std::ranges::any_of(study.axes, [&](const Axis& axis) {
-    return axis.is_state == is_state && axis.index == index;
-  });
-}
-
 // Whether all points start with x[second] = -x[first] in each pair, and keep it.
 bool holds_mirrored(const Study& study, const MirrorPairs& pairs,
                     const std::vector<ModelSetting>& settings) {
   const std::vector<double>& values = study.setting.parameters;
   const bool are_alike = std::ranges::all_of(pairs.parameters, [&](const MirrorPairs::Pair& pair) {
-    return values[pair.first] == values[pair.second] && !is_swept(study, false, pair.first) &&
-           !is_swept(study, false, pair.second);
+    return values[pair.first] == values[pair.second] &&
+           study.find_swept(false, pair.first) == nullptr &&
+           study.find_swept(false, pair.second) == nullptr;
   });
   if (!are_alike) return false;
   const auto starts_mirrored = [&](const std::vector<double>& x) {
@@ -103,7 +108,10 @@ bool holds_mirrored(const Study& study, const MirrorPairs& pairs,
     });
   };
   for (const MirrorPairs::Pair& pair : pairs.states) {
-    if (is_swept(study, true, pair.first) || is_swept(study, true, pair.second)) return false;
+    if (study.find_swept(true, pair.first) != nullptr ||
+        study.find_swept(true, pair.second) != nullptr) {
+      return false;
+    }
     const Initial& initial = study.initial;
     const bool is_spread = initial.spread[pair.first] != 0.0 || initial.spread[pair.second] != 0.0;
     if (initial.ensemble > 1 && is_spread) return false;

@@ -70,8 +70,10 @@ double Plan::axis_value(std::size_t axis, std::size_t point) const {
 }
 
 void Plan::place(std::size_t axis, std::size_t index, ModelSetting* setting) const {
-  if (axis >= study_.axes.size() || study_.axes[axis].is_state) return;
-  setting->parameters[study_.axes[axis].index] = study_.axes[axis].values[index];
+  if (axis >= study_.axes.size()) return;
+  for (const Swept& swept : study_.axes[axis].swept()) {
+    if (!swept.is_state) setting->parameters[swept.index] = swept.values[index];
+  }
 }
 
 ModelSetting Plan::setting_of(std::size_t point) const {
@@ -128,8 +130,10 @@ std::vector<double> Plan::grid_key(std::size_t point) const {
 void Plan::set_key(const ModelSetting& setting, std::vector<double>* key) const {
   key->assign(1, static_cast<double>(steps_at(setting)));
   for (const Axis& axis : study_.axes) {
-    if (axis.is_state || !study_.model->parameters[axis.index].shapes_phase) continue;
-    key->push_back(setting.parameters[axis.index]);
+    for (const Swept& swept : axis.swept()) {
+      if (swept.is_state || !study_.model->parameters[swept.index].shapes_phase) continue;
+      key->push_back(setting.parameters[swept.index]);
+    }
   }
 }
 
@@ -161,9 +165,19 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
   const std::vector<double>& offset = offsets_[point / study_.points()];
   for (std::size_t i = 0; i < state.size(); ++i) state[i] += offset[i];
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    if (study_.axes[axis].is_state) state[study_.axes[axis].index] = axis_value(axis, point);
+    for (const Swept& swept : study_.axes[axis].swept()) {
+      if (swept.is_state) state[swept.index] = swept.values[axis_index(axis, point)];
+    }
   }
   return study_.model->own_state(state);
+}
+
+void Plan::refuse(std::size_t point, const std::string& wrong) const {
+  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
+    if (!study_.axes[axis].is_list()) continue;
+    throw InputError(fmt::format("point {}: {}", axis_value(axis, point), wrong));
+  }
+  throw InputError(wrong);
 }
 
 // In the order of their keys. What takes time for each point of a large study is here.
@@ -184,7 +198,7 @@ std::vector<Plan::Group> Plan::grouped(const Span& x, const Span& y) const {
     for (std::size_t ix = x.first; ix < x.last; ++ix) {
       place(0, ix, &setting);
       const std::string wrong = study_.model->check(setting);
-      if (!wrong.empty()) throw InputError(wrong);
+      if (!wrong.empty()) refuse(iy * nx + ix, wrong);
       set_key(setting, &key);
       Entry*& above = row[ix - x.first];
       if (entry == nullptr || entry->first != key) entry = above;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "plan/phase_grid.hpp"
@@ -48,6 +49,7 @@ class Plan {
   PhaseGrid phase_grid_of(std::size_t point) const;
   // Points with the same key share a phase grid.
   std::vector<double> grid_key(std::size_t point) const;
+  std::size_t axis_index(std::size_t axis, std::size_t point) const;
   double axis_value(std::size_t axis, std::size_t point) const;
   // The point whose final state this one goes on from; nothing for the first of a chain.
   std::optional<std::size_t> predecessor(std::size_t point) const;
@@ -66,9 +68,10 @@ class Plan {
   };
 
   std::vector<double> start_of_policy(std::size_t point) const;
-  std::size_t axis_index(std::size_t axis, std::size_t point) const;
-  // Gives what an axis sweeps the value of this index.
+  // Gives the parameters that an axis sweeps their values of this index.
   void place(std::size_t axis, std::size_t index, ModelSetting* setting) const;
+  // Throws InputError. wrong: with the setting of the point.
+  [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
   void set_key(const ModelSetting& setting, std::vector<double>* key) const;
   std::size_t steps_at(const ModelSetting& setting) const;
   std::vector<Group> grouped(const Span& x, const Span& y) const;

@@ -89,16 +89,32 @@ class Description {
   }
 
   void add_axis(const Axis& axis) {
-    const std::string name = name_in_result(axis, study_);
+    const std::string name = axis.is_list() ? kPointAxis : name_in_result(axis, study_);
     out_.dimensions.push_back({name, axis.values.size()});
     map_dimensions_.push_back(name);
-    DataVariable variable = {.name = name,
-                             .stored = Stored::real,
-                             .dimensions = {name},
-                             .attributes = notes_.describe(axis.unit, axis.meaning),
-                             .elements = std::span(axis.values)};
+    DataVariable variable = coordinate(axis, name, name);
     variable.attributes.push_back({"scale", axis.logarithmic ? "log" : "linear"});
     out_.variables.push_back(std::move(variable));
+    for (const Swept& column : axis.columns) {
+      variable = coordinate(column, name_in_result(column, study_), name);
+      variable.attributes.push_back({kSweeps, column.name});
+      columns_ += (columns_.empty() ? "" : " ") + variable.name;
+      out_.variables.push_back(std::move(variable));
+    }
+  }
+
+  DataVariable coordinate(const Swept& swept, const std::string& name,
+                          const std::string& dimension) const {
+    return {.name = name,
+            .stored = Stored::real,
+            .dimensions = {dimension},
+            .attributes = notes_.describe(swept.unit, swept.meaning),
+            .elements = std::span(swept.values)};
+  }
+
+  // The names of the columns of a list of points, as the CF conventions and xarray want them.
+  void add_columns(DataVariable* variable) const {
+    if (!columns_.empty()) variable->attributes.push_back({"coordinates", columns_});
   }
 
   void add_status() {
@@ -120,6 +136,7 @@ class Description {
 #undef GEARSWEEP_ADD_STATUS
     add_flags(codes, names, &variable.attributes);
     variable.attributes.push_back({"comment", fmt::format("{}", fmt::join(meanings, "; "))});
+    add_columns(&variable);
     out_.variables.push_back(std::move(variable));
   }
 
@@ -141,6 +158,7 @@ class Description {
     variable.attributes.push_back(fill_of(variable.stored));
     if (is_class) add_flags(codes_of(quantity.flags), quantity.flags, &variable.attributes);
     add_pilot_error(quantity.name, &variable);
+    add_columns(&variable);
     out_.variables.push_back(std::move(variable));
   }
 
@@ -234,6 +252,7 @@ class Description {
     if (map_dimensions_.size() == 1) variable.chunk.erase(variable.chunk.begin());
     variable.dimensions.insert(variable.dimensions.end(), {"state", "sample"});
     variable.attributes.push_back(fill_of(variable.stored));
+    add_columns(&variable);
     out_.variables.push_back(std::move(variable));
   }
 
@@ -259,6 +278,7 @@ class Description {
   const Study& study_;
   const FileNotes notes_;
   std::vector<std::string> map_dimensions_;  // (y, x) or (x)
+  std::string columns_;                      // names of a list of points
   Dataset out_;
 };
 

@@ -16,6 +16,10 @@
 
 namespace gearsweep {
 
+// The attribute of a coordinate that is a column of a list of points: the parameter or the state
+// whose initial values it has.
+inline constexpr const char* kSweeps = "sweeps";
+
 struct Attribute {
   std::string name;
   std::variant<std::string, double, float, std::vector<signed char>> value;

@@ -16,11 +16,23 @@
 namespace gearsweep {
 namespace {
 
-// The axes' values at a point, x first.
-std::vector<double> coordinates(const ResultMap& map, std::size_t point) {
+// Axes and the columns of lists of points: where a point lies.
+std::vector<const ResultAxis*> coordinates_of(const ResultMap& map) {
+  std::vector<const ResultAxis*> all;
+  for (const ResultAxis& axis : map.axes) {
+    all.push_back(&axis);
+    for (const ResultAxis& column : axis.columns) all.push_back(&column);
+  }
+  return all;
+}
+
+// Their values at a point, x first.
+std::vector<double> place_of(const ResultMap& map, std::size_t point) {
   std::vector<double> out;
   for (const ResultAxis& axis : map.axes) {
-    out.push_back(axis.values[point % axis.values.size()]);
+    const std::size_t place = point % axis.values.size();
+    out.push_back(axis.values[place]);
+    for (const ResultAxis& column : axis.columns) out.push_back(column.values[place]);
     point /= axis.values.size();
   }
   return out;
@@ -35,7 +47,7 @@ std::string unit_of(const ResultMap& map, std::size_t column) {
 std::string csv_of(const std::vector<ResultMap>& maps) {
   const ResultMap& first = maps.front();
   CsvText csv;
-  for (const ResultAxis& axis : first.axes) csv.add_name(axis.name, axis.unit);
+  for (const ResultAxis* one : coordinates_of(first)) csv.add_name(one->name, one->unit);
   if (first.is_poincare()) csv.add_name("sample");
   for (const ResultMap& map : maps) {
     const std::vector<std::string> names = map.column_names();
@@ -43,7 +55,7 @@ std::string csv_of(const std::vector<ResultMap>& maps) {
   }
   csv.end_row();
   for (std::size_t point = 0; point < first.points(); ++point) {
-    const std::vector<double> place = coordinates(first, point);
+    const std::vector<double> place = place_of(first, point);
     for (std::size_t sample = 0; sample < first.samples; ++sample) {
       for (const double coordinate : place) csv.add_number(coordinate);
       if (first.is_poincare()) csv.add_number(static_cast<double>(sample + 1));
@@ -74,9 +86,8 @@ std::string python_quoted(const std::string& name) {
 std::string npy_header(const std::vector<ResultMap>& maps) {
   const char* real = std::endian::native == std::endian::little ? "<f8" : ">f8";
   std::string fields;
-  const std::vector<ResultAxis>& axes = maps.front().axes;
-  for (const ResultAxis& axis : axes) {
-    fields += fmt::format("({}, '{}'), ", python_quoted(axis.name), real);
+  for (const ResultAxis* one : coordinates_of(maps.front())) {
+    fields += fmt::format("({}, '{}'), ", python_quoted(one->name), real);
   }
   for (const ResultMap& map : maps) {
     std::string part_shape;
@@ -87,6 +98,7 @@ std::string npy_header(const std::vector<ResultMap>& maps) {
                           separator);
   }
   std::string shape;
+  const std::vector<ResultAxis>& axes = maps.front().axes;
   for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
     shape += fmt::format("{}, ", axis->values.size());
   }
@@ -112,11 +124,12 @@ std::string npy_of(const std::vector<ResultMap>& maps) {
           static_cast<char>(header.size() >> 8)};
   out += header;
   const ResultMap& first = maps.front();
-  std::size_t width = first.axes.size();
+  const std::size_t coordinates = coordinates_of(first).size();
+  std::size_t width = coordinates;
   for (const ResultMap& map : maps) width += map.values.size() / map.points();
   out.reserve(out.size() + first.points() * width * sizeof(double));
   for (std::size_t point = 0; point < first.points(); ++point) {
-    append_bytes(coordinates(first, point).data(), first.axes.size(), &out);
+    append_bytes(place_of(first, point).data(), coordinates, &out);
     for (const ResultMap& map : maps) {
       const std::size_t count = map.values.size() / map.points();
       append_bytes(map.values.data() + point * count, count, &out);

@@ -10,7 +10,10 @@ namespace {
 class Grid {
  public:
   explicit Grid(const ResultMap& map) {
-    for (const ResultAxis& axis : map.axes) sizes_.push_back(axis.values.size());
+    for (const ResultAxis& axis : map.axes) {
+      sizes_.push_back(axis.values.size());
+      is_list_.push_back(axis.is_list());
+    }
   }
 
   std::vector<std::size_t> places(std::size_t point) const {
@@ -22,7 +25,8 @@ class Grid {
     return places;
   }
 
-  // Calls visit(neighbour) for each point whose place differs by at most one on each axis.
+  // Calls visit(neighbour) for each point whose place differs by at most one on each axis. Points
+  // of a list have no neighbours along it.
   template <class Visit>
   void neighbours(std::size_t point, const Visit& visit) const {
     visit_from(places(point), 0, 1, 0, point, visit);
@@ -31,7 +35,7 @@ class Grid {
   bool is_at_edge(const std::vector<std::size_t>& places) const {
     for (std::size_t axis = 0; axis < sizes_.size(); ++axis) {
       const bool is_end = places[axis] == 0 || places[axis] + 1 == sizes_[axis];
-      if (is_end && sizes_[axis] > 1) return true;
+      if (is_end && sizes_[axis] > 1 && !is_list_[axis]) return true;
     }
     return false;
   }
@@ -44,14 +48,16 @@ class Grid {
       if (at != point) visit(at);
       return;
     }
-    const std::size_t first = places[axis] - (places[axis] > 0 ? 1 : 0);
-    const std::size_t last = std::min(places[axis] + 1, sizes_[axis] - 1);
+    const std::size_t reach = is_list_[axis] ? 0 : 1;
+    const std::size_t first = places[axis] - std::min(places[axis], reach);
+    const std::size_t last = std::min(places[axis] + reach, sizes_[axis] - 1);
     for (std::size_t place = first; place <= last; ++place) {
       visit_from(places, axis + 1, stride * sizes_[axis], at + place * stride, point, visit);
     }
   }
 
   std::vector<std::size_t> sizes_;
+  std::vector<bool> is_list_;
 };
 
 // The points of equal value that hang together with `first`, which `seen` then has; nothing when a
@@ -115,6 +121,7 @@ bool are_apart(const ResultMap& map, const Peak& a, const Peak& b, double apart)
 }  // namespace
 
 std::size_t steps_apart(const ResultAxis& axis, double apart) {
+  if (axis.is_list()) return 1;
   const double steps = apart * static_cast<double>(axis.values.size());
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::floor(steps)) + 1);
 }

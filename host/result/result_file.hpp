@@ -31,8 +31,12 @@ void write_result(const SweepResult& result, const std::string& path, const Prov
 // By its first bytes. False when there is no such file.
 bool is_netcdf(const std::string& path);
 
-// The TOML of the study that made this file. Throws InputError when it is not a result file.
+// The TOML of the study that made this file, without the numbers of a list of points. Throws
+// InputError when it is not a result file.
 std::string read_study_text(const std::string& path);
+
+// The list of points of the study that made this file; empty when it has none.
+PointTable read_point_table(const std::string& path);
 
 // The max_step that the pilot run of an integrate.tolerance found; nothing when there was none.
 std::optional<double> read_pilot_step(const std::string& path);
@@ -41,6 +45,9 @@ struct ResultAxis {
   std::string name, unit, meaning;
   std::vector<double> values;
   bool logarithmic = false;
+  std::vector<ResultAxis> columns = {};  // of a list of points, each as long as its numbers
+
+  bool is_list() const { return !columns.empty(); }
 };
 
 // One quantity over the axes; `unit` is in the model's dimensionless units, "1" without any, or
@@ -57,6 +64,7 @@ struct ResultMap {
   std::size_t points() const;
   std::size_t part_count() const;  // numbers of a point beside each other; 1 without parts
   bool is_poincare() const;
+  bool is_list() const;  // over the points of a list alone
   // Names of its numbers outside of this file: "x1_rms", or "poincare_x1", "poincare_v1".
   std::vector<std::string> column_names() const;
 };

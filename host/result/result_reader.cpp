@@ -12,6 +12,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "result/dataset.hpp"
 #include "result/detail/netcdf_file.hpp"
 #include "result/result_file.hpp"
 #include "result/si_units.hpp"
@@ -42,6 +43,29 @@ std::string text_or_empty(const NetcdfFile& file, int variable, const std::strin
   return file.text_attribute(variable, attribute).value_or("");
 }
 
+std::vector<double> read_row(const NetcdfFile& file, int variable) {
+  return file.read(variable, {0}, {file.dimension_size(file.dimensions_of(variable).front())});
+}
+
+bool are_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+// The columns of a list of points that are along this dimension.
+std::vector<ResultAxis> read_columns(const NetcdfFile& file, int dimension) {
+  std::vector<ResultAxis> columns;
+  for (const std::string& name : file.variables()) {
+    const int variable = file.find_variable(name);
+    if (!file.text_attribute(variable, kSweeps)) continue;
+    if (file.dimensions_of(variable) != std::vector<int>{dimension}) continue;
+    columns.push_back({.name = name,
+                       .unit = text_or_empty(file, variable, "units"),
+                       .meaning = text_or_empty(file, variable, "long_name"),
+                       .values = read_row(file, variable)});
+  }
+  return columns;
+}
+
 ResultAxis read_axis(const NetcdfFile& file, int dimension) {
   ResultAxis axis;
   axis.name = file.dimension_name(dimension);
@@ -52,12 +76,11 @@ ResultAxis read_axis(const NetcdfFile& file, int dimension) {
   axis.unit = text_or_empty(file, variable, "units");
   axis.meaning = text_or_empty(file, variable, "long_name");
   axis.logarithmic = text_or_empty(file, variable, "scale") == "log";
-  axis.values = file.read(variable, {0}, {file.dimension_size(dimension)});
-  const bool is_finite = std::all_of(axis.values.begin(), axis.values.end(),
-                                     [](double value) { return std::isfinite(value); });
+  axis.values = read_row(file, variable);
+  axis.columns = read_columns(file, dimension);
   const auto falling =
       std::adjacent_find(axis.values.begin(), axis.values.end(), std::greater_equal<>());
-  if (axis.values.empty() || !is_finite || falling != axis.values.end()) {
+  if (axis.values.empty() || !are_finite(axis.values) || falling != axis.values.end()) {
     refuse_foreign(file.name(), fmt::format("increasing values of the axis '{}'", axis.name));
   }
   return axis;
@@ -121,6 +144,22 @@ std::string read_study_text(const std::string& path) {
   return *study;
 }
 
+PointTable read_point_table(const std::string& path) {
+  const NetcdfFile file = NetcdfFile::open(path);
+  PointTable points;
+  for (const std::string& name : file.variables()) {
+    const int variable = file.find_variable(name);
+    const std::optional<std::string> sweeps = file.text_attribute(variable, kSweeps);
+    if (!sweeps || file.dimensions_of(variable).size() != 1) continue;
+    points.names.push_back(*sweeps);
+    points.columns.push_back(read_row(file, variable));
+    if (points.columns.back().size() != points.points() || !are_finite(points.columns.back())) {
+      refuse_foreign(path, fmt::format("number for each point in '{}'", name));
+    }
+  }
+  return points;
+}
+
 std::optional<double> read_pilot_step(const std::string& path) {
   const std::vector<double> step =
       NetcdfFile::open(path).number_attribute(NC_GLOBAL, "pilot_max_step");
@@ -134,6 +173,8 @@ std::size_t ResultMap::points() const {
 }
 
 std::size_t ResultMap::part_count() const { return std::max<std::size_t>(1, parts.size()); }
+
+bool ResultMap::is_list() const { return axes.size() == 1 && axes.front().is_list(); }
 
 bool ResultMap::is_poincare() const { return dimension == "state"; }
 
@@ -158,8 +199,10 @@ ResultFile::ResultFile(const std::string& path)
     axes_.push_back(read_axis(*file_, *dimension));
   }
   for (const std::string& name : file_->variables()) {
-    const bool is_axis = std::any_of(axes_.begin(), axes_.end(),
-                                     [&](const auto& axis) { return axis.name == name; });
+    const auto has_name = [&](const ResultAxis& axis) { return axis.name == name; };
+    const bool is_axis = std::ranges::any_of(axes_, [&](const ResultAxis& axis) {
+      return has_name(axis) || std::ranges::any_of(axis.columns, has_name);
+    });
     if (!is_axis && is_map(*file_, file_->find_variable(name), dimensions)) {
       quantities_.push_back(name);
     }

@@ -106,12 +106,14 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
   Sum sum;
   sum.size.file = kFile;
   for (const std::string& text :
-       {study.title, study.toml, resolved_settings(study), provenance.command_line,
+       {study.title, study.brief_toml(), resolved_settings(study), provenance.command_line,
         provenance.version, provenance.source_hash}) {
     sum.add_text(text);
   }
   for (const Axis& axis : study.axes) {
-    sum.add_described(axis.unit, axis.meaning, 8.0 * static_cast<double>(axis.values.size()));
+    const double bytes = 8.0 * static_cast<double>(axis.values.size());
+    sum.add_described(axis.unit, axis.meaning, bytes);
+    for (const Swept& column : axis.columns) sum.add_described(column.unit, column.meaning, bytes);
   }
   sum.add(points);  // status
   double widest = 1.0;

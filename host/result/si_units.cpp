@@ -60,14 +60,21 @@ void convert_to_si(const Scales& scales, Trace* trace) {
   }
 }
 
+namespace {
+
+void convert_axis(const Scales& scales, ResultAxis* axis) {
+  for (ResultAxis& column : axis->columns) convert_axis(scales, &column);
+  const SiUnit si = shown_unit(axis->unit, scales);
+  if (si.scale <= 0.0) return;
+  for (double& value : axis->values) value *= si.scale;
+  if (si.name == "rpm") axis->meaning = "pinion speed";
+  axis->unit = si.name;
+}
+
+}  // namespace
+
 void convert_to_si(const Scales& scales, ResultMap* map) {
-  for (ResultAxis& axis : map->axes) {
-    const SiUnit si = shown_unit(axis.unit, scales);
-    if (si.scale <= 0.0) continue;
-    for (double& value : axis.values) value *= si.scale;
-    if (si.name == "rpm") axis.meaning = "pinion speed";
-    axis.unit = si.name;
-  }
+  for (ResultAxis& axis : map->axes) convert_axis(scales, &axis);
   // The samples of each part of each point stand beside each other.
   const std::size_t parts = map->part_count();
   for (std::size_t part = 0; part < parts; ++part) {

@@ -50,13 +50,17 @@ const std::string& builtin_study_text(const std::string& name) {
   return found->second;
 }
 
+Study read_result_study(const std::string& path, const std::vector<std::string>& overrides,
+                        const std::vector<std::string>& zooms) {
+  return read_study(read_study_text(path), path, overrides, zooms, read_point_table(path));
+}
+
 Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms) {
   if (has_regular_file(name_or_path, "a study")) {
     ensure_undamaged(name_or_path);
-    const std::string text =
-        is_netcdf(name_or_path) ? read_study_text(name_or_path) : read_text(name_or_path);
-    return read_study(text, name_or_path, overrides, zooms);
+    if (is_netcdf(name_or_path)) return read_result_study(name_or_path, overrides, zooms);
+    return read_study(read_text(name_or_path), name_or_path, overrides, zooms);
   }
   const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;
   if (!is_builtin && name_or_path.find_first_of("./") != std::string::npos) {

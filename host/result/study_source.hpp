@@ -14,6 +14,11 @@ std::vector<std::string> builtin_study_names();
 // TOML text of a built-in study. Throws InputError for an unknown name.
 const std::string& builtin_study_text(const std::string& name);
 
+// The study that made a result file, with its list of points. Throws InputError. No other thread
+// may be at a NetCDF file meanwhile.
+Study read_result_study(const std::string& path, const std::vector<std::string>& overrides = {},
+                        const std::vector<std::string>& zooms = {});
+
 // Throws InputError when there is neither such a file nor such a built-in study, or it is wrong. No
 // other thread may be at a NetCDF file meanwhile.
 Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,

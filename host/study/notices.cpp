@@ -13,14 +13,15 @@ namespace {
 bool is_override(const toml::node& node) { return place_of(node).starts_with("--set"); }
 
 bool is_swept(const Study& study, const std::string& name) {
-  return std::any_of(study.axes.begin(), study.axes.end(),
-                     [&](const Axis& axis) { return axis.name == name; });
+  const std::vector<const Swept*> all = study.swept();
+  return std::ranges::any_of(all, [&](const Swept* one) { return one->name == name; });
 }
 
 // A point of a chain depends on all those before it.
 void note_moved_chain(const toml::table& root, Study* study) {
   if (!study->is_chained()) return;
   const Axis& axis = study->axes[study->initial.along];
+  if (axis.is_list()) return;
   const toml::node* from = (*root["axes"].as_array())[study->initial.along].as_table()->get("from");
   if (from == nullptr || !place_of(*from).starts_with("--zoom")) return;
   study->notices.push_back(fmt::format(

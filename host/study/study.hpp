@@ -4,23 +4,42 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "model/model.hpp"
 #include "study/initial_policy.hpp"
+#include "study/point_table.hpp"
 #include "study/selection.hpp"
 
 namespace gearsweep {
 
-// One swept quantity: a parameter or an initial state of the model.
-struct Axis {
+// A parameter or an initial state of the model, and the values that it is given.
+struct Swept {
   std::string name, unit, meaning;
   bool is_state = false;
   std::size_t index = 0;  // of the parameter or state in the model
   std::vector<double> values;
-  bool logarithmic = false;
 };
+
+// A direction of the map: one swept quantity with increasing values, or a list of points. A list
+// has columns, whose values stand in the order of the points; its own values are 1, 2, 3, ...
+struct Axis : Swept {
+  bool logarithmic = false;
+  std::vector<Swept> columns;
+
+  bool is_list() const { return !columns.empty(); }
+  // What has its value of each place: the axis itself, or the columns of a list.
+  std::span<const Swept> swept() const;
+  bool sweeps_state() const;
+  bool sweeps_parameter() const;
+  // The same axis at some of its places.
+  Axis at(const std::vector<std::size_t>& places) const;
+};
+
+// The name of the axis that a list of points makes.
+inline constexpr const char* kPointAxis = "point";
 
 struct Initial {
   InitialPolicy policy = InitialPolicy::shifted;
@@ -99,7 +118,13 @@ struct Study {
   // place.
   std::vector<std::string> notices;
 
+  // `toml` without the numbers of a list of points.
+  std::string brief_toml() const;
   std::size_t points() const;
+  // The parameters and initial states that differ from point to point.
+  std::vector<const Swept*> swept() const;
+  // The one of them that is this parameter or initial state; nullptr if it is the same everywhere.
+  const Swept* find_swept(bool is_state, std::size_t index) const;
   // Whether points go on from their neighbours.
   bool is_chained() const { return info_of(initial.policy).neighbour != 0; }
   // Makes each point start on its own, and once: without chain or ensemble.
@@ -110,9 +135,10 @@ struct Study {
 // Makes a study from TOML text. cli/ finds the text: a file, the study in a result file, a built-in
 // study. `source` names it in messages.
 // Each override is "path=value", as in "integrate.record=20" or "axes.omega.count=40". Each zoom,
-// applied after these, is "axis=from:to" or "axis=from:to:count". Throws InputError.
+// applied after these, is "axis=from:to" or "axis=from:to:count". `points`, unless empty, is the
+// study's list of points in place of what its [points] says. Throws InputError.
 Study read_study(const std::string& text, const std::string& source,
                  const std::vector<std::string>& overrides = {},
-                 const std::vector<std::string>& zooms = {});
+                 const std::vector<std::string>& zooms = {}, const PointTable& points = {});
 
 }  // namespace gearsweep

@@ -47,7 +47,9 @@ StudyTable whole_study() {
        {"model", table, "", "Which system, and its options."},
        {"parameters", table, "", "Values of parameters."},
        {"gear", table, "", "Dimensions of a gear pair, from which parameters follow."},
-       {"axes", "one or two tables", "required", "What is swept; the first axis is x."},
+       {"axes", "one or two tables", "required",
+        "What is swept; the first axis is x. A list of points may take the place of one."},
+       {"points", table, "", "A list of points, instead of an axis or beside one."},
        {"initial", table, "", "Where points start."},
        {"integrate", table, "", "How, and for how long, points are integrated."},
        {"observe", table, "", "What becomes a map."}}};
@@ -110,6 +112,20 @@ StudyTable axes_table() {
            one_of("scale", {"linear", "log"}, quoted("linear"), "How the values are spaced."),
            {"values", "list of numbers", "",
             "The values themselves, increasing; as many as count may be."}}};
+}
+
+StudyTable points_table() {
+  return {"points",
+          "[points]",
+          "Points that lie on no grid, one result for each: parameters and initial states from "
+          "columns. They are the axis 'point', numbered from 1; with [[axes]], each point has all "
+          "values of the axis.",
+          {{"file", "string", "",
+            "A file beside the study: a line of names, then a line of numbers for each point, "
+            "with commas, semicolons or blanks between."},
+           {"names", "list of strings", "",
+            "Where the study holds the numbers itself, or the result that it is from: the names."},
+           {"numbers", "string", "", "The same: the lines of the points."}}};
 }
 
 StudyTable initial_table() {
@@ -205,8 +221,8 @@ StudyTable observe_table() {
 
 const std::vector<StudyTable>& study_tables() {
   static const std::vector<StudyTable> kTables = {
-      whole_study(), model_table(),   parameters_table(), gear_table(),
-      axes_table(),  initial_table(), integrate_table(),  observe_table()};
+      whole_study(),  model_table(),   parameters_table(), gear_table(),   axes_table(),
+      points_table(), initial_table(), integrate_table(),  observe_table()};
   return kTables;
 }
 

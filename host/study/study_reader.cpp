@@ -13,6 +13,7 @@
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/model_table.hpp"
 #include "study/detail/overrides.hpp"
+#include "study/detail/point_reader.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/detail/zoom.hpp"
 #include "study/nesting.hpp"
@@ -132,7 +133,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   std::vector<std::string> states = reader.texts("poincare");
   if (reader.find("quantities") == nullptr) {
     quantities = {first_state + "_rms"};
-    if (study->axes.size() == 1) quantities.push_back("poincare");
+    if (study->axes.size() == 1 && !study->axes.front().is_list()) quantities.push_back("poincare");
   }
   if (reader.find("poincare") == nullptr) states = {first_state};
   // What rounding leaves of a stable orbit's recurrence, with some room.
@@ -169,7 +170,7 @@ void check_size(const toml::table& root, const Study& study) {
   for (const Axis& axis : study.axes) points *= static_cast<double>(axis.values.size());
   const auto members = static_cast<double>(study.initial.ensemble);
   if (points * members > kMaxPoints) {
-    fail_at(*root.get("axes"),
+    fail_at(*root.get(root.contains("axes") ? "axes" : "points"),
             fmt::format("the axes span {:.3g} points{}; at most {:.0g} are possible", points,
                         members > 1.0 ? fmt::format(" of {} trajectories each", members) : "",
                         kMaxPoints));
@@ -191,14 +192,27 @@ void check_size(const toml::table& root, const Study& study) {
   }
 }
 
+std::string printed(const toml::table& root) {
+  std::ostringstream text;
+  text << root << '\n';
+  return text.str();
+}
+
 }  // namespace
 
+std::string Study::brief_toml() const {
+  if (std::ranges::none_of(axes, &Axis::is_list)) return toml;
+  return printed(without_numbers(parse(toml, "the study")));
+}
+
 Study read_study(const std::string& text, const std::string& source,
-                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms) {
+                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms,
+                 const PointTable& given_points) {
   toml::table root = parse(text, source);
   for (const std::string& assignment : overrides) apply_override(assignment, &root);
   for (const std::string& zoom : zooms) apply_zoom(zoom, &root);
   take_in_model_file(source, &root);
+  const PointTable points = take_in_points(source, given_points, &root);
 
   Study study;
   TableReader reader(&root, study_table(""));
@@ -206,11 +220,12 @@ Study read_study(const std::string& text, const std::string& source,
   read_model(root, reader.table("model"), &study);
   const toml::table* parameters = reader.table("parameters");
   const std::vector<GearParameter> gear = read_gear(reader.table("gear"), &study);
+  reader.table("points");
   refuse_misplaced(root, *study.model);
   reader.refuse_unknown();
 
   read_parameters(parameters, &study);
-  study.axes = read_axes(root, *study.model);
+  study.axes = read_axes(root, points, *study.model);
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
@@ -218,9 +233,7 @@ Study read_study(const std::string& text, const std::string& source,
   check_size(root, study);
   note_what_wins(root, gear, &study);
 
-  std::ostringstream canonical;
-  canonical << root << '\n';
-  study.toml = canonical.str();
+  study.toml = printed(root);
   return study;
 }
 

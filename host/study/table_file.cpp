@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <optional>
 
 #include "model/error.hpp"
-#include "model/regular_file.hpp"
+#include "study/detail/number_lines.hpp"
 
 namespace gearsweep {
 namespace {
@@ -34,56 +32,17 @@ struct Unit {
 constexpr Unit kUnits[] = {
     {"phase", kTurn, 1.0}, {"share", 1.0, kTurn}, {"degree", 360.0, kTurn / 360.0}};
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+// What messages call it.
+constexpr const char* kTable = "a table";
 
-// Of a line without its comment.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  std::size_t at = 0;
-  const auto skip = [&] {
-    while (at < line.size() && is_blank(line[at])) ++at;
-  };
-  for (skip(); at < line.size(); skip()) {
-    const std::size_t begin = at;
-    while (at < line.size() && !is_blank(line[at]) && line[at] != ',' && line[at] != ';') ++at;
-    fields.push_back(line.substr(begin, at - begin));
-    skip();
-    if (at < line.size() && (line[at] == ',' || line[at] == ';')) ++at;
-  }
-  return fields;
-}
-
-// The same in every locale.
-std::optional<double> number_in(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
-  return value;
-}
-
-// For a message.
-std::string shown(std::string_view field) {
-  constexpr std::size_t kWidth = 30;
-  std::string text(field.substr(0, kWidth));
-  std::ranges::replace_if(
-      text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return field.size() > kWidth ? text + "..." : text;
-}
-
-class PointReader {
+class TableFileReader {
  public:
-  PointReader(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+  TableFileReader(std::string_view text, const std::string& source)
+      : lines_(text, kMaxBytes, kTable, source), source_(source) {}
 
   std::vector<TablePoint> run() {
-    refuse_other_files();
-    while (!text_.empty()) {
-      ++line_;
-      const std::size_t end = std::min(text_.find('\n'), text_.size());
-      const std::string_view line = text_.substr(0, end);
-      text_.remove_prefix(std::min(end + 1, text_.size()));
-      read_line(fields_of(line.substr(0, line.find('#'))));
-    }
+    std::vector<std::string_view> fields;
+    while (lines_.next(&fields)) read_line(fields);
     if (points_.size() >= kMinTablePoints) close();
     if (points_.size() < kMinTablePoints) {
       throw InputError(fmt::format("{}: a table of {} point{}; it needs at least {} in a period",
@@ -94,24 +53,9 @@ class PointReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(fmt::format("{}:{}: {}", source_, line_, message));
-  }
-
-  void refuse_other_files() {
-    if (text_.size() > kMaxBytes) {
-      throw InputError(fmt::format("{}: too large for a table; at most {} bytes are possible",
-                                   source_, kMaxBytes));
-    }
-    if (text_.find('\0') != std::string_view::npos) {
-      throw InputError(fmt::format("{}: not a text file; a table is two columns of text", source_));
-    }
-    // The mark with which some programs begin a text in UTF-8.
-    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
-  }
+  [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
 
   void read_line(const std::vector<std::string_view>& fields) {
-    if (fields.empty()) return;
     const bool is_header = !has_content_ && !number_in(fields[0]);
     has_content_ = true;
     if (is_header) {
@@ -136,7 +80,7 @@ class PointReader {
       fail(
           fmt::format("'{}' is neither a number nor what a first column is called: 'phase' (in "
                       "radians), 'share' (of the period) or 'degree'",
-                      shown(field)));
+                      shown_field(field)));
     }
     unit_ = *known;
   }
@@ -144,11 +88,11 @@ class PointReader {
   double number(std::string_view field) const {
     const std::optional<double> value = number_in(field);
     if (!value) {
-      fail(fmt::format("'{}' is not a number; write it as 0.5 or 5e-1", shown(field)));
+      fail(fmt::format("'{}' is not a number; write it as 0.5 or 5e-1", shown_field(field)));
     }
     if (!std::isfinite(*value) || std::fabs(*value) > kLargest) {
       fail(fmt::format("'{}' is out of range; finite numbers up to {:.0e} are possible",
-                       shown(field), kLargest));
+                       shown_field(field), kLargest));
     }
     return *value;
   }
@@ -224,32 +168,18 @@ class PointReader {
                     last, first));
   }
 
-  std::string_view text_;
+  NumberLines lines_;
   const std::string& source_;
-  std::size_t line_ = 0;
   bool has_content_ = false;
   std::size_t jumps_ = 0;
   Unit unit_ = kUnits[0];
   std::vector<TablePoint> points_;
 };
 
-std::string file_text(const std::string& path) {
-  if (!has_regular_file(path, "a table")) {
-    throw InputError(fmt::format("{}: there is no such file", path));
-  }
-  std::ifstream in(path, std::ios::binary);
-  // One byte more tells that there are too many.
-  std::string text(kMaxBytes + 1, '\0');
-  if (in) in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad() || !in.is_open()) throw InputError(fmt::format("{}: cannot be read", path));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 }  // namespace
 
 std::vector<TablePoint> parse_table(std::string_view text, const std::string& source) {
-  return PointReader(text, source).run();
+  return TableFileReader(text, source).run();
 }
 
 std::string table_text(const std::vector<TablePoint>& points) {
@@ -261,7 +191,7 @@ std::string table_text(const std::vector<TablePoint>& points) {
 TablePoints tables_beside(const std::string& model_file) {
   return [folder = std::filesystem::path(model_file).parent_path()](const std::string& name) {
     const std::string path = (folder / name).string();
-    return parse_table(file_text(path), path);
+    return parse_table(number_file_text(path, kMaxBytes, kTable), path);
   };
 }
 

@@ -24,13 +24,13 @@ Study sample_of(const Study& study, std::size_t points) {
   const std::size_t root = static_cast<std::size_t>(std::sqrt(static_cast<double>(points)));
   std::vector<Axis>& axes = sample.axes;
   if (axes.size() == 1) {
-    axes[0].values = thin(axes[0].values, points);
+    axes[0] = thin(axes[0], points);
   } else {
     const bool x_is_short = axes[0].values.size() <= axes[1].values.size();
     Axis& shorter = axes[x_is_short ? 0 : 1];
     Axis& longer = axes[x_is_short ? 1 : 0];
-    shorter.values = thin(shorter.values, std::max<std::size_t>(1, root));
-    longer.values = thin(longer.values, points / shorter.values.size());
+    shorter = thin(shorter, std::max<std::size_t>(1, root));
+    longer = thin(longer, points / shorter.values.size());
   }
   return sample;
 }

@@ -43,7 +43,7 @@ Study pilot_study(const Study& study) {
   for (Axis& axis : pilot.axes) {
     const double count = static_cast<double>(axis.values.size()) *
                          std::pow(share, 1.0 / static_cast<double>(pilot.axes.size()));
-    axis.values = thin(axis.values, static_cast<std::size_t>(std::ceil(count)));
+    axis = thin(axis, static_cast<std::size_t>(std::ceil(count)));
   }
   pilot.separate_points();
   pilot.integrate.tolerance = 0.0;
@@ -231,13 +231,14 @@ void tell_of_own_step(const Study& study, const NoStep& none, const SweepOptions
 
 }  // namespace
 
-std::vector<double> thin(const std::vector<double>& values, std::size_t count) {
-  if (values.size() <= count) return values;
-  std::vector<double> out;
+Axis thin(const Axis& axis, std::size_t count) {
+  const std::size_t all = axis.values.size();
+  if (all <= count) return axis;
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < count; ++i) {
-    out.push_back(values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)]);
+    places.push_back(count == 1 ? 0 : i * (all - 1) / (count - 1));
   }
-  return out;
+  return axis.at(places);
 }
 
 std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& options) {

@@ -30,7 +30,7 @@ struct SteppedStudy {
 // point can tell.
 std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& options);
 
-// At most `count` of the values, spread evenly, both ends among them.
-std::vector<double> thin(const std::vector<double>& values, std::size_t count);
+// The axis at no more than `count` of its places, spread evenly, both ends among them.
+Axis thin(const Axis& axis, std::size_t count);
 
 }  // namespace gearsweep

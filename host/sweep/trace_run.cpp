@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/error.hpp"
 #include "sweep/detail/history.hpp"
@@ -23,7 +24,11 @@ std::optional<std::vector<double>> chained_start(const Plan& plan, const SweepOp
   const Study& study = plan.study();
   const std::size_t along = study.initial.along;
   Study before = study;
-  std::erase(before.axes[along].values, plan.axis_value(along, followed_point(plan)));
+  const std::size_t followed = plan.axis_index(along, followed_point(plan));
+  std::vector<std::size_t> places(before.axes[along].values.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::erase(places, followed);
+  before.axes[along] = before.axes[along].at(places);
   std::vector<std::string> states;
   for (const ChannelInfo& state : study.model->states) states.push_back(state.name);
   before.selection = select_quantities(*study.model, {"poincare"}, states);

@@ -75,6 +75,13 @@ TEST(Peaks, EqualOnesAreInTheOrderOfThePoints) {
   EXPECT_THAT(points(map_of({5}, {2, 0, 2, 0, 2}), 9), ElementsAre(0, 2, 4));
 }
 
+TEST(Peaks, APointOfAListHasNoNeighbours) {
+  ResultMap list = map_of({4}, {1, 4, 3, 2});
+  list.axes[0].columns = {list.axes[0]};
+  EXPECT_THAT(points(list, 3, false, 0.5), ElementsAre(1, 2, 3));
+  EXPECT_FALSE(find_peaks(list, {.count = 4, .smallest = false, .apart = 0.5})[3].at_edge);
+}
+
 TEST(Peaks, ThreeAxesAndASinglePointDoToo) {
   std::vector<double> values(27, 0.0);
   values[13] = 1.0;

@@ -123,7 +123,7 @@ TEST(TableFile, IsRefusedWithTheLine) {
       {"0 1\n0 2\n3 2\n6.2831853 2\n", "m.csv:4: a table that is not periodic: 2 at its end, 1 at"},
       {"0 1\n3 2\n6.2831853 1\n6.2831853 2\n", "m.csv:4: a table that is not periodic: 2 at its"},
       {many, "m.csv:100001: more than 100000 points"},
-      {std::string("0 1\n\0 2\n", 8), "m.csv: not a text file; a table is two columns of text"},
+      {std::string("0 1\n\0 2\n", 8), "m.csv: not a text file; a table is columns of text"},
       {std::string((8 << 20) + 1, ' '), "m.csv: too large for a table"},
       {"0 1\n1 \x1b[31m\xff\n", "m.csv:2: '?[31m?' is not a number"},
       {"0 1\n1 " + std::string(1000, 'x'), "m.csv:2: '" + std::string(30, 'x') + "...' is not"}};

@@ -43,8 +43,8 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
 std::vector<std::uint32_t> swept_rows(const Study& study) {
   std::vector<std::uint32_t> rows(study.model->parameters.size(), NOT_SWEPT);
   std::uint32_t row = 0;
-  for (const Axis& axis : study.axes) {
-    if (!axis.is_state) rows[axis.index] = row++;
+  for (const Swept* swept : study.swept()) {
+    if (!swept->is_state) rows[swept->index] = row++;
   }
   return rows;
 }
@@ -52,9 +52,11 @@ std::vector<std::uint32_t> swept_rows(const Study& study) {
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
   std::vector<double> values;
   for (std::size_t axis = 0; axis < plan.study().axes.size(); ++axis) {
-    if (plan.study().axes[axis].is_state) continue;
-    for (const std::size_t position : slots.position) {
-      values.push_back(plan.axis_value(axis, tile.points[position]));
+    for (const Swept& swept : plan.study().axes[axis].swept()) {
+      if (swept.is_state) continue;
+      for (const std::size_t position : slots.position) {
+        values.push_back(swept.values[plan.axis_index(axis, tile.points[position])]);
+      }
     }
   }
   return values;

@@ -38,7 +38,7 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
 // Of each parameter its row among the swept ones, or NOT_SWEPT.
 std::vector<std::uint32_t> swept_rows(const Study& study);
 
-// [parameter axis][slot]: the swept parameters, in the order of the study's axes.
+// [swept parameter][slot]: in the order of the study's axes and their columns.
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
 
 // [vector][state][slot]: start_tangents() of plan/, the same for all points.

@@ -64,8 +64,8 @@ class Estimate {
   std::size_t whole_slots() const { return slots(tile_.grid_starts.size()); }
 
   Buffers inputs(std::size_t slots) const {
-    const auto swept = std::count_if(study_.axes.begin(), study_.axes.end(),
-                                     [](const Axis& axis) { return !axis.is_state; });
+    const std::vector<const Swept*> all = study_.swept();
+    const auto swept = std::ranges::count_if(all, [](const Swept* one) { return !one->is_state; });
     Buffers buffers;
     buffers.add(scalars(study_.setting.parameters.size()));
     buffers.add(study_.model->parameters.size() * sizeof(sweep_uint));

@@ -13,6 +13,8 @@
 namespace gearsweep {
 namespace {
 
+// Of a list of points, whose neighbours have nothing in common.
+constexpr const char* kListDots = "points pointtype 7 pointsize dot*1.2";
 constexpr const char *kFirstPart = "#d55e00", *kOtherParts = "#56b4e9";
 
 // The values of all studies' axes.
@@ -100,7 +102,8 @@ std::string layer_element(const Panel& panel, std::size_t index, PlotScript* scr
   }
   // So few points that each of them should be seen.
   constexpr std::size_t kFew = 60;
-  const std::string style = map.points() <= kFew
+  const std::string style = map.is_list() ? kListDots
+                            : map.points() <= kFew
                                 ? "linespoints pointtype 7 pointsize dot*1.2 linewidth 2"
                                 : "lines linewidth 2";
   return fmt::format("{} using 1:2 with {} {} notitle", data, style, layer_line(index));
@@ -111,9 +114,10 @@ std::vector<std::string> part_elements(const ResultMap& map, PlotScript* script)
   const std::string data = append_rows(map, std::nullopt, script);
   std::vector<std::string> elements;
   for (std::size_t part = map.part_count(); part > 0; --part) {
-    elements.push_back(
-        fmt::format("{} using 1:{} with lines linewidth {} linecolor rgb '{}' notitle", data,
-                    part + 1, part == 1 ? 2.0 : 1.4, part == 1 ? kFirstPart : kOtherParts));
+    const std::string style =
+        map.is_list() ? kListDots : fmt::format("lines linewidth {}", part == 1 ? 2.0 : 1.4);
+    elements.push_back(fmt::format("{} using 1:{} with {} linecolor rgb '{}' notitle", data,
+                                   part + 1, style, part == 1 ? kFirstPart : kOtherParts));
   }
   return elements;
 }

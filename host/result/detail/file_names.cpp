@@ -10,8 +10,8 @@ namespace {
 // Variables and dimensions that write_result() makes beside those of the axes.
 bool is_taken_in_result(const std::string& name, const Study& study) {
   const std::vector<Quantity>& quantities = study.selection.quantities;
-  return name == "status" || name == "poincare" || name == "sample" || name.starts_with("state") ||
-         name.starts_with("attractor_") ||
+  return name == "status" || name == kPointAxis || name == "poincare" || name == "sample" ||
+         name.starts_with("state") || name.starts_with("attractor_") ||
          std::any_of(quantities.begin(), quantities.end(), [&](const Quantity& quantity) {
            const std::string& dimension = quantity.dimension;
            return name == quantity.name || (!dimension.empty() && name.starts_with(dimension));
@@ -29,9 +29,9 @@ bool is_taken_in_traces(const std::string& name, const std::vector<ChannelInfo>&
 
 }  // namespace
 
-std::string name_in_result(const Axis& axis, const Study& study) {
-  if (!is_taken_in_result(axis.name, study)) return axis.name;
-  return (axis.is_state ? "initial_" : "parameter_") + axis.name;
+std::string name_in_result(const Swept& swept, const Study& study) {
+  if (!is_taken_in_result(swept.name, study)) return swept.name;
+  return (swept.is_state ? "initial_" : "parameter_") + swept.name;
 }
 
 std::string name_in_traces(const std::string& parameter, const std::vector<ChannelInfo>& channels) {

@@ -12,8 +12,8 @@
 
 namespace gearsweep {
 
-// Of an axis, in the result file of its study.
-std::string name_in_result(const Axis& axis, const Study& study);
+// Of an axis or of a column of points, in the result file of its study.
+std::string name_in_result(const Swept& swept, const Study& study);
 
 // Of a parameter, in a file of traces of these channels.
 std::string name_in_traces(const std::string& parameter, const std::vector<ChannelInfo>& channels);

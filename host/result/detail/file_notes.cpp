@@ -37,7 +37,7 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::vector<Attribute> notes = {
       {"title", study_.title},
-      {"study", study_.toml},
+      {"study", study_.brief_toml()},
       {"settings", resolved_settings(study_)},
       {"gearsweep_version", provenance.version},
       {"source_hash", provenance.source_hash},

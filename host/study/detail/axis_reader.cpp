@@ -3,39 +3,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/detail/point_reader.hpp"
 #include "study/detail/toml_access.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
 
-double max_values() { return find_key(study_table("axes"), "count")->max; }
+constexpr std::size_t kMaxAxes = 2;
 
-// Fills what the axis has from the parameter or state that it sweeps; its allowed range.
-std::pair<double, double> bind_axis(const Model& model, const toml::node& place, Axis* axis) {
-  if (const int parameter = model.find_parameter(axis->name); parameter >= 0) {
-    axis->index = static_cast<std::size_t>(parameter);
-    const ParameterInfo& info = model.parameters[axis->index];
-    axis->unit = info.unit;
-    axis->meaning = info.meaning;
-    return {info.min, info.max};
-  }
-  if (const int state = model.find_state(axis->name); state >= 0) {
-    axis->index = static_cast<std::size_t>(state);
-    axis->is_state = true;
-    axis->unit = model.states[axis->index].unit;
-    axis->meaning = "initial " + model.states[axis->index].meaning;
-    return {-SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND};
-  }
-  std::vector<std::string> known;
-  for (const ParameterInfo& info : model.parameters) known.push_back(info.name);
-  for (const ChannelInfo& info : model.states) known.push_back(info.name);
-  fail_at(place, fmt::format("axis '{}' is neither a parameter nor a state of model '{}'{}",
-                             axis->name, model.name, suggest_name(axis->name, known)));
-}
+double max_values() { return find_key(study_table("axes"), "count")->max; }
 
 void check_increasing(const toml::node& place, const Axis& axis) {
   for (std::size_t i = 1; i < axis.values.size(); ++i) {
@@ -100,7 +81,7 @@ Axis read_axis(const toml::table& table, const Model& model) {
   reader.refuse_unknown();
 
   const toml::node* name_node = reader.find("name");
-  const std::pair<double, double> range = bind_axis(model, *name_node, &axis);
+  const std::pair<double, double> range = bind_swept(model, *name_node, "axis", &axis);
   const toml::node* values = reader.find("values");
   if (values == nullptr) {
     read_range(table, &reader, range, &axis);
@@ -125,31 +106,82 @@ Axis read_axis(const toml::table& table, const Model& model) {
   return axis;
 }
 
-}  // namespace
-
-std::vector<Axis> read_axes(const toml::table& study, const Model& model) {
+// The [[axes]], none where there are no such tables.
+std::vector<Axis> axes_of_tables(const toml::table& study, const Model& model) {
+  std::vector<Axis> axes;
   const toml::node* node = study.get("axes");
-  if (node == nullptr) {
-    throw InputError(
-        fmt::format("{}: the study has no axes; give one or two, as in\n"
-                    "  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n"
-                    "  count = 100",
-                    place_of(study)));
-  }
+  if (node == nullptr) return axes;
   const toml::array* array = node->as_array();
   if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
     fail_at(*node, "axes must be tables: [[axes]]");
   }
-  if (array->size() > 2) {
+  if (array->size() > kMaxAxes) {
     fail_at(*node, fmt::format("{} axes are given; a map has one or two", array->size()));
   }
-  std::vector<Axis> axes;
   for (const toml::node& element : *array) {
     axes.push_back(read_axis(*element.as_table(), model));
   }
-  if (axes.size() == 2 && axes[0].name == axes[1].name) {
-    fail_at(array->back(), fmt::format("axis '{}' is given twice", axes[0].name));
+  return axes;
+}
+
+void refuse_twice(const std::vector<Axis>& axes, const toml::table& study) {
+  std::set<std::string> names;
+  for (const Axis& axis : axes) {
+    for (const Swept& swept : axis.swept()) {
+      if (names.insert(swept.name).second) continue;
+      if (axis.is_list()) {
+        fail_at(*study.get("points"),
+                fmt::format("'{}' is an axis and a column of the points", swept.name));
+      }
+      fail_at(study.get("axes")->as_array()->back(),
+              fmt::format("axis '{}' is given twice", swept.name));
+    }
   }
+}
+
+}  // namespace
+
+std::pair<double, double> bind_swept(const Model& model, const toml::node& place,
+                                     const std::string& what, Swept* swept) {
+  if (const int parameter = model.find_parameter(swept->name); parameter >= 0) {
+    swept->index = static_cast<std::size_t>(parameter);
+    const ParameterInfo& info = model.parameters[swept->index];
+    swept->unit = info.unit;
+    swept->meaning = info.meaning;
+    return {info.min, info.max};
+  }
+  if (const int state = model.find_state(swept->name); state >= 0) {
+    swept->index = static_cast<std::size_t>(state);
+    swept->is_state = true;
+    swept->unit = model.states[swept->index].unit;
+    swept->meaning = "initial " + model.states[swept->index].meaning;
+    return {-SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND};
+  }
+  std::vector<std::string> known;
+  for (const ParameterInfo& info : model.parameters) known.push_back(info.name);
+  for (const ChannelInfo& info : model.states) known.push_back(info.name);
+  fail_at(place, fmt::format("{} '{}' is neither a parameter nor a state of model '{}'{}", what,
+                             swept->name, model.name, suggest_name(swept->name, known)));
+}
+
+std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
+                            const Model& model) {
+  std::vector<Axis> axes = axes_of_tables(study, model);
+  if (!points.empty()) {
+    const toml::node& place = *study.get("points");
+    if (axes.size() == kMaxAxes) {
+      fail_at(place, "two axes and a list of points; a list takes the place of one axis");
+    }
+    axes.push_back(axis_of_points(points, place, model));
+  }
+  if (axes.empty()) {
+    throw InputError(
+        fmt::format("{}: the study has no axes; give one or two, as in\n"
+                    "  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n"
+                    "  count = 100\nor a list of points:\n  [points]\n  file = \"points.csv\"",
+                    place_of(study)));
+  }
+  refuse_twice(axes, study);
   return axes;
 }
 

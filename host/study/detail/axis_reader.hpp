@@ -3,14 +3,22 @@
 
 #include <toml++/toml.h>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// One or two axes of distinct parameters or states, their values increasing and in range.
-// Throws InputError. `study` is where the axes hang, for messages.
-std::vector<Axis> read_axes(const toml::table& study, const Model& model);
+// One or two axes of distinct parameters or states, in range, the values of [[axes]] increasing; a
+// list of points, unless it is empty, is the last one. Throws InputError. `study` is where the axes
+// hang, for messages.
+std::vector<Axis> read_axes(const toml::table& study, const PointTable& points, const Model& model);
+
+// Fills in what the parameter or state of this name has; its allowed range. what: "axis", for
+// messages. Throws InputError when there is none.
+std::pair<double, double> bind_swept(const Model& model, const toml::node& place,
+                                     const std::string& what, Swept* swept);
 
 }  // namespace gearsweep

@@ -81,11 +81,13 @@ void read_initial(const toml::table* table, Study* study) {
   if (chained) initial.along = reader.choice("along", 0, axis_names(*study));
   read_ensemble(&reader, study);
   reader.refuse_unknown();
-  if (chained && study->axes[initial.along].is_state) {
+  const Axis& along = study->axes[initial.along];
+  if (chained && along.sweeps_state()) {
     throw InputError(
-        fmt::format("{}: a chain cannot go along axis '{}', an initial state; name a "
-                    "parameter's axis with along = \"...\"",
-                    place_of(*table), study->axes[initial.along].name));
+        fmt::format("{}: a chain cannot go along axis '{}', {}; name a parameter's axis with "
+                    "along = \"...\"",
+                    place_of(*table), along.name,
+                    along.is_list() ? "which has initial states" : "an initial state"));
   }
 }
 

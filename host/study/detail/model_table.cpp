@@ -87,6 +87,9 @@ void apply_preset(const PresetInfo& preset, Study* study) {
 // As they stand in the text: axes are checked when the model is known.
 std::set<std::string> axis_names(const toml::table& root) {
   std::set<std::string> names;
+  if (const toml::array* columns = root["points"]["names"].as_array()) {
+    for (const toml::node& column : *columns) names.insert(column.value_or(std::string()));
+  }
   const toml::array* axes = root.contains("axes") ? root.get("axes")->as_array() : nullptr;
   if (axes == nullptr) return names;
   for (const toml::node& axis : *axes) {

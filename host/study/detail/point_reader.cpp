@@ -1,0 +1,98 @@
+#include "study/detail/point_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "model/error.hpp"
+#include "study/detail/axis_reader.hpp"
+#include "study/detail/toml_access.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kTable = "points";
+
+PointTable points_beside(const std::string& source, const std::string& name,
+                         const toml::node& file) {
+  try {
+    return read_points((std::filesystem::path(source).parent_path() / name).string());
+  } catch (const InputError& error) {
+    fail_at(file, error.what());
+  }
+}
+
+PointTable points_of_table(const std::string& source, const PointTable& given,
+                           const toml::table& table) {
+  TableReader reader(&table, study_table(kTable));
+  const toml::node* file = reader.find("file");
+  const std::string file_name = reader.text("file", "");
+  const std::vector<std::string> names = reader.texts("names");
+  const toml::node* numbers = reader.find("numbers");
+  const std::string lines = reader.text("numbers", "");
+  reader.refuse_unknown();
+  // A study that was read has none, so it was asked for in place of the numbers.
+  if (file != nullptr) return points_beside(source, file_name, *file);
+  if (!given.empty()) return given;
+  if (numbers != nullptr && names.empty()) {
+    fail_at(*numbers, "numbers need names, one for each column");
+  }
+  if (numbers != nullptr) return parse_points(names, lines, place_of(*numbers) + ": line");
+  if (names.empty()) {
+    fail_at(table, "[points] needs a file, file = \"points.csv\", or names and numbers");
+  }
+  fail_at(*reader.find("names"),
+          "the numbers of these points are not in the text, but in the result that it is from: "
+          "run that, or give a file of points alone, file = \"points.csv\"");
+}
+
+}  // namespace
+
+PointTable take_in_points(const std::string& source, const PointTable& given, toml::table* study) {
+  toml::node* node = study->get(kTable);
+  if (node != nullptr && !node->is_table()) fail_at(*node, "points must be a table: [points]");
+  if (node == nullptr && given.empty()) return {};
+  if (node == nullptr) {
+    study->insert(kTable, toml::table());
+    node = study->get(kTable);
+  }
+  toml::table& table = *node->as_table();
+  PointTable points = points_of_table(source, given, table);
+  toml::array names;
+  for (const std::string& name : points.names) names.push_back(name);
+  table.erase("file");
+  table.insert_or_assign("names", std::move(names));
+  table.insert_or_assign("numbers", lines_of(points));
+  return points;
+}
+
+Axis axis_of_points(const PointTable& points, const toml::node& place, const Model& model) {
+  Axis axis;
+  axis.name = kPointAxis;
+  axis.meaning = "number of the point";
+  for (std::size_t point = 0; point < points.points(); ++point) {
+    axis.values.push_back(static_cast<double>(point + 1));
+  }
+  for (std::size_t i = 0; i < points.names.size(); ++i) {
+    Swept column;
+    column.name = points.names[i];
+    column.values = points.columns[i];
+    const auto [min, max] = bind_swept(model, place, "column", &column);
+    for (std::size_t point = 0; point < points.points(); ++point) {
+      const double value = column.values[point];
+      if (value >= min && value <= max) continue;
+      fail_at(place, fmt::format("point {}: {} = {} is out of range; {} .. {} is allowed",
+                                 point + 1, column.name, value, min, max));
+    }
+    axis.columns.push_back(std::move(column));
+  }
+  return axis;
+}
+
+toml::table without_numbers(const toml::table& study) {
+  toml::table brief = study;
+  if (toml::table* table = brief[kTable].as_table()) table->erase("numbers");
+  return brief;
+}
+
+}  // namespace gearsweep
