@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "model/error.hpp"
 #include "sweep/trace_run.hpp"

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <complex>
 #include <functional>
 #include <numeric>
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "result/dataset.hpp"
 #include "result/detail/file_names.hpp"

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <optional>
+#include <utility>
+
 #include "core/background.hpp"
 #include "core/session.hpp"
 

@@ -112,4 +112,7 @@ def _with_python_types(stored: xarray.Dataset) -> xarray.Dataset:
             made[f"{stem}s"] = numbers.assign_attrs(units="1", long_name=meaning)
         elif not str(name).endswith("multiplier_imag"):
             made[name] = variable
-    return xarray.Dataset(made, stored.coords, stored.attrs)
+    attributes = dict(stored.attrs)
+    if "start_orbit" in attributes:
+        attributes["start_orbit"] = int(attributes["start_orbit"])
+    return xarray.Dataset(made, stored.coords, attributes)

@@ -72,14 +72,10 @@ def trace(
     KeyboardInterrupt
         After Ctrl-C, once the running round is over.
     """
-    is_list = at is not None and not isinstance(at, Mapping)
-    if is_list and (isinstance(at, str) or not isinstance(at, Sequence) or len(at) == 0):
-        raise InputError("at: expected a point such as {'omega': 0.7}, or a list of points")
-    points = list(at) if is_list else [at or {}]
     is_map, pilot_step = map_of(study)
     described = SESSION.trace(
         study=study_of(study, set)._core,
-        points=[place_of(place, point) for point in points],
+        points=[place_of(place, point) for point in _points(at)],
         settle=count_of(settle, "settle", 0, _MOST),
         record=count_of(record, "record", 1, _MOST),
         samples_per_period=count_of(samples_per_period, "samples_per_period", 1, _MOST_SAMPLES)
@@ -99,4 +95,17 @@ def trace(
         ),
     )
     made = dataset_of(*described)
-    return made if is_list else made.isel(trace=0).set_coords("tau")
+    is_one = at is None or isinstance(at, Mapping)
+    return made.isel(trace=0).set_coords("tau") if is_one else made
+
+
+def _points(
+    at: Mapping[str, float] | Sequence[Mapping[str, float]] | None,
+) -> list[Mapping[str, float]]:
+    if at is None:
+        return [{}]
+    if isinstance(at, Mapping):
+        return [at]
+    if isinstance(at, str) or not isinstance(at, Sequence) or len(at) == 0:
+        raise InputError("at: expected a point such as {'omega': 0.7}, or a list of points")
+    return list(at)

@@ -42,7 +42,8 @@ class Verification(NamedTuple):
     def __repr__(self) -> str:
         return "\n".join([self.device, *map(str, self.checks)])
 
-    __str__ = __repr__
+    def __str__(self) -> str:
+        return repr(self)
 
 
 def verify(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 import pytest
@@ -98,6 +99,13 @@ def test_starts_where_it_is_told():
     own = gearsweep.trace("coarse-map", settle=0, record=1, x1=0.25, **POINTS[0])
     assert own.x1[0] == 0.25
     assert own.settled == 0
+
+
+def test_two_threads_trace_at_once():
+    alone = [gearsweep.trace("coarse-map", set=MAP, at=[point]) for point in POINTS]
+    with ThreadPoolExecutor(2) as pool:
+        together = list(pool.map(lambda at: gearsweep.trace("coarse-map", set=MAP, at=[at]), POINTS))
+    assert all(one.equals(other) for one, other in zip(alone, together, strict=True))
 
 
 def test_says_what_made_it():
