@@ -1,22 +1,19 @@
 // gearsweep trace: the time history of points of a study or of a map.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/place.hpp"
+#include "cli/detail/place_text.hpp"
 #include "cli/detail/signal_watch.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
-#include "plan/plan.hpp"
+#include "point/point_trace.hpp"
 #include "result/trace_file.hpp"
-#include "sweep/trace_run.hpp"
 
 namespace gearsweep {
 namespace {
@@ -44,92 +41,13 @@ std::string command_line(const TraceArguments& arguments) {
   return line + " -o " + shell_quoted(arguments.output);
 }
 
-// The nearest value of a swept axis; `value` must not lie beyond its ends.
-std::size_t nearest_value(const Axis& axis, double value) {
-  if (value < axis.values.front() || value > axis.values.back()) {
-    throw InputError(fmt::format("--at: {} = {} is beyond the axis, {} .. {}", axis.name, value,
-                                 axis.values.front(), axis.values.back()));
-  }
-  const auto nearest = std::min_element(
-      axis.values.begin(), axis.values.end(),
-      [&](double a, double b) { return std::abs(a - value) < std::abs(b - value); });
-  return static_cast<std::size_t>(nearest - axis.values.begin());
-}
-
-// A point of a map is one of its grid; so is a point that goes on from its neighbours.
-void snap(const Study& whole, bool is_map, std::vector<Placed>* place) {
-  for (Placed& placed : *place) {
-    for (std::size_t i = 0; i < whole.axes.size(); ++i) {
-      const Axis& axis = whole.axes[i];
-      if (axis.is_state != placed.is_state || axis.index != placed.index) continue;
-      if (!is_map && !(whole.is_chained() && whole.initial.along == i)) continue;
-      placed.value = axis.values[nearest_value(axis, placed.value)];
-    }
-  }
-}
-
-// The values of the axis that a chained study goes along, up to the point.
-std::vector<double> chain_to(const Study& whole, double value) {
-  const std::vector<double>& values = whole.axes[whole.initial.along].values;
-  const auto own = std::find(values.begin(), values.end(), value);
-  return info_of(whole.initial.policy).neighbour < 0 ? std::vector<double>(values.begin(), own + 1)
-                                                     : std::vector<double>(own, values.end());
-}
-
-// The study of one point, as run_trace() wants it.
-Study point_study(const Study& whole, const std::vector<Placed>& place) {
-  Study study = whole;
-  place_parameters(place, &study);
-  const bool moves_start = std::any_of(place.begin(), place.end(), [&](const Placed& placed) {
-    return placed.is_state &&
-           std::none_of(whole.axes.begin(), whole.axes.end(), [&](const Axis& axis) {
-             return axis.is_state && axis.index == placed.index;
-           });
-  });
-  if (whole.is_chained()) {
-    if (moves_start)
-      throw InputError("--at: an initial state fits no study that sweeps along an axis");
-    std::vector<double>& values = study.axes[study.initial.along].values;
-    values = chain_to(whole, values.front());
-  } else if (moves_start) {
-    place_states(place, &study);
-  }
-  study.initial.ensemble = 1;
-  return study;
-}
-
-std::string label_of(const Model& model, const std::vector<Placed>& place) {
-  std::string label;
-  for (const Placed& placed : place) {
-    const std::string& name =
-        placed.is_state ? model.states[placed.index].name : model.parameters[placed.index].name;
-    label += fmt::format("{}{}={:.6g}", label.empty() ? "" : ", ", name, placed.value);
-  }
-  return label;
-}
-
 Study load(const TraceArguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
-  if (arguments.settle) {
-    // Exactly so many, also where the point has settled on a periodic orbit before.
-    overrides.push_back(fmt::format("integrate.settle={}", *arguments.settle));
-    overrides.push_back("integrate.stop=never");
+  for (std::string& own : trace_overrides(arguments.settle, arguments.record)) {
+    overrides.push_back(std::move(own));
   }
-  if (arguments.record) overrides.push_back(fmt::format("integrate.record={}", *arguments.record));
   Study study = load_study(arguments.study, overrides);
-  if (study.integrate.tolerance > 0.0) {
-    const std::optional<double> step =
-        is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt;
-    if (!step && study.integrate.is_tolerance_asked) {
-      throw InputError(fmt::format(
-          "integrate.tolerance takes a map to find the step: trace a point of the finished map "
-          "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
-          "integrate.max_step={}",
-          study.model->max_step));
-    }
-    if (step) study.integrate.max_step = *step;
-    study.integrate.tolerance = 0.0;  // the sweep to a chain's point takes this step, too
-  }
+  settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &study);
   return study;
 }
 
@@ -144,34 +62,22 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
   signals->set(OnSignal::stop);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
-  std::vector<Trace> traces;
-  std::vector<std::string> labels, placed_names;
+  PointTraces found;
   for (const std::string& point : points) {
-    std::vector<Placed> place;
-    if (!point.empty()) place = read_place(*whole.model, split(point, ','));
-    snap(whole, is_map, &place);
-    const Study study = point_study(whole, place);
-    const std::optional<Trace> trace = run_trace(study, arguments.samples_per_period, options);
-    if (!trace) {
+    const std::vector<std::string> at =
+        point.empty() ? std::vector<std::string>{} : split(point, ',');
+    const Place place = read_place(*whole.model, at);
+    if (!add_point_trace(whole, is_map, place, arguments.samples_per_period, options, &found)) {
       tell("gearsweep: interrupted\n");
       return kInterrupted;
     }
-    labels.push_back(label_of(*whole.model, place));
-    traces.push_back(*trace);
-    for (const Placed& placed : place) {
-      if (placed.is_state) continue;
-      const std::string& name = whole.model->parameters[placed.index].name;
-      if (std::find(placed_names.begin(), placed_names.end(), name) == placed_names.end()) {
-        placed_names.push_back(name);
-      }
-    }
     if (!arguments.quiet) {
-      tell("{}: {} moments of {} periods after {}\n",
-           labels.back().empty() ? "the study's point" : labels.back(), trace->tau.size(),
-           study.integrate.record, trace->settled);
+      const std::string& label = found.labels.back();
+      tell("{}: {} moments of {} periods after {}\n", label.empty() ? "the study's point" : label,
+           found.traces.back().tau.size(), whole.integrate.record, found.traces.back().settled);
     }
   }
-  write_traces(traces, labels, placed_names, whole, arguments.output,
+  write_traces(found.traces, found.labels, found.placed, whole, arguments.output,
                {command_line(arguments), version(), source_hash()}, arguments.units);
   if (!arguments.quiet) tell("{}\n", arguments.output);
   return kDone;

@@ -1,7 +1,7 @@
 // gearsweep verify: whether this machine, its OpenCL driver and this build give right numbers.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,10 +10,8 @@
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/signal_watch.hpp"
 #include "cli/standard_streams.hpp"
-#include "model/error.hpp"
 #include "model/version.hpp"
 #include "opencl/device.hpp"
-#include "sweep/sweep.hpp"
 #include "verify/verify.hpp"
 
 namespace gearsweep {
@@ -24,58 +22,16 @@ struct VerifyArguments {
   bool as_json = false;
 };
 
-struct Timed {
-  const Check* check = nullptr;
-  Outcome outcome;
-  double seconds = 0.0;
-};
-
-const char* word_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::fail:
-      return "FAIL";
-    case Verdict::skipped:
-      break;
-  }
-  return "skipped";
-}
-
-Subject subject_of(const VerifyArguments& arguments, const DeviceInfo& device,
-                   const SignalWatch& signals) {
-  SweepOptions options;
-  options.devices = chosen_devices(arguments.device);
-  options.stop = &signals.interrupted();
-  Subject subject;
-  subject.fp64 = device.fp64;
-  subject.is_cpu = device.is_cpu;
-  subject.compute = [options](const Study& study) {
-    std::optional<SweepResult> result = run_sweep(study, options);
-    if (!result) throw RunError("interrupted");
-    return *std::move(result);
-  };
-  return subject;
-}
-
-std::string figures_of(const Outcome& outcome) {
-  if (!outcome.reason.empty()) return outcome.reason;
-  const std::string count = outcome.failed > 0 ? fmt::format("{} of {} numbers are wrong",
-                                                             outcome.failed, outcome.numbers)
-                                               : fmt::format("{} numbers", outcome.numbers);
-  return fmt::format("{}; {}", count, describe(*outcome.worst));
-}
-
-void print_line(const Timed& timed) {
-  answer("{:<7}  {:<23} {:4.1f} s  {}\n", word_of(timed.outcome.verdict), timed.check->name,
-         timed.seconds, figures_of(timed.outcome));
+void print_line(const CheckReport& report) {
+  answer("{:<7}  {:<23} {:4.1f} s  {}\n", word_of(report.outcome.verdict), report.check->name,
+         report.seconds, figures_of(report.outcome));
   flush_answers();
 }
 
-nlohmann::json as_json(const Timed& timed) {
-  const Outcome& outcome = timed.outcome;
-  nlohmann::json json = {{"name", timed.check->name},           {"what", timed.check->what},
-                         {"verdict", word_of(outcome.verdict)}, {"seconds", timed.seconds},
+nlohmann::json as_json(const CheckReport& report) {
+  const Outcome& outcome = report.outcome;
+  nlohmann::json json = {{"name", report.check->name},          {"what", report.check->what},
+                         {"verdict", word_of(outcome.verdict)}, {"seconds", report.seconds},
                          {"numbers", outcome.numbers},          {"failed", outcome.failed}};
   if (!outcome.reason.empty()) json["reason"] = outcome.reason;
   if (outcome.worst) {
@@ -87,28 +43,6 @@ nlohmann::json as_json(const Timed& timed) {
   return json;
 }
 
-Timed carry_out_timed(const Check& check, const Subject& subject) {
-  const auto start = std::chrono::steady_clock::now();
-  Timed timed{&check, carry_out(check, subject), 0.0};
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  timed.seconds = spent.count();
-  return timed;
-}
-
-std::size_t count(const std::vector<Timed>& all, Verdict verdict) {
-  std::size_t found = 0;
-  for (const Timed& timed : all) found += timed.outcome.verdict == verdict ? 1 : 0;
-  return found;
-}
-
-std::string verdict_of(const std::vector<Timed>& all) {
-  const std::size_t failed = count(all, Verdict::fail), skipped = count(all, Verdict::skipped);
-  std::string text = failed > 0 ? fmt::format("FAIL: {} of {} checks failed", failed, all.size())
-                                : fmt::format("pass: {} checks", all.size() - skipped);
-  if (skipped > 0) text += fmt::format(", {} skipped", skipped);
-  return text;
-}
-
 int run(const VerifyArguments& arguments, SignalWatch* signals) {
   const std::vector<DeviceInfo> devices = list_devices();
   const std::vector<DeviceChoice> chosen = chosen_devices(arguments.device);
@@ -116,11 +50,14 @@ int run(const VerifyArguments& arguments, SignalWatch* signals) {
       devices[chosen.empty() ? default_device(devices) : chosen.front().number];
   const std::string title =
       fmt::format("{} ({}, driver {})", device.name, device.platform, device.driver);
-  const Subject subject = subject_of(arguments, device, *signals);
+  SweepOptions options;
+  options.devices = chosen;
+  options.stop = &signals->interrupted();
+  const Subject subject = make_subject(device, options);
   signals->set(OnSignal::stop);
   if (!arguments.as_json) answer("gearsweep {} on {}\n", version(), title);
   flush_answers();
-  std::vector<Timed> all;
+  std::vector<CheckReport> all;
   for (const Check& check : checks()) {
     all.push_back(carry_out_timed(check, subject));
     if (signals->interrupted()) {
@@ -132,12 +69,15 @@ int run(const VerifyArguments& arguments, SignalWatch* signals) {
   if (arguments.as_json) {
     nlohmann::json json = {{"device", title}, {"verdict", verdict_of(all)}};
     json["checks"] = nlohmann::json::array();
-    for (const Timed& timed : all) json["checks"].push_back(as_json(timed));
+    for (const CheckReport& report : all) json["checks"].push_back(as_json(report));
     answer("{}", json_text(json));
   } else {
     answer("{}\n", verdict_of(all));
   }
-  return count(all, Verdict::fail) > 0 ? kFailed : kDone;
+  const bool has_failed = std::any_of(all.begin(), all.end(), [](const CheckReport& report) {
+    return report.outcome.verdict == Verdict::fail;
+  });
+  return has_failed ? kFailed : kDone;
 }
 
 std::string list_of_checks() {

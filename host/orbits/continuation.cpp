@@ -113,7 +113,7 @@ class Follower {
   }
 
   PeriodMap map_at(double parameter) const {
-    return PeriodMap(*request_.model, setting_at(parameter), steps_);
+    return PeriodMap(*request_.model, setting_at(parameter), steps_, request_.stop);
   }
 
   // Derivative of the map by the parameter, by central differences (inside the allowed range). It
@@ -251,6 +251,7 @@ Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
   const Follower follower(request, start, request.steps);
   const Follower coarser(request, start, request.steps / 2);
   Branch branch;
+  branch.upwards = request.upwards;
   std::optional<Solution> last = follower.start(start);
   if (!last) {
     branch.ended = "Newton's method failed at the start";

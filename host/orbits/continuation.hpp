@@ -3,6 +3,7 @@
 // bifurcations that it meets.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "orbits/floquet.hpp"
@@ -26,6 +27,7 @@ struct LocatedBifurcation {
 };
 
 struct Branch {
+  bool upwards = true;                           // as the request
   std::vector<BranchOrbit> orbits;               // in the order in which they were met
   std::vector<LocatedBifurcation> bifurcations;  // the same
   std::string ended;                             // why, in words: "reached omega = 0.8"
@@ -39,6 +41,7 @@ struct FollowRequest {
   double to = 0.0;            // from < to
   std::size_t steps = 0;      // minimum number of steps per period, as in PeriodMap
   bool upwards = true;        // direction of the parameter at the start
+  const std::atomic<bool>* stop = nullptr;  // as in PeriodMap
 };
 
 // Follows the orbit `start` of `request.setting`. Bifurcations are located to about 1e-9 of the

@@ -121,6 +121,11 @@ Nearest nearest_bifurcation(const Orbit& orbit) {
   return out;
 }
 
+std::string name_of(const Nearest& nearest) {
+  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind);
+  return "fold or symmetry breaking";
+}
+
 Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t period) {
   const std::vector<std::complex<double>> multipliers =
       eigenvalues(image.monodromy.data(), static_cast<std::size_t>(image.monodromy.rows()));

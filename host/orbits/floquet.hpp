@@ -44,6 +44,9 @@ struct Nearest {
 };
 Nearest nearest_bifurcation(const Orbit& orbit);
 
+// A crossing at +1 is a fold or a branching; one orbit does not tell which.
+std::string name_of(const Nearest& nearest);
+
 // The orbit through a state that `image` brings back; multipliers computed.
 Orbit make_orbit(const Eigen::VectorXd& state, const PeriodImage& image, std::size_t period);
 

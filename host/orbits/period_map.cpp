@@ -7,11 +7,13 @@ namespace gearsweep {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-PeriodMap::PeriodMap(const Model& model, const ModelSetting& setting, std::size_t steps)
+PeriodMap::PeriodMap(const Model& model, const ModelSetting& setting, std::size_t steps,
+                     const std::atomic<bool>* stop)
     : model_(&model),
       setting_(setting),
       grid_(make_phase_grid(model, setting, steps)),
-      point_(model.prepare(setting)) {}
+      point_(model.prepare(setting)),
+      stop_(stop) {}
 
 bool PeriodMap::driven() const {
   const std::size_t width = model_->phase_coefs.size();
@@ -21,8 +23,9 @@ bool PeriodMap::driven() const {
   return false;
 }
 
-bool PeriodMap::advance(Flow* flow, std::size_t periods) {
+bool PeriodMap::advance(Flow* flow, std::size_t periods) const {
   for (std::size_t i = 0; i < periods; ++i) {
+    if (stop_ != nullptr && *stop_) throw SearchStopped();
     flow->advance_period();
     const VectorXd& state = flow->state();
     if (!state.allFinite() || state.cwiseAbs().maxCoeff() >= SWEEP_DIVERGED_BEYOND) return false;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -18,10 +19,15 @@ struct PeriodImage {
   Graze graze;  // of the way there
 };
 
+// Thrown by a map that is told to stop.
+class SearchStopped {};
+
 class PeriodMap {
  public:
-  // At least `steps` steps per period. The model must outlive the map.
-  PeriodMap(const Model& model, const ModelSetting& setting, std::size_t steps);
+  // At least `steps` steps per period. The model must outlive the map. stop: set it to end what is
+  // computed with the map after the running period; null: nobody will.
+  PeriodMap(const Model& model, const ModelSetting& setting, std::size_t steps,
+            const std::atomic<bool>* stop = nullptr);
 
   // The state `periods` forcing periods later. Nothing when it left the range that counts as
   // finite.
@@ -37,12 +43,13 @@ class PeriodMap {
 
  private:
   // Advances; false when the state left the range.
-  static bool advance(Flow* flow, std::size_t periods);
+  bool advance(Flow* flow, std::size_t periods) const;
 
   const Model* model_;
   ModelSetting setting_;
   PhaseGrid grid_;
   std::unique_ptr<PreparedPoint> point_;
+  const std::atomic<bool>* stop_;
 };
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "result/detail/dataset_file.hpp"
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
 #include "result/result_size.hpp"
@@ -301,6 +302,11 @@ std::vector<std::size_t> Dataset::shape_of(const DataVariable& variable) const {
 
 Dataset dataset_of(const SweepResult& result, const Provenance& provenance) {
   return Description(result).make(provenance);
+}
+
+void write_result(const SweepResult& result, const std::string& path,
+                  const Provenance& provenance) {
+  write_dataset(dataset_of(result, provenance), path);
 }
 
 }  // namespace gearsweep

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/result.hpp"
+#include "engine/trace.hpp"
 #include "result/result_file.hpp"
 
 namespace gearsweep {
@@ -81,5 +82,10 @@ struct Dataset {
 
 // All that the result's file has, in its order. The result must outlive it.
 Dataset dataset_of(const SweepResult& result, const Provenance& provenance);
+
+// All that a file of traces has: see write_traces(). The traces must outlive it.
+Dataset dataset_of(const std::vector<Trace>& traces, const std::vector<std::string>& labels,
+                   const std::vector<std::string>& placed, const Study& study,
+                   const Provenance& provenance);
 
 }  // namespace gearsweep

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "model/error.hpp"
 #include "result/detail/csv_text.hpp"
+#include "result/detail/dataset_file.hpp"
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
 #include "result/detail/netcdf_file.hpp"
@@ -18,12 +18,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char* kContent = "traces of gearsweep";
 constexpr std::size_t kMaxTraces = 10'000;  // of a file; a picture takes far fewer
-
-double parameter_of(const Study& study, const Trace& trace, const std::string& name) {
-  return trace.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
-}
 
 // Of a unit in a table: what its numbers are multiplied by, and what it is called.
 SiUnit unit_in_table(const std::string& unit, const Study& study, TableUnits units) {
@@ -38,9 +33,10 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
   CsvText csv;
   csv.add_name("trace");
   std::vector<SiUnit> placed_units, channel_units;
+  std::vector<std::size_t> parameters;
   for (const std::string& name : placed) {
-    const auto parameter = static_cast<std::size_t>(study.model->find_parameter(name));
-    placed_units.push_back(unit_of(study.model->parameters[parameter].unit));
+    parameters.push_back(static_cast<std::size_t>(study.model->find_parameter(name)));
+    placed_units.push_back(unit_of(study.model->parameters[parameters.back()].unit));
     csv.add_name(name_in_traces(name, traces.front().channels), placed_units.back().name);
   }
   const SiUnit time = unit_of(time_unit(*study.model));
@@ -55,7 +51,7 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
     for (std::size_t moment = 0; moment < trace.tau.size(); ++moment) {
       csv.add_number(static_cast<double>(i + 1));
       for (std::size_t j = 0; j < placed.size(); ++j) {
-        csv.add_number(placed_units[j].scale * parameter_of(study, trace, placed[j]));
+        csv.add_number(placed_units[j].scale * trace.setting.parameters[parameters[j]]);
       }
       csv.add_number(time.scale * trace.tau[moment]);
       for (std::size_t j = 0; j < trace.values.size(); ++j) {
@@ -66,97 +62,6 @@ std::string csv_of(const std::vector<Trace>& traces, const std::vector<std::stri
   }
   return csv.text();
 }
-
-// Defines the whole file, then fills it.
-class TraceWriter {
- public:
-  TraceWriter(const std::vector<Trace>& traces, const Study& study,
-              const std::vector<std::string>& placed, NetcdfFile* file)
-      : traces_(traces),
-        study_(study),
-        placed_(placed),
-        file_(*file),
-        notes_(study, placed),
-        trace_(file_.define_dimension("trace", traces.size())),
-        moment_(file_.define_dimension("moment", longest())) {}
-
-  void write(const std::vector<std::string>& labels, const Provenance& provenance) {
-    file_.put_attribute(NC_GLOBAL, "content", kContent);
-    file_.put_attributes(NC_GLOBAL, notes_.provenance(provenance));
-    const std::string time = time_unit(*study_.model);
-    write_labels(labels);
-    write_numbers("period", time, "forcing period in dimensionless time",
-                  [](const Trace& trace) { return trace.period; });
-    write_numbers("settled", "1", "forcing periods before the first moment",
-                  [](const Trace& trace) { return static_cast<double>(trace.settled); });
-    for (const std::string& name : placed_) {
-      const ParameterInfo& info =
-          study_.model->parameters[static_cast<std::size_t>(study_.model->find_parameter(name))];
-      write_numbers(name_in_traces(name, traces_.front().channels), info.unit, info.meaning,
-                    [&](const Trace& trace) { return parameter_of(study_, trace, name); });
-    }
-    write_history({"tau", time, "dimensionless time since the first moment"},
-                  [](const Trace& trace) -> const std::vector<double>& { return trace.tau; });
-    const std::vector<ChannelInfo>& channels = traces_.front().channels;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      write_history(channels[i], [i](const Trace& trace) -> const std::vector<double>& {
-        return trace.values[i];
-      });
-    }
-  }
-
- private:
-  std::size_t longest() const {
-    std::size_t most = 0;
-    for (const Trace& trace : traces_) most = std::max(most, trace.tau.size());
-    return most;
-  }
-
-  void write_labels(const std::vector<std::string>& labels) {
-    std::size_t width = 1;
-    for (const std::string& label : labels) width = std::max(width, label.size());
-    const int dimension = file_.define_dimension("label_width", width);
-    const int variable = file_.define_variable("label", NC_CHAR, {trace_, dimension});
-    file_.put_attribute(variable, "long_name", "what each trace is of");
-    file_.put_attribute(variable, "_Encoding", "utf-8");
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      std::string padded = labels[i];
-      padded.resize(width, ' ');
-      file_.put_text(variable, {i, 0}, {1, width}, padded);
-    }
-  }
-
-  template <class Value>
-  void write_numbers(const std::string& name, const std::string& unit, const std::string& meaning,
-                     const Value& value) {
-    const int variable = file_.define_variable(name, NC_DOUBLE, {trace_});
-    file_.put_attributes(variable, notes_.describe(unit, meaning));
-    std::vector<double> numbers;
-    for (const Trace& trace : traces_) numbers.push_back(value(trace));
-    file_.put(variable, {0}, {numbers.size()}, numbers);
-  }
-
-  template <class Values>
-  void write_history(const ChannelInfo& info, const Values& values_of) {
-    const double missing = std::numeric_limits<double>::quiet_NaN();
-    const int variable = file_.define_variable(info.name, NC_DOUBLE, {trace_, moment_});
-    file_.put_attributes(variable, notes_.describe(info.unit, info.meaning));
-    file_.put_attribute(variable, "_FillValue", missing);
-    file_.compress(variable);
-    for (std::size_t i = 0; i < traces_.size(); ++i) {
-      std::vector<double> values = values_of(traces_[i]);
-      values.resize(longest(), missing);
-      file_.put(variable, {i, 0}, {1, values.size()}, values);
-    }
-  }
-
-  const std::vector<Trace>& traces_;
-  const Study& study_;
-  const std::vector<std::string>& placed_;
-  NetcdfFile& file_;
-  FileNotes notes_;
-  const int trace_, moment_;
-};
 
 }  // namespace
 
@@ -184,16 +89,12 @@ void write_traces(const std::vector<Trace>& traces, const std::vector<std::strin
     write_file(path, csv_of(traces, placed, study, units));
     return;
   }
-  OutputFile output(path);
-  NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
-  TraceWriter(traces, study, placed, &file).write(labels, provenance);
-  file.close();
-  output.commit();
+  write_dataset(dataset_of(traces, labels, placed, study, provenance), path);
 }
 
 bool is_trace_file(const std::string& path) {
   if (!is_netcdf(path)) return false;
-  return NetcdfFile::open(path).text_attribute(NC_GLOBAL, "content") == kContent;
+  return NetcdfFile::open(path).text_attribute(NC_GLOBAL, "content") == kContentOfTraces;
 }
 
 namespace {
@@ -237,8 +138,8 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   const int tau = file.find_variable("tau");
   const int label = file.find_variable("label");
   const int period = file.find_variable("period");
-  if (file.text_attribute(NC_GLOBAL, "content") != kContent || tau < 0 || label < 0 || period < 0 ||
-      file.dimensions_of(tau).size() != 2) {
+  if (file.text_attribute(NC_GLOBAL, "content") != kContentOfTraces || tau < 0 || label < 0 ||
+      period < 0 || file.dimensions_of(tau).size() != 2) {
     refuse_foreign(path);
   }
   const std::size_t count = file.dimension_size(file.dimensions_of(tau).front());

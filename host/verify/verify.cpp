@@ -1,9 +1,33 @@
 #include "verify/verify.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
 #include "model/error.hpp"
+#include "sweep/sweep.hpp"
 #include "verify/detail/check_list.hpp"
 
 namespace gearsweep {
+namespace {
+
+std::size_t count_of(const std::vector<CheckReport>& reports, Verdict verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(reports.begin(), reports.end(),
+                    [&](const CheckReport& report) { return report.outcome.verdict == verdict; }));
+}
+
+}  // namespace
+
+Subject make_subject(const DeviceInfo& device, const SweepOptions& options) {
+  const auto compute = [options](const Study& study) {
+    std::optional<SweepResult> result = run_sweep(study, options);
+    if (!result) throw RunError("interrupted");
+    return *std::move(result);
+  };
+  return {compute, device.fp64, device.is_cpu};
+}
 
 const std::vector<Check>& checks() {
   static const std::vector<Check> kAll = {
@@ -28,7 +52,7 @@ const std::vector<Check>& checks() {
       {"engines agree, fp32", "the same as above; the reference engine computes in fp64", false,
        compare_engines_fp32},
       {"file and back", "a map written, read and computed again from the file's own study", false,
-       compare_file},
+       compare_file, true},
   };
   return kAll;
 }
@@ -59,6 +83,44 @@ Outcome carry_out(const Check& check, const Subject& subject) {
     outcome.reason = error.what();
     return outcome;
   }
+}
+
+CheckReport carry_out_timed(const Check& check, const Subject& subject) {
+  const auto start = std::chrono::steady_clock::now();
+  CheckReport report{&check, carry_out(check, subject), 0.0};
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  report.seconds = spent.count();
+  return report;
+}
+
+const char* word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::skipped:
+      break;
+  }
+  return "skipped";
+}
+
+std::string figures_of(const Outcome& outcome) {
+  if (!outcome.reason.empty()) return outcome.reason;
+  const std::string count = outcome.failed > 0 ? fmt::format("{} of {} numbers are wrong",
+                                                             outcome.failed, outcome.numbers)
+                                               : fmt::format("{} numbers", outcome.numbers);
+  return fmt::format("{}; {}", count, describe(*outcome.worst));
+}
+
+std::string verdict_of(const std::vector<CheckReport>& reports) {
+  const std::size_t failed = count_of(reports, Verdict::fail);
+  const std::size_t skipped = count_of(reports, Verdict::skipped);
+  std::string text = failed > 0
+                         ? fmt::format("FAIL: {} of {} checks failed", failed, reports.size())
+                         : fmt::format("pass: {} checks", reports.size() - skipped);
+  if (skipped > 0) text += fmt::format(", {} skipped", skipped);
+  return text;
 }
 
 }  // namespace gearsweep

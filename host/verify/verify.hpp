@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "engine/result.hpp"
+#include "opencl/device.hpp"
+#include "sweep/sweep_options.hpp"
 #include "verify/compared.hpp"
 
 namespace gearsweep {
@@ -21,11 +23,15 @@ struct Subject {
   bool is_cpu = true;
 };
 
+// The device, with sweeps that these options ask for; one that is stopped throws RunError.
+Subject make_subject(const DeviceInfo& device, const SweepOptions& options);
+
 // `compare` throws what the sweep throws.
 struct Check {
   std::string name, what;
   bool needs_fp64 = true;
   std::vector<Compared> (*compare)(const Subject& subject);
+  bool is_at_files = false;  // it writes and reads a NetCDF file, so no other thread may be at one
 };
 
 // In the order in which a fault is best understood: simple things first.
@@ -44,5 +50,23 @@ Outcome judge(const std::vector<Compared>& compared);
 
 // A check that throws RunError has failed; other errors pass through.
 Outcome carry_out(const Check& check, const Subject& subject);
+
+// A check that was carried out, and how long it took.
+struct CheckReport {
+  const Check* check = nullptr;
+  Outcome outcome;
+  double seconds = 0.0;
+};
+
+CheckReport carry_out_timed(const Check& check, const Subject& subject);
+
+// "pass", "FAIL", "skipped".
+const char* word_of(Verdict verdict);
+
+// Why there is none, or how many numbers were compared and the one that comes nearest its limit.
+std::string figures_of(const Outcome& outcome);
+
+// "pass: 13 checks, 1 skipped"
+std::string verdict_of(const std::vector<CheckReport>& reports);
 
 }  // namespace gearsweep

@@ -1,10 +1,11 @@
+#include "core/session.hpp"
+
 #include <pybind11/stl.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <memory>
+#include <optional>
 
-#include "core/background_sweep.hpp"
+#include "core/background.hpp"
 #include "core/parts.hpp"
 #include "core/result.hpp"
 #include "journal/journal.hpp"
@@ -12,53 +13,37 @@
 #include "model/version.hpp"
 #include "opencl/device.hpp"
 #include "result/result_size.hpp"
+#include "sweep/sweep.hpp"
 
 namespace gearsweep::python {
-namespace {
 
 namespace py = pybind11;
 
-// The devices of a process, which stay open with all kernels that were built for them: a run that
-// is like an earlier one begins at once.
-class Session {
- public:
-  // Throws RunError in a process that has been forked from one that uses devices.
-  void enter() {
-    pid_t owner = 0;
-    const pid_t self = getpid();
-    if (owner_.compare_exchange_strong(owner, self) || owner == self) return;
-    throw RunError(
-        "gearsweep cannot compute after fork(): this process was forked from one that uses its "
-        "devices, whose threads it does not have. Give multiprocessing the start method 'spawn', "
-        "or "
-        "fork before anything is computed");
-  }
-
-  const std::shared_ptr<OpenDevices>& devices() const { return devices_; }
-
- private:
-  std::atomic<pid_t> owner_ = 0;  // the process that uses the devices; 0: none yet
-  const std::shared_ptr<OpenDevices> devices_ = std::make_shared<OpenDevices>();
-};
-
-// Tells Python what is new. Throws what it raises, for instance after Ctrl-C.
-void tell_python(BackgroundSweep* sweep, const py::object& progress) {
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  const std::optional<SweepProgress> news = sweep->progress();
-  if (!news || progress.is_none()) return;
-  progress(news->share, news->points_done, news->points, news->seconds);
+void Session::enter() {
+  pid_t owner = 0;
+  const pid_t self = getpid();
+  if (owner_.compare_exchange_strong(owner, self) || owner == self) return;
+  throw RunError(
+      "gearsweep cannot compute after fork(): this process was forked from one that uses its "
+      "devices, whose threads it does not have. Give multiprocessing the start method 'spawn', or "
+      "fork before anything is computed");
 }
 
-void wait_for(BackgroundSweep* sweep, const py::object& progress) {
-  // A signal of the user's waits no longer.
-  constexpr std::chrono::milliseconds kMost{50};
-  for (bool has_ended = false; !has_ended;) {
-    {
-      const py::gil_scoped_release others;
-      has_ended = sweep->wait(kMost);
-    }
-    tell_python(sweep, progress);
-  }
+SweepOptions Session::options_for(const std::string& device) {
+  enter();
+  SweepOptions options;
+  options.open = devices_;
+  if (!device.empty()) options.devices = parse_devices(device, list_devices());
+  return options;
+}
+
+namespace {
+
+// Tells a function of Python's the latest of what is new.
+void tell_latest(const std::vector<SweepProgress>& news, const py::object& progress) {
+  if (news.empty() || progress.is_none()) return;
+  const SweepProgress& latest = news.back();
+  progress(latest.share, latest.points_done, latest.points, latest.seconds);
 }
 
 // What the arrays take, those of the file and those that xarray makes of them.
@@ -70,26 +55,23 @@ DeliveryEstimate delivery_of(const Study& study, const Provenance& provenance) {
 // The dataset, and what went wrong meanwhile.
 py::tuple run(Session* session, const Study& study, const std::string& device,
               const std::string& journal, const std::string& call, const py::object& progress) {
-  session->enter();
   const Provenance provenance = {call, version(), source_hash()};
-  SweepOptions options;
-  options.open = session->devices();
+  SweepOptions options = session->options_for(device);
   options.journal_path = journal;
   options.keep_journal = true;  // until Python has the result
   options.delivery = delivery_of(study, provenance);
-  if (!device.empty()) options.devices = parse_devices(device, list_devices());
-  BackgroundSweep sweep(study, std::move(options));
-  try {
-    wait_for(&sweep, progress);
-  } catch (...) {
-    {
-      const py::gil_scoped_release others;
-      sweep.finish();
-    }
-    throw;
-  }
-  const SweepResult result = sweep.take();
-  py::tuple out = py::make_tuple(as_tuple(dataset_of(result, provenance)), sweep.troubles());
+  Mailbox<SweepProgress> news;
+  Mailbox<std::string> troubles;
+  options.on_progress = [&](const SweepProgress& latest) { news.put(latest); };
+  options.on_trouble = [&](const std::string& trouble) { troubles.put(trouble); };
+  std::optional<SweepResult> result;
+  run_in_background(
+      [&](const std::atomic<bool>& stop) {
+        options.stop = &stop;
+        result = run_sweep(study, options);
+      },
+      [&] { tell_latest(news.take(), progress); });
+  py::tuple out = py::make_tuple(as_tuple(dataset_of(*result, provenance)), troubles.take());
   if (!journal.empty()) Journal::discard(journal);
   return out;
 }
@@ -114,11 +96,14 @@ py::list list_as_dicts(Session* session) {
 }  // namespace
 
 void add_session(py::module_* module) {
-  py::class_<Session>(*module, "Session")
-      .def(py::init<>())
+  SessionClass session(*module, "Session");
+  session.def(py::init<>())
       .def("run", run, py::arg("study"), py::arg("device"), py::arg("journal"), py::arg("call"),
            py::arg("progress"))
       .def("devices", list_as_dicts);
+  add_trace(&session);
+  add_floquet(&session);
+  add_verify(&session);
 }
 
 }  // namespace gearsweep::python

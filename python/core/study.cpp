@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "core/parts.hpp"
+#include "result/result_file.hpp"
 #include "result/study_source.hpp"
 
 namespace gearsweep::python {
@@ -40,6 +41,8 @@ void add_study(py::module_* module) {
     return find_study(name_or_path, changes);
   });
   module->def("builtin_study_names", &builtin_study_names);
+  module->def("is_netcdf", &is_netcdf);
+  module->def("read_pilot_step", &read_pilot_step);
 }
 
 }  // namespace gearsweep::python

@@ -2,15 +2,19 @@
 
 from gearsweep import _core
 from gearsweep._errors import InputError, RunError
+from gearsweep._floquet import floquet
 from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, models
 from gearsweep._run import Progress, run
 from gearsweep._session import Device, devices
 from gearsweep._study import Study, studies
+from gearsweep._trace import trace
+from gearsweep._verify import Check, Verification, verify
 
 __version__: str = _core.version()
 
 __all__ = [
     "Channel",
+    "Check",
     "Device",
     "InputError",
     "Model",
@@ -20,9 +24,13 @@ __all__ = [
     "Progress",
     "RunError",
     "Study",
+    "Verification",
     "devices",
+    "floquet",
     "model",
     "models",
     "run",
     "studies",
+    "trace",
+    "verify",
 ]

@@ -6,12 +6,11 @@ import os
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-import numpy
 import xarray
-from xarray.backends import InMemoryDataStore
 
 from gearsweep._errors import InputError
-from gearsweep._session import SESSION
+from gearsweep._result import call_text, dataset_of
+from gearsweep._session import SESSION, device_text
 from gearsweep._study import Study, study_of
 from gearsweep._warning import warn
 
@@ -71,38 +70,14 @@ def run(
     tell = None if progress is None else lambda *news: progress(Progress(*news))
     described, troubles = SESSION.run(
         study=asked._core,
-        device=_devices(device),
+        device=device_text(device),
         journal="" if journal is None else os.fspath(journal),
-        call=_call(study, set),
+        call=call_text("run", study, set=set),
         progress=tell,
     )
     for trouble in troubles:
         warn(trouble)
-    made = _dataset(*described)
+    made = dataset_of(*described)
     if made.status.values.all():
         warn("every point failed; the maps are empty")
     return made
-
-
-def _devices(device: int | str | None) -> str:
-    if device is None:
-        return ""
-    if isinstance(device, bool) or not isinstance(device, int | numpy.integer | str):
-        raise InputError(f"device: expected a number or a text such as '0,1', not {device!r}")
-    return str(device)
-
-
-def _call(study: Any, changes: Mapping[str, Any] | None) -> str:
-    is_short = isinstance(study, str | os.PathLike) and "\n" not in os.fspath(study)
-    shown = repr(os.fspath(study)) if is_short else f"<{type(study).__name__}>"
-    return f"gearsweep.run({shown}" + (f", set={dict(changes)!r})" if changes else ")")
-
-
-def _dataset(
-    variables: list[tuple[str, tuple[str, ...], numpy.ndarray, dict[str, Any]]],
-    attributes: dict[str, Any],
-) -> xarray.Dataset:
-    """What xarray makes of a file of these variables: it takes the same way, without the file."""
-    stored = {name: xarray.Variable(*variable) for name, *variable in variables}
-    store = InMemoryDataStore(stored, attributes)
-    return xarray.open_dataset(store, cache=False).load()

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy
+
 from gearsweep import _core
+from gearsweep._errors import InputError
 
 # Devices stay open with the kernels that were built for them, so that the next run starts at once.
 SESSION = _core.Session()
@@ -30,3 +33,12 @@ def devices() -> list[Device]:
     list of Device
     """
     return [Device(**row) for row in SESSION.devices()]
+
+
+def device_text(device: int | str | None) -> str:
+    """A device, or several, as the command takes them; empty stands for the default one."""
+    if device is None:
+        return ""
+    if isinstance(device, bool) or not isinstance(device, int | numpy.integer | str):
+        raise InputError(f"device: expected a number or a text such as '0,1', not {device!r}")
+    return str(device)

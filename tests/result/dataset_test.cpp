@@ -7,6 +7,8 @@
 
 #include "result/detail/netcdf_file.hpp"
 #include "result/example_result.hpp"
+#include "result/example_trace.hpp"
+#include "result/trace_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
 using gearsweep::testing::kProvenance;
+using gearsweep::testing::made_trace;
 using gearsweep::testing::spectrum_result;
 using ::testing::ElementsAre;
 
@@ -53,6 +56,21 @@ void expect_same(const Dataset& dataset, const NetcdfFile& file) {
 TEST_F(DatasetTest, IsWhatTheFileHas) {
   for (const SweepResult& result : {example_result(), example_result(7, 0), spectrum_result()}) {
     expect_same(dataset_of(result, kProvenance), NetcdfFile::open(write(result)));
+  }
+}
+
+// One trace, and two of different length.
+TEST_F(DatasetTest, OfTracesIsWhatTheirFileHas) {
+  const Study study = example_result().study;
+  const std::vector<Trace> two = {made_trace(study, 2, 8), made_trace(study, 3, 8)};
+  const std::string path = in_folder("traces.nc");
+  for (const std::vector<Trace>& traces : {two, {two.front()}}) {
+    const std::vector<std::string> labels(traces.size(), "omega=0.5");
+    write_traces(traces, labels, {"omega"}, study, path, kProvenance);
+    const Dataset dataset = dataset_of(traces, labels, {"omega"}, study, kProvenance);
+    expect_same(dataset, NetcdfFile::open(path));
+    EXPECT_EQ(dataset.size_of("trace"), traces.size());
+    EXPECT_EQ(dataset.size_of("moment"), traces.back().tau.size());
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,24 +12,7 @@
 namespace gearsweep {
 namespace {
 
-// The bifurcations of all branches by the parameter's value.
-std::vector<LocatedBifurcation> sorted_bifurcations(const FloquetFindings& findings) {
-  std::vector<LocatedBifurcation> all;
-  for (const Branch& branch : findings.branches) {
-    all.insert(all.end(), branch.bifurcations.begin(), branch.bifurcations.end());
-  }
-  std::sort(all.begin(), all.end(),
-            [](const auto& a, const auto& b) { return a.parameter < b.parameter; });
-  return all;
-}
-
-// A crossing at +1 is a fold or a branching; one orbit does not tell which.
-std::string nearest_name(const Nearest& nearest) {
-  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind);
-  return "fold or symmetry breaking";
-}
-
-std::string describe_multipliers(const FloquetFindings& findings) {
+std::string describe_multipliers(const OrbitFindings& findings) {
   std::string text = "multipliers (modulus, real and imaginary part; the digits that hold)\n";
   const Orbit& orbit = findings.orbit;
   for (Eigen::Index i = 0; i < orbit.multipliers.size(); ++i) {
@@ -66,7 +48,7 @@ std::string describe_margin(const Nearest& nearest, double error) {
                      nearest.margin >= 0.0 ? "inside" : "outside");
 }
 
-std::string describe_orbit(const FloquetFindings& findings) {
+std::string describe_orbit(const OrbitFindings& findings) {
   std::string text;
   const Orbit& orbit = findings.orbit;
   const Model& model = *findings.study.model;
@@ -80,7 +62,7 @@ std::string describe_orbit(const FloquetFindings& findings) {
                   orbit.stable() ? "stable"
                                  : fmt::format("unstable, {} of {} multipliers outside",
                                                orbit.unstable_count(), orbit.multipliers.size()),
-                  static_cast<double>(orbit.period) * findings.map.period());
+                  static_cast<double>(orbit.period) * findings.forcing_period);
   for (std::size_t i = 0; i < model.states.size(); ++i) {
     text +=
         fmt::format("  {:<4} {}\n", model.states[i].name,
@@ -88,17 +70,17 @@ std::string describe_orbit(const FloquetFindings& findings) {
   }
   text += describe_multipliers(findings);
   const Nearest nearest = nearest_bifurcation(orbit);
-  text += fmt::format("nearest bifurcation: {} ({})\n", nearest_name(nearest),
+  text += fmt::format("nearest bifurcation: {} ({})\n", name_of(nearest),
                       describe_margin(nearest, findings.error.multipliers.maxCoeff()));
   return text;
 }
 
-std::string describe_branches(const FloquetFindings& findings) {
+std::string describe_branches(const OrbitFindings& findings) {
   std::string text;
   if (!findings.range) return text;
   const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
   text += fmt::format("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
-  for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
+  for (const LocatedBifurcation& found : bifurcations_of(findings)) {
     text += fmt::format("  {:<18} {} = {}{}{}\n", name_of(found.kind), name,
                         std::isfinite(found.error) ? with_digits(found.parameter, found.error)
                                                    : fmt::format("about {:.3g}", found.parameter),
@@ -124,11 +106,11 @@ nlohmann::json json_of(const Orbit& orbit) {
 
 }  // namespace
 
-std::string describe_floquet(const FloquetFindings& findings) {
+std::string describe_floquet(const OrbitFindings& findings) {
   return describe_orbit(findings) + describe_branches(findings);
 }
 
-std::string floquet_as_json(const FloquetFindings& findings) {
+std::string floquet_as_json(const OrbitFindings& findings) {
   const Model& model = *findings.study.model;
   nlohmann::json json = json_of(findings.orbit);
   json["grazing"] = findings.error.grazing;
@@ -141,11 +123,11 @@ std::string floquet_as_json(const FloquetFindings& findings) {
     json["parameters"][model.parameters[i].name] = findings.study.setting.parameters[i];
   }
   const Nearest nearest = nearest_bifurcation(findings.orbit);
-  json["nearest"] = {{"kind", nearest_name(nearest)}, {"margin", nearest.margin}};
+  json["nearest"] = {{"kind", name_of(nearest)}, {"margin", nearest.margin}};
   if (findings.range) {
     json["along"] = model.parameters[findings.range->parameter].name;
     json["bifurcations"] = nlohmann::json::array();
-    for (const LocatedBifurcation& found : sorted_bifurcations(findings)) {
+    for (const LocatedBifurcation& found : bifurcations_of(findings)) {
       nlohmann::json entry = json_of(found.orbit);
       entry["kind"] = name_of(found.kind);
       entry["value"] = found.parameter;

@@ -11,6 +11,9 @@
 
 namespace gearsweep {
 
+// The attribute `content` of files of traces.
+inline constexpr const char* kContentOfTraces = "traces of gearsweep";
+
 // Makes the attributes of one file.
 class FileNotes {
  public:

@@ -1,5 +1,5 @@
-// Writes a sweep as NetCDF-4, so that xarray, MATLAB, Octave and ncview open it without help.
-// The file claims no CF convention: the dimensionless units are not units of UDUNITS.
+#include "result/detail/dataset_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +7,8 @@
 #include <map>
 #include <numeric>
 
-#include "result/dataset.hpp"
 #include "result/detail/netcdf_file.hpp"
-#include "result/result_file.hpp"
+#include "result/output_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -36,9 +35,9 @@ struct Block {
   std::size_t first = 0, size = 0;
 };
 
-class Writer {
+class DatasetWriter {
  public:
-  Writer(const Dataset& dataset, NetcdfFile* file) : dataset_(dataset), file_(*file) {}
+  DatasetWriter(const Dataset& dataset, NetcdfFile* file) : dataset_(dataset), file_(*file) {}
 
   void write() {
     file_.put_attributes(NC_GLOBAL, dataset_.attributes);
@@ -128,11 +127,10 @@ class Writer {
 
 }  // namespace
 
-void write_result(const SweepResult& result, const std::string& path,
-                  const Provenance& provenance) {
+void write_dataset(const Dataset& dataset, const std::string& path) {
   OutputFile output(path);
   NetcdfFile file = NetcdfFile::create(output.temporary_path(), path);
-  Writer(dataset_of(result, provenance), &file).write();
+  DatasetWriter(dataset, &file).write();
   file.close();
   output.commit();
 }

@@ -1,0 +1,124 @@
+#include "point/place.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/error.hpp"
+#include "model/names.hpp"
+#include "plan/plan.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The value of a swept axis nearest to `value`, which must not lie beyond its ends.
+double nearest_value(const Axis& axis, double value, const std::string& origin) {
+  if (value < axis.values.front() || value > axis.values.back()) {
+    throw InputError(told_of(origin, fmt::format("{} = {} is beyond the axis, {} .. {}", axis.name,
+                                                 value, axis.values.front(), axis.values.back())));
+  }
+  return *std::min_element(axis.values.begin(), axis.values.end(), [&](double a, double b) {
+    return std::abs(a - value) < std::abs(b - value);
+  });
+}
+
+const std::string& name_of(const Model& model, const Placed& placed) {
+  return placed.is_state ? model.states[placed.index].name : model.parameters[placed.index].name;
+}
+
+[[noreturn]] void refuse_missing(const Axis& axis, const std::string& origin) {
+  throw InputError(fmt::format("{} value for the study's axis '{}': add {}={}",
+                               origin.empty() ? "there is no" : origin + " gives no", axis.name,
+                               axis.name, axis.values.front()));
+}
+
+}  // namespace
+
+std::string told_of(const std::string& origin, const std::string& text) {
+  return origin.empty() ? text : origin + ": " + text;
+}
+
+std::size_t parameter_index(const Model& model, const std::string& name,
+                            const std::string& origin) {
+  const int index = model.find_parameter(name);
+  if (index >= 0) return static_cast<std::size_t>(index);
+  std::vector<std::string> known;
+  for (const ParameterInfo& parameter : model.parameters) known.push_back(parameter.name);
+  throw InputError(told_of(origin, fmt::format("unknown parameter '{}' of model '{}'{}", name,
+                                               model.name, suggest_name(name, known))));
+}
+
+void require_in_range(const ParameterInfo& info, double value, const std::string& origin) {
+  if (value >= info.min && value <= info.max) return;
+  throw InputError(told_of(origin, fmt::format("{} = {} is out of range; {} .. {} is allowed",
+                                               info.name, value, info.min, info.max)));
+}
+
+Place find_place(const Model& model, const std::vector<NamedValue>& values,
+                 const std::string& origin) {
+  Place place{{}, origin};
+  for (const auto& [name, value] : values) {
+    const int state = model.find_state(name);
+    if (state < 0) {
+      place.values.push_back({false, parameter_index(model, name, origin), value});
+      require_in_range(model.parameters[place.values.back().index], value, origin);
+    } else if (std::isfinite(value)) {
+      place.values.push_back({true, static_cast<std::size_t>(state), value});
+    } else {
+      throw InputError(told_of(origin, fmt::format("{} = {} is not finite", name, value)));
+    }
+  }
+  return place;
+}
+
+bool is_swept(const Axis& axis, const Placed& placed) {
+  return axis.is_state == placed.is_state && axis.index == placed.index;
+}
+
+void place_parameters(const Place& place, Study* study) {
+  for (const Placed& placed : place.values) {
+    if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
+  }
+  for (Axis& axis : study->axes) {
+    const auto given = std::find_if(place.values.begin(), place.values.end(),
+                                    [&](const Placed& placed) { return is_swept(axis, placed); });
+    if (given != place.values.end()) {
+      axis.values = {given->value};
+    } else if (axis.values.size() > 1) {
+      refuse_missing(axis, place.origin);
+    } else if (!axis.is_state) {
+      study->setting.parameters[axis.index] = axis.values.front();
+    }
+  }
+}
+
+void place_states(const Place& place, Study* study) {
+  study->initial.state = Plan(*study, 1).own_initial_state(0);
+  study->initial.policy = InitialPolicy::fixed;
+  for (const Placed& placed : place.values) {
+    if (placed.is_state) study->initial.state[placed.index] = placed.value;
+  }
+}
+
+void snap(const Study& whole, bool is_map, Place* place) {
+  for (Placed& placed : place->values) {
+    for (std::size_t i = 0; i < whole.axes.size(); ++i) {
+      const Axis& axis = whole.axes[i];
+      if (!is_swept(axis, placed)) continue;
+      if (!is_map && !(whole.is_chained() && whole.initial.along == i)) continue;
+      placed.value = nearest_value(axis, placed.value, place->origin);
+    }
+  }
+}
+
+std::string label_of(const Model& model, const Place& place) {
+  std::string label;
+  for (const Placed& placed : place.values) {
+    label +=
+        fmt::format("{}{}={:.6g}", label.empty() ? "" : ", ", name_of(model, placed), placed.value);
+  }
+  return label;
+}
+
+}  // namespace gearsweep

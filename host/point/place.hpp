@@ -1,0 +1,56 @@
+// Where one point of a study or of a map is. All functions throw InputError.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// The value of a parameter or of an initial state.
+struct NamedValue {
+  std::string name;
+  double value = 0.0;
+};
+
+struct Placed {
+  bool is_state = false;  // an initial state, not a parameter
+  std::size_t index = 0;
+  double value = 0.0;
+};
+
+struct Place {
+  std::vector<Placed> values;
+  std::string origin;  // what messages call it: "--at"; empty: nothing
+};
+
+// "--at: TEXT", or the text alone.
+std::string told_of(const std::string& origin, const std::string& text);
+
+std::size_t parameter_index(const Model& model, const std::string& name, const std::string& origin);
+
+void require_in_range(const ParameterInfo& info, double value, const std::string& origin);
+
+// Refuses names that the model does not have, and values that it does not allow.
+Place find_place(const Model& model, const std::vector<NamedValue>& values,
+                 const std::string& origin);
+
+// Whether the axis sweeps what the value is of.
+bool is_swept(const Axis& axis, const Placed& placed);
+
+// Leaves each axis the one value that the place gives it, and sets the other parameters.
+void place_parameters(const Place& place, Study* study);
+
+// Puts the initial states of the place into the state that the study's policy gives the point.
+void place_states(const Place& place, Study* study);
+
+// Moves the place to the nearest point of a map; of a study that is none only along the axis that
+// its points go on from their neighbours along.
+void snap(const Study& whole, bool is_map, Place* place);
+
+// "omega=0.7, b=1"
+std::string label_of(const Model& model, const Place& place);
+
+}  // namespace gearsweep

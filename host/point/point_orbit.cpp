@@ -1,0 +1,136 @@
+#include "point/point_orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "model/error.hpp"
+#include "plan/plan.hpp"
+#include "sweep/sweep.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The place with the start of the range, unless it has its own.
+Place start_of(const OrbitRequest& request) {
+  Place place = request.place;
+  if (!request.range) return place;
+  const std::size_t parameter = request.range->parameter;
+  const bool is_placed = std::any_of(
+      place.values.begin(), place.values.end(),
+      [&](const Placed& placed) { return !placed.is_state && placed.index == parameter; });
+  if (!is_placed) place.values.push_back({false, parameter, request.range->from});
+  return place;
+}
+
+void require_start_in(const OrbitRequest& request, const Study& study) {
+  const FollowedRange& range = *request.range;
+  const double start = study.setting.parameters[range.parameter];
+  if (start >= std::min(range.from, range.to) && start <= std::max(range.from, range.to)) return;
+  throw InputError(told_of(
+      request.place.origin,
+      fmt::format("{} = {} is not in the range of {}",
+                  study.model->parameters[range.parameter].name, start, request.range_origin)));
+}
+
+// The study of the one point where the orbit is looked for; it samples the whole state at the end.
+Study settling_study(const Study& whole, const OrbitRequest& request, const Place& place) {
+  Study study = whole;
+  place_parameters(place, &study);
+  if (request.range) require_start_in(request, study);
+  place_states(place, &study);
+  study.selection = select_quantities(*study.model, {"poincare"}, study.model->state_names());
+  study.integrate.record = 1;
+  return study;
+}
+
+// Of the point: those of the axes, then the others of the place.
+std::vector<std::size_t> parameters_of(const Study& study, const Place& place) {
+  std::vector<std::size_t> all;
+  const auto add = [&](std::size_t parameter) {
+    if (std::find(all.begin(), all.end(), parameter) == all.end()) all.push_back(parameter);
+  };
+  for (const Axis& axis : study.axes) {
+    if (!axis.is_state) add(axis.index);
+  }
+  for (const Placed& placed : place.values) {
+    if (!placed.is_state) add(placed.index);
+  }
+  return all;
+}
+
+// Where the engine's trajectory is after the study's settling periods.
+std::optional<Eigen::VectorXd> end_state(const Study& study, const SweepOptions& options) {
+  const std::optional<SweepResult> result = run_sweep(study, options);
+  if (!result) return std::nullopt;
+  const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(
+      result->samples.data(), static_cast<Eigen::Index>(result->samples.size()));
+  if (!state.allFinite())
+    throw RunError("the trajectory diverged: there is no orbit to start from");
+  return state;
+}
+
+std::size_t steps_of(const Study& study, const OrbitRequest& request) {
+  return request.steps.value_or(std::max(kMinOrbitSteps, Plan(study, 1).steps_of(0)));
+}
+
+void require_driven(const PeriodMap& map, const Model& model) {
+  if (map.driven()) return;
+  throw InputError(fmt::format(
+      "model '{}' is autonomous: floquet is for models that are driven periodically", model.name));
+}
+
+std::vector<Branch> follow(const Study& study, const FollowedRange& range, const PeriodMap& map,
+                           const Orbit& orbit, const std::atomic<bool>* stop) {
+  FollowRequest request = {study.model,
+                           study.setting,
+                           range.parameter,
+                           std::min(range.from, range.to),
+                           std::max(range.from, range.to),
+                           map.steps(),
+                           false,
+                           stop};
+  const double start = study.setting.parameters[range.parameter];
+  std::vector<Branch> branches;
+  if (start > request.from) branches.push_back(follow_orbit(request, orbit));
+  request.upwards = true;
+  if (start < request.to) branches.push_back(follow_orbit(request, orbit));
+  return branches;
+}
+
+}  // namespace
+
+FollowedRange find_range(const Model& model, const std::string& name, double from, double to,
+                         const std::string& origin) {
+  const FollowedRange range = {parameter_index(model, name, origin), from, to};
+  for (const double value : {from, to}) {
+    require_in_range(model.parameters[range.parameter], value, origin);
+  }
+  if (from == to) throw InputError(told_of(origin, "the range is empty"));
+  return range;
+}
+
+std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitRequest& request,
+                                              const SweepOptions& options) {
+  const Place place = start_of(request);
+  const Study study = settling_study(whole, request, place);
+  const Model& model = *study.model;
+  const PeriodMap map(model, study.setting, steps_of(study, request), options.stop);
+  require_driven(map, model);
+  const std::optional<Eigen::VectorXd> settled = end_state(study, options);
+  if (!settled) return std::nullopt;
+  try {
+    const Orbit orbit = find_orbit(map, *settled, request.period);
+    const OrbitError error =
+        error_of(orbit, PeriodMap(model, study.setting, map.steps() / 2, options.stop));
+    std::vector<Branch> branches;
+    if (request.range) branches = follow(study, *request.range, map, orbit, options.stop);
+    return OrbitFindings{study,         parameters_of(study, place), map.period(), orbit, error,
+                         request.range, std::move(branches)};
+  } catch (const SearchStopped&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace gearsweep

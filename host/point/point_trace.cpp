@@ -1,0 +1,94 @@
+#include "point/point_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "model/error.hpp"
+#include "sweep/trace_run.hpp"
+
+namespace gearsweep {
+namespace {
+
+// The values of the axis that a chained study goes along, up to the point.
+std::vector<double> chain_to(const Study& whole, double value) {
+  const std::vector<double>& values = whole.axes[whole.initial.along].values;
+  const auto own = std::find(values.begin(), values.end(), value);
+  return info_of(whole.initial.policy).neighbour < 0 ? std::vector<double>(values.begin(), own + 1)
+                                                     : std::vector<double>(own, values.end());
+}
+
+// The place has an initial state that no axis sweeps.
+bool moves_start(const Study& whole, const Place& place) {
+  return std::any_of(place.values.begin(), place.values.end(), [&](const Placed& placed) {
+    return placed.is_state &&
+           std::none_of(whole.axes.begin(), whole.axes.end(),
+                        [&](const Axis& axis) { return is_swept(axis, placed); });
+  });
+}
+
+// The study of one point, as run_trace() wants it.
+Study traced_study(const Study& whole, const Place& place) {
+  Study study = whole;
+  place_parameters(place, &study);
+  if (whole.is_chained()) {
+    if (moves_start(whole, place)) {
+      throw InputError(
+          told_of(place.origin, "an initial state fits no study that sweeps along an axis"));
+    }
+    std::vector<double>& values = study.axes[study.initial.along].values;
+    values = chain_to(whole, values.front());
+  } else if (moves_start(whole, place)) {
+    place_states(place, &study);
+  }
+  study.initial.ensemble = 1;
+  return study;
+}
+
+void add_names(const Model& model, const Place& place, std::vector<std::string>* names) {
+  for (const Placed& placed : place.values) {
+    if (placed.is_state) continue;
+    const std::string& name = model.parameters[placed.index].name;
+    if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> trace_overrides(std::optional<std::size_t> settle,
+                                         std::optional<std::size_t> record) {
+  std::vector<std::string> overrides;
+  if (settle) {
+    overrides.push_back(fmt::format("integrate.settle={}", *settle));
+    overrides.push_back("integrate.stop=never");
+  }
+  if (record) overrides.push_back(fmt::format("integrate.record={}", *record));
+  return overrides;
+}
+
+void settle_step(std::optional<double> pilot_step, Study* study) {
+  if (study->integrate.tolerance <= 0.0) return;
+  if (!pilot_step && study->integrate.is_tolerance_asked) {
+    throw InputError(fmt::format(
+        "integrate.tolerance takes a map to find the step: trace a point of the finished map "
+        "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
+        "integrate.max_step={}",
+        study->model->max_step));
+  }
+  if (pilot_step) study->integrate.max_step = *pilot_step;
+  study->integrate.tolerance = 0.0;
+}
+
+bool add_point_trace(const Study& whole, bool is_map, Place place, std::size_t samples_per_period,
+                     const SweepOptions& options, PointTraces* out) {
+  snap(whole, is_map, &place);
+  std::optional<Trace> trace = run_trace(traced_study(whole, place), samples_per_period, options);
+  if (!trace) return false;
+  out->traces.push_back(*std::move(trace));
+  out->labels.push_back(label_of(*whole.model, place));
+  add_names(*whole.model, place, &out->placed);
+  return true;
+}
+
+}  // namespace gearsweep

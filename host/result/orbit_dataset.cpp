@@ -1,0 +1,211 @@
+#include "result/orbit_dataset.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <complex>
+#include <functional>
+#include <numeric>
+
+#include "result/detail/file_notes.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kContentOfOrbits = "orbits of gearsweep";
+
+using Orbits = std::vector<const Orbit*>;
+using Names = std::vector<std::string>;
+
+std::vector<std::string> varied_parameters(const OrbitFindings& findings) {
+  if (!findings.range) return {};
+  return {findings.study.model->parameters[findings.range->parameter].name};
+}
+
+// Puts the dataset together, variable by variable.
+class OrbitDescription {
+ public:
+  explicit OrbitDescription(const OrbitFindings& findings)
+      : findings_(findings),
+        study_(findings.study),
+        model_(*findings.study.model),
+        line_(orbits_of(findings)),
+        notes_(findings.study, varied_parameters(findings)) {}
+
+  Dataset make(const Provenance& provenance) {
+    add_notes(provenance);
+    add_states();
+    add_count("multiplier", static_cast<std::size_t>(findings_.orbit.multipliers.size()));
+    Names along;
+    if (findings_.range) {
+      along = {"orbit"};
+      add_count("orbit", line_.orbits.size());
+    }
+    for (const std::size_t parameter : findings_.placed) add_parameter(parameter, along);
+    Orbits orbits;
+    for (const BranchOrbit& member : line_.orbits) orbits.push_back(&member.orbit);
+    add_orbits("", along, orbits);
+    add_errors();
+    if (findings_.range) add_bifurcations();
+    out_.attributes.push_back({"coordinates", fmt::format("{}", fmt::join(coordinates_, " "))});
+    return std::move(out_);
+  }
+
+ private:
+  void add_notes(const Provenance& provenance) {
+    const Nearest nearest = nearest_bifurcation(findings_.orbit);
+    out_.attributes = {{"content", kContentOfOrbits}};
+    for (Attribute& own : notes_.provenance(provenance)) out_.attributes.push_back(std::move(own));
+    out_.attributes.push_back({"forcing_period", findings_.forcing_period});
+    out_.attributes.push_back({"nearest_bifurcation", name_of(nearest)});
+    out_.attributes.push_back({"nearest_margin", nearest.margin});
+    if (!findings_.range) return;
+    Names ended;
+    for (const Branch& branch : findings_.branches) ended.push_back(branch.ended);
+    out_.attributes.push_back({"along", model_.parameters[findings_.range->parameter].name});
+    out_.attributes.push_back({"start_orbit", static_cast<double>(line_.start + 1)});
+    out_.attributes.push_back({"ended", fmt::format("{}", fmt::join(ended, "; "))});
+  }
+
+  void add(const std::string& name, Stored stored, const Names& dimensions,
+           std::vector<Attribute> attributes, std::vector<double> numbers) {
+    out_.variables.push_back({.name = name,
+                              .stored = stored,
+                              .dimensions = dimensions,
+                              .attributes = std::move(attributes),
+                              .elements = std::move(numbers)});
+  }
+
+  void add_count(const std::string& name, std::size_t size) {
+    out_.dimensions.push_back({name, size});
+    std::vector<double> numbers(size);
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    add(name, Stored::integer, {name}, notes_.describe("", "number of the " + name), numbers);
+  }
+
+  void add_states() {
+    out_.dimensions.push_back({"state", model_.states.size()});
+    add_texts("state", "state of the model", "state", model_.state_names(), &out_);
+    notes_.add_channels(model_.states, "state", "state", &out_);
+  }
+
+  // A parameter with the name of something else here gives way.
+  std::string name_here(const std::string& parameter) const {
+    const Names own = {"orbit",   "bifurcation",      "multiplier",    "state",
+                       "period",  "stable",           "section",       "multiplier_real",
+                       "grazing", "multiplier_error", "section_error", "multiplier_imag"};
+    const bool is_taken = std::find(own.begin(), own.end(), parameter) != own.end() ||
+                          parameter.starts_with("state_") || parameter.starts_with("bifurcation_");
+    return is_taken ? "parameter_" + parameter : parameter;
+  }
+
+  void add_parameter(std::size_t parameter, const Names& along) {
+    const ParameterInfo& info = model_.parameters[parameter];
+    const bool is_followed = findings_.range && findings_.range->parameter == parameter;
+    std::vector<double> values = {study_.setting.parameters[parameter]};
+    if (is_followed) {
+      values.clear();
+      for (const BranchOrbit& member : line_.orbits) values.push_back(member.parameter);
+    }
+    add(name_here(info.name), Stored::real, is_followed ? along : Names{},
+        notes_.describe(info.unit, info.meaning), std::move(values));
+    coordinates_.push_back(name_here(info.name));
+  }
+
+  // What an orbit has, of each of these.
+  void add_orbits(const std::string& prefix, const Names& along, const Orbits& orbits) {
+    const auto each = [&](const std::function<void(const Orbit&, std::vector<double>*)>& append) {
+      std::vector<double> numbers;
+      for (const Orbit* orbit : orbits) append(*orbit, &numbers);
+      return numbers;
+    };
+    add(prefix + "period", Stored::integer, along,
+        notes_.describe("1", "period of the orbit in forcing periods"),
+        each([](const Orbit& orbit, auto* out) {
+          out->push_back(static_cast<double>(orbit.period));
+        }));
+    add(prefix + "stable", Stored::byte, along,
+        notes_.describe("", "whether no multiplier lies outside the unit circle"),
+        each([](const Orbit& orbit, auto* out) { out->push_back(orbit.stable() ? 1.0 : 0.0); }));
+    Names of_states = along, of_multipliers = along;
+    of_states.emplace_back("state");
+    of_multipliers.emplace_back("multiplier");
+    add(prefix + "section", Stored::real, of_states,
+        notes_.describe(model_.states, "state", "state of the orbit at phase 0"),
+        each([](const Orbit& orbit, auto* out) {
+          out->insert(out->end(), orbit.state.begin(), orbit.state.end());
+        }));
+    add(prefix + "multiplier_real", Stored::real, of_multipliers,
+        notes_.describe("1", "real part of the multipliers"),
+        each([](const Orbit& orbit, auto* out) {
+          for (const std::complex<double>& m : orbit.multipliers) out->push_back(m.real());
+        }));
+    add(prefix + "multiplier_imag", Stored::real, of_multipliers,
+        notes_.describe("1", "imaginary part of the multipliers"),
+        each([](const Orbit& orbit, auto* out) {
+          for (const std::complex<double>& m : orbit.multipliers) out->push_back(m.imag());
+        }));
+  }
+
+  void add_errors() {
+    const OrbitError& error = findings_.error;
+    const std::string of_start = findings_.range ? " of the orbit at the start" : "";
+    add("section_error", Stored::real, {},
+        notes_.describe("", "error of each component of the state" + of_start + " at most"),
+        {error.state});
+    add("multiplier_error", Stored::real, {"multiplier"},
+        notes_.describe("1", "error of each part of the multipliers" + of_start + " at most"),
+        {error.multipliers.begin(), error.multipliers.end()});
+    add("grazing", Stored::byte, {},
+        notes_.describe("", "whether the motion" + of_start + " grazes a limit of the backlash"),
+        {error.grazing ? 1.0 : 0.0});
+  }
+
+  void add_bifurcations() {
+    const std::vector<LocatedBifurcation> all = bifurcations_of(findings_);
+    const ParameterInfo& followed = model_.parameters[findings_.range->parameter];
+    const Names along = {"bifurcation"};
+    add_count("bifurcation", all.size());
+    Names kinds;
+    Orbits orbits;
+    for (const LocatedBifurcation& one : all) {
+      kinds.push_back(name_of(one.kind));
+      orbits.push_back(&one.orbit);
+    }
+    add_texts("bifurcation_kind", "what happens there", "bifurcation", kinds, &out_);
+    const auto add_each = [&](const std::string& name, Stored stored, const std::string& unit,
+                              const std::string& meaning, const auto& value) {
+      std::vector<double> numbers;
+      for (const LocatedBifurcation& one : all) numbers.push_back(value(one));
+      add("bifurcation_" + name, stored, along, notes_.describe(unit, meaning), numbers);
+    };
+    add_each("value", Stored::real, followed.unit, followed.meaning,
+             [](const LocatedBifurcation& one) { return one.parameter; });
+    add_each("error", Stored::real, followed.unit, "error of the value at most",
+             [](const LocatedBifurcation& one) { return one.error; });
+    add_each("grazing", Stored::byte, "", "whether the motion grazes a limit of the backlash",
+             [](const LocatedBifurcation& one) { return one.grazing ? 1.0 : 0.0; });
+    add_each("born_of", Stored::integer, "1",
+             "period of the orbits that the branch was born of there; 0: it was not",
+             [](const LocatedBifurcation& one) { return static_cast<double>(one.born_of); });
+    add_orbits("bifurcation_", along, orbits);
+  }
+
+  const OrbitFindings& findings_;
+  const Study& study_;
+  const Model& model_;
+  const OrbitLine line_;
+  const FileNotes notes_;
+  Names coordinates_;
+  Dataset out_;
+};
+
+}  // namespace
+
+Dataset dataset_of(const OrbitFindings& findings, const Provenance& provenance) {
+  return OrbitDescription(findings).make(provenance);
+}
+
+}  // namespace gearsweep

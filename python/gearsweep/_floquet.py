@@ -1,0 +1,118 @@
+"""Periodic orbits, their multipliers, and the bifurcations along a parameter."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import xarray
+
+from gearsweep._errors import InputError
+from gearsweep._place import count_of, number_of, place_of
+from gearsweep._result import call_text, dataset_of
+from gearsweep._session import SESSION, device_text
+from gearsweep._study import Study, study_of
+
+
+def floquet(
+    study: str | os.PathLike[str] | Study | xarray.Dataset,
+    *,
+    at: Mapping[str, float] | None = None,
+    along: tuple[str, float, float] | None = None,
+    period: int | None = None,
+    steps: int | None = None,
+    set: Mapping[str, Any] | None = None,
+    device: int | str | None = None,
+    **place: float,
+) -> xarray.Dataset:
+    """Find the periodic orbit at a point, and follow it through a parameter.
+
+    The motion settles on the device; Newton's method finds the orbit, stable or not.
+
+    Parameters
+    ----------
+    study : str, path, Study or Dataset
+        As `run` takes it.
+    **place : float
+        A value for each axis; other parameters and an initial state may be given, too. In the
+        model's units, as in ``omega=0.65, b=0.6``.
+    at : mapping of str to float, optional
+        The same as a dict, for parameters that are called like an option.
+    along : (str, float, float), optional
+        A parameter, and from where to where the orbit is followed: ``("omega", 0.5, 0.7)``. It
+        begins where the place says, or else at the first of the two values.
+    period : int, optional
+        The orbit's length in forcing periods. By default the smallest after which the motion
+        repeats, 64 at most. Finds an unstable orbit inside chaos, too.
+    steps : int, optional
+        Integration steps of a forcing period; by default 2048, or the study's if that is more.
+    set : mapping of str to object, optional
+        Changes of the study, as `run` takes them.
+    device : int or str, optional
+        A number of `devices`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Of one orbit, without `along`: ``period`` in forcing periods, ``stable``, ``section``
+        (state), which is the state at phase 0, and ``multipliers`` (multiplier), complex, largest
+        modulus first. ``section_error`` and ``multiplier_error`` (multiplier) say how far they
+        may be off at most, ``grazing`` why.
+
+        With `along`, all orbits of the branch stand along the dimension ``orbit``, in one line
+        from the first value to the second, with the parameter as a coordinate; the errors are
+        those of the orbit at the start, number ``attrs["start_orbit"]``. Along the dimension
+        ``bifurcation`` stand ``bifurcation_kind``, ``bifurcation_value`` of the parameter with
+        ``bifurcation_error``, ``bifurcation_grazing``, ``bifurcation_born_of``, the period of the
+        orbits that the branch was born of there, or 0, and what an orbit has, as
+        ``bifurcation_multipliers``. ``attrs["ended"]`` says how each way ended.
+
+    Raises
+    ------
+    InputError
+        The study, the place or an option is wrong, or the model is autonomous.
+    RunError
+        There is no such orbit; the message says what to try.
+    KeyboardInterrupt
+        After Ctrl-C.
+    """
+    described = SESSION.floquet(
+        study=study_of(study, set)._core,
+        place=place_of(place, {} if at is None else at),
+        along=_range(along),
+        period=count_of(period, "period", 1, 4096),
+        steps=count_of(steps, "steps", 16, 65536),
+        device=device_text(device),
+        call=call_text(
+            "floquet", study, at=at, along=along, period=period, steps=steps, set=set, **place
+        ),
+    )
+    return _with_python_types(dataset_of(*described))
+
+
+def _range(along: Any) -> tuple[str, float, float] | None:
+    if along is None:
+        return None
+    if not isinstance(along, tuple | list) or len(along) != 3 or not isinstance(along[0], str):
+        raise InputError("along: expected a parameter and two values: ('omega', 0.6, 0.8)")
+    return along[0], number_of(along[1], "along"), number_of(along[2], "along")
+
+
+def _with_python_types(stored: xarray.Dataset) -> xarray.Dataset:
+    """Complex numbers and truth values, which a NetCDF file has not."""
+    made = {}
+    for name, variable in stored.data_vars.items():
+        stem = str(name).removesuffix("_real")
+        if str(name).endswith(("stable", "grazing")):
+            made[name] = variable.astype(bool)
+        elif stem != name:
+            numbers = variable + 1j * stored[f"{stem}_imag"]
+            meaning = "Floquet multipliers, largest modulus first"
+            made[f"{stem}s"] = numbers.assign_attrs(units="1", long_name=meaning)
+        elif not str(name).endswith("multiplier_imag"):
+            made[name] = variable
+    attributes = dict(stored.attrs)
+    if "start_orbit" in attributes:
+        attributes["start_orbit"] = int(attributes["start_orbit"])
+    return xarray.Dataset(made, stored.coords, attributes)

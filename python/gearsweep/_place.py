@@ -1,0 +1,62 @@
+"""Points of studies and maps, and the numbers that belong to them."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import xarray
+
+from gearsweep import _core
+from gearsweep._errors import InputError
+
+
+def place_of(*values: Mapping[str, Any]) -> list[tuple[str, float]]:
+    """Names of parameters and initial states with their values; the last mapping wins."""
+    merged: dict[str, Any] = {}
+    for mapping in values:
+        if not isinstance(mapping, Mapping):
+            raise InputError("at: a point is a dict such as {'omega': 0.7, 'b': 1.0}")
+        merged.update(mapping)
+    return [(_name(name), number_of(value, name)) for name, value in merged.items()]
+
+
+def _name(name: Any) -> str:
+    if not isinstance(name, str):
+        raise InputError(f"at: {name!r} is no name of a parameter or a state")
+    return name
+
+
+def number_of(value: Any, name: str) -> float:
+    """A number, whatever holds it: NumPy's and xarray's scalars, too."""
+    try:
+        if not isinstance(value, str | bytes | bool):
+            return float(value)
+    except (TypeError, ValueError):
+        pass  # told below
+    raise InputError(f"{name}: expected a number, not {value!r}")
+
+
+def count_of(value: Any, name: str, smallest: int, largest: int) -> int | None:
+    """A whole number of this range, or None."""
+    if value is None:
+        return None
+    try:
+        count = operator.index(value)
+    except TypeError:
+        raise InputError(f"{name}: expected a whole number, not {value!r}") from None
+    if isinstance(value, bool) or not smallest <= count <= largest:
+        raise InputError(f"{name}: {value!r} is not in {smallest} .. {largest}")
+    return count
+
+
+def map_of(source: Any) -> tuple[bool, float | None]:
+    """Whether a study comes with its map, and the step that the map's pilot run has found."""
+    if isinstance(source, xarray.Dataset):
+        step = source.attrs.get("pilot_max_step")
+        return True, None if step is None else number_of(step, "pilot_max_step")
+    if isinstance(source, str | os.PathLike) and _core.is_netcdf(os.fspath(source)):
+        return True, _core.read_pilot_step(os.fspath(source))
+    return False, None

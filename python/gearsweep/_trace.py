@@ -1,0 +1,111 @@
+"""Traces: the motion at single points in time."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import xarray
+
+from gearsweep._errors import InputError
+from gearsweep._place import count_of, map_of, place_of
+from gearsweep._result import call_text, dataset_of
+from gearsweep._session import SESSION, device_text
+from gearsweep._study import Study, study_of
+
+_MOST = 1_000_000_000  # periods
+_MOST_SAMPLES = 1 << 20  # of a period
+
+
+def trace(
+    study: str | os.PathLike[str] | Study | xarray.Dataset,
+    *,
+    at: Mapping[str, float] | Sequence[Mapping[str, float]] | None = None,
+    settle: int | None = None,
+    record: int | None = None,
+    samples_per_period: int | None = None,
+    set: Mapping[str, Any] | None = None,
+    device: int | str | None = None,
+    **place: float,
+) -> xarray.Dataset:
+    """Follow the motion at one point, or at several.
+
+    Parameters
+    ----------
+    study : str, path, Study or Dataset
+        As `run` takes it. Of a map, which is the Dataset or the file of an earlier run, the
+        nearest of its points is meant, and the trace takes the steps of the map.
+    **place : float
+        A value for each axis; other parameters and initial states may be given, too. In the
+        model's units, as in ``omega=1.3, b=0.6``.
+    at : mapping, or sequence of mappings, of str to float, optional
+        The same as a dict, or several points: ``at=[{"omega": 1.3}, {"omega": 1.4}]``. What
+        stands in `place` holds for each of them.
+    settle : int, optional
+        Forcing periods before the trace, exactly so many. By default those of the study, or
+        fewer where the motion is periodic before. 0 shows the start.
+    record : int, optional
+        Forcing periods of the trace. By default those of the study.
+    samples_per_period : int, optional
+        Evenly spaced moments of a period, interpolated. By default the moments are both ends of
+        each integration step.
+    set : mapping of str to object, optional
+        Changes of the study, as `run` takes them.
+    device : int or str, optional
+        A number of `devices`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The states and signals over the dimension ``moment``, with the coordinate ``tau``, the
+        dimensionless time since the first moment. A list of points gives what
+        ``xarray.open_dataset`` makes of the file that ``gearsweep trace`` writes: everything over
+        ``(trace, moment)``, with NaN beyond a trace's end, and ``tau`` as a variable.
+
+    Raises
+    ------
+    InputError
+        The study, the place or an option is wrong.
+    RunError
+        The point diverges, or the device failed.
+    KeyboardInterrupt
+        After Ctrl-C, once the running round is over.
+    """
+    is_map, pilot_step = map_of(study)
+    described = SESSION.trace(
+        study=study_of(study, set)._core,
+        points=[place_of(place, point) for point in _points(at)],
+        settle=count_of(settle, "settle", 0, _MOST),
+        record=count_of(record, "record", 1, _MOST),
+        samples_per_period=count_of(samples_per_period, "samples_per_period", 1, _MOST_SAMPLES)
+        or 0,
+        is_map=is_map,
+        pilot_step=pilot_step,
+        device=device_text(device),
+        call=call_text(
+            "trace",
+            study,
+            at=at,
+            settle=settle,
+            record=record,
+            samples_per_period=samples_per_period,
+            set=set,
+            **place,
+        ),
+    )
+    made = dataset_of(*described)
+    is_one = at is None or isinstance(at, Mapping)
+    return made.isel(trace=0).set_coords("tau") if is_one else made
+
+
+def _points(
+    at: Mapping[str, float] | Sequence[Mapping[str, float]] | None,
+) -> list[Mapping[str, float]]:
+    if at is None:
+        return [{}]
+    if isinstance(at, Mapping):
+        return [at]
+    if isinstance(at, str) or not isinstance(at, Sequence) or len(at) == 0:
+        raise InputError("at: expected a point such as {'omega': 0.7}, or a list of points")
+    return list(at)

@@ -1,0 +1,73 @@
+// Places: what they refuse, and the point of a map that is nearest.
+#include "point/place.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "model/error.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::StartsWith;
+
+Study whole_study(const std::string& more = "") {
+  return read_study(
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8, 1.0]\n"
+      "[[axes]]\nname = 'b'\nvalues = [0.5, 1.0]\n[observe]\nquantities = ['x1_rms']\n" +
+          more,
+      "test");
+}
+
+// What is said when a place of this origin is refused.
+std::string refusal(const std::vector<NamedValue>& values, const std::string& origin) {
+  Study study = whole_study();
+  try {
+    Place place = find_place(*study.model, values, origin);
+    snap(study, true, &place);
+    place_parameters(place, &study);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "it was taken";
+}
+
+TEST(Place, IsRefusedByTheNameOfItsOrigin) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::pair<std::vector<NamedValue>, std::string>> cases = {
+      {{{"omga", 0.7}}, "unknown parameter 'omga' of model 'gear5'; did you mean 'omega'?"},
+      {{{"omega", -1.0}}, "omega = -1 is out of range"},
+      {{{"omega", nan}}, "omega = nan is out of range"},
+      {{{"x1", nan}}, "x1 = nan is not finite"},
+      {{{"omega", 1.2}}, "omega = 1.2 is beyond the axis, 0.6 .. 1"},
+  };
+  for (const auto& [values, said] : cases) {
+    EXPECT_THAT(refusal(values, ""), StartsWith(said));
+    EXPECT_THAT(refusal(values, "--at"), StartsWith("--at: " + said));
+  }
+}
+
+TEST(Place, HasAValueForEachAxis) {
+  const std::vector<NamedValue> one = {{"omega", 0.7}};
+  EXPECT_EQ(refusal(one, "--at"), "--at gives no value for the study's axis 'b': add b=0.5");
+  EXPECT_EQ(refusal(one, ""), "there is no value for the study's axis 'b': add b=0.5");
+  EXPECT_EQ(refusal({{"omega", 0.7}, {"b", 0.5}}, ""), "it was taken");
+}
+
+// Of a study the place itself is meant, but for the axis that its points go on along.
+TEST(Place, OfAMapIsItsNearestPoint) {
+  const Study plain = whole_study();
+  const Study chain = whole_study("[initial]\npolicy = 'forward'\nalong = 'omega'\n");
+  const auto label = [](const Study& study, bool is_map) {
+    Place place = find_place(*study.model, {{"omega", 0.71}, {"b", 0.6}, {"zeta", 0.03}}, "");
+    snap(study, is_map, &place);
+    return label_of(*study.model, place);
+  };
+  EXPECT_EQ(label(plain, true), "omega=0.8, b=0.5, zeta=0.03");
+  EXPECT_EQ(label(plain, false), "omega=0.71, b=0.6, zeta=0.03");
+  EXPECT_EQ(label(chain, false), "omega=0.8, b=0.6, zeta=0.03");
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
