@@ -32,7 +32,7 @@ class Session:
         progress: Callable[[float, int, int, float], object] | None,
     ) -> tuple[
         tuple[
-            list[tuple[str, tuple[str, ...], numpy.ndarray, dict[str, Any]]],
+            list[tuple[str, tuple[str, ...], numpy.ndarray[Any, Any], dict[str, Any]]],
             dict[str, Any],
         ],
         list[str],

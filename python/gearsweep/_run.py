@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 
 import numpy
 import xarray
-from xarray.backends import InMemoryDataStore
+from xarray.backends import AbstractDataStore, InMemoryDataStore
 
 from gearsweep._errors import InputError
 from gearsweep._session import SESSION
 from gearsweep._study import Study, study_of
+from gearsweep._value import path_of, text_of
 from gearsweep._warning import warn
 
 
@@ -54,7 +55,8 @@ def run(
     Returns
     -------
     xarray.Dataset
-        What ``xarray.open_dataset`` makes of the file that ``gearsweep run`` writes.
+        What ``xarray.open_dataset`` makes of the file that ``gearsweep run`` writes. A quantity has
+        one dimension for each axis, the first axis last; its unit is its attribute ``units``.
 
     Raises
     ------
@@ -64,6 +66,16 @@ def run(
         A device or a disk failed.
     KeyboardInterrupt
         After Ctrl-C, once the running round is over. A journal keeps what is finished.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> maps = gs.run("coarse-map", set={"axes.omega.count": 8, "axes.e0.count": 4})
+    >>> maps.dmf_max.dims, maps.dmf_max.shape, maps.dmf_max.units
+    (('e0', 'omega'), (4, 8), 'k0 b_n')
+    >>> gs.run("coarse-mop")
+    Traceback (most recent call last):
+    gearsweep.InputError: there is no built-in study 'coarse-mop'; did you mean 'coarse-map'?
     """
     if progress is not None and not callable(progress):
         raise InputError("progress: expected a function that takes a Progress")
@@ -72,7 +84,7 @@ def run(
     described, troubles = SESSION.run(
         study=asked._core,
         device=_devices(device),
-        journal="" if journal is None else os.fspath(journal),
+        journal="" if journal is None else path_of(journal, "a path as journal"),
         call=_call(study, set),
         progress=tell,
     )
@@ -89,7 +101,7 @@ def _devices(device: int | str | None) -> str:
         return ""
     if isinstance(device, bool) or not isinstance(device, int | numpy.integer | str):
         raise InputError(f"device: expected a number or a text such as '0,1', not {device!r}")
-    return str(device)
+    return text_of(str(device), "numbers of devices")
 
 
 def _call(study: Any, changes: Mapping[str, Any] | None) -> str:
@@ -99,10 +111,12 @@ def _call(study: Any, changes: Mapping[str, Any] | None) -> str:
 
 
 def _dataset(
-    variables: list[tuple[str, tuple[str, ...], numpy.ndarray, dict[str, Any]]],
+    variables: list[tuple[str, tuple[str, ...], numpy.ndarray[Any, Any], dict[str, Any]]],
     attributes: dict[str, Any],
 ) -> xarray.Dataset:
     """What xarray makes of a file of these variables: it takes the same way, without the file."""
-    stored = {name: xarray.Variable(*variable) for name, *variable in variables}
-    store = InMemoryDataStore(stored, attributes)
-    return xarray.open_dataset(store, cache=False).load()
+    # Debian's xarray has no types for these two.
+    variable: Callable[..., xarray.Variable] = xarray.Variable
+    store: Callable[..., AbstractDataStore] = InMemoryDataStore
+    stored = {name: variable(*parts) for name, *parts in variables}
+    return xarray.open_dataset(store(stored, attributes), cache=False).load()

@@ -28,5 +28,11 @@ def devices() -> list[Device]:
     Returns
     -------
     list of Device
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> gs.devices()[0].number
+    0
     """
     return [Device(**row) for row in SESSION.devices()]
