@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ctypes
+import gc
 import os
 import subprocess
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -40,3 +42,13 @@ def by_command(tmp_path: Path) -> Callable[..., xarray.Dataset]:
             return opened.load()
 
     return run
+
+
+@pytest.fixture(scope="session", autouse=True)
+def nothing_is_lost() -> Iterator[None]:
+    """Where clang's leak sanitizer is, no memory that nothing points to any more."""
+    yield
+    find_leaks = getattr(ctypes.CDLL(None), "__lsan_do_recoverable_leak_check", None)
+    if find_leaks is not None:
+        gc.collect()
+        assert find_leaks() == 0, "the leak sanitizer's report is on stderr"
