@@ -13,8 +13,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char *kFirstPart = "#d55e00", *kOtherParts = "#56b4e9";
-
 // The values of all studies' axes.
 ResultAxis whole_axis(const std::vector<Picture>& layers) {
   ResultAxis axis = layers.front().map.axes.front();
@@ -111,9 +109,9 @@ std::vector<std::string> part_elements(const ResultMap& map, PlotScript* script)
   const std::string data = append_rows(map, std::nullopt, script);
   std::vector<std::string> elements;
   for (std::size_t part = map.part_count(); part > 0; --part) {
-    elements.push_back(
-        fmt::format("{} using 1:{} with lines linewidth {} linecolor rgb '{}' notitle", data,
-                    part + 1, part == 1 ? 2.0 : 1.4, part == 1 ? kFirstPart : kOtherParts));
+    elements.push_back(fmt::format(
+        "{} using 1:{} with lines linewidth {} linecolor rgb '{}' notitle", data, part + 1,
+        part == 1 ? 2.0 : 1.4, part == 1 ? kFirstPartColour : kOtherPartsColour));
   }
   return elements;
 }
@@ -166,8 +164,8 @@ std::vector<KeyEntry> key_entries(const Stack& stack) {
       const ResultMap& map = panel.front().map;
       if (map.part_count() == 1 || map.is_poincare()) continue;
       const std::string what = literal(map.dimension);
-      entries.push_back({KeyEntry::Kind::kLine, kFirstPart, "1", what + " 1"});
-      entries.push_back({KeyEntry::Kind::kLine, kOtherParts, "1",
+      entries.push_back({KeyEntry::Kind::kLine, kFirstPartColour, "1", what + " 1"});
+      entries.push_back({KeyEntry::Kind::kLine, kOtherPartsColour, "1",
                          fmt::format("{} 2 to {}", what, map.part_count())});
     }
   }
