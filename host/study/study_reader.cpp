@@ -4,7 +4,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -13,8 +12,10 @@
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/model_table.hpp"
 #include "study/detail/overrides.hpp"
+#include "study/detail/study_printer.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/detail/zoom.hpp"
+#include "study/draft.hpp"
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
 #include "study/study.hpp"
@@ -191,15 +192,9 @@ void check_size(const toml::table& root, const Study& study) {
   }
 }
 
-}  // namespace
+enum class Extent { draft, whole };
 
-Study read_study(const std::string& text, const std::string& source,
-                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms) {
-  toml::table root = parse(text, source);
-  for (const std::string& assignment : overrides) apply_override(assignment, &root);
-  for (const std::string& zoom : zooms) apply_zoom(zoom, &root);
-  take_in_model_file(source, &root);
-
+Study read_tables(const toml::table& root, Extent extent) {
   Study study;
   TableReader reader(&root, study_table(""));
   study.title = reader.text("title", "");
@@ -210,7 +205,9 @@ Study read_study(const std::string& text, const std::string& source,
   reader.refuse_unknown();
 
   read_parameters(parameters, &study);
-  study.axes = read_axes(root, *study.model);
+  if (extent == Extent::whole || root.contains("axes")) {
+    study.axes = read_axes(root, *study.model);
+  }
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
@@ -218,10 +215,27 @@ Study read_study(const std::string& text, const std::string& source,
   check_size(root, study);
   note_what_wins(root, gear, &study);
 
-  std::ostringstream canonical;
-  canonical << root << '\n';
-  study.toml = canonical.str();
+  study.toml = print_study(root);
   return study;
+}
+
+}  // namespace
+
+Study read_study(const std::string& text, const std::string& source,
+                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms) {
+  toml::table root = parse(text, source);
+  for (const std::string& assignment : overrides) apply_override(assignment, &root);
+  for (const std::string& zoom : zooms) apply_zoom(zoom, &root);
+  take_in_model_file(source, &root);
+  return read_tables(root, Extent::whole);
+}
+
+Study read_draft(const std::string& text, const std::string& source,
+                 const std::vector<std::string>& overrides) {
+  toml::table root = parse(text, source);
+  for (const std::string& assignment : overrides) apply_override(assignment, &root);
+  take_in_model_file(source, &root);
+  return read_tables(root, Extent::draft);
 }
 
 }  // namespace gearsweep
