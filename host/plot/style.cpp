@@ -12,7 +12,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/regular_file.hpp"
-#include "plot/detail/colours.hpp"
+#include "plot/colours.hpp"
 #include "study/nesting.hpp"
 
 namespace gearsweep {
@@ -126,11 +126,7 @@ Limits limits_in(const std::string& text) {
 }
 
 void set_colormap(const std::string& text, PlotStyle* style) {
-  const std::vector<std::string> names = colormap_names();
-  if (std::find(names.begin(), names.end(), text) == names.end()) {
-    throw InputError(
-        fmt::format("there is no colour map '{}'; there are {}", text, fmt::join(names, ", ")));
-  }
+  ensure_colormap(text);
   style->colormap = text;
 }
 

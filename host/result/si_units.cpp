@@ -26,23 +26,29 @@ SiUnit shown_unit(const std::string& unit, const Scales& scales) {
   if (si.name == "m") return {1e6 * si.scale, "µm"};
   if (si.name == "m/s") return {1e3 * si.scale, "mm/s"};
   if (si.name == "N/m") return {1e-6 * si.scale, "N/µm"};
-  if (si.name == "rad/s" && scales.rpm_per_omega > 0.0) return {scales.rpm_per_omega, "rpm"};
+  if (si.name == "rad/s" && scales.rpm_per_omega > 0.0)
+    return {scales.rpm_per_omega, "rpm", "pinion speed"};
   return si;
 }
 
-Scales read_scales(const NetcdfFile& file) {
-  const auto number = [&](const char* name) {
-    const std::vector<double> numbers = file.number_attribute(NC_GLOBAL, name);
-    const bool is_scale =
-        numbers.size() == 1 && std::isfinite(numbers.front()) && numbers.front() > 0.0;
-    return is_scale ? numbers.front() : 0.0;
+Scales scales_of(const std::function<std::optional<double>(const std::string& name)>& number) {
+  const auto scale = [&](const char* name) {
+    const double value = number(name).value_or(0.0);
+    return std::isfinite(value) && value > 0.0 ? value : 0.0;
   };
   Scales scales;
-  scales.varpi = number("scale_varpi_rad_per_s");
-  scales.b_n = number("scale_b_n_m");
-  scales.k0 = number("scale_k0_N_per_m");
-  scales.rpm_per_omega = number("scale_rpm_per_omega");
+  scales.varpi = scale("scale_varpi_rad_per_s");
+  scales.b_n = scale("scale_b_n_m");
+  scales.k0 = scale("scale_k0_N_per_m");
+  scales.rpm_per_omega = scale("scale_rpm_per_omega");
   return scales;
+}
+
+Scales read_scales(const NetcdfFile& file) {
+  return scales_of([&](const std::string& name) -> std::optional<double> {
+    const std::vector<double> numbers = file.number_attribute(NC_GLOBAL, name);
+    return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
+  });
 }
 
 void ensure_scales(const Scales& scales, const std::string& path) {
@@ -67,7 +73,7 @@ void convert_axis(const Scales& scales, ResultAxis* axis) {
   const SiUnit si = shown_unit(axis->unit, scales);
   if (si.scale <= 0.0) return;
   for (double& value : axis->values) value *= si.scale;
-  if (si.name == "rpm") axis->meaning = "pinion speed";
+  if (!si.axis_meaning.empty()) axis->meaning = si.axis_meaning;
   axis->unit = si.name;
 }
 

@@ -1,6 +1,8 @@
 // SI units of dimensionless quantities, of studies with a [gear] table.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "engine/trace.hpp"
@@ -13,6 +15,7 @@ namespace gearsweep {
 struct SiUnit {
   double scale = 0.0;
   std::string name;
+  std::string axis_meaning = {};  // of an axis in this unit, where it is another than before
 };
 
 // As SI has it: m, m/s, rad/s, s, 1/s, N/m, N.
@@ -21,7 +24,9 @@ SiUnit si_unit(const std::string& unit, const Scales& scales);
 // As pictures and tables show it: um, mm/s, N, N/um, and rpm of the pinion for frequencies.
 SiUnit shown_unit(const std::string& unit, const Scales& scales);
 
-// What a file says of its scales; unknown without a [gear] table.
+// What the attributes of a result say of its scales; unknown without a [gear] table. number: the
+// attribute of this name, if it is one number.
+Scales scales_of(const std::function<std::optional<double>(const std::string& name)>& number);
 Scales read_scales(const NetcdfFile& file);
 
 // Throws InputError when the scales are not known; `path`: of the file, for messages.

@@ -4,7 +4,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -14,8 +13,10 @@
 #include "study/detail/model_table.hpp"
 #include "study/detail/overrides.hpp"
 #include "study/detail/point_reader.hpp"
+#include "study/detail/study_printer.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/detail/zoom.hpp"
+#include "study/draft.hpp"
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
 #include "study/study.hpp"
@@ -192,28 +193,38 @@ void check_size(const toml::table& root, const Study& study) {
   }
 }
 
-std::string printed(const toml::table& root) {
-  std::ostringstream text;
-  text << root << '\n';
-  return text.str();
+// A study as TOML, with all that lies in files taken in.
+struct StudyText {
+  toml::table root;
+  PointTable points;
+};
+
+StudyText take_in(const std::string& text, const std::string& source,
+                  const std::vector<std::string>& overrides, const std::vector<std::string>& zooms,
+                  const PointTable& given_points) {
+  StudyText study{parse(text, source), {}};
+  for (const std::string& assignment : overrides) apply_override(assignment, &study.root);
+  for (const std::string& zoom : zooms) apply_zoom(zoom, &study.root);
+  take_in_model_file(source, &study.root);
+  study.points = take_in_points(source, given_points, &study.root);
+  // As axes=[] takes them away.
+  if (const toml::array* axes = study.root["axes"].as_array(); axes != nullptr && axes->empty()) {
+    study.root.erase("axes");
+  }
+  return study;
 }
 
-}  // namespace
-
-std::string Study::brief_toml() const {
-  if (std::ranges::none_of(axes, &Axis::is_list)) return toml;
-  return printed(without_numbers(parse(toml, "the study")));
+void refuse_without_axes(const StudyText& text) {
+  throw InputError(
+      fmt::format("{}: the study has no axes; give one or two, as in\n"
+                  "  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n  count = 100\n"
+                  "or a list of points:\n  [points]\n  file = \"points.csv\"",
+                  place_of(text.root)));
 }
 
-Study read_study(const std::string& text, const std::string& source,
-                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms,
-                 const PointTable& given_points) {
-  toml::table root = parse(text, source);
-  for (const std::string& assignment : overrides) apply_override(assignment, &root);
-  for (const std::string& zoom : zooms) apply_zoom(zoom, &root);
-  take_in_model_file(source, &root);
-  const PointTable points = take_in_points(source, given_points, &root);
-
+// Axes may be missing.
+Study read_tables(const StudyText& text) {
+  const toml::table& root = text.root;
   Study study;
   TableReader reader(&root, study_table(""));
   study.title = reader.text("title", "");
@@ -225,7 +236,7 @@ Study read_study(const std::string& text, const std::string& source,
   reader.refuse_unknown();
 
   read_parameters(parameters, &study);
-  study.axes = read_axes(root, points, *study.model);
+  study.axes = read_axes(root, text.points, *study.model);
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
@@ -233,8 +244,29 @@ Study read_study(const std::string& text, const std::string& source,
   check_size(root, study);
   note_what_wins(root, gear, &study);
 
-  study.toml = printed(root);
+  study.toml = print_study(root);
   return study;
+}
+
+}  // namespace
+
+std::string Study::brief_toml() const {
+  if (std::ranges::none_of(axes, &Axis::is_list)) return toml;
+  return print_study(without_numbers(parse(toml, "the study")));
+}
+
+Study read_study(const std::string& text, const std::string& source,
+                 const std::vector<std::string>& overrides, const std::vector<std::string>& zooms,
+                 const PointTable& points) {
+  const StudyText whole = take_in(text, source, overrides, zooms, points);
+  Study study = read_tables(whole);
+  if (study.axes.empty()) refuse_without_axes(whole);
+  return study;
+}
+
+Study read_draft(const std::string& text, const std::string& source,
+                 const std::vector<std::string>& overrides, const PointTable& points) {
+  return read_tables(take_in(text, source, overrides, {}, points));
 }
 
 }  // namespace gearsweep

@@ -1,10 +1,11 @@
-#include "study/study.hpp"
-
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "core/parts.hpp"
+#include "model/names.hpp"
 #include "result/result_file.hpp"
 #include "result/study_source.hpp"
+#include "study/draft.hpp"
 
 namespace gearsweep::python {
 namespace {
@@ -23,6 +24,19 @@ std::vector<std::size_t> axis_counts(const Study& study) {
   return counts;
 }
 
+// A list of points: names with columns of one length, which the package has seen to.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Columns = std::vector<std::pair<std::string, Numbers>>;
+
+PointTable table_of(const Columns& columns) {
+  PointTable points;
+  for (const auto& [name, numbers] : columns) {
+    points.names.push_back(name);
+    points.columns.emplace_back(numbers.data(), numbers.data() + numbers.size());
+  }
+  return points;
+}
+
 }  // namespace
 
 void add_study(py::module_* module) {
@@ -31,11 +45,21 @@ void add_study(py::module_* module) {
       .def_readonly("title", &Study::title)
       .def_readonly("notices", &Study::notices)
       .def_property_readonly("model", [](const Study& study) { return study.model->name; })
+      .def_property_readonly("option_names",
+                             [](const Study& study) { return names_of(study.model->options); })
+      .def_property_readonly("parameter_names",
+                             [](const Study& study) { return names_of(study.model->parameters); })
       .def_property_readonly("axis_names", axis_names)
       .def_property_readonly("axis_counts", axis_counts);
   using Texts = std::vector<std::string>;
   module->def("read_study", [](const std::string& text, const std::string& source,
-                               const Texts& changes) { return read_study(text, source, changes); });
+                               const Texts& changes, const Columns& points) {
+    return read_study(text, source, changes, {}, table_of(points));
+  });
+  module->def("read_draft", [](const std::string& text, const std::string& source,
+                               const Texts& changes, const Columns& points) {
+    return read_draft(text, source, changes, table_of(points));
+  });
   // The GIL stays: while a file is read, no other thread of Python's must be at one.
   module->def("find_study", [](const std::string& name_or_path, const Texts& changes) {
     return find_study(name_or_path, changes);

@@ -3,7 +3,9 @@
 
 #include <cstring>
 
+#include "plot/detail/mathtext.hpp"
 #include "plot/detail/text.hpp"
+#include "plot/labels.hpp"
 #include "plot/picture_test.hpp"
 
 namespace gearsweep {
@@ -110,6 +112,17 @@ TEST(PlotText, SymbolsAreSetAsInPrint) {
   EXPECT_EQ(quantity_label("period", "1"), "period in forcing periods");
   EXPECT_EQ(quantity_label("my_own%thing", "1"), "my own%thing");
   EXPECT_EQ(settings_label("mu=0, teeth_ratio=2"), "{/:Italic μ} = 0, teeth ratio = 2");
+}
+
+// For programs that draw with matplotlib: symbols between '$', and no other '$' that counts.
+TEST(PlotText, SymbolsAreBetweenDollarsInMathtext) {
+  EXPECT_EQ(quantity_mathtext("v1_max", "b_n varpi"),
+            "largest $v$$_{\\mathrm{1}}$ ($b$$_{\\mathrm{n}}$$ϖ$)");
+  EXPECT_EQ(typeset_mathtext("Rp theta_p"), "Rp $θ$$_{\\mathrm{p}}$");
+  EXPECT_EQ(literal_mathtext("10 $, {a} x_1^2 \\alpha @~&"), "10 \\$, {a} x_1^2 \\alpha @~&");
+  EXPECT_EQ(axis_mathtext({"omega", "varpi", "mesh frequency", {}, false}),
+            "mesh frequency $ω$/$ϖ$");
+  EXPECT_EQ(mathtext_of("{/:Italic x}_{1"), "$x$$_{\\mathrm{1}}$");
 }
 
 }  // namespace

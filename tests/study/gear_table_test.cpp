@@ -19,8 +19,8 @@
 namespace gearsweep {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 using Table = std::map<std::string, std::string>;
 

@@ -43,10 +43,6 @@ std::string axes_of_raster(const AxisRange& x, const AxisRange& y) {
 
 }  // namespace
 
-std::string dot_colour(std::size_t layer, std::size_t layers) {
-  return layers == 1 ? "#01325a" : layer_colour(layer);
-}
-
 std::string add_dots(const Page& page, const std::vector<Picture>& layers, const AxisRange& x,
                      const AxisRange& y, const Frame& frame, std::size_t number,
                      PlotScript* script) {

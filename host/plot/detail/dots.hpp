@@ -16,7 +16,4 @@ std::string add_dots(const Page& page, const std::vector<Picture>& layers, const
                      const AxisRange& y, const Frame& frame, std::size_t number,
                      PlotScript* script);
 
-// The colour of a study's dots.
-std::string dot_colour(std::size_t layer, std::size_t layers);
-
 }  // namespace gearsweep

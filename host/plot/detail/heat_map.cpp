@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/detail/colours.hpp"
+#include "plot/colours.hpp"
 #include "plot/detail/contours.hpp"
 #include "plot/detail/picture.hpp"
 #include "plot/detail/text.hpp"
@@ -106,10 +106,8 @@ struct Colours {
     }
     is_log = style.is_log;
     range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
-    const bool has_both_signs = range.min < 0.0 && range.max > 0.0;
-    name_ = !style.colormap.empty()                              ? style.colormap
-            : map.name.starts_with("lyapunov") && has_both_signs ? "signed"
-                                                                 : "viridis";
+    name_ =
+        !style.colormap.empty() ? style.colormap : usual_colormap(map.name, range.min, range.max);
   }
 
   std::string palette() const {

@@ -15,7 +15,6 @@ namespace {
 
 // Of a list of points, whose neighbours have nothing in common.
 constexpr const char* kListDots = "points pointtype 7 pointsize dot*1.2";
-constexpr const char *kFirstPart = "#d55e00", *kOtherParts = "#56b4e9";
 
 // The values of all studies' axes.
 ResultAxis whole_axis(const std::vector<Picture>& layers) {
@@ -117,7 +116,8 @@ std::vector<std::string> part_elements(const ResultMap& map, PlotScript* script)
     const std::string style =
         map.is_list() ? kListDots : fmt::format("lines linewidth {}", part == 1 ? 2.0 : 1.4);
     elements.push_back(fmt::format("{} using 1:{} with {} linecolor rgb '{}' notitle", data,
-                                   part + 1, style, part == 1 ? kFirstPart : kOtherParts));
+                                   part + 1, style,
+                                   part == 1 ? kFirstPartColour : kOtherPartsColour));
   }
   return elements;
 }
@@ -170,8 +170,8 @@ std::vector<KeyEntry> key_entries(const Stack& stack) {
       const ResultMap& map = panel.front().map;
       if (map.part_count() == 1 || map.is_poincare()) continue;
       const std::string what = literal(map.dimension);
-      entries.push_back({KeyEntry::Kind::kLine, kFirstPart, "1", what + " 1"});
-      entries.push_back({KeyEntry::Kind::kLine, kOtherParts, "1",
+      entries.push_back({KeyEntry::Kind::kLine, kFirstPartColour, "1", what + " 1"});
+      entries.push_back({KeyEntry::Kind::kLine, kOtherPartsColour, "1",
                          fmt::format("{} 2 to {}", what, map.part_count())});
     }
   }

@@ -174,13 +174,6 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
     }
     axes.push_back(axis_of_points(points, place, model));
   }
-  if (axes.empty()) {
-    throw InputError(
-        fmt::format("{}: the study has no axes; give one or two, as in\n"
-                    "  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n"
-                    "  count = 100\nor a list of points:\n  [points]\n  file = \"points.csv\"",
-                    place_of(study)));
-  }
   refuse_twice(axes, study);
   return axes;
 }

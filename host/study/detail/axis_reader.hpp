@@ -11,7 +11,7 @@
 
 namespace gearsweep {
 
-// One or two axes of distinct parameters or states, in range, the values of [[axes]] increasing; a
+// Up to two axes of distinct parameters or states, in range, the values of [[axes]] increasing; a
 // list of points, unless it is empty, is the last one. Throws InputError. `study` is where the axes
 // hang, for messages.
 std::vector<Axis> read_axes(const toml::table& study, const PointTable& points, const Model& model);

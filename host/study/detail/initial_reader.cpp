@@ -78,11 +78,13 @@ void read_initial(const toml::table* table, Study* study) {
   if (const toml::node* along = reader.find("along"); along != nullptr && !chained) {
     fail_at(*along, fmt::format("along belongs to {}", choice_of(policy_names(true))));
   }
-  if (chained) initial.along = reader.choice("along", 0, axis_names(*study));
+  const bool has_axes = !study->axes.empty();
+  if (chained && has_axes) initial.along = reader.choice("along", 0, axis_names(*study));
   read_ensemble(&reader, study);
   reader.refuse_unknown();
+  if (!chained || !has_axes) return;
   const Axis& along = study->axes[initial.along];
-  if (chained && along.sweeps_state()) {
+  if (along.sweeps_state()) {
     throw InputError(
         fmt::format("{}: a chain cannot go along axis '{}', {}; name a parameter's axis with "
                     "along = \"...\"",

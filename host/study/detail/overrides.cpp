@@ -70,6 +70,16 @@ toml::node* descend(toml::node* node, const std::string& part, const std::string
   return table->get(part);
 }
 
+// What messages say of an assignment: all of it, unless it is long (the values of an axis).
+std::string shown_assignment(const std::string& assignment) {
+  constexpr std::size_t kMost = 160;
+  if (assignment.size() <= kMost) return assignment;
+  std::size_t end = kMost;
+  // Not inside a letter of UTF-8.
+  while (end > 0 && (static_cast<unsigned char>(assignment[end]) & 0xC0U) == 0x80U) --end;
+  return assignment.substr(0, end) + "...";
+}
+
 // An axis by its name alone, as in omega.count.
 void refuse_bare_axis(const std::vector<std::string>& parts, const toml::table& study,
                       const std::string& source) {
@@ -85,7 +95,7 @@ void refuse_bare_axis(const std::vector<std::string>& parts, const toml::table& 
 }  // namespace
 
 void apply_override(const std::string& assignment, toml::table* study) {
-  const std::string source = "--set " + assignment;
+  const std::string source = "--set " + shown_assignment(assignment);
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw InputError(fmt::format("{}: expected PATH=VALUE, as in integrate.record=20", source));

@@ -1,12 +1,14 @@
-#include "plot/detail/colours.hpp"
+#include "plot/colours.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "model/error.hpp"
 #include "model/names.hpp"
 
 namespace gearsweep {
@@ -61,6 +63,17 @@ constexpr Colormap kColormaps[] = {
      "#fbbd89 #f7ab74 #f39b60 #f08a4b #e0733c #d15b2c #c2441c #6b1d08"},
 };
 
+// Of curves laid over one another: dark and bright by turns, and dashes, for print without colours.
+struct LayerStyle {
+  const char *colour, *dashes;
+};
+constexpr std::array<LayerStyle, 6> kLayers = {{{"#0072b2", "1"},
+                                                {"#e69f00", "(10,7)"},
+                                                {"#009e73", "(5,6)"},
+                                                {"#000000", "(14,6,3,6)"},
+                                                {"#cc79a7", "(20,8)"},
+                                                {"#d55e00", "(2,5)"}}};
+
 constexpr std::string_view kReversed = "_r";
 
 // Of a map or of its reverse; nullptr when there is none.
@@ -89,6 +102,12 @@ std::vector<std::string> colormap_names() {
   return names;
 }
 
+void ensure_colormap(const std::string& name) {
+  if (find(name) != nullptr) return;
+  throw InputError(fmt::format("there is no colour map '{}'; there are {}", name,
+                               fmt::join(colormap_names(), ", ")));
+}
+
 bool is_diverging(const std::string& name) {
   const Colormap* map = find(name);
   return map != nullptr && map->is_diverging;
@@ -99,19 +118,47 @@ std::pair<std::string, std::string> end_colours(const std::string& name) {
   return {colours.front(), colours.back()};
 }
 
-std::string palette_line(const std::string& name, double min, double max) {
+std::string usual_colormap(const std::string& quantity, double min, double max) {
+  const bool has_both_signs = min < 0.0 && max > 0.0;
+  return quantity.starts_with("lyapunov") && has_both_signs ? "signed" : "viridis";
+}
+
+std::vector<ColourAnchor> colour_anchors(const std::string& name, double min, double max) {
   const std::vector<std::string> colours = colours_of(name);
   const bool has_middle = is_diverging(name) && min < 0.0 && max > 0.0;
-  std::vector<std::string> anchors;
+  std::vector<ColourAnchor> anchors;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(colours.size() - 1);
     double place = share;
     if (has_middle) {
       place = share < 0.5 ? (1.0 - 2.0 * share) * min : (2.0 * share - 1.0) * max;
     }
-    anchors.push_back(fmt::format("{:.6g} '{}'", place, colours[i]));
+    anchors.push_back({place, colours[i]});
+  }
+  return anchors;
+}
+
+std::string palette_line(const std::string& name, double min, double max) {
+  std::vector<std::string> anchors;
+  for (const ColourAnchor& anchor : colour_anchors(name, min, max)) {
+    anchors.push_back(fmt::format("{:.6g} '{}'", anchor.place, anchor.colour));
   }
   return fmt::format("set palette defined ({})\n", fmt::join(anchors, ", "));
+}
+
+void ensure_tellable(std::size_t layers) {
+  if (layers <= kLayers.size()) return;
+  throw InputError(
+      fmt::format("{} are too many to be told apart when laid over one another; at most {}", layers,
+                  kLayers.size()));
+}
+
+std::string layer_colour(std::size_t index) { return kLayers.at(index).colour; }
+
+std::string layer_dashes(std::size_t index) { return kLayers.at(index).dashes; }
+
+std::string dot_colour(std::size_t layer, std::size_t layers) {
+  return layers == 1 ? "#01325a" : layer_colour(layer);
 }
 
 }  // namespace gearsweep

@@ -1,0 +1,23 @@
+// What axes and quantities are called in pictures, for programs that draw their own with
+// matplotlib: text with symbols between '$' (mathtext).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "result/result_file.hpp"
+
+namespace gearsweep {
+
+// What the axis is of, in words and as a symbol, with its unit: "mesh frequency $ω$/$ϖ$".
+std::string axis_mathtext(const ResultAxis& axis);
+
+// A quantity, a state or a signal by its name, as in print: "largest meshing force ($k$...)" of
+// "dmf_max".
+std::string quantity_mathtext(const std::string& name, const std::string& unit);
+
+// Exactly this text; and the same with its symbols as in print.
+std::string literal_mathtext(std::string_view text);
+std::string typeset_mathtext(std::string_view text);
+
+}  // namespace gearsweep
