@@ -23,7 +23,7 @@ class Study:
     def axis_counts(self) -> list[int]: ...
 
 _Described = tuple[
-    list[tuple[str, tuple[str, ...], numpy.ndarray, dict[str, Any]]],
+    list[tuple[str, tuple[str, ...], numpy.ndarray[Any, Any], dict[str, Any]]],
     dict[str, Any],
 ]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from gearsweep import _core
+from gearsweep._value import text_of
 
 
 class Channel(NamedTuple):
@@ -69,8 +70,14 @@ def model(name: str) -> Model:
     ------
     InputError
         There is none of this name.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> [preset.name for preset in gs.model("gear5").presets]
+    ['consistent', 'coarse', 'paper']
     """
-    found = _core.model(name)
+    found = _core.model(text_of(name, "the name of a model"))
     return Model(
         name=found["name"],
         summary=found["summary"],

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy
 import xarray
-from xarray.backends import InMemoryDataStore
+from xarray.backends import AbstractDataStore, InMemoryDataStore
 
 
 def dataset_of(
-    variables: list[tuple[str, tuple[str, ...], numpy.ndarray, dict[str, Any]]],
+    variables: list[tuple[str, tuple[str, ...], numpy.ndarray[Any, Any], dict[str, Any]]],
     attributes: dict[str, Any],
 ) -> xarray.Dataset:
     """What xarray makes of a file of these variables: it takes the same way, without the file."""
-    stored = {name: xarray.Variable(*variable) for name, *variable in variables}
-    store = InMemoryDataStore(stored, attributes)
-    return xarray.open_dataset(store, cache=False).load()
+    # Debian's xarray has no types for these two.
+    variable: Callable[..., xarray.Variable] = xarray.Variable
+    store: Callable[..., AbstractDataStore] = InMemoryDataStore
+    stored = {name: variable(*parts) for name, *parts in variables}
+    return xarray.open_dataset(store(stored, attributes), cache=False).load()
 
 
 def call_text(function: str, study: Any, /, **options: Any) -> str:

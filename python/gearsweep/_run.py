@@ -12,6 +12,7 @@ from gearsweep._errors import InputError
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
 from gearsweep._study import Study, study_of
+from gearsweep._value import path_of
 from gearsweep._warning import warn
 
 
@@ -53,7 +54,8 @@ def run(
     Returns
     -------
     xarray.Dataset
-        What ``xarray.open_dataset`` makes of the file that ``gearsweep run`` writes.
+        What ``xarray.open_dataset`` makes of the file that ``gearsweep run`` writes. A quantity has
+        one dimension for each axis, the first axis last; its unit is its attribute ``units``.
 
     Raises
     ------
@@ -63,6 +65,16 @@ def run(
         A device or a disk failed.
     KeyboardInterrupt
         After Ctrl-C, once the running round is over. A journal keeps what is finished.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> maps = gs.run("coarse-map", set={"axes.omega.count": 8, "axes.e0.count": 4})
+    >>> maps.dmf_max.dims, maps.dmf_max.shape, maps.dmf_max.units
+    (('e0', 'omega'), (4, 8), 'k0 b_n')
+    >>> gs.run("coarse-mop")
+    Traceback (most recent call last):
+    gearsweep.InputError: there is no built-in study 'coarse-mop'; did you mean 'coarse-map'?
     """
     if progress is not None and not callable(progress):
         raise InputError("progress: expected a function that takes a Progress")
@@ -71,7 +83,7 @@ def run(
     described, troubles = SESSION.run(
         study=asked._core,
         device=device_text(device),
-        journal="" if journal is None else os.fspath(journal),
+        journal="" if journal is None else path_of(journal, "a path as journal"),
         call=call_text("run", study, set=set),
         progress=tell,
     )

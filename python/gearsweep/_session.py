@@ -8,6 +8,7 @@ import numpy
 
 from gearsweep import _core
 from gearsweep._errors import InputError
+from gearsweep._value import text_of
 
 # Devices stay open with the kernels that were built for them, so that the next run starts at once.
 SESSION = _core.Session()
@@ -31,6 +32,12 @@ def devices() -> list[Device]:
     Returns
     -------
     list of Device
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> gs.devices()[0].number
+    0
     """
     return [Device(**row) for row in SESSION.devices()]
 
@@ -41,4 +48,4 @@ def device_text(device: int | str | None) -> str:
         return ""
     if isinstance(device, bool) or not isinstance(device, int | numpy.integer | str):
         raise InputError(f"device: expected a number or a text such as '0,1', not {device!r}")
-    return str(device)
+    return text_of(str(device), "numbers of devices")

@@ -11,11 +11,13 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._value import assignments
+from gearsweep._value import assignments, path_of, text_of
 from gearsweep._warning import warn
 
 if TYPE_CHECKING:
     from typing import Self
+
+    from gearsweep._core import Study as CoreStudy
 
 
 class Study:
@@ -33,7 +35,7 @@ class Study:
     """
 
     __slots__ = ("_core",)
-    _core: _core.Study
+    _core: CoreStudy
 
     def __init__(self, text: str) -> None:
         self._take(_core.read_study(_text(text), "study", []))
@@ -51,15 +53,15 @@ class Study:
         -------
         Study
         """
-        return cls._of(_core.find_study(os.fspath(path), []))
+        return cls._of(_core.find_study(path_of(path, "a path or the name of a study"), []))
 
     @classmethod
-    def _of(cls, core: _core.Study) -> Self:
+    def _of(cls, core: CoreStudy) -> Self:
         study = object.__new__(cls)
         study._take(core)
         return study
 
-    def _take(self, core: _core.Study) -> None:
+    def _take(self, core: CoreStudy) -> None:
         object.__setattr__(self, "_core", core)
         for notice in core.notices:
             warn(notice)
@@ -111,7 +113,9 @@ class Study:
         raise AttributeError("a Study never changes; Study.set() makes another one")
 
     def __eq__(self, other: object) -> bool:
-        return self.toml == other.toml if isinstance(other, Study) else NotImplemented
+        if not isinstance(other, Study):
+            return NotImplemented
+        return self.toml == other.toml
 
     def __hash__(self) -> int:
         return hash(self.toml)
@@ -158,7 +162,7 @@ def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:
             raise InputError("the Dataset has no attribute 'study': gearsweep did not make it")
         return Study._of(_core.read_study(source.attrs["study"], "study", made))
     if isinstance(source, os.PathLike):
-        return Study._of(_core.find_study(os.fspath(source), made))
+        return Study._of(_core.find_study(path_of(source, "a path"), made))
     text = _text(source)
     # A name has neither lines nor assignments, and hardly any path.
     if "\n" in text or ("=" in text and not os.path.exists(text)):
@@ -167,12 +171,10 @@ def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:
 
 
 def _text(source: Any) -> str:
-    if not isinstance(source, str):
-        raise InputError(
-            "a study is the name of a built-in one, a path, TOML, a Study or the Dataset of an "
-            f"earlier run, not of the type {type(source).__name__}"
-        )
-    return source
+    return text_of(
+        source,
+        "a study: the name of a built-in one, a path, TOML, a Study or the Dataset of an earlier run",
+    )
 
 
 def studies() -> dict[str, str]:
@@ -182,5 +184,11 @@ def studies() -> dict[str, str]:
     -------
     dict of str to str
         Names with titles.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> gs.studies()["coarse-map"]
+    'Coarse gear pair'
     """
     return {name: _core.find_study(name, []).title for name in _core.builtin_study_names()}

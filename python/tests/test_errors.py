@@ -86,6 +86,7 @@ def test_a_journal_that_cannot_be_made_is_told_of(tmp_path):
         gearsweep.run("coarse-map", set=MAP, journal=tmp_path / "nowhere" / "journal")
 
 
+@pytest.mark.binding
 def test_the_next_call_works():
     before = gearsweep.run("coarse-map", set=MAP)
     refusal(lambda: gearsweep.run("coarse-map", set={**MAP, "parameters.nu": 1}))
@@ -93,6 +94,7 @@ def test_the_next_call_works():
     assert gearsweep.run("coarse-map", set=MAP).equals(before)
 
 
+@pytest.mark.binding
 def test_errors_are_of_python():
     assert issubclass(InputError, ValueError)
     assert issubclass(RunError, RuntimeError)

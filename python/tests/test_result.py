@@ -88,6 +88,7 @@ def test_makes_itself_again():
     assert not first.dmf_max.equals(other.dmf_max)
 
 
+@pytest.mark.binding
 def test_can_be_written_and_read(tmp_path):
     made = gearsweep.run("coarse-bifurcation", set={"axes.omega.count": 6, **SMALL})
     made.to_netcdf(tmp_path / "again.nc")

@@ -37,6 +37,7 @@ def test_progress_reaches_the_end():
     assert all(a.share <= b.share for a, b in zip(seen, seen[1:], strict=False))
 
 
+@pytest.mark.binding
 def test_progress_comes_in_the_calling_thread():
     threads = set()
     gearsweep.run("coarse-map", set=MAP, progress=lambda _: threads.add(threading.get_ident()))
@@ -72,6 +73,7 @@ def test_ctrl_c_stops_without_a_journal(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.binding
 def test_an_interrupted_run_goes_on(tmp_path):
     journal = tmp_path / "journal"
     plain = gearsweep.run("coarse-map", set=TILES)
@@ -88,6 +90,7 @@ def test_an_interrupted_run_goes_on(tmp_path):
     assert not journal.exists()
 
 
+@pytest.mark.binding
 def test_two_threads_run_at_once():
     calls = [("coarse-map", MAP), ("coarse-chaos", MAP), ("coarse-map", TILES)]
     alone = [gearsweep.run(study, set=changes) for study, changes in calls]
@@ -96,6 +99,7 @@ def test_two_threads_run_at_once():
     assert all(one.equals(other) for one, other in zip(alone, together, strict=True))
 
 
+@pytest.mark.binding
 def test_other_threads_go_on_meanwhile():
     ended = threading.Event()
     counted = 0

@@ -23,6 +23,7 @@ def test_prints_as_toml_that_is_the_same_study(study):
     assert Study(study.toml).toml == study.toml
 
 
+@pytest.mark.binding
 def test_is_a_value(study):
     same = Study(study.toml)
     other = study.set({"parameters.mu": 0.2})
@@ -63,6 +64,7 @@ def test_is_read_from_each_place(study, tmp_path):
     assert gearsweep.run(study).equals(made)
 
 
+@pytest.mark.binding
 @pytest.mark.parametrize(
     ("path", "value", "line"),
     [
@@ -81,6 +83,7 @@ def test_takes_values_of_python(study, path, value, line):
     assert line in study.set({path: value}).toml
 
 
+@pytest.mark.binding
 def test_an_axis_takes_an_array():
     values = numpy.linspace(0.5, 0.6, 3)
     made = gearsweep.run(
@@ -102,6 +105,7 @@ def test_studies_are_those_of_the_command():
     assert all(Study.read(name).title == title for name, title in gearsweep.studies().items())
 
 
+@pytest.mark.binding
 def test_models_tell_what_they_have():
     assert "gear5" in gearsweep.models()
     for name, summary in gearsweep.models().items():
@@ -114,6 +118,7 @@ def test_models_tell_what_they_have():
     assert "dynamic" in next(o.choices for o in gear.options if o.name == "backlash")
 
 
+@pytest.mark.binding
 def test_devices_have_numbers():
     found = gearsweep.devices()
     assert [device.number for device in found] == list(range(len(found)))

@@ -1,6 +1,7 @@
 // Stands before the OpenCL library (LD_PRELOAD): writes to the file COUNTED_BYTES how many bytes
-// were in buffers at a time, at most, and how many in the largest one; and lets devices have no
-// more memory than DEVICE_MEMORY, in bytes, a quarter of it for one buffer.
+// were in buffers at a time, at most, and how many in the largest one; adds a line to the file
+// COUNTED_PROGRAMS for each program that is made; and lets devices have no more memory than
+// DEVICE_MEMORY, in bytes, a quarter of it for one buffer.
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
@@ -33,6 +34,19 @@ cl_mem clCreateBuffer(cl_context context, cl_mem_flags flags, size_t size, void*
   if (size > largest) largest = size;
   pthread_mutex_unlock(&mutex);
   return buffer;
+}
+
+cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char** texts,
+                                     const size_t* lengths, cl_int* error) {
+  cl_program (*next)(cl_context, cl_uint, const char**, const size_t*, cl_int*) =
+      dlsym(RTLD_NEXT, "clCreateProgramWithSource");
+  const char* path = getenv("COUNTED_PROGRAMS");
+  FILE* file = path == NULL ? NULL : fopen(path, "a");
+  if (file != NULL) {
+    fputs("made\n", file);
+    fclose(file);
+  }
+  return next(context, count, texts, lengths, error);
 }
 
 cl_int clGetDeviceInfo(cl_device_id device, cl_device_info name, size_t size, void* value,

@@ -1,5 +1,6 @@
-# Packs the built project for Debian and looks into the package: what it asks for, what it holds, and
-# that the tool in it runs. Variables: BUILD, WORK.
+# Packs the built project for Debian and looks into the packages: what they ask for, what they hold,
+# and that the tool and the Python package in them run. Variables: BUILD, WORK, PYTHON (the
+# interpreter that the Python package is built for; empty without it).
 function(must out)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text
                   OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -15,17 +16,20 @@ get_filename_component(tools ${CMAKE_COMMAND} DIRECTORY)
 must(log ${tools}/cpack --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/pack)
 file(GLOB package ${WORK}/pack/gearsweep_*.deb)
 
-must(needs dpkg-deb -f ${package} Depends)
-foreach(name "pocl-opencl-icd | opencl-icd" ocl-icd-libopencl1 libnetcdf libsqlite3 libfftw3 libstdc++6)
-  string(FIND "${needs}" "${name}" at)
-  if(at EQUAL -1)
-    message(FATAL_ERROR "the package does not depend on ${name}: ${needs}")
-  endif()
-endforeach()
-must(wants dpkg-deb -f ${package} Recommends)
-if(NOT wants MATCHES "gnuplot-nox")
-  message(FATAL_ERROR "the package does not recommend gnuplot: ${wants}")
-endif()
+# Of a package's field, such as Depends.
+function(must_name package field)
+  must(named dpkg-deb -f ${package} ${field})
+  foreach(name ${ARGN})
+    string(FIND "${named}" "${name}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "${package} does not name ${name} in ${field}: ${named}")
+    endif()
+  endforeach()
+endfunction()
+
+set(libraries "pocl-opencl-icd | opencl-icd" ocl-icd-libopencl1 libnetcdf libsqlite3 libstdc++6)
+must_name(${package} Depends ${libraries} libfftw3)
+must_name(${package} Recommends gnuplot-nox)
 
 must(log dpkg-deb -x ${package} ${WORK}/root)
 foreach(file share/man/man1/gearsweep.1 share/man/man5/gearsweep-study.5
@@ -44,4 +48,19 @@ must(version ${WORK}/root/usr/bin/gearsweep --version)
 must(expected dpkg-deb -f ${package} Version)
 if(NOT version STREQUAL "gearsweep ${expected}")
   message(FATAL_ERROR "the package of ${expected} holds ${version}")
+endif()
+
+if(NOT PYTHON)
+  return()
+endif()
+file(GLOB package ${WORK}/pack/python3-gearsweep_*.deb)
+must_name(${package} Depends ${libraries} "python3 (>= 3." "python3 (<< 3." python3-numpy
+          python3-xarray)
+must_name(${package} Recommends python3-matplotlib python3-tqdm)
+must(log dpkg-deb -x ${package} ${WORK}/python)
+file(GLOB site ${WORK}/python/usr/lib/python3.*/dist-packages)
+must(version ${CMAKE_COMMAND} -E env PYTHONPATH=${site} PYTHONDONTWRITEBYTECODE=1
+     ${PYTHON} -c "print(__import__('gearsweep').__version__)")
+if(NOT version STREQUAL expected OR NOT EXISTS ${site}/gearsweep/py.typed)
+  message(FATAL_ERROR "the Python package of ${expected} holds ${version}")
 endif()
