@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, SupportsFloat
 
 import xarray
 
@@ -13,18 +13,19 @@ from gearsweep._place import count_of, number_of, place_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
 from gearsweep._study import Study, study_of
+from gearsweep._value import text_of
 
 
 def floquet(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,
-    at: Mapping[str, float] | None = None,
+    at: Mapping[str, SupportsFloat] | None = None,
     along: tuple[str, float, float] | None = None,
     period: int | None = None,
     steps: int | None = None,
     set: Mapping[str, Any] | None = None,
     device: int | str | None = None,
-    **place: float,
+    **place: SupportsFloat,
 ) -> xarray.Dataset:
     """Find the periodic orbit at a point, and follow it through a parameter.
 
@@ -76,6 +77,16 @@ def floquet(
         There is no such orbit; the message says what to try.
     KeyboardInterrupt
         After Ctrl-C.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> orbit = gs.floquet("coarse-map", omega=0.7, e0=0.5)
+    >>> int(orbit.period), bool(orbit.stable), orbit.multipliers.shape
+    (1, True, (10,))
+    >>> branch = gs.floquet("pendulum-cascade", along=("damping", 0.745, 0.735))
+    >>> branch.bifurcation_kind.values.tolist(), round(float(branch.bifurcation_value[0]), 6)
+    (['flip'], 0.741173)
     """
     described = SESSION.floquet(
         study=study_of(study, set)._core,
@@ -96,7 +107,8 @@ def _range(along: Any) -> tuple[str, float, float] | None:
         return None
     if not isinstance(along, tuple | list) or len(along) != 3 or not isinstance(along[0], str):
         raise InputError("along: expected a parameter and two values: ('omega', 0.6, 0.8)")
-    return along[0], number_of(along[1], "along"), number_of(along[2], "along")
+    name = text_of(along[0], "the name of a parameter")
+    return name, number_of(along[1], "along"), number_of(along[2], "along")
 
 
 def _with_python_types(stored: xarray.Dataset) -> xarray.Dataset:

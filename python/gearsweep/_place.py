@@ -11,6 +11,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
+from gearsweep._value import path_of, text_of
 
 
 def place_of(*values: Mapping[str, Any]) -> list[tuple[str, float]]:
@@ -24,9 +25,7 @@ def place_of(*values: Mapping[str, Any]) -> list[tuple[str, float]]:
 
 
 def _name(name: Any) -> str:
-    if not isinstance(name, str):
-        raise InputError(f"at: {name!r} is no name of a parameter or a state")
-    return name
+    return text_of(name, "the name of a parameter or a state")
 
 
 def number_of(value: Any, name: str) -> float:
@@ -57,6 +56,8 @@ def map_of(source: Any) -> tuple[bool, float | None]:
     if isinstance(source, xarray.Dataset):
         step = source.attrs.get("pilot_max_step")
         return True, None if step is None else number_of(step, "pilot_max_step")
-    if isinstance(source, str | os.PathLike) and _core.is_netcdf(os.fspath(source)):
-        return True, _core.read_pilot_step(os.fspath(source))
+    if isinstance(source, str | os.PathLike):
+        path = path_of(source, "a path or the name of a study")
+        if _core.is_netcdf(path):
+            return True, _core.read_pilot_step(path)
     return False, None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, SupportsFloat
 
 import xarray
 
@@ -21,13 +21,13 @@ _MOST_SAMPLES = 1 << 20  # of a period
 def trace(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,
-    at: Mapping[str, float] | Sequence[Mapping[str, float]] | None = None,
+    at: Mapping[str, SupportsFloat] | Sequence[Mapping[str, SupportsFloat]] | None = None,
     settle: int | None = None,
     record: int | None = None,
     samples_per_period: int | None = None,
     set: Mapping[str, Any] | None = None,
     device: int | str | None = None,
-    **place: float,
+    **place: SupportsFloat,
 ) -> xarray.Dataset:
     """Follow the motion at one point, or at several.
 
@@ -71,6 +71,16 @@ def trace(
         The point diverges, or the device failed.
     KeyboardInterrupt
         After Ctrl-C, once the running round is over.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> trace = gs.trace("coarse-map", omega=0.7, e0=0.5, record=2, samples_per_period=64)
+    >>> trace.dmf.dims, trace.dmf.shape, trace.dmf.units
+    (('moment',), (128,), 'k0 b_n')
+    >>> two = gs.trace("coarse-map", at=[{"omega": 0.7}, {"omega": 0.9}], e0=0.5, record=2)
+    >>> two.dmf.dims
+    ('trace', 'moment')
     """
     is_map, pilot_step = map_of(study)
     described = SESSION.trace(
@@ -100,8 +110,8 @@ def trace(
 
 
 def _points(
-    at: Mapping[str, float] | Sequence[Mapping[str, float]] | None,
-) -> list[Mapping[str, float]]:
+    at: Mapping[str, SupportsFloat] | Sequence[Mapping[str, SupportsFloat]] | None,
+) -> list[Mapping[str, SupportsFloat]]:
     if at is None:
         return [{}]
     if isinstance(at, Mapping):

@@ -73,6 +73,12 @@ def verify(
         There is no such device.
     KeyboardInterrupt
         After Ctrl-C, once the running round is over.
+
+    Examples
+    --------
+    >>> import gearsweep as gs
+    >>> gs.verify().passed
+    True
     """
     if progress is not None and not callable(progress):
         raise InputError("progress: expected a function that takes a Check")

@@ -105,6 +105,7 @@ def test_a_flip_makes_the_orbit_unstable(branch):
     numpy.testing.assert_array_equal(branch.stable, largest <= 1)
 
 
+@pytest.mark.binding
 def test_has_types_units_and_origins(branch):
     assert branch.multipliers.dtype == complex
     assert branch.stable.dtype == branch.bifurcation_grazing.dtype == bool

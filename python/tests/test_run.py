@@ -44,7 +44,6 @@ def test_progress_comes_in_the_calling_thread():
     assert threads == {threading.get_ident()}
 
 
-@pytest.mark.binding
 def test_ctrl_c_stops_and_keeps_the_journal(tmp_path):
     journal = tmp_path / "journal"
     some_done = threading.Event()

@@ -68,6 +68,7 @@ def test_of_a_map_are_its_nearest_points_with_its_steps(tmp_path):
     assert float(other.omega[0]) != 0.7
 
 
+@pytest.mark.binding
 def test_of_one_point_has_no_dimension_for_it():
     own = gearsweep.trace("coarse-map", set=MAP, record=2, **POINTS[1])
     same = gearsweep.trace("coarse-map", set=MAP, record=2, at=POINTS[1])
@@ -101,6 +102,7 @@ def test_starts_where_it_is_told():
     assert own.settled == 0
 
 
+@pytest.mark.binding
 def test_two_threads_trace_at_once():
     alone = [gearsweep.trace("coarse-map", set=MAP, at=[point]) for point in POINTS]
     with ThreadPoolExecutor(2) as pool:
@@ -130,7 +132,9 @@ def test_says_what_made_it():
         ({"at": "omega=1"}, "at: expected a point such as"),
         ({"at": 3}, "at: expected a point such as"),
         ({"at": [0.7]}, "at: a point is a dict such as"),
-        ({"at": {3: 1.0}}, "at: 3 is no name"),
+        ({"at": {3: 1.0}}, "expected the name of a parameter or a state, not one of the type int"),
+        ({"at": {"\udcff": 1.0}}, "expected the name of a parameter or a state, but"),
+        ({"at": {"om\0ega": 1.0}}, "unknown parameter"),
         ({**POINTS[0], "settle": -1}, "settle: -1 is not in 0 .. 1000000000"),
         ({**POINTS[0], "record": 0}, "record: 0 is not in 1 .. 1000000000"),
         ({**POINTS[0], "record": 1.5}, "record: expected a whole number, not 1.5"),

@@ -34,6 +34,7 @@ def test_passes_with_the_checks_of_the_command(verification):
     assert len({check.name for check in verification.checks}) >= 10
 
 
+@pytest.mark.binding
 def test_tells_each_check_in_its_order(verification, seen):
     assert tuple(seen) == verification.checks
 
@@ -58,6 +59,7 @@ class Enough(Exception):
     """Raised by a progress function that has seen enough."""
 
 
+@pytest.mark.binding
 def test_what_progress_raises_stops_it():
     seen = []
 

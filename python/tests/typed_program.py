@@ -43,8 +43,21 @@ def describe() -> str:
         return str(refusal)
 
 
+def look_closer(maps: xarray.Dataset) -> bool:
+    trace = gs.trace(maps, omega=maps.omega[2], e0=0.5, record=8)
+    assert_type(trace, xarray.Dataset)
+    gs.trace(maps, at=[{"omega": 0.7}, {"omega": numpy.float64(0.9)}], e0=0.5)
+    orbit = gs.floquet(maps, e0=0.5, along=("omega", 0.5, 0.7))
+    assert_type(orbit, xarray.Dataset)
+    verification = gs.verify(progress=lambda check: print(check.figures))
+    assert_type(verification.checks, tuple[gs.Check, ...])
+    return verification.passed
+
+
 # Mistakes, which mypy finds; that it would not find one is an error of its own.
 gs.run(3)  # type: ignore[arg-type]
 gs.run("coarse-map", progress=3)  # type: ignore[arg-type]
 gs.run("coarse-map", engine="opencl")  # type: ignore[call-arg]
+gs.trace("coarse-map", omega="fast")  # type: ignore[arg-type]
+gs.floquet("coarse-map", along="omega")  # type: ignore[arg-type]
 gs.Study.read("coarse-map").toml = "mine"  # type: ignore[misc]
