@@ -31,7 +31,7 @@ OrbitFindings compute(const FloquetArguments& arguments) {
                           .period = arguments.period,
                           .steps = arguments.steps};
   if (!arguments.along.empty()) request.range = read_range(*whole.model, arguments.along);
-  request.place = read_place(*whole.model, arguments.at);
+  request.place = read_place(whole, arguments.at);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
   return *find_point_orbit(whole, request, options);

@@ -66,7 +66,7 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
   for (const std::string& point : points) {
     const std::vector<std::string> at =
         point.empty() ? std::vector<std::string>{} : split(point, ',');
-    const Place place = read_place(*whole.model, at);
+    const Place place = read_place(whole, at);
     if (!add_point_trace(whole, is_map, place, arguments.samples_per_period, options, &found)) {
       tell("gearsweep: interrupted\n");
       return kInterrupted;

@@ -33,6 +33,39 @@ const std::string& name_of(const Model& model, const Placed& placed) {
                                axis.name, axis.values.front()));
 }
 
+const Axis* list_of(const Study& study) {
+  const auto found = std::ranges::find_if(study.axes, &Axis::is_list);
+  return found == study.axes.end() ? nullptr : &*found;
+}
+
+std::size_t row_of(const Axis& list, double number, const std::string& origin) {
+  const auto found = std::ranges::find(list.values, number);
+  if (found == list.values.end()) {
+    throw InputError(told_of(origin, fmt::format("there is no point {}; points are numbered from "
+                                                 "{} to {}",
+                                                 number, list.values.front(), list.values.back())));
+  }
+  return static_cast<std::size_t>(found - list.values.begin());
+}
+
+const Placed* find_placed(const Place& place, const Swept& swept) {
+  const auto given = std::ranges::find_if(place.values, [&](const Placed& placed) {
+    return placed.is_state == swept.is_state && placed.index == swept.index;
+  });
+  return given == place.values.end() ? nullptr : &*given;
+}
+
+// The point of the list, with what the place says otherwise.
+Axis placed_row(const Axis& list, const Place& place) {
+  if (!place.row && list.values.size() > 1) refuse_missing(list, place.origin);
+  Axis row = list.at({place.row.value_or(0)});
+  for (Swept& column : row.columns) {
+    const Placed* given = find_placed(place, column);
+    if (given != nullptr) column.values = {given->value};
+  }
+  return row;
+}
+
 }  // namespace
 
 std::string told_of(const std::string& origin, const std::string& text) {
@@ -55,10 +88,16 @@ void require_in_range(const ParameterInfo& info, double value, const std::string
                                                info.name, value, info.min, info.max)));
 }
 
-Place find_place(const Model& model, const std::vector<NamedValue>& values,
+Place find_place(const Study& study, const std::vector<NamedValue>& values,
                  const std::string& origin) {
-  Place place{{}, origin};
+  const Model& model = *study.model;
+  const Axis* list = list_of(study);
+  Place place{{}, {}, origin};
   for (const auto& [name, value] : values) {
+    if (list != nullptr && name == kPointAxis) {
+      place.row = row_of(*list, value, origin);
+      continue;
+    }
     const int state = model.find_state(name);
     if (state < 0) {
       place.values.push_back({false, parameter_index(model, name, origin), value});
@@ -73,7 +112,9 @@ Place find_place(const Model& model, const std::vector<NamedValue>& values,
 }
 
 bool is_swept(const Axis& axis, const Placed& placed) {
-  return axis.is_state == placed.is_state && axis.index == placed.index;
+  return std::ranges::any_of(axis.swept(), [&](const Swept& swept) {
+    return swept.is_state == placed.is_state && swept.index == placed.index;
+  });
 }
 
 void place_parameters(const Place& place, Study* study) {
@@ -81,14 +122,16 @@ void place_parameters(const Place& place, Study* study) {
     if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
   }
   for (Axis& axis : study->axes) {
-    const auto given = std::find_if(place.values.begin(), place.values.end(),
-                                    [&](const Placed& placed) { return is_swept(axis, placed); });
-    if (given != place.values.end()) {
+    const Placed* given = axis.is_list() ? nullptr : find_placed(place, axis);
+    if (axis.is_list()) {
+      axis = placed_row(axis, place);
+    } else if (given != nullptr) {
       axis.values = {given->value};
     } else if (axis.values.size() > 1) {
       refuse_missing(axis, place.origin);
-    } else if (!axis.is_state) {
-      study->setting.parameters[axis.index] = axis.values.front();
+    }
+    for (const Swept& swept : axis.swept()) {
+      if (!swept.is_state) study->setting.parameters[swept.index] = swept.values.front();
     }
   }
 }
@@ -105,7 +148,7 @@ void snap(const Study& whole, bool is_map, Place* place) {
   for (Placed& placed : place->values) {
     for (std::size_t i = 0; i < whole.axes.size(); ++i) {
       const Axis& axis = whole.axes[i];
-      if (!is_swept(axis, placed)) continue;
+      if (axis.is_list() || !is_swept(axis, placed)) continue;
       if (!is_map && !(whole.is_chained() && whole.initial.along == i)) continue;
       placed.value = nearest_value(axis, placed.value, place->origin);
     }
@@ -113,7 +156,7 @@ void snap(const Study& whole, bool is_map, Place* place) {
 }
 
 std::string label_of(const Model& model, const Place& place) {
-  std::string label;
+  std::string label = place.row ? fmt::format("{}={}", kPointAxis, *place.row + 1) : "";
   for (const Placed& placed : place.values) {
     label +=
         fmt::format("{}{}={:.6g}", label.empty() ? "" : ", ", name_of(model, placed), placed.value);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct Placed {
 
 struct Place {
   std::vector<Placed> values;
-  std::string origin;  // what messages call it: "--at"; empty: nothing
+  std::optional<std::size_t> row;  // of the study's list of points, from 0
+  std::string origin;              // what messages call it: "--at"; empty: nothing
 };
 
 // "--at: TEXT", or the text alone.
@@ -33,8 +35,9 @@ std::size_t parameter_index(const Model& model, const std::string& name, const s
 
 void require_in_range(const ParameterInfo& info, double value, const std::string& origin);
 
-// Refuses names that the model does not have, and values that it does not allow.
-Place find_place(const Model& model, const std::vector<NamedValue>& values,
+// Refuses names that the model does not have, and values that it does not allow. 'point' is the
+// number of a point of the study's list.
+Place find_place(const Study& study, const std::vector<NamedValue>& values,
                  const std::string& origin);
 
 // Whether the axis sweeps what the value is of.
@@ -50,7 +53,7 @@ void place_states(const Place& place, Study* study);
 // its points go on from their neighbours along.
 void snap(const Study& whole, bool is_map, Place* place);
 
-// "omega=0.7, b=1"
+// "omega=0.7, b=1"; "point=3"
 std::string label_of(const Model& model, const Place& place);
 
 }  // namespace gearsweep

@@ -12,11 +12,15 @@
 namespace gearsweep {
 namespace {
 
-// The place with the start of the range, unless it has its own.
-Place start_of(const OrbitRequest& request) {
+// The place with the start of the range, unless it or the study's point has its own.
+Place start_of(const Study& whole, const OrbitRequest& request) {
   Place place = request.place;
   if (!request.range) return place;
   const std::size_t parameter = request.range->parameter;
+  const bool is_column = std::ranges::any_of(whole.axes, [&](const Axis& axis) {
+    return axis.is_list() && is_swept(axis, {false, parameter, 0.0});
+  });
+  if (is_column) return place;
   const bool is_placed = std::any_of(
       place.values.begin(), place.values.end(),
       [&](const Placed& placed) { return !placed.is_state && placed.index == parameter; });
@@ -51,8 +55,8 @@ std::vector<std::size_t> parameters_of(const Study& study, const Place& place) {
   const auto add = [&](std::size_t parameter) {
     if (std::find(all.begin(), all.end(), parameter) == all.end()) all.push_back(parameter);
   };
-  for (const Axis& axis : study.axes) {
-    if (!axis.is_state) add(axis.index);
+  for (const Swept* swept : study.swept()) {
+    if (!swept->is_state) add(swept->index);
   }
   for (const Placed& placed : place.values) {
     if (!placed.is_state) add(placed.index);
@@ -113,7 +117,7 @@ FollowedRange find_range(const Model& model, const std::string& name, double fro
 
 std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitRequest& request,
                                               const SweepOptions& options) {
-  const Place place = start_of(request);
+  const Place place = start_of(whole, request);
   const Study study = settling_study(whole, request, place);
   const Model& model = *study.model;
   const PeriodMap map(model, study.setting, steps_of(study, request), options.stop);

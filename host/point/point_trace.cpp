@@ -11,12 +11,18 @@
 namespace gearsweep {
 namespace {
 
-// The values of the axis that a chained study goes along, up to the point.
-std::vector<double> chain_to(const Study& whole, double value) {
-  const std::vector<double>& values = whole.axes[whole.initial.along].values;
-  const auto own = std::find(values.begin(), values.end(), value);
-  return info_of(whole.initial.policy).neighbour < 0 ? std::vector<double>(values.begin(), own + 1)
-                                                     : std::vector<double>(own, values.end());
+// The axis that a chained study goes along, up to the point with this value.
+Axis chain_to(const Study& whole, double value) {
+  const Axis& axis = whole.axes[whole.initial.along];
+  const auto own =
+      static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
+  std::vector<std::size_t> places;
+  for (std::size_t place = 0; place < axis.values.size(); ++place) {
+    const bool is_before =
+        info_of(whole.initial.policy).neighbour < 0 ? place <= own : place >= own;
+    if (is_before) places.push_back(place);
+  }
+  return axis.at(places);
 }
 
 // The place has an initial state that no axis sweeps.
@@ -37,8 +43,8 @@ Study traced_study(const Study& whole, const Place& place) {
       throw InputError(
           told_of(place.origin, "an initial state fits no study that sweeps along an axis"));
     }
-    std::vector<double>& values = study.axes[study.initial.along].values;
-    values = chain_to(whole, values.front());
+    Axis& along = study.axes[study.initial.along];
+    along = chain_to(whole, along.values.front());
   } else if (moves_start(whole, place)) {
     place_states(place, &study);
   }
@@ -46,11 +52,18 @@ Study traced_study(const Study& whole, const Place& place) {
   return study;
 }
 
-void add_names(const Model& model, const Place& place, std::vector<std::string>* names) {
-  for (const Placed& placed : place.values) {
-    if (placed.is_state) continue;
-    const std::string& name = model.parameters[placed.index].name;
+void add_names(const Study& whole, const Place& place, std::vector<std::string>* names) {
+  const auto add = [&](std::size_t parameter) {
+    const std::string& name = whole.model->parameters[parameter].name;
     if (std::find(names->begin(), names->end(), name) == names->end()) names->push_back(name);
+  };
+  for (const Axis& axis : whole.axes) {
+    for (const Swept& column : axis.columns) {
+      if (!column.is_state) add(column.index);
+    }
+  }
+  for (const Placed& placed : place.values) {
+    if (!placed.is_state) add(placed.index);
   }
 }
 
@@ -87,7 +100,7 @@ bool add_point_trace(const Study& whole, bool is_map, Place place, std::size_t s
   if (!trace) return false;
   out->traces.push_back(*std::move(trace));
   out->labels.push_back(label_of(*whole.model, place));
-  add_names(*whole.model, place, &out->placed);
+  add_names(whole, place, &out->placed);
   return true;
 }
 

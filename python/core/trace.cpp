@@ -6,6 +6,7 @@
 #include "core/session.hpp"
 #include "model/version.hpp"
 #include "point/point_trace.hpp"
+#include "study/draft.hpp"
 
 namespace gearsweep::python {
 namespace {
@@ -19,11 +20,12 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
                 const std::string& device, const std::string& call) {
   SweepOptions options = session->options_for(device);
   const std::vector<std::string> overrides = trace_overrides(settle, record);
-  Study whole = overrides.empty() ? study : read_study(study.toml, "study", overrides);
+  Study whole =
+      one_point_of(overrides.empty() ? study : read_draft(study.toml, "study", overrides));
   settle_step(pilot_step, &whole);
   std::vector<Place> places;
   for (const NamedValues& point : points) {
-    places.push_back(find_place(*whole.model, named(point), ""));
+    places.push_back(find_place(whole, named(point), ""));
   }
   PointTraces found;
   run_in_background([&](const std::atomic<bool>& stop) {

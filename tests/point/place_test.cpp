@@ -24,7 +24,7 @@ Study whole_study(const std::string& more = "") {
 std::string refusal(const std::vector<NamedValue>& values, const std::string& origin) {
   Study study = whole_study();
   try {
-    Place place = find_place(*study.model, values, origin);
+    Place place = find_place(study, values, origin);
     snap(study, true, &place);
     place_parameters(place, &study);
   } catch (const InputError& error) {
@@ -60,7 +60,7 @@ TEST(Place, OfAMapIsItsNearestPoint) {
   const Study plain = whole_study();
   const Study chain = whole_study("[initial]\npolicy = 'forward'\nalong = 'omega'\n");
   const auto label = [](const Study& study, bool is_map) {
-    Place place = find_place(*study.model, {{"omega", 0.71}, {"b", 0.6}, {"zeta", 0.03}}, "");
+    Place place = find_place(study, {{"omega", 0.71}, {"b", 0.6}, {"zeta", 0.03}}, "");
     snap(study, is_map, &place);
     return label_of(*study.model, place);
   };

@@ -19,7 +19,7 @@ Study pendulum() {
 }
 
 OrbitRequest request(const Study& study, double from, double to) {
-  return {.place = find_place(*study.model, {{"damping", 0.745}}, ""),
+  return {.place = find_place(study, {{"damping", 0.745}}, ""),
           .range = find_range(*study.model, "damping", from, to, "along"),
           .range_origin = "along",
           .period = {},

@@ -35,7 +35,7 @@ std::string refusal_of(const Call& call) {
   }
   return "accepted";
 }
-std::string refusal(const std::string& text) {
+std::string refusal_of_table(const std::string& text) {
   return refusal_of([&] { points(text); });
 }
 
@@ -128,7 +128,8 @@ TEST(TableFile, IsRefusedWithTheLine) {
       {"0 1\n1 \x1b[31m\xff\n", "m.csv:2: '?[31m?' is not a number"},
       {"0 1\n1 " + std::string(1000, 'x'), "m.csv:2: '" + std::string(30, 'x') + "...' is not"}};
   for (const Case& wrong : cases) {
-    EXPECT_THAT(refusal(wrong.text), StartsWith(wrong.message)) << wrong.text.substr(0, 50);
+    EXPECT_THAT(refusal_of_table(wrong.text), StartsWith(wrong.message))
+        << wrong.text.substr(0, 50);
   }
 }
 

@@ -17,7 +17,8 @@ const char* const kStudy =
     "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 2.0\ncount = 5\n"
     "[[axes]]\nname = 'b'\nvalues = [0.1, 0.7, 1.5]\n";
 
-std::string refusal(const std::vector<std::string>& zooms, const std::string& study = kStudy) {
+std::string refusal_of_zooms(const std::vector<std::string>& zooms,
+                             const std::string& study = kStudy) {
   return gearsweep::testing::refusal(study, {}, zooms);
 }
 
@@ -42,8 +43,9 @@ TEST(Zoom, ACountMayBeGivenAndTheStretchMayBeOutside) {
 // One value in its place would be a map that nobody asked for.
 TEST(Zoom, AnAxisWithoutACountOrWithAWrongOneIsRefusedAsEver) {
   const std::string axis = "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 2.0\n";
-  EXPECT_THAT(refusal({"omega=1:2"}, axis), HasSubstr("axis 'omega' needs from, to and count"));
-  EXPECT_THAT(refusal({"omega=1:2"}, axis + "count = 'x'\n"),
+  EXPECT_THAT(refusal_of_zooms({"omega=1:2"}, axis),
+              HasSubstr("axis 'omega' needs from, to and count"));
+  EXPECT_THAT(refusal_of_zooms({"omega=1:2"}, axis + "count = 'x'\n"),
               HasSubstr("s.toml:5: axis 'omega': count must be"));
   EXPECT_EQ(read_study(axis + "count = 'x'\n", "s.toml", {}, {"omega=1:2:3"}).points(), 3U);
 }
@@ -69,22 +71,23 @@ TEST(Zoom, AChainThatBeginsElsewhereIsToldOf) {
 }
 
 TEST(Zoom, WhatIsNoStretchIsRefused) {
-  EXPECT_THAT(refusal({"omega=1:2", "omega=1:3"}),
+  EXPECT_THAT(refusal_of_zooms({"omega=1:2", "omega=1:3"}),
               HasSubstr("--zoom omega=1:3: axis 'omega' is zoomed twice"));
-  EXPECT_THAT(refusal({"omga=1:2"}),
+  EXPECT_THAT(refusal_of_zooms({"omga=1:2"}),
               AllOf(HasSubstr("--zoom omga=1:2: the study has no axis 'omga'"),
                     HasSubstr("did you mean 'omega'?")));
-  EXPECT_THAT(refusal({"mu=0:0.1"}), HasSubstr("no axis 'mu'"));
-  EXPECT_THAT(refusal({"omega=2:1"}), HasSubstr("1 is not greater than 2"));
-  EXPECT_THAT(refusal({"omega=1:1"}), HasSubstr("1 is not greater than 1"));
-  EXPECT_THAT(refusal({"omega=1:2:0"}), HasSubstr("count = 0; at least 1 is needed"));
-  EXPECT_THAT(refusal({"omega=1:2:-3"}), HasSubstr("at least 1 is needed"));
-  EXPECT_THAT(refusal({"omega=1:2:2000000"}), HasSubstr("at most 1000000"));
-  EXPECT_THAT(refusal({"omega=-1:2"}), HasSubstr("--zoom omega=-1:2: from = -1 is out of range"));
+  EXPECT_THAT(refusal_of_zooms({"mu=0:0.1"}), HasSubstr("no axis 'mu'"));
+  EXPECT_THAT(refusal_of_zooms({"omega=2:1"}), HasSubstr("1 is not greater than 2"));
+  EXPECT_THAT(refusal_of_zooms({"omega=1:1"}), HasSubstr("1 is not greater than 1"));
+  EXPECT_THAT(refusal_of_zooms({"omega=1:2:0"}), HasSubstr("count = 0; at least 1 is needed"));
+  EXPECT_THAT(refusal_of_zooms({"omega=1:2:-3"}), HasSubstr("at least 1 is needed"));
+  EXPECT_THAT(refusal_of_zooms({"omega=1:2:2000000"}), HasSubstr("at most 1000000"));
+  EXPECT_THAT(refusal_of_zooms({"omega=-1:2"}),
+              HasSubstr("--zoom omega=-1:2: from = -1 is out of range"));
   for (const char* wrong :
        {"omega", "omega=", "omega=1", "omega=1:", "omega=1:2:3:4", "omega=a:b", "omega=1:2:x",
         "omega=nan:2", "omega=1:inf", "omega=1:2:1.5", "omega=1 :2"}) {
-    EXPECT_THAT(refusal({wrong}), HasSubstr("expected AXIS=FROM:TO or AXIS=FROM:TO:COUNT"))
+    EXPECT_THAT(refusal_of_zooms({wrong}), HasSubstr("expected AXIS=FROM:TO or AXIS=FROM:TO:COUNT"))
         << wrong;
   }
 }

@@ -37,14 +37,14 @@ std::pair<std::string, std::string> split_assignment(const std::string& text,
 
 }  // namespace
 
-Place read_place(const Model& model, const std::vector<std::string>& at) {
+Place read_place(const Study& study, const std::vector<std::string>& at) {
   const std::string option = "--at";
   std::vector<NamedValue> values;
   for (const std::string& assignment : at) {
     const auto [name, text] = split_assignment(assignment, option, "omega=0.7");
     values.push_back({name, to_number(text, option)});
   }
-  return find_place(model, values, option);
+  return find_place(study, values, option);
 }
 
 FollowedRange read_range(const Model& model, const std::string& text) {

@@ -10,7 +10,7 @@
 namespace gearsweep {
 
 // at: "omega=0.7" each.
-Place read_place(const Model& model, const std::vector<std::string>& at);
+Place read_place(const Study& study, const std::vector<std::string>& at);
 
 // text: "omega=0.6:0.8".
 FollowedRange read_range(const Model& model, const std::string& text);
