@@ -27,6 +27,17 @@ const std::string& name_of(const Model& model, const Placed& placed) {
   return placed.is_state ? model.states[placed.index].name : model.parameters[placed.index].name;
 }
 
+// An axis that does not move, for a study without axes, whose only point is its own setting.
+Axis resting_axis(const Study& study) {
+  const ParameterInfo& info = study.model->parameters.front();
+  Axis axis;
+  axis.name = info.name;
+  axis.unit = info.unit;
+  axis.meaning = info.meaning;
+  axis.values = {study.setting.parameters.front()};
+  return axis;
+}
+
 [[noreturn]] void refuse_missing(const Axis& axis, const std::string& origin) {
   throw InputError(fmt::format("{} value for the study's axis '{}': add {}={}",
                                origin.empty() ? "there is no" : origin + " gives no", axis.name,
@@ -80,6 +91,7 @@ void place_parameters(const Place& place, Study* study) {
   for (const Placed& placed : place.values) {
     if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
   }
+  if (study->axes.empty()) study->axes.push_back(resting_axis(*study));
   for (Axis& axis : study->axes) {
     const auto given = std::find_if(place.values.begin(), place.values.end(),
                                     [&](const Placed& placed) { return is_swept(axis, placed); });
