@@ -43,7 +43,8 @@ Place find_place(const Study& study, const std::vector<NamedValue>& values,
 // Whether the axis sweeps what the value is of.
 bool is_swept(const Axis& axis, const Placed& placed);
 
-// Leaves each axis the one value that the place gives it, and sets the other parameters.
+// Leaves each axis the one value that the place gives it, and sets the other parameters. A study
+// without axes gets one that does not move: what computes wants one.
 void place_parameters(const Place& place, Study* study);
 
 // Puts the initial states of the place into the state that the study's policy gives the point.

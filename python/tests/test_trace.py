@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy
 import pytest
 import xarray
-from conftest import MAP, command, options_of
+from conftest import MAP, SMALL, command, options_of
 from test_errors import refusal
 from test_result import OF_THE_RUN, assert_same_attributes, assert_same_bits
 
@@ -53,6 +53,30 @@ def test_are_those_of_the_file(words, options, tmp_path):
     own = gearsweep.trace("coarse-map", at=POINTS, set=MAP, **options)
     assert_same_traces(own, other)
     assert own.sizes["trace"] == 2
+
+
+# Each shows something that the others do not have.
+STUDIES = {
+    "units of SI": ("table1-gear", {}, {"omega": 0.65, "mu": 0.1}),
+    "single precision": ("coarse-map", {"integrate.precision": "fp32"}, POINTS[0]),
+    "reference": ("coarse-map", {"integrate.engine": "reference"}, POINTS[0]),
+    "start": ("coarse-basins", {}, {"x1": 0.1, "v1": -0.2}),
+    "chain": ("hysteresis", {"axes.omega.count": 6}, None),
+    "no place": ("coarse-map", {"axes.omega.count": 1, "axes.e0.count": 1}, {}),
+}
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_of_each_kind_of_study_are_those_of_the_file(name, tmp_path):
+    study, changes, point = STUDIES[name]
+    changes = {**SMALL, **changes}
+    if point is None:  # inside the axes
+        axes = gearsweep.run(study, set=changes).coords
+        point = {axis: float(axes[axis].mean()) for axis in gearsweep.Study.read(study).axes}
+    places = at(point) if point else ()
+    other = traced_by_command(tmp_path / "t.nc", study, *places, *options_of(changes))
+    assert_same_traces(gearsweep.trace(study, at=[point], set=changes), other)
+    assert ("scale_to_SI" in other.x1.attrs) == (name == "units of SI")
 
 
 def test_of_a_map_are_its_nearest_points_with_its_steps(tmp_path):

@@ -59,6 +59,18 @@ TEST(PointOrbit, IsAloneWithoutARange) {
   EXPECT_EQ(line.start, 0U);
 }
 
+TEST(PointOrbit, OfAStudyWithoutAxesIsThatOfItsSetting) {
+  Study study = pendulum();
+  OrbitRequest asked = request(study, 0.74, 0.75);
+  asked.range.reset();
+  const OrbitFindings with = find_point_orbit(study, asked, {}).value();
+  study.axes.clear();
+  study.setting.parameters[asked.place.values.front().index] = 0.745;
+  asked.place.values.clear();
+  const OrbitFindings without = find_point_orbit(study, asked, {}).value();
+  EXPECT_EQ(with.orbit.state, without.orbit.state);
+}
+
 TEST(PointOrbit, IsNotFoundWhenItIsStopped) {
   const Study study = pendulum();
   const std::atomic<bool> stop = true;
