@@ -13,7 +13,4 @@ namespace gearsweep {
 Study read_draft(const std::string& text, const std::string& source,
                  const std::vector<std::string>& overrides = {}, const PointTable& points = {});
 
-// The draft, with an axis of one value where it has none: that of the first parameter.
-Study one_point_of(const Study& draft);
-
 }  // namespace gearsweep

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "study/draft.hpp"
-
 namespace gearsweep {
 namespace {
 
@@ -35,19 +33,6 @@ Axis Axis::at(const std::vector<std::size_t>& places) const {
   axis.values = chosen(values, places);
   for (Swept& column : axis.columns) column.values = chosen(column.values, places);
   return axis;
-}
-
-Study one_point_of(const Study& draft) {
-  Study study = draft;
-  if (!study.axes.empty()) return study;
-  const ParameterInfo& first = study.model->parameters.front();
-  Axis axis;
-  axis.name = first.name;
-  axis.unit = first.unit;
-  axis.meaning = first.meaning;
-  axis.values = {study.setting.parameters.front()};
-  study.axes.push_back(std::move(axis));
-  return study;
 }
 
 std::size_t Study::points() const {

@@ -9,7 +9,6 @@
 #include "model/version.hpp"
 #include "point/point_orbit.hpp"
 #include "result/orbit_dataset.hpp"
-#include "study/draft.hpp"
 
 namespace gearsweep::python {
 namespace {
@@ -19,11 +18,10 @@ namespace py = pybind11;
 using Along = std::tuple<std::string, double, double>;  // parameter, from, to
 
 // The dataset.
-py::tuple floquet(Session* session, const Study& draft, const NamedValues& place,
+py::tuple floquet(Session* session, const Study& study, const NamedValues& place,
                   const std::optional<Along>& along, std::optional<std::size_t> period,
                   std::optional<std::size_t> steps, const std::string& device,
                   const std::string& call) {
-  const Study study = one_point_of(draft);
   SweepOptions options = session->options_for(device);
   OrbitRequest request = {.place = find_place(study, named(place), ""),
                           .range = {},

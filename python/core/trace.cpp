@@ -20,8 +20,7 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
                 const std::string& device, const std::string& call) {
   SweepOptions options = session->options_for(device);
   const std::vector<std::string> overrides = trace_overrides(settle, record);
-  Study whole =
-      one_point_of(overrides.empty() ? study : read_draft(study.toml, "study", overrides));
+  Study whole = overrides.empty() ? study : read_draft(study.toml, "study", overrides);
   settle_step(pilot_step, &whole);
   std::vector<Place> places;
   for (const NamedValues& point : points) {
