@@ -43,8 +43,9 @@ def describe() -> str:
         return str(refusal)
 
 
-# Mistakes, which mypy finds; that it would not find one is an error of its own.
-gs.run(3)  # type: ignore[arg-type]
-gs.run("coarse-map", progress=3)  # type: ignore[arg-type]
-gs.run("coarse-map", engine="opencl")  # type: ignore[call-arg]
-gs.Study.read("coarse-map").toml = "mine"  # type: ignore[misc]
+def mistakes() -> None:
+    """Mypy finds each of these; where it does not, the comment is an error of its own."""
+    gs.run(3)  # type: ignore[arg-type]
+    gs.run("coarse-map", progress=3)  # type: ignore[arg-type]
+    gs.run("coarse-map", engine="opencl")  # type: ignore[call-arg]
+    gs.Study.read("coarse-map").toml = "mine"  # type: ignore[misc]
