@@ -54,10 +54,11 @@ def look_closer(maps: xarray.Dataset) -> bool:
     return verification.passed
 
 
-# Mistakes, which mypy finds; that it would not find one is an error of its own.
-gs.run(3)  # type: ignore[arg-type]
-gs.run("coarse-map", progress=3)  # type: ignore[arg-type]
-gs.run("coarse-map", engine="opencl")  # type: ignore[call-arg]
-gs.trace("coarse-map", omega="fast")  # type: ignore[arg-type]
-gs.floquet("coarse-map", along="omega")  # type: ignore[arg-type]
-gs.Study.read("coarse-map").toml = "mine"  # type: ignore[misc]
+def mistakes() -> None:
+    """Mypy finds each of these; where it does not, the comment is an error of its own."""
+    gs.run(3)  # type: ignore[arg-type]
+    gs.run("coarse-map", progress=3)  # type: ignore[arg-type]
+    gs.run("coarse-map", engine="opencl")  # type: ignore[call-arg]
+    gs.trace("coarse-map", omega="fast")  # type: ignore[arg-type]
+    gs.floquet("coarse-map", along="omega")  # type: ignore[arg-type]
+    gs.Study.read("coarse-map").toml = "mine"  # type: ignore[misc]
