@@ -173,7 +173,7 @@ class Study:
 
     @property
     def axes(self) -> dict[str, int]:
-        """The number of values of each axis; the first changes fastest. None of them without axes."""
+        """The number of values of each axis; the first changes fastest. Empty without axes."""
         return dict(zip(self._core.axis_names, self._core.axis_counts, strict=True))
 
     def set(self, changes: Mapping[str, Any]) -> Study:
@@ -212,6 +212,8 @@ class Study:
         >>> Study.gear5().sweep(zeta=(0.01, 0.1, 20, "log")).axes
         {'zeta': 20}
         """
+        if not axes:
+            raise InputError("sweep: give one or two axes, as in sweep(omega=(0.4, 2.0, 100))")
         return self.set({"axes": [_axis(name, values) for name, values in axes.items()]})
 
     def points(self, points: Any) -> Study:
@@ -267,7 +269,7 @@ class Study:
         """
         named = list(quantities)
         if poincare is not None:
-            keys["poincare"] = [poincare] if isinstance(poincare, str) else list(poincare)
+            keys["poincare"] = [poincare] if isinstance(poincare, str) else poincare
             named += [] if "poincare" in named else ["poincare"]
         return self.set({"observe": {"quantities": named, **keys}})
 
@@ -399,7 +401,7 @@ def _axis(name: str, values: Any) -> dict[str, Any]:
             f"numbers, not {values!r}"
         ) from None
     if numbers.ndim > 1:
-        raise InputError(f"axis {name!r}: expected a list of numbers, not the shape {numbers.shape}")
+        raise InputError(f"axis {name!r}: expected a list of numbers, not of shape {numbers.shape}")
     return {"name": name, "values": numbers}
 
 

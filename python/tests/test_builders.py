@@ -113,7 +113,8 @@ def test_samples_need_not_be_named_twice():
     sampled = Study.gear5().observe("x1_rms", poincare=["x1", "v1"])
     assert sampled == Study.gear5().observe("x1_rms", "poincare", poincare=["x1", "v1"])
     assert "quantities = [ 'x1_rms', 'poincare' ]" in sampled.toml
-    assert Study.gear5().observe(poincare="x1") == Study.gear5().observe("poincare", poincare=["x1"])
+    alone = Study.gear5().observe("poincare", poincare=["x1"])
+    assert Study.gear5().observe(poincare="x1") == alone
 
 
 def test_a_list_fills_numbered_parameters():
@@ -162,18 +163,20 @@ def test_a_chain_may_be_named_before_its_axis():
         (lambda: Study.gear5(mu="high"), "mu must be a number"),
         (lambda: Study.gear5(backlash=3), "backlash must be a string"),
         (lambda: Study.gear5().sweep(omga=[1.0]), "did you mean 'omega'?"),
-        (lambda: Study.gear5().sweep(), "axes must be tables"),
+        (lambda: Study.gear5().sweep(), "give one or two axes"),
         (lambda: Study.gear5().sweep(omega=[1], b=[1], mu=[0]), "a map has one or two"),
         (lambda: Study.gear5().sweep(omega=(0.4, 1.0, 2.0)), "count must be a whole number"),
         (lambda: Study.gear5().sweep(omega=(1, 2, 3, "cubic")), "expected (from, to, count)"),
         (lambda: Study.gear5().sweep(omega="all"), "expected (from, to, count)"),
         (lambda: Study.gear5().sweep(omega=None), "must be finite"),
-        (lambda: Study.gear5().sweep(omega=[[1.0, 2.0]]), "not the shape (1, 2)"),
+        (lambda: Study.gear5().sweep(omega=[[1.0, 2.0]]), "not of shape (1, 2)"),
         (lambda: Study.gear5().sweep(omega=[]), "has no values"),
         (lambda: Study.gear5().sweep(omega=[1.0, numpy.nan]), "must be finite"),
         (lambda: Study.gear5().sweep(omega=[2.0, 1.0]), "must increase"),
         (lambda: Study.gear5().observe("x1_rm"), "did you mean 'x1_rms'?"),
         (lambda: Study.gear5().observe(), "observe.quantities is empty"),
+        (lambda: Study.gear5().observe(poincare=3), "must be a list of strings"),
+        (lambda: Study.gear5().observe(poincare={"x1"}), "no values of the type set"),
         (lambda: Study.gear5().initial(polcy="fixed"), "did you mean 'policy'?"),
         (lambda: Study.gear5().integrate(setle=3), "did you mean 'settle'?"),
         (lambda: Study(None), "not of the type NoneType"),
