@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, module) {
   gearsweep::python::add_errors(&module);
   gearsweep::python::add_study(&module);
   gearsweep::python::add_model(&module);
+  gearsweep::python::add_picture(&module);
   gearsweep::python::add_session(&module);
   module.def("version", &gearsweep::version);
 }

@@ -10,6 +10,8 @@ void add_errors(pybind11::module_* module);
 // Study, and what is built in: studies and models.
 void add_study(pybind11::module_* module);
 void add_model(pybind11::module_* module);
+// What accessors of results need: units of SI, and the colours and labels of pictures.
+void add_picture(pybind11::module_* module);
 // Session: devices, and runs on them.
 void add_session(pybind11::module_* module);
 

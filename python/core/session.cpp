@@ -61,6 +61,14 @@ void wait_for(BackgroundSweep* sweep, const py::object& progress) {
   }
 }
 
+// A draft is what Python builds studies from.
+void ensure_whole(const Study& study) {
+  if (!study.axes.empty()) return;
+  throw InputError(
+      "the study has no axes, so there is nothing to sweep; give it one or two, as in "
+      "study.sweep(omega=(0.4, 2.0, 100))");
+}
+
 // What the arrays take, those of the file and those that xarray makes of them.
 DeliveryEstimate delivery_of(const Study& study, const Provenance& provenance) {
   constexpr double kCopies = 3.0;
@@ -70,6 +78,7 @@ DeliveryEstimate delivery_of(const Study& study, const Provenance& provenance) {
 // The dataset, and what went wrong meanwhile.
 py::tuple run(Session* session, const Study& study, const std::string& device,
               const std::string& journal, const std::string& call, const py::object& progress) {
+  ensure_whole(study);
   session->enter();
   const Provenance provenance = {call, version(), source_hash()};
   SweepOptions options;

@@ -3,33 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any
 
 import numpy
 import xarray
 from xarray.backends import InMemoryDataStore
 
 from gearsweep._errors import InputError
+from gearsweep._flags import flags_of
+from gearsweep._progress import Watch, watched
 from gearsweep._session import SESSION
 from gearsweep._study import Study, study_of
 from gearsweep._warning import warn
-
-
-class Progress(NamedTuple):
-    """How far a run is: share of the work from 0 to 1, points, and seconds since it began."""
-
-    share: float
-    points_done: int
-    points: int
-    seconds: float
 
 
 def run(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,
     set: Mapping[str, Any] | None = None,
-    progress: Callable[[Progress], object] | None = None,
+    progress: Watch = True,
     journal: str | os.PathLike[str] | None = None,
     device: int | str | None = None,
 ) -> xarray.Dataset:
@@ -42,9 +35,10 @@ def run(
         Dataset of an earlier run.
     set : mapping of str to object, optional
         Changes of the study, such as ``{"parameters.mu": 0, "axes.omega.count": 100}``.
-    progress : callable, optional
-        Called with a `Progress` now and then, by the thread that called `run`. What it raises
-        stops the run.
+    progress : bool, callable or None, optional
+        True, the default: a bar in terminals and notebooks where tqdm is installed. None or False:
+        nothing. A function is called with a `Progress` now and then, by the thread that called
+        `run`; what it raises stops the run.
     journal : path, optional
         Where finished parts are kept until all are there. A run with the same study and journal
         goes on where an interrupted one ended.
@@ -64,24 +58,49 @@ def run(
         A device or a disk failed.
     KeyboardInterrupt
         After Ctrl-C, once the running round is over. A journal keeps what is finished.
+
+    Warns
+    -----
+    RuntimeWarning
+        Some points failed; the message says how many.
+
+    Examples
+    --------
+    >>> study = Study.of("duffing").sweep(omega=(0.5, 1.5, 3)).observe("x_rms")
+    >>> maps = run(study.integrate(settle=20, record=10))
+    >>> dict(maps.x_rms.sizes)
+    {'omega': 3}
     """
-    if progress is not None and not callable(progress):
-        raise InputError("progress: expected a function that takes a Progress")
     asked = study_of(study, set)
-    tell = None if progress is None else lambda *news: progress(Progress(*news))
-    described, troubles = SESSION.run(
-        study=asked._core,
-        device=_devices(device),
-        journal="" if journal is None else os.fspath(journal),
-        call=_call(study, set),
-        progress=tell,
-    )
+    with watched(progress) as tell:
+        described, troubles = SESSION.run(
+            study=asked._core,
+            device=_devices(device),
+            journal="" if journal is None else os.fspath(journal),
+            call=_call(study, set),
+            progress=tell,
+        )
     for trouble in troubles:
         warn(trouble)
     made = _dataset(*described)
-    if made.status.values.all():
-        warn("every point failed; the maps are empty")
+    _warn_of_failures(made.status)
     return made
+
+
+def _warn_of_failures(status: xarray.DataArray) -> None:
+    points = status.size
+    failures = [
+        f"{name} at {count} of {points} points"
+        for code, name in flags_of(status).items()
+        if code != 0 and (count := int((status.values == code).sum()))
+    ]
+    if not failures:
+        return
+    said = ", ".join(failures)
+    if status.values.all():
+        warn(f"every point failed; the maps are empty ({said})")
+    else:
+        warn(f"{said}: these have no values, and 'status' tells which they are")
 
 
 def _devices(device: int | str | None) -> str:

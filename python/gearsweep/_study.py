@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy
 import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
+from gearsweep._model import Model
+from gearsweep._model import model as builtin_model
 from gearsweep._value import assignments
 from gearsweep._warning import warn
 
@@ -18,25 +21,111 @@ if TYPE_CHECKING:
     from typing import Self
 
 
+# A study that says nothing: read_draft takes no empty text.
+_NOTHING = "[model]\n"
+
+
 class Study:
     """What to compute: a model, its parameters, axes, and what to observe. It never changes.
 
+    Each of its functions that names something makes another study. A study needs no axes until it
+    is run.
+
     Parameters
     ----------
-    text : str
-        The study as TOML.
+    source : str or Model
+        The study as TOML; or a model, which is then swept.
 
     Raises
     ------
     InputError
         The text is no study; the message says where and what would be right.
+
+    Examples
+    --------
+    >>> study = Study.gear5(preset="coarse", mu=0.05).sweep(omega=(0.4, 2.0, 64), b=[0.6, 1.0])
+    >>> study.observe("x1_rms", "dmf_max")
+    <gearsweep.Study: gear5 over 64 values of omega, 2 values of b>
+    >>> print(study.integrate(record=50))
+    [model]
+    name = 'gear5'
+    preset = 'coarse'
+    <BLANKLINE>
+    [parameters]
+    mu = 0.05
+    <BLANKLINE>
+    [[axes]]
+    name = 'omega'
+    from = 0.4
+    to = 2.0
+    count = 64
+    <BLANKLINE>
+    [[axes]]
+    name = 'b'
+    values = [ 0.6, 1.0 ]
+    <BLANKLINE>
+    [integrate]
+    record = 50
+    <BLANKLINE>
     """
 
     __slots__ = ("_core",)
     _core: _core.Study
 
-    def __init__(self, text: str) -> None:
-        self._take(_core.read_study(_text(text), "study", []))
+    def __init__(self, source: str | Model) -> None:
+        if isinstance(source, Model):
+            self._take(Study.of(source)._core)
+        else:
+            self._take(_core.read_draft(_text(source), "study", []))
+
+    @classmethod
+    def of(cls, model: str | Model, /, preset: str | None = None, **settings: Any) -> Study:
+        """A study of a model, without axes yet.
+
+        Parameters
+        ----------
+        model : str or Model
+            The name of a built-in model, or a `Model`.
+        preset : str, optional
+            Values to start from; the model's first without one.
+        **settings : number, list or str
+            Parameters and options of the model, as `parameters` takes them.
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> Study.of("duffing", preset="two_well", damping=0.1)
+        <gearsweep.Study: duffing, without axes>
+        """
+        used = model if isinstance(model, Model) else builtin_model(model)
+        table = used._settings() | ({} if preset is None else {"preset": preset})
+        assigned = assignments({f"model.{key}": value for key, value in table.items()})
+        return cls._of(_core.read_draft(_NOTHING, "study", assigned)).parameters(**settings)
+
+    @classmethod
+    def gear5(cls, preset: str | None = None, **settings: Any) -> Study:
+        """A study of the geared rotor-bearing pair, as `of` makes it.
+
+        Parameters
+        ----------
+        preset : str, optional
+            One of ``gearsweep.model("gear5").presets``.
+        **settings : number, list or str
+            Parameters and options of ``gearsweep.model("gear5")``.
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> Study.gear5(preset="coarse", mu=0.05, stiffness="rectangular")
+        <gearsweep.Study: gear5, without axes>
+        """
+        return cls.of("gear5", preset, **settings)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Self:
@@ -81,7 +170,7 @@ class Study:
 
     @property
     def axes(self) -> dict[str, int]:
-        """The number of values of each axis; the first changes fastest."""
+        """The number of values of each axis; the first changes fastest. None of them without axes."""
         return dict(zip(self._core.axis_names, self._core.axis_counts, strict=True))
 
     def set(self, changes: Mapping[str, Any]) -> Study:
@@ -96,7 +185,133 @@ class Study:
         -------
         Study
         """
-        return Study._of(_core.read_study(self.toml, "study", assignments(changes)))
+        return Study._of(_core.read_draft(self.toml, "study", assignments(changes)))
+
+    def sweep(self, **axes: Any) -> Study:
+        """Make a study with these axes in place of those it had.
+
+        Parameters
+        ----------
+        **axes : tuple or array_like
+            One or two parameters of the model, or states: then the initial value is swept. The
+            first is x. ``(0.4, 2.0, 640)`` are 640 values from 0.4 to 2.0,
+            ``(0.1, 10, 50, "log")`` the same with even ratios; anything else is the values
+            themselves, which increase.
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> Study.gear5().sweep(omega=(0.4, 2.0, 640), b=[0.5, 0.7, 1.0]).axes
+        {'omega': 640, 'b': 3}
+        >>> Study.gear5().sweep(zeta=(0.01, 0.1, 20, "log")).axes
+        {'zeta': 20}
+        """
+        return self.set({"axes": [_axis(name, values) for name, values in axes.items()]})
+
+    def observe(
+        self, *quantities: str, poincare: Sequence[str] | None = None, **keys: Any
+    ) -> Study:
+        """Make a study with these maps in place of those it had.
+
+        Parameters
+        ----------
+        *quantities : str
+            What becomes a map; ``gearsweep model NAME`` lists them.
+        poincare : sequence of str, optional
+            States to sample at phase 0 of each recorded period, for the quantity ``poincare``,
+            which then need not be named.
+        **keys : number
+            Other keys of ``[observe]``: ``period_tolerance``.
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> study = Study.gear5().sweep(omega=(0.4, 2.0, 640)).observe("x1_rms", poincare=["x1"])
+        >>> "quantities = [ 'x1_rms', 'poincare' ]" in study.toml
+        True
+        """
+        named = list(quantities)
+        if poincare is not None:
+            keys["poincare"] = [poincare] if isinstance(poincare, str) else list(poincare)
+            named += [] if "poincare" in named else ["poincare"]
+        return self.set({"observe": {"quantities": named, **keys}})
+
+    def parameters(self, **settings: Any) -> Study:
+        """Make a study with other values of parameters and options.
+
+        Parameters
+        ----------
+        **settings : number, list or str
+            Parameters of the model with numbers, and options with their choices. A list fills
+            ``kappa``, ``kappa_2``, ...
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> "mu = 0.1" in Study.gear5().parameters(mu=0.1, backlash="dynamic").toml
+        True
+        """
+        options = self._core.option_names
+        parameters = self._core.parameter_names
+
+        def table(name: str, value: Any) -> str:
+            is_option = name in options or (isinstance(value, str) and name not in parameters)
+            return "model" if is_option else "parameters"
+
+        return self.set({f"{table(name, value)}.{name}": value for name, value in settings.items()})
+
+    def initial(self, **keys: Any) -> Study:
+        """Make a study whose points start otherwise.
+
+        Parameters
+        ----------
+        **keys : str, number or mapping
+            Keys of ``[initial]``: ``policy``, ``state``, ``along``, ``ensemble``, ``seed``,
+            ``spread``.
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> study = Study.gear5().initial(policy="fixed", state={"x1": 0.2})
+        >>> "x1 = 0.2" in study.toml
+        True
+        """
+        return self._with("initial", keys)
+
+    def integrate(self, **keys: Any) -> Study:
+        """Make a study that is integrated otherwise.
+
+        Parameters
+        ----------
+        **keys : number, str or bool
+            Keys of ``[integrate]``: ``settle`` and ``record`` (periods), ``precision``,
+            ``tolerance``, ``max_step``, ...
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> "settle = 200" in Study.gear5().integrate(settle=200, record=50).toml
+        True
+        """
+        return self._with("integrate", keys)
+
+    def _with(self, table: str, keys: Mapping[str, Any]) -> Study:
+        return self.set({f"{table}.{key}": value for key, value in keys.items()})
 
     def run(self, **options: Any) -> xarray.Dataset:
         """Compute it, as `gearsweep.run` does with the same options."""
@@ -123,9 +338,12 @@ class Study:
         return self.toml
 
     def __repr__(self) -> str:
-        return f"<gearsweep.Study {self.title!r}: {self._summary()}>"
+        title = f" {self.title!r}" if self.title else ""
+        return f"<gearsweep.Study{title}: {self._summary()}>"
 
     def _summary(self) -> str:
+        if not self.axes:
+            return f"{self.model}, without axes"
         axes = ", ".join(f"{count} values of {name}" for name, count in self.axes.items())
         return f"{self.model} over {axes}"
 
@@ -134,6 +352,24 @@ class Study:
         return (
             f"<details><summary>{head}</summary><pre>{html.escape(self.toml)}</pre></details>"
         )
+
+
+def _axis(name: str, values: Any) -> dict[str, Any]:
+    """An axis as a table of a study."""
+    is_range = isinstance(values, tuple) and len(values) in (3, 4)
+    if is_range and (len(values) == 3 or values[3] in ("log", "linear")):
+        axis = {"name": name, **dict(zip(("from", "to", "count"), values, strict=False))}
+        return axis | ({"scale": values[3]} if len(values) == 4 else {})
+    try:
+        numbers = numpy.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(
+            f"axis {name!r}: expected (from, to, count), (from, to, count, 'log') or an array of "
+            f"numbers, not {values!r}"
+        ) from None
+    if numbers.ndim > 1:
+        raise InputError(f"axis {name!r}: expected a list of numbers, not the shape {numbers.shape}")
+    return {"name": name, "values": numbers}
 
 
 def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:

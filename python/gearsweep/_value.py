@@ -1,4 +1,4 @@
-"""Values of Python as a study writes them."""
+"""Values of Python as a study or a model writes them: TOML."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ from gearsweep._errors import InputError
 
 # Words that a study takes without quotes, and that its messages then show as they were given.
 _WORD = re.compile(r"(?!(?:true|false|inf|nan)\Z)[A-Za-z][A-Za-z0-9_-]*\Z")
+# Keys that TOML takes without quotes.
+_KEY = re.compile(r"[A-Za-z0-9_-]+\Z")
 
 
 def assignments(changes: Mapping[str, Any] | None) -> list[str]:
@@ -32,7 +34,43 @@ def assignments(changes: Mapping[str, Any] | None) -> list[str]:
         return []
     if not isinstance(changes, Mapping):
         raise InputError("set: expected a dict such as {'integrate.record': 20}")
-    return [f"{_path(path)}={_toml(value, str(path))}" for path, value in changes.items()]
+    return [f"{_path(path)}={_word(value, path)}" for path, value in changes.items()]
+
+
+def toml_key(key: str) -> str:
+    """A key, in quotes where it needs them."""
+    return key if _KEY.match(key) else json.dumps(key, ensure_ascii=False)
+
+
+def toml_value(value: Any, place: str) -> str:
+    """A value.
+
+    Parameters
+    ----------
+    value : bool, number, str, array, list or mapping
+        What is written.
+    place : str
+        Where it belongs, for messages.
+
+    Returns
+    -------
+    str
+        TOML.
+    """
+    if isinstance(value, numpy.ndarray | numpy.generic):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, int | float):
+        return repr(value)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(toml_value(item, place) for item in value) + "]"
+    if isinstance(value, Mapping):
+        items = (f"{toml_key(str(key))} = {toml_value(item, place)}" for key, item in value.items())
+        return "{ " + ", ".join(items) + " }" if value else "{}"
+    raise InputError(f"{place}: there are no values of the type {type(value).__name__}")
 
 
 def _path(path: Any) -> str:
@@ -41,24 +79,6 @@ def _path(path: Any) -> str:
     return path
 
 
-def _toml(value: Any, path: str) -> str:
-    if isinstance(value, numpy.ndarray | numpy.generic):
-        value = value.tolist()
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, int | float):
-        return repr(value)
-    if isinstance(value, str):
-        return value if _WORD.match(value) else json.dumps(value, ensure_ascii=False)
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(_quoted(item, path) for item in value) + "]"
-    if isinstance(value, Mapping):
-        items = (f"{json.dumps(str(key))} = {_quoted(item, path)}" for key, item in value.items())
-        return "{" + ", ".join(items) + "}"
-    raise InputError(f"--set {path}: a study has no values of the type {type(value).__name__}")
-
-
-def _quoted(value: Any, path: str) -> str:
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
-    return _toml(value, path)
+def _word(value: Any, path: str) -> str:
+    is_word = isinstance(value, str) and _WORD.match(value) is not None
+    return str(value) if is_word else toml_value(value, f"--set {path}")

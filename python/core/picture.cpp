@@ -1,0 +1,137 @@
+// What accessors of results need: units of SI, and the colours and labels of pictures.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parts.hpp"
+#include "model/names.hpp"
+#include "plot/classes.hpp"
+#include "plot/colours.hpp"
+#include "plot/labels.hpp"
+#include "plot/value_range.hpp"
+#include "result/si_units.hpp"
+
+namespace gearsweep::python {
+namespace {
+
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+std::vector<double> vector_of(const Numbers& numbers) {
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+// Of a Dataset's attributes; None without a [gear] table.
+std::optional<Scales> scales_in(const py::dict& attributes) {
+  const Scales scales = scales_of([&](const std::string& name) -> std::optional<double> {
+    const py::str key(name);
+    if (!attributes.contains(key)) return std::nullopt;
+    try {
+      return attributes[key].cast<double>();
+    } catch (const py::cast_error&) {
+      return std::nullopt;
+    }
+  });
+  return scales.known() ? std::optional(scales) : std::nullopt;
+}
+
+// (scale, unit, meaning of an axis in this unit), or None where the unit has none of SI.
+py::object shown(const std::string& unit, const Scales& scales) {
+  const SiUnit si = shown_unit(unit, scales);
+  if (si.scale <= 0.0) return py::none();
+  return py::make_tuple(si.scale, si.name, si.axis_meaning);
+}
+
+ResultMap map_of(const std::string& name, const std::vector<std::string>& flags,
+                 const Numbers& values) {
+  ResultMap map;
+  map.name = name;
+  map.flags = flags;
+  map.values = vector_of(values);
+  return map;
+}
+
+using Companion = std::optional<std::pair<std::vector<std::string>, Numbers>>;
+
+std::optional<ResultMap> map_of(const char* name, const Companion& companion) {
+  if (!companion) return std::nullopt;
+  return map_of(name, companion->first, companion->second);
+}
+
+// (index of each value, names, colours), or None of a map without classes. motion, contact: the
+// maps motion_class and contact_class of the same points, where they are known.
+py::object classes_of(const std::string& name, const std::vector<std::string>& flags,
+                      const Numbers& values, const Companion& motion, const Companion& contact) {
+  ResultMap map = map_of(name, flags, values);
+  const std::optional<ResultMap> motions = map_of("motion_class", motion);
+  const std::optional<ResultMap> contacts = map_of("contact_class", contact);
+  tell_classes_apart(motions ? &*motions : nullptr, contacts ? &*contacts : nullptr, &map);
+  const std::optional<MapClasses> classes = classes_in(map);
+  if (!classes) return py::none();
+  py::array_t<double> indices(values.size());
+  double* out = indices.mutable_data();
+  for (const double value : map.values) *out++ = classes->index_of(value);
+  return py::make_tuple(indices, classes->names, classes->colours);
+}
+
+py::list anchors_of(const std::string& name, double min, double max) {
+  ensure_colormap(name);
+  py::list anchors;
+  for (const ColourAnchor& anchor : colour_anchors(name, min, max)) {
+    anchors.append(py::make_tuple(anchor.place, anchor.colour));
+  }
+  return anchors;
+}
+
+py::tuple as_tuple(const ValueRange& range) {
+  return py::make_tuple(range.min, range.max, range.clipped);
+}
+
+// Ends that are not given follow the values.
+py::tuple colour_range_of(const Numbers& values, const std::optional<double>& min,
+                          const std::optional<double>& max, bool is_log) {
+  const std::vector<double> all = vector_of(values);
+  return as_tuple(scale_range(colour_range(all), all, {min, max}, is_log, "range"));
+}
+
+std::string axis_label_of(const std::string& name, const std::string& unit,
+                          const std::string& meaning) {
+  ResultAxis axis;
+  axis.name = name;
+  axis.unit = unit;
+  axis.meaning = meaning;
+  return axis_mathtext(axis);
+}
+
+}  // namespace
+
+void add_picture(py::module_* module) {
+  py::class_<Scales>(*module, "Scales");
+  module->def("scales_in", scales_in);
+  module->def("shown_unit", shown);
+  module->def("classes_of", classes_of);
+  module->def("usual_colormap", &usual_colormap);
+  module->def("colour_anchors", anchors_of);
+  module->def("colour_range", colour_range_of);
+  module->def("padded_range",
+              [](const Numbers& values) { return as_tuple(padded_range(vector_of(values))); });
+  module->def("suggest_name", [](const std::string& name, const std::vector<std::string>& known) {
+    return suggest_name(name, known);
+  });
+  module->def("axis_label", axis_label_of);
+  module->def("quantity_label", &quantity_mathtext);
+  module->def("literal_label", [](const std::string& text) { return literal_mathtext(text); });
+  module->def("typeset_label", [](const std::string& text) { return typeset_mathtext(text); });
+  module->attr("MISSING_COLOUR") = kMissingColour;
+  module->attr("MISSING_CLASS_COLOUR") = kMissingClassColour;
+  module->attr("FIRST_PART_COLOUR") = kFirstPartColour;
+  module->attr("OTHER_PARTS_COLOUR") = kOtherPartsColour;
+  module->attr("DOT_COLOUR") = dot_colour(0, 1);
+  module->attr("CURVE_COLOUR") = layer_colour(0);
+}
+
+}  // namespace gearsweep::python

@@ -1,0 +1,148 @@
+"""What people do next with a result: `maps.gear`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy
+import xarray
+
+from gearsweep._errors import InputError
+from gearsweep._flags import flags_of
+from gearsweep._si import in_si
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+
+_ATTRACTOR = "attractor_"
+
+
+@xarray.register_dataset_accessor("gear")
+class Gear:
+    """`maps.gear` of each Dataset: what people do next with a result.
+
+    Parameters
+    ----------
+    maps : Dataset
+        A result of `gearsweep.run`, or of ``xarray.open_dataset``.
+    """
+
+    def __init__(self, maps: xarray.Dataset) -> None:
+        self._maps = maps
+
+    def si(self) -> xarray.Dataset:
+        """Make the same result with coordinates and values in rpm, µm, mm/s, N, ...
+
+        Returns
+        -------
+        Dataset
+
+        Raises
+        ------
+        InputError
+            The study has no [gear] table, so its numbers have no scales.
+
+        Examples
+        --------
+        >>> import gearsweep
+        >>> small = {"axes.omega.count": 3, "integrate.settle": 10, "integrate.record": 5}
+        >>> maps = gearsweep.run("table1-gear", set=small)
+        >>> maps.omega.attrs["units"], maps.gear.si().omega.attrs["units"]
+        ('varpi', 'rpm')
+        """
+        return in_si(self._maps)
+
+    def at(self, **place: Any) -> xarray.Dataset:
+        """Trace the motion at a point of the result.
+
+        Parameters
+        ----------
+        **place : float
+            The place, such as ``omega=1.3, b=0.6``, in the units of the study; and options of
+            `gearsweep.trace`.
+
+        Returns
+        -------
+        Dataset
+            What `gearsweep.trace` returns.
+        """
+        from gearsweep import trace
+
+        return trace(self._maps, **place)
+
+    def plot(
+        self,
+        quantity: str | None = None,
+        *,
+        ax: matplotlib.axes.Axes | None = None,
+        colormap: str | None = None,
+        range: tuple[float | None, float | None] = (None, None),
+        log: bool = False,
+        title: str | None = None,
+    ) -> matplotlib.axes.Axes:
+        """Draw a quantity, in the colours and with the labels of ``gearsweep plot``.
+
+        Over two axes it is a heat map, over one a curve or a bifurcation diagram. To see one value
+        of an axis, select it: ``maps.sel(b=0.6, method="nearest").gear.plot("dmf_max")``.
+
+        Parameters
+        ----------
+        quantity : str, optional
+            A map of the result; ``"poincare:v1"`` is one of its states, ``"lyapunov_spectrum:1"``
+            one of its numbers. Without one the samples over one axis, else the first map.
+        ax : Axes, optional
+            Where to draw; a figure of its own without.
+        colormap : str, optional
+            Colours of a heat map, as ``gearsweep plot --colormap`` names them.
+        range : tuple of float, optional
+            Ends of the colours, or of the vertical axis; None follows the values.
+        log : bool, optional
+            Logarithmic colours, or a logarithmic vertical axis.
+        title : str, optional
+            In place of the study's; an empty one leaves out all that stands above the picture.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        InputError
+            The result has no such quantity.
+        """
+        from gearsweep._plot import draw
+
+        return draw(
+            self._maps, quantity, ax=ax, colormap=colormap, limits=range, is_log=log, title=title
+        )
+
+    @property
+    def attractors(self) -> xarray.Dataset:
+        """The attractors that the points reach, one row for each ``number``.
+
+        A Dataset, since it keeps the units; ``maps.gear.attractors.to_dataframe()`` is a table of
+        pandas.
+
+        Raises
+        ------
+        InputError
+            The study did not ask for the quantity ``attractor``.
+        """
+        names = [
+            name
+            for name, variable in self._maps.data_vars.items()
+            if variable.dims == (_ATTRACTOR + "number",)
+        ]
+        if not names:
+            raise InputError(
+                "the Dataset has no list of attractors; observe the quantity 'attractor'"
+            )
+        table = self._maps[names]
+        kinds = table[_ATTRACTOR + "motion_class"]
+        texts = [flags_of(kinds).get(int(code), "") for code in numpy.nan_to_num(kinds, nan=-1)]
+        table[_ATTRACTOR + "motion_class"] = kinds.dims, texts, {"long_name": "kind of motion"}
+        kept = [name for name in table.coords if name not in table.dims]
+        short = {name: str(name).removeprefix(_ATTRACTOR) for name in (*names, *table.dims)}
+        table = table.drop_vars(kept).rename(short)
+        table.attrs = {}
+        return table
