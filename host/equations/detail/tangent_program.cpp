@@ -104,7 +104,8 @@ class Builder {
     if (node.arguments.empty() || (is_sign && (*graph_)[node.arguments[0]].arguments.empty())) {
       return id;
     }
-    if (is_of_point(id)) return point_symbol(id);
+    // A point holds numbers: a condition is worked out from these.
+    if (is_of_point(id) && !is_condition(node.operation)) return point_symbol(id);
     if (node.operation == Operation::multiply) return prepared_product(id);
     if (is_sum(node)) {
       const NodeId collected = with_like_terms_together(id);
