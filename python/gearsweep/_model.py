@@ -236,7 +236,9 @@ class Model:
         raise AttributeError("a Model never changes; make another one")
 
     def __eq__(self, other: object) -> bool:
-        return self._key() == other._key() if isinstance(other, Model) else NotImplemented
+        if not isinstance(other, Model):
+            return NotImplemented
+        return self._key() == other._key()
 
     def __hash__(self) -> int:
         return hash(self._key())

@@ -359,10 +359,10 @@ def _edges(axis: xarray.DataArray) -> NDArray[Any]:
         half = numpy.array([0.05 if is_log else max(0.05 * abs(places[0]), 1e-3)])
     else:
         half = 0.5 * numpy.diff(places)
-    edges = numpy.concatenate(
+    edges: NDArray[Any] = numpy.concatenate(
         [places[:1] - half[:1], places[:-1] + half[: len(places) - 1], places[-1:] + half[-1:]]
     )
-    return numpy.power(10.0, edges) if is_log else edges
+    return numpy.asarray(10.0**edges) if is_log else edges
 
 
 def _label_axis(axis: Any, coordinate: xarray.DataArray) -> None:

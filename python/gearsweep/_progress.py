@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import Any, NamedTuple
 
 from gearsweep._errors import InputError
@@ -40,18 +40,19 @@ def watched(progress: Watch) -> Iterator[Callable[..., object] | None]:
     callable or None
         Takes the fields of a `Progress`.
     """
-    if callable(progress):
-        yield lambda *news: progress(Progress(*news))
-    elif progress is None or progress is False:
+    if progress is None or progress is False:
         yield None
-    elif progress is not True:
+    elif progress is True:
+        with _bar() as show:
+            yield show
+    elif callable(progress):
+        tell = progress
+        yield lambda *news: tell(Progress(*news))
+    else:
         raise InputError(
             "progress: expected True (a bar), None (nothing) or a function that takes a Progress, "
             f"not {progress!r}"
         )
-    else:
-        with _bar() as show:
-            yield show
 
 
 @contextmanager
@@ -61,11 +62,16 @@ def _bar() -> Iterator[Callable[..., object] | None]:
     if tqdm is None:
         yield None
         return
-    with tqdm(unit=" points", delay=_SECONDS_BEFORE_THE_BAR, leave=False, total=1) as bar:
+    with ExitStack() as at_end:
+        bar: Any = None
 
         def show(share: float, points_done: int, points: int, seconds: float) -> None:
+            nonlocal bar
+            if bar is None:
+                bar = at_end.enter_context(
+                    tqdm(total=points, unit=" points", delay=_SECONDS_BEFORE_THE_BAR, leave=False)
+                )
             # By the share of the work: points end in bunches.
-            bar.total = points
             bar.update(round(share * points) - bar.n)
 
         yield show

@@ -55,15 +55,15 @@ def _converted(
     if unit.startswith("see ") and listed is not None:
         factors = [_scale(str(one), scales) for one in listed.values.tolist()]
         factor = xarray.Variable(listed.dims, numpy.array(factors, dtype=variable.dtype))
-        changed = (variable * factor).transpose(*variable.dims)
-        changed.attrs.update(variable.attrs)
-        changed.encoding.update(variable.encoding)
-        return changed
+        product: xarray.Variable = (variable * factor).transpose(*variable.dims)
+        product.attrs.update(variable.attrs)
+        product.encoding.update(variable.encoding)
+        return product
     shown = _core.shown_unit(unit, scales)
     if shown is None:
         return None
     scale, name, axis_meaning = shown
-    changed = variable.copy(data=variable.values * scale)
+    changed: xarray.Variable = variable.copy(data=variable.values * scale)
     changed.attrs["units"] = name
     if is_axis and axis_meaning:
         changed.attrs["long_name"] = axis_meaning
@@ -77,7 +77,8 @@ def _renamed(variable: xarray.Variable, scales: _core.Scales) -> xarray.Variable
     units = [str(unit) for unit in variable.values.tolist()]
     shown = [_core.shown_unit(unit, scales) for unit in units]
     names = [one if si is None else si[1] for one, si in zip(units, shown, strict=True)]
-    return variable.copy(data=numpy.array(names, dtype=object))
+    renamed: xarray.Variable = variable.copy(data=numpy.array(names, dtype=object))
+    return renamed
 
 
 def _scale(unit: str, scales: _core.Scales) -> float:

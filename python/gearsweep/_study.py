@@ -170,7 +170,7 @@ class Study:
 
     @property
     def axes(self) -> dict[str, int]:
-        """The number of values of each axis; the first changes fastest. None of them without axes."""
+        """The number of values of each axis; the first changes fastest. Empty without axes."""
         return dict(zip(self._core.axis_names, self._core.axis_counts, strict=True))
 
     def set(self, changes: Mapping[str, Any]) -> Study:
@@ -368,7 +368,7 @@ def _axis(name: str, values: Any) -> dict[str, Any]:
             f"numbers, not {values!r}"
         ) from None
     if numbers.ndim > 1:
-        raise InputError(f"axis {name!r}: expected a list of numbers, not the shape {numbers.shape}")
+        raise InputError(f"axis {name!r}: expected a list of numbers, not of shape {numbers.shape}")
     return {"name": name, "values": numbers}
 
 

@@ -113,7 +113,8 @@ def test_samples_need_not_be_named_twice():
     sampled = Study.gear5().observe("x1_rms", poincare=["x1", "v1"])
     assert sampled == Study.gear5().observe("x1_rms", "poincare", poincare=["x1", "v1"])
     assert "quantities = [ 'x1_rms', 'poincare' ]" in sampled.toml
-    assert Study.gear5().observe(poincare="x1") == Study.gear5().observe("poincare", poincare=["x1"])
+    alone = Study.gear5().observe("poincare", poincare=["x1"])
+    assert Study.gear5().observe(poincare="x1") == alone
 
 
 def test_a_list_fills_numbered_parameters():
@@ -168,7 +169,7 @@ def test_a_chain_may_be_named_before_its_axis():
         (lambda: Study.gear5().sweep(omega=(1, 2, 3, "cubic")), "expected (from, to, count)"),
         (lambda: Study.gear5().sweep(omega="all"), "expected (from, to, count)"),
         (lambda: Study.gear5().sweep(omega=None), "must be finite"),
-        (lambda: Study.gear5().sweep(omega=[[1.0, 2.0]]), "not the shape (1, 2)"),
+        (lambda: Study.gear5().sweep(omega=[[1.0, 2.0]]), "not of shape (1, 2)"),
         (lambda: Study.gear5().sweep(omega=[]), "has no values"),
         (lambda: Study.gear5().sweep(omega=[1.0, numpy.nan]), "must be finite"),
         (lambda: Study.gear5().sweep(omega=[2.0, 1.0]), "must increase"),

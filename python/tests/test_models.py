@@ -15,6 +15,13 @@ from gearsweep import InputError, Model, Study
 STATES = {"x": "v", "v": "-2*zeta*v - backlash(x, b) + F*cos(phase)"}
 PARAMETERS = {"omega": 1.0, "zeta": 0.05, "b": 1.0, "F": 0.1}
 
+SWEEPS_THE_FILE = """
+[model]
+file = "model.toml"
+[[axes]]
+name = "omega"
+values = [0.5, 0.7]
+"""
 MESH = "# mesh.csv\nphase, stiffness\n0, 1.2\n2, 0.8\n4, 1.1\n"
 READS_A_TABLE = """
 [model]
@@ -59,7 +66,7 @@ def short() -> dict[str, int]:
 def test_its_text_is_a_file_of_the_command(oscillator, tmp_path, by_command):
     (tmp_path / "model.toml").write_text(oscillator.text)
     study = tmp_path / "study.toml"
-    study.write_text("[model]\nfile = 'model.toml'\n[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7]\n")
+    study.write_text(SWEEPS_THE_FILE)
     other = by_command(str(study), SMALL)
     own = Study(oscillator).sweep(omega=[0.5, 0.7]).integrate(**short()).run()
     xarray.testing.assert_equal(own, other)
@@ -118,9 +125,7 @@ def test_an_option_chooses_between_expressions():
 def test_tables_are_those_of_files(tmp_path):
     (tmp_path / "mesh.csv").write_text(MESH)
     (tmp_path / "model.toml").write_text(READS_A_TABLE)
-    (tmp_path / "study.toml").write_text(
-        "[model]\nfile = 'model.toml'\n[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7]\n"
-    )
+    (tmp_path / "study.toml").write_text(SWEEPS_THE_FILE)
     read = Model.read(tmp_path / "model.toml")
     own = Model(
         {"x": "v", "v": "F - 0.1*v - table('mesh.csv', phase)*backlash(x, b)"},
