@@ -55,6 +55,17 @@ TEST(StudyText, HasTablesInTheOrderOfTheManual) {
             "[observe]\nquantities = [ 'x1_rms' ]\n");
 }
 
+TEST(StudyText, KeepsEachLetter) {
+  for (const char* const text :
+       {"\\n\\nlines", "three ''' quotes", "'''\\nin lines", "ends\\nwith '", "a \\\" and a '",
+        "\\r\\n", "\\u007F and \\u0001", "C:\\\\u", "\\tü", ""}) {
+    const Study study = read_draft(std::string("title = \"") + text + "\"\n[model]\n", "s");
+    const Study again = read_draft(study.toml, "again");
+    EXPECT_EQ(again.title, study.title) << study.toml;
+    EXPECT_EQ(again.toml, study.toml);
+  }
+}
+
 TEST(StudyText, LongListsStandInLines) {
   std::string values;
   for (int i = 1; i <= 100; ++i) values += (i > 1 ? ", " : "") + std::to_string(i);

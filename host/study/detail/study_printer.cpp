@@ -14,7 +14,40 @@ namespace {
 
 constexpr std::size_t kColumns = 100;
 
+// With all that TOML gives a meaning to by its number or letter.
+std::string escaped(const std::string& text) {
+  std::string out = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\') {
+      out += std::string("\\") + letter;
+    } else if (letter == '\n') {
+      out += "\\n";
+    } else if (code < ' ' || code == 0x7F) {
+      out += fmt::format("\\u{:04X}", code);
+    } else {
+      out += letter;
+    }
+  }
+  return out + "\"";
+}
+
+// The TOML library's own printer loses a line end at the beginning, and fails at three quotes.
+std::string string_text(const std::string& text) {
+  const bool is_plain = std::all_of(text.begin(), text.end(), [](char letter) {
+    const auto code = static_cast<unsigned char>(letter);
+    return (code >= ' ' && code != 0x7F) || letter == '\n' || letter == '\t';
+  });
+  const bool has_lines = text.find('\n') != std::string::npos;
+  if (!is_plain || text.find(has_lines ? "'''" : "'") != std::string::npos ||
+      text.ends_with('\'')) {
+    return escaped(text);
+  }
+  return has_lines ? "'''\n" + text + "'''" : "'" + text + "'";
+}
+
 std::string text_of(const toml::node& node) {
+  if (const auto* text = node.as_string()) return string_text(text->get());
   std::ostringstream out;
   out << toml::node_view<const toml::node>(node);
   return out.str();
@@ -44,9 +77,18 @@ std::string list_text(const toml::array& list, std::size_t column) {
   return "[\n" + lines + "]";
 }
 
+std::string quoted_key(const std::string& key) {
+  const bool is_bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
+  });
+  return is_bare ? key : escaped(key);
+}
+
 // A key and its value.
 std::string entry_text(const std::string& key, const toml::node& node) {
   if (is_list(node)) return fmt::format("{} = {}\n", key, list_text(*node.as_array(), key.size()));
+  if (node.is_string()) return fmt::format("{} = {}\n", quoted_key(key), text_of(node));
   toml::table alone;
   alone.insert(key, node);
   std::ostringstream out;
