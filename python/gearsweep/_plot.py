@@ -68,6 +68,8 @@ def draw(
 ) -> matplotlib.axes.Axes:
     """Draw a quantity; `gearsweep.Gear.plot` says how."""
     axes = _axes_of(maps)
+    if not isinstance(limits, tuple | list) or len(limits) != 2:
+        raise InputError(f"range: expected two ends such as (0, 2) or (0, None), not {limits!r}")
     shown = _find(maps, quantity, axes)
     missing = _missing(maps.status, shown.values, len(axes))
     if ax is None:
@@ -108,6 +110,8 @@ def _find(maps: xarray.Dataset, quantity: str | None, axes: list[str]) -> Shown:
         if list(variable.dims[: len(axes)]) == axes
     ]
     asked = _default(known, len(axes)) if quantity is None else quantity
+    if not isinstance(asked, str):
+        raise InputError(f"quantity: expected a name such as {known[0]!r}, not {asked!r}")
     name, _, part = asked.partition(":")
     if name not in known:
         raise InputError(f"the Dataset has no quantity '{name}'{_core.suggest_name(name, known)}")

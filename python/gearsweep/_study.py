@@ -209,6 +209,8 @@ class Study:
         >>> Study.gear5().sweep(zeta=(0.01, 0.1, 20, "log")).axes
         {'zeta': 20}
         """
+        if not axes:
+            raise InputError("sweep: give one or two axes, as in sweep(omega=(0.4, 2.0, 100))")
         return self.set({"axes": [_axis(name, values) for name, values in axes.items()]})
 
     def observe(
@@ -238,7 +240,7 @@ class Study:
         """
         named = list(quantities)
         if poincare is not None:
-            keys["poincare"] = [poincare] if isinstance(poincare, str) else list(poincare)
+            keys["poincare"] = [poincare] if isinstance(poincare, str) else poincare
             named += [] if "poincare" in named else ["poincare"]
         return self.set({"observe": {"quantities": named, **keys}})
 

@@ -272,5 +272,7 @@ def test_what_cannot_be_drawn_is_told(curve, bad, gear):
     assert "viridis" in refusal(lambda: bad.gear.plot("x1_rms", colormap="viridi"))
     assert "colormap" in refusal(lambda: curve.gear.plot("x1_rms", colormap="viridis"))
     assert "range" in refusal(lambda: bad.gear.plot("x1_rms", range=(5.0, 1.0)))
+    assert "two ends" in refusal(lambda: bad.gear.plot("x1_rms", range=5.0))
+    assert "a name" in refusal(lambda: bad.gear.plot(3))
     assert "gearsweep did not make it" in refusal(xarray.Dataset().gear.plot)
     assert "one point" in refusal(bad.isel(k1=0, omega=0).gear.plot)
