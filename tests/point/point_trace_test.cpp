@@ -17,7 +17,7 @@ Study oscillator() {
 
 PointTraces traces_of(const Study& study, const std::vector<NamedValue>& values) {
   PointTraces found;
-  EXPECT_TRUE(add_point_trace(study, false, find_place(*study.model, values, ""), 32, {}, &found));
+  EXPECT_TRUE(add_point_trace(study, false, find_place(study, values, ""), 32, {}, &found));
   return found;
 }
 
@@ -58,7 +58,7 @@ TEST(PointTrace, AddsNothingWhenItIsStopped) {
   options.stop = &stop;
   PointTraces found;
   const Study study = oscillator();
-  const Place place = find_place(*study.model, {{"omega", 1.0}}, "");
+  const Place place = find_place(study, {{"omega", 1.0}}, "");
   EXPECT_FALSE(add_point_trace(study, false, place, 32, options, &found));
   EXPECT_TRUE(found.traces.empty());
 }
