@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy
 import xarray
-from xarray.backends import AbstractDataStore, InMemoryDataStore
+from xarray.backends import InMemoryDataStore
 
 
 def dataset_of(
@@ -16,11 +16,8 @@ def dataset_of(
     attributes: dict[str, Any],
 ) -> xarray.Dataset:
     """What xarray makes of a file of these variables: it takes the same way, without the file."""
-    # Debian's xarray has no types for these two.
-    variable: Callable[..., xarray.Variable] = xarray.Variable
-    store: Callable[..., AbstractDataStore] = InMemoryDataStore
-    stored = {name: variable(*parts) for name, *parts in variables}
-    return xarray.open_dataset(store(stored, attributes), cache=False).load()
+    stored = {name: xarray.Variable(*parts) for name, *parts in variables}
+    return xarray.open_dataset(InMemoryDataStore(stored, attributes), cache=False).load()
 
 
 def call_text(function: str, study: Any, /, **options: Any) -> str:
