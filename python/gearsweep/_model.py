@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from gearsweep import _core
 from gearsweep._errors import InputError
 from gearsweep._model_text import model_text, table_texts
+from gearsweep._value import path_of, text_of
 
 if TYPE_CHECKING:
     from typing import NoReturn, Self
 
     import numpy.typing
-from gearsweep._value import text_of
 
 
 class Channel(NamedTuple):
@@ -164,7 +164,7 @@ class Model:
         -------
         Model
         """
-        return cls._of(_core.read_model_file(os.fspath(path)))
+        return cls._of(_core.read_model_file(path_of(path, "the path of a model's file")))
 
     @classmethod
     def _of(cls, read: dict[str, Any], builtin: bool = False) -> Self:

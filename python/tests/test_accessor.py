@@ -117,12 +117,9 @@ def test_attractors_are_a_table():
     assert "observe the quantity 'attractor'" in without
 
 
-def test_at_is_a_trace_of_the_place(gear, monkeypatch):
-    def trace(maps, **place):
-        return xarray.Dataset(attrs={"of": maps is gear, **place})
-
-    monkeypatch.setattr(gearsweep, "trace", trace, raising=False)
-    assert gear.gear.at(omega=1.3, mu=0.1).attrs == {"of": True, "omega": 1.3, "mu": 0.1}
+def test_at_is_a_trace_of_the_place(gear):
+    place = {"record": 2, **{name: float(gear[name][0]) for name in gear.status.dims}}
+    assert gear.gear.at(**place).equals(gearsweep.trace(gear, **place))
 
 
 def script_of(maps: xarray.Dataset, quantity: str, folder: Path, *options: str) -> str:

@@ -179,7 +179,7 @@ def test_a_chain_may_be_named_before_its_axis():
         (lambda: Study.gear5().observe(poincare={"x1"}), "no values of the type set"),
         (lambda: Study.gear5().initial(polcy="fixed"), "did you mean 'policy'?"),
         (lambda: Study.gear5().integrate(setle=3), "did you mean 'settle'?"),
-        (lambda: Study(None), "not of the type NoneType"),
+        (lambda: Study(None), "not one of the type NoneType"),
         (lambda: Study(""), "the file is empty"),
     ],
 )

@@ -20,7 +20,7 @@ from gearsweep import InputError, RunError, Study
 
 # Each function that users call, with arguments that are right.
 GOOD: dict[str, Mapping[str, object]] = {
-    "run": {"study": "coarse-map", "set": MAP, "progress": None, "journal": None, "device": None},
+    "run": {"study": "coarse-map", "set": MAP, "points": None, "progress": None, "journal": None, "device": None},
     "trace": {
         "study": "coarse-map",
         "at": None,
@@ -48,7 +48,10 @@ GOOD: dict[str, Mapping[str, object]] = {
     "models": {},
     "studies": {},
     "devices": {},
-    "Study": {"text": "[model]\nname = 'gear5'\n"},
+    "Study": {"source": "[model]\nname = 'gear5'\n"},
+    "Study.gear5": {"preset": "coarse"},
+    "Study.points": {"self": Study.read("coarse-map"), "points": {"mu": [0.1, 0.2]}},
+    "Model.read": {"path": "model.toml"},
     "Study.read": {"path": "coarse-map"},
     "Study.set": {"self": Study.read("coarse-map"), "changes": MAP},
 }

@@ -205,7 +205,7 @@ def test_the_period_is_that_of_omega_where_the_phase_is_used():
         ),
         (lambda: Model.read("nowhere.toml"), "nowhere.toml"),
         (lambda: gearsweep.model("dufing"), "did you mean 'duffing'?"),
-        (lambda: gearsweep.model(3), "a model has a name"),
+        (lambda: gearsweep.model(3), "expected the name of a model"),
     ],
 )
 def test_what_is_wrong_is_told(call, said):
