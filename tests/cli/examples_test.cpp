@@ -70,7 +70,9 @@ TEST(Examples, BuiltInStudiesAreSensible) {
   for (const auto& [name, text] : builtin_studies()) expect_sensible(read_study(text, name), name);
 }
 
-bool is_study(const std::string& text) { return text.find("[[axes]]") != std::string::npos; }
+bool is_study(const std::string& text) {
+  return text.find("[[axes]]") != std::string::npos || text.find("[points]") != std::string::npos;
+}
 bool is_model(const std::string& text) { return text.find("[equations]") != std::string::npos; }
 
 // "# mine.toml" in the first line of a text.
