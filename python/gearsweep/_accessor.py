@@ -74,6 +74,7 @@ class Gear:
         self,
         quantity: str | None = None,
         *,
+        over: str | None = None,
         ax: matplotlib.axes.Axes | None = None,
         colormap: str | None = None,
         range: tuple[float | None, float | None] = (None, None),
@@ -90,6 +91,8 @@ class Gear:
         quantity : str, optional
             A map of the result; ``"poincare:v1"`` is one of its states, ``"lyapunov_spectrum:1"``
             one of its numbers. Without one the samples over one axis, else the first map.
+        over : str, optional
+            Of a list of points: the column along the horizontal axis, in place of the number.
         ax : Axes, optional
             Where to draw; a figure of its own without.
         colormap : str, optional
@@ -113,7 +116,14 @@ class Gear:
         from gearsweep._plot import draw
 
         return draw(
-            self._maps, quantity, ax=ax, colormap=colormap, limits=range, is_log=log, title=title
+            self._maps,
+            quantity,
+            over=over,
+            ax=ax,
+            colormap=colormap,
+            limits=range,
+            is_log=log,
+            title=title,
         )
 
     @property

@@ -56,12 +56,17 @@ def columns_of(points: Any) -> Columns:
     return [(name, numpy.broadcast_to(numbers, count)) for name, numbers in columns]
 
 
+def is_column(coordinate: xarray.DataArray) -> bool:
+    """Whether a coordinate is a column of a list of points."""
+    return _SWEEPS in coordinate.attrs and coordinate.ndim == 1
+
+
 def points_in(maps: xarray.Dataset) -> Columns:
     """The columns of the list of points that made a Dataset; none where it has axes alone."""
     return [
         (str(coordinate.attrs[_SWEEPS]), coordinate.values)
         for coordinate in maps.coords.values()
-        if _SWEEPS in coordinate.attrs and coordinate.ndim == 1
+        if is_column(coordinate)
     ]
 
 

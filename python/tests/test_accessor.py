@@ -273,3 +273,14 @@ def test_what_cannot_be_drawn_is_told(curve, bad, gear):
     assert "a name" in refusal(lambda: bad.gear.plot(3))
     assert "gearsweep did not make it" in refusal(xarray.Dataset().gear.plot)
     assert "one point" in refusal(bad.isel(k1=0, omega=0).gear.plot)
+
+
+def test_points_of_a_list_are_dots_over_a_column():
+    points = {"omega": [1.3, 0.6, 0.7], "mu": [0.0, 0.1, 0.05]}
+    maps = gearsweep.run("coarse-map", points=points, set=SMALL)
+    (dots,) = maps.gear.plot("dmf_max", over="omega").lines
+    assert dots.get_linestyle() == "None"
+    numpy.testing.assert_array_equal(dots.get_xdata(), points["omega"])
+    assert list(maps.gear.plot("dmf_max").lines[0].get_xdata()) == [1, 2, 3]
+    assert "there are omega, mu" in refusal(lambda: maps.gear.plot("dmf_max", over="b"))
+    assert "no column" in refusal(lambda: gearsweep.run("coarse-map", set=MAP).gear.plot(over="b"))
