@@ -8,7 +8,8 @@ from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, m
 from gearsweep._progress import Progress
 from gearsweep._run import run
 from gearsweep._session import Device, devices
-from gearsweep._study import Study, studies
+from gearsweep._study import Study
+from gearsweep._study_source import studies
 from gearsweep._trace import trace
 from gearsweep._verify import Check, Verification, verify
 

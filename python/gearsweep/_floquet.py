@@ -12,7 +12,8 @@ from gearsweep._errors import InputError
 from gearsweep._place import count_of, number_of, place_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
-from gearsweep._study import Study, study_of
+from gearsweep._study import Study
+from gearsweep._study_source import study_of
 from gearsweep._value import text_of
 
 

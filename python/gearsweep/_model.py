@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gearsweep import _core
-from gearsweep._errors import InputError
 from gearsweep._model_text import model_text, table_texts
 from gearsweep._value import path_of, text_of
 

@@ -8,12 +8,12 @@ from typing import Any
 
 import xarray
 
-from gearsweep._errors import InputError
 from gearsweep._flags import flags_of
 from gearsweep._progress import Watch, watched
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
-from gearsweep._study import Study, study_of
+from gearsweep._study import Study
+from gearsweep._study_source import study_of
 from gearsweep._value import path_of
 from gearsweep._warning import warn
 

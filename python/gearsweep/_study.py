@@ -7,14 +7,14 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy
 import xarray
 
 from gearsweep import _core
+from gearsweep._axis import axis_table
 from gearsweep._errors import InputError
 from gearsweep._model import Model
 from gearsweep._model import model as builtin_model
-from gearsweep._points import columns_of, points_in
+from gearsweep._points import columns_of
 from gearsweep._value import assignments, path_of, text_of
 from gearsweep._warning import warn
 
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from typing import Self
 
     from gearsweep._core import Study as CoreStudy
-
 
 # A study that says nothing: read_draft takes no empty text.
 _NOTHING = "[model]\n"
@@ -79,7 +78,7 @@ class Study:
         if isinstance(source, Model):
             self._take(Study.of(source)._core)
         else:
-            self._take(_core.read_draft(_text(source), "study", [], []))
+            self._take(_core.read_draft(study_text(source), "study", [], []))
 
     @classmethod
     def of(cls, model: str | Model, /, preset: str | None = None, **settings: Any) -> Study:
@@ -214,7 +213,7 @@ class Study:
         """
         if not axes:
             raise InputError("sweep: give one or two axes, as in sweep(omega=(0.4, 2.0, 100))")
-        return self.set({"axes": [_axis(name, values) for name, values in axes.items()]})
+        return self.set({"axes": [axis_table(name, values) for name, values in axes.items()]})
 
     def points(self, points: Any) -> Study:
         """Make a study of these points in place of its axes.
@@ -387,73 +386,9 @@ class Study:
         )
 
 
-def _axis(name: str, values: Any) -> dict[str, Any]:
-    """An axis as a table of a study."""
-    is_range = isinstance(values, tuple) and len(values) in (3, 4)
-    if is_range and (len(values) == 3 or values[3] in ("log", "linear")):
-        axis = {"name": name, **dict(zip(("from", "to", "count"), values, strict=False))}
-        return axis | ({"scale": values[3]} if len(values) == 4 else {})
-    try:
-        numbers = numpy.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(
-            f"axis {name!r}: expected (from, to, count), (from, to, count, 'log') or an array of "
-            f"numbers, not {values!r}"
-        ) from None
-    if numbers.ndim > 1:
-        raise InputError(f"axis {name!r}: expected a list of numbers, not of shape {numbers.shape}")
-    return {"name": name, "values": numbers}
-
-
-def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:
-    """The study that `source` stands for, with changes.
-
-    Parameters
-    ----------
-    source : str, path, Study or Dataset
-        The name of a built-in study, a file, TOML, a study, or an earlier result.
-    changes : mapping of str to object, optional
-        As `Study.set` takes them.
-
-    Returns
-    -------
-    Study
-    """
-    made = assignments(changes)
-    if isinstance(source, Study):
-        return source.set(changes) if changes else source
-    if isinstance(source, xarray.Dataset):
-        if "study" not in source.attrs:
-            raise InputError("the Dataset has no attribute 'study': gearsweep did not make it")
-        return Study._of(_core.read_study(source.attrs["study"], "study", made, points_in(source)))
-    if isinstance(source, os.PathLike):
-        return Study._of(_core.find_study(path_of(source, "a path"), made))
-    text = _text(source)
-    # A name has neither lines nor assignments, and hardly any path.
-    if "\n" in text or ("=" in text and not os.path.exists(text)):
-        return Study._of(_core.read_study(text, "study", made, []))
-    return Study._of(_core.find_study(text, made))
-
-
-def _text(source: Any) -> str:
+def study_text(source: Any) -> str:
+    """The text, name or path of a study that users gave."""
     return text_of(
         source,
         "a study: the name of a built-in one, a path, TOML, a Study or the Dataset of an earlier run",
     )
-
-
-def studies() -> dict[str, str]:
-    """The built-in studies.
-
-    Returns
-    -------
-    dict of str to str
-        Names with titles.
-
-    Examples
-    --------
-    >>> import gearsweep as gs
-    >>> gs.studies()["coarse-map"]
-    'Coarse gear pair'
-    """
-    return {name: _core.find_study(name, []).title for name in _core.builtin_study_names()}
