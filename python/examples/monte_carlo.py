@@ -65,7 +65,7 @@ left.set_title("How large the force gets")
 right.set_title("Which parameters it follows")
 left.set_xlabel(r"largest meshing force ($k_0 b_n$)")
 left.set_ylabel(f"gear pairs, of {count}")
-left.legend(title="impacts")
+left.legend(title="impacts", loc="center right")
 order = sorted(ranks, key=lambda name: abs(ranks[name]))
 labels = [f"{known[name][2]}  {name}" for name in order]
 right.barh(labels, [ranks[name] for name in order])

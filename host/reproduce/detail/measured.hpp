@@ -47,6 +47,7 @@ std::pair<double, double> range_of(const Trace& trace, const std::string& channe
 
 struct Measured {
   std::string preset;
+  std::vector<std::string> overrides;                // what each study has in place of the preset's
   std::map<std::string, SweepResult> maps;           // by figure: "fig4"
   std::map<std::string, std::vector<Trace>> traces;  // of a figure's points, in their order
   // Where the largest force of figures 7 and 10 passes 0.6 from one half backlash to the next, and

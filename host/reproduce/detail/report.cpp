@@ -25,7 +25,7 @@ std::string introduction(const Measured& measured) {
       "Chen Siyu, Tang Jinyuan, Luo Caiwang, Wang Qibo, Nonlinear dynamic characteristics of "
       "geared "
       "rotor bearing systems with dynamic backlash and friction, Mechanism and Machine Theory 46 "
-      "(2011) 466-478.\n\n{}\n\n",
+      "(2011) 466-478.\n\n{}{}\n\n",
       measured.preset,
       is_paper
           ? "The printed equations with parameters fitted to the figures, since the paper does not "
@@ -33,7 +33,10 @@ std::string introduction(const Measured& measured) {
           : "The same questions to the consistent equations, in which the shafts act on the mesh "
             "with the sign that the geometry asks for, with the parameters of a steel pair. The "
             "paper's numbers belong to other parameters: a claim that does not hold here need not "
-            "be wrong there.");
+            "be wrong there.",
+      measured.overrides.empty() ? ""
+                                 : fmt::format(" In place of the preset's values: `{}`.",
+                                               fmt::join(measured.overrides, "`, `")));
 }
 
 std::string claims_table(const std::vector<Judgement>& judgements) {

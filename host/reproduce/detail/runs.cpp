@@ -28,6 +28,7 @@ class Runs {
  public:
   explicit Runs(const ReproduceOptions& options) : options_(options) {
     measured_.preset = options.preset;
+    measured_.overrides = options.overrides;
   }
 
   Measured all() {
@@ -65,9 +66,12 @@ class Runs {
     if (options_.on_step) options_.on_step(what);
   }
 
+  // The last override of a key counts.
   Study study_of(const std::string& figure, const std::vector<std::string>& overrides = {}) const {
     const std::string name = fmt::format("{}/{}", options_.preset, figure);
-    return read_study(builtin_studies().at(name + ".toml"), name, overrides);
+    std::vector<std::string> all = options_.overrides;
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return read_study(builtin_studies().at(name + ".toml"), name, all);
   }
 
   SweepOptions sweep_options() const {
@@ -81,8 +85,9 @@ class Runs {
     return options_.folder + "/" + name + ".nc";
   }
   Provenance provenance() const {
-    return {fmt::format("gearsweep reproduce --preset {}", options_.preset), version(),
-            source_hash()};
+    std::string call = fmt::format("gearsweep reproduce --preset {}", options_.preset);
+    for (const std::string& assignment : options_.overrides) call += " --set " + assignment;
+    return {call, version(), source_hash()};
   }
 
   SweepResult compute(const Study& study) const {
@@ -172,7 +177,7 @@ class Runs {
                     "[initial]\npolicy = \"fixed\"\n[integrate]\nsettle = 2000\nrecord = 100\n"
                     "[observe]\nperiod_tolerance = 1e-4\nquantities = [\"attractor\"]\n",
                     b, law_of(figure), options_.preset, law_of(figure), b),
-        "basins");
+        "basins", options_.overrides);
   }
 
   static const char* law_of(const std::string& figure) {
@@ -189,7 +194,7 @@ class Runs {
                     "[observe]\nperiod_tolerance = 1e-4\n"
                     "quantities = [\"lyapunov_max\", \"period\", \"x1_rms\"]\n",
                     law, options_.preset),
-        "omega-b");
+        "omega-b", options_.overrides);
   }
 
   // Undamped, unforced, frictionless, with mesh stiffness 1 and no backlash, from a state away from
