@@ -45,7 +45,7 @@ double amplitude_at(const Trace& trace, const std::string& channel, double order
 // Smallest and largest value of a channel.
 std::pair<double, double> range_of(const Trace& trace, const std::string& channel);
 
-struct Measured {
+struct MeasuredFigures {
   std::string preset;
   std::vector<std::string> overrides;                // what each study has in place of the preset's
   std::map<std::string, SweepResult> maps;           // by figure: "fig4"

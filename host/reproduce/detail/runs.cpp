@@ -31,7 +31,7 @@ class Runs {
     measured_.overrides = options.overrides;
   }
 
-  Measured all() {
+  MeasuredFigures all() {
     for (const std::string& name : figure_names()) {
       measured_.maps.emplace(name, sweep(name, study_of(name)));
     }
@@ -136,7 +136,7 @@ class Runs {
   // (of the first kMostJumps), and the basins at the first of them.
   void find_jumps(const std::string& figure) {
     const Curve force(measured_.maps.at(figure), "dmf_max");
-    std::vector<Measured::Jump> jumps;
+    std::vector<MeasuredFigures::Jump> jumps;
     std::set<double> values;
     for (std::size_t i = 1; i < force.size() && jumps.size() < kMaxJumps; ++i) {
       if ((force[i] > kLargeForce) == (force[i - 1] > kLargeForce)) continue;
@@ -151,11 +151,11 @@ class Runs {
     study.axes.front().values.assign(values.begin(), values.end());
     const SweepResult result = compute(study);
     const Curve count(result, "attractor_count");
-    for (Measured::Jump& jump : jumps) {
+    for (MeasuredFigures::Jump& jump : jumps) {
       jump.count_below = static_cast<std::size_t>(count[count.nearest(jump.below)]);
       jump.count_above = static_cast<std::size_t>(count[count.nearest(jump.above)]);
     }
-    const Measured::Jump& first = jumps.front();
+    const MeasuredFigures::Jump& first = jumps.front();
     find_basins(figure, "below", first.below, first.count_below);
     find_basins(figure, "above", first.above, first.count_above);
     measured_.jumps.emplace(figure, std::move(jumps));
@@ -239,7 +239,7 @@ class Runs {
   }
 
   const ReproduceOptions& options_;
-  Measured measured_;
+  MeasuredFigures measured_;
 };
 
 }  // namespace
@@ -251,7 +251,7 @@ const std::vector<std::string>& figure_names() {
   return kNames;
 }
 
-std::optional<Measured> run_figures(const ReproduceOptions& options) {
+std::optional<MeasuredFigures> run_figures(const ReproduceOptions& options) {
   try {
     return Runs(options).all();
   } catch (const Stopped&) {
