@@ -17,6 +17,7 @@ namespace {
 struct ReproduceArguments {
   std::string preset = "paper", folder;
   std::string device;
+  std::vector<std::string> overrides;
   bool quiet = false;
 };
 
@@ -25,6 +26,7 @@ int run(const ReproduceArguments& arguments, SignalWatch* signals) {
   ReproduceOptions options;
   options.preset = arguments.preset;
   options.folder = arguments.folder;
+  options.overrides = arguments.overrides;
   options.devices = chosen_devices(arguments.device);
   options.stop = &signals->interrupted();
   if (!arguments.quiet) {
@@ -56,12 +58,14 @@ void add_reproduce_command(CLI::App* app, SignalWatch* signals, int* status) {
                    "The folder for report.md, pictures and results")
       ->type_name(kFolderValue)
       ->required();
+  add_set_option(command, &arguments->overrides);
   add_device_option(command, &arguments->device, true);
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->footer(
       "Examples:\n"
       "  gearsweep reproduce -o paper\n"
-      "  gearsweep reproduce --preset consistent -o consistent\n\n"
+      "  gearsweep reproduce --preset consistent -o consistent\n"
+      "  gearsweep reproduce -o light --set parameters.F1=0.1    # parameters of your own\n\n"
       "The studies behind the figures are built in: gearsweep run paper/fig7 -o fig7.nc");
   command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }

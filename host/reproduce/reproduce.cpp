@@ -29,7 +29,7 @@ void make_folder(const std::string& folder) {
 bool reproduce(const ReproduceOptions& options) {
   make_folder(options.folder);
   ensure_plottable(options.folder + "/report.png");
-  const std::optional<Measured> measured = run_figures(options);
+  const std::optional<MeasuredFigures> measured = run_figures(options);
   if (!measured) return false;
   if (options.on_step) options.on_step("pictures");
   const std::string pictures = draw_pictures(*measured, options.folder);

@@ -9,6 +9,16 @@ add_test(NAME python COMMAND ${pytest} --doctest-modules --pyargs gearsweep
          ${CMAKE_CURRENT_SOURCE_DIR}/tests)
 set_tests_properties(python PROPERTIES ENVIRONMENT "${environment}")
 
+# The examples, on few points. Each draws its picture.
+file(GLOB examples CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/examples/*.py)
+foreach(example ${examples})
+  get_filename_component(name ${example} NAME_WE)
+  add_test(NAME python_example_${name}
+           COMMAND ${Python3_EXECUTABLE} ${example} --small
+                   --out ${CMAKE_CURRENT_BINARY_DIR}/${name}.png)
+  set_tests_properties(python_example_${name} PROPERTIES ENVIRONMENT "${environment}")
+endforeach()
+
 # The package is right by its own types, and so is a program that uses it by its stubs.
 add_test(NAME python_types
          COMMAND ${Python3_EXECUTABLE} -m mypy --config-file ${PROJECT_SOURCE_DIR}/pyproject.toml

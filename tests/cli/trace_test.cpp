@@ -77,6 +77,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"reproduce -o study.toml", "study.toml"}),
     [](const auto& refusal) { return "number_" + std::to_string(refusal.index); });
 
+TEST(ReproduceCommand, TakesOtherParameters) {
+  const Folder folder;
+  const Outcome outcome = gearsweep(folder, "reproduce -o folder --set parameters.F9=1");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("F9"));
+}
+
 TEST(ReproduceCommand, BringsItsStudies) {
   const Folder folder;
   EXPECT_THAT(gearsweep(folder, "studies paper/fig7").out, HasSubstr("preset = \"paper\""));

@@ -58,8 +58,8 @@ Trace made_trace(double min, double max, const std::map<double, double>& orders 
 double bump(double x, double at) { return std::exp(-std::pow((x - at) / 0.02, 2)); }
 
 // All that the paper says.
-Measured as_the_paper_says() {
-  Measured measured;
+MeasuredFigures as_the_paper_says() {
+  MeasuredFigures measured;
   measured.preset = "paper";
   const auto spectrum = [](double friction) {
     std::map<double, double> orders;
@@ -104,7 +104,7 @@ Measured as_the_paper_says() {
   return measured;
 }
 
-Verdict verdict_on(const Measured& measured, int figure, std::size_t number) {
+Verdict verdict_on(const MeasuredFigures& measured, int figure, std::size_t number) {
   for (const Judgement& judgement : judge(measured)) {
     if (judgement.figure == figure && number-- == 0) return judgement.verdict;
   }
@@ -119,34 +119,34 @@ TEST(Claims, AllHoldWhereAllIsAsThePaperSays) {
 }
 
 TEST(Claims, AResonanceElsewhereHoldsInPart) {
-  Measured measured = as_the_paper_says();
+  MeasuredFigures measured = as_the_paper_says();
   measured.maps["fig4"] =
       made_map("fig4", {{"x1_rms", [](double x) { return 1.0 + bump(x, 0.25) + bump(x, 0.57); }}});
   EXPECT_EQ(verdict_on(measured, 4, 0), Verdict::in_part);
 }
 
 TEST(Claims, CoexistenceOnBothSidesIsNoBifurcation) {
-  Measured measured = as_the_paper_says();
+  MeasuredFigures measured = as_the_paper_says();
   measured.jumps["fig7"] = {{.below = 0.4975, .above = 0.5, .count_below = 2, .count_above = 2}};
   EXPECT_EQ(verdict_on(measured, 7, 1), Verdict::holds);
   EXPECT_EQ(verdict_on(measured, 7, 2), Verdict::does_not_hold);
 }
 
 TEST(Claims, WithoutAJumpNeitherItNorItsKindHolds) {
-  Measured measured = as_the_paper_says();
+  MeasuredFigures measured = as_the_paper_says();
   measured.jumps.clear();
   EXPECT_EQ(verdict_on(measured, 7, 1), Verdict::does_not_hold);
   EXPECT_EQ(verdict_on(measured, 7, 2), Verdict::does_not_hold);
 }
 
 TEST(Claims, ChaosOfTheDynamicBacklashMustComeEarlier) {
-  Measured measured = as_the_paper_says();
+  MeasuredFigures measured = as_the_paper_says();
   std::swap(measured.maps["fig9"].values, measured.maps["fig9-dynamic"].values);
   EXPECT_EQ(verdict_on(measured, 9, 0), Verdict::in_part);
 }
 
 TEST(Claims, AMissingRegimeOfContactHoldsInPart) {
-  Measured measured = as_the_paper_says();
+  MeasuredFigures measured = as_the_paper_says();
   measured.maps["fig7"] = made_map(
       "fig7", {{"dmf_max", [](double) { return 0.22; }}, {"x1_rms", [](double b) { return b; }}});
   EXPECT_EQ(verdict_on(measured, 11, 0), Verdict::in_part);
@@ -154,7 +154,7 @@ TEST(Claims, AMissingRegimeOfContactHoldsInPart) {
 
 // A reader who finds two colours in a picture and four in the table asks why.
 TEST(Report, SaysWhyAPictureShowsFewerAttractorsThanTheTableCounts) {
-  Measured measured = as_the_paper_says();
+  MeasuredFigures measured = as_the_paper_says();
   measured.jumps["fig7"] = {{.below = 0.4325, .above = 0.435, .count_below = 3, .count_above = 4}};
   measured.basins = {{"fig7", 0.4325, 2, 3}, {"fig7", 0.435, 2, 4}};
   const std::string text = describe_jumps(measured);

@@ -33,7 +33,7 @@ constexpr double kChaotic = 0.003;  // largest exponents beyond this count as ch
 
 class Judge {
  public:
-  explicit Judge(const Measured& measured) : measured_(measured) {}
+  explicit Judge(const MeasuredFigures& measured) : measured_(measured) {}
 
   std::vector<Judgement> all() {
     resonances();
@@ -157,14 +157,14 @@ class Judge {
   }
 
   // The first jump of a figure; null when there is none.
-  const Measured::Jump* first_jump(const std::string& figure) const {
+  const MeasuredFigures::Jump* first_jump(const std::string& figure) const {
     const auto found = measured_.jumps.find(figure);
     return found == measured_.jumps.end() || found->second.empty() ? nullptr
                                                                    : &found->second.front();
   }
 
   std::string describe_jump(const std::string& figure) const {
-    const Measured::Jump* jump = first_jump(figure);
+    const MeasuredFigures::Jump* jump = first_jump(figure);
     if (jump == nullptr) return "no jump";
     return fmt::format("jump between b = {:.4f} and {:.4f}; {} attractors below, {} above",
                        jump->below, jump->above, jump->count_below, jump->count_above);
@@ -186,7 +186,7 @@ class Judge {
                     rises ? ", rising" : ""),
         by_count({flat, rises}));
 
-    const Measured::Jump* jump = first_jump("fig7");
+    const MeasuredFigures::Jump* jump = first_jump("fig7");
     const bool jumps = jump != nullptr && jump->above >= 0.43 && jump->above <= 0.8;
     add(7, "At a first value of b the motion jumps to another with a much larger force.",
         "the first b with a force above 0.6 lies in 0.43 .. 0.8", describe_jump("fig7"),
@@ -314,7 +314,7 @@ class Judge {
         by_count({occurs(0.0), occurs(1.0), occurs(2.0)}));
   }
 
-  const Measured& measured_;
+  const MeasuredFigures& measured_;
   std::vector<Judgement> judgements_;
 };
 
@@ -325,6 +325,6 @@ std::string name_of(Verdict verdict) {
   return verdict == Verdict::in_part ? "holds in part" : "does not hold";
 }
 
-std::vector<Judgement> judge(const Measured& measured) { return Judge(measured).all(); }
+std::vector<Judgement> judge(const MeasuredFigures& measured) { return Judge(measured).all(); }
 
 }  // namespace gearsweep

@@ -21,6 +21,6 @@ struct Judgement {
   Verdict verdict = Verdict::does_not_hold;
 };
 
-std::vector<Judgement> judge(const Measured& measured);
+std::vector<Judgement> judge(const MeasuredFigures& measured);
 
 }  // namespace gearsweep

@@ -45,8 +45,9 @@ double amplitude_at(const Trace& trace, const std::string& channel, double order
 // Smallest and largest value of a channel.
 std::pair<double, double> range_of(const Trace& trace, const std::string& channel);
 
-struct Measured {
+struct MeasuredFigures {
   std::string preset;
+  std::vector<std::string> overrides;                // what each study has in place of the preset's
   std::map<std::string, SweepResult> maps;           // by figure: "fig4"
   std::map<std::string, std::vector<Trace>> traces;  // of a figure's points, in their order
   // Where the largest force of figures 7 and 10 passes 0.6 from one half backlash to the next, and

@@ -82,7 +82,7 @@ void draw_figures(Gallery* gallery) {
   gallery->add("fig11-force", {"fig11-trace"}, "force", "Meshing force in time", 4);
 }
 
-void draw_beyond(const Measured& measured, Gallery* gallery) {
+void draw_beyond(const MeasuredFigures& measured, Gallery* gallery) {
   gallery->heading("Beyond the paper");
   gallery->add("fig9-directions", {"fig9-forward", "fig9-backward"}, "x1_rms",
                "RMS of x1, each point from its neighbour's last state");
@@ -108,7 +108,7 @@ void draw_beyond(const Measured& measured, Gallery* gallery) {
 
 }  // namespace
 
-std::string draw_pictures(const Measured& measured, const std::string& folder) {
+std::string draw_pictures(const MeasuredFigures& measured, const std::string& folder) {
   Gallery gallery(folder);
   draw_figures(&gallery);
   draw_beyond(measured, &gallery);

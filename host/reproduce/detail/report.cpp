@@ -18,14 +18,14 @@ double differing(const SweepResult& a, const SweepResult& b, const std::string& 
   });
 }
 
-std::string introduction(const Measured& measured) {
+std::string introduction(const MeasuredFigures& measured) {
   const bool is_paper = measured.preset == "paper";
   return fmt::format(
       "# Figures 4 to 11 of Chen et al. 2011, preset `{}`\n\n"
       "Chen Siyu, Tang Jinyuan, Luo Caiwang, Wang Qibo, Nonlinear dynamic characteristics of "
       "geared "
       "rotor bearing systems with dynamic backlash and friction, Mechanism and Machine Theory 46 "
-      "(2011) 466-478.\n\n{}\n\n",
+      "(2011) 466-478.\n\n{}{}\n\n",
       measured.preset,
       is_paper
           ? "The printed equations with parameters fitted to the figures, since the paper does not "
@@ -33,7 +33,10 @@ std::string introduction(const Measured& measured) {
           : "The same questions to the consistent equations, in which the shafts act on the mesh "
             "with the sign that the geometry asks for, with the parameters of a steel pair. The "
             "paper's numbers belong to other parameters: a claim that does not hold here need not "
-            "be wrong there.");
+            "be wrong there.",
+      measured.overrides.empty() ? ""
+                                 : fmt::format(" In place of the preset's values: `{}`.",
+                                               fmt::join(measured.overrides, "`, `")));
 }
 
 std::string claims_table(const std::vector<Judgement>& judgements) {
@@ -48,20 +51,20 @@ std::string claims_table(const std::vector<Judgement>& judgements) {
 }
 
 // The pictures of basins beside the table of jumps.
-std::string describe_basins(const Measured& measured) {
+std::string describe_basins(const MeasuredFigures& measured) {
   std::string text =
       "The pictures of the basins show a plane of the ten-dimensional space of initial states: x1 "
       "and v1 vary, the shafts start at rest in their places. The 16 states of the table vary in "
       "all ten, by up to 1. What is reached from displaced or moving shafts alone counts in the "
       "table and is in no picture; 16 states may miss what 2501 reach";
-  for (const Measured::Basins& basins : measured.basins) {
+  for (const MeasuredFigures::Basins& basins : measured.basins) {
     text += fmt::format("; figure {}, b = {:.4f}: {} in the picture, {} in the table",
                         basins.figure.substr(3), basins.b, basins.shown, basins.counted);
   }
   return text + ".\n\n";
 }
 
-std::string beyond(const Measured& measured) {
+std::string beyond(const MeasuredFigures& measured) {
   std::string text = "## Beyond the paper\n\n";
   text += describe_jumps(measured);
   const double hysteresis = differing(measured.maps.at("fig9-forward"),
@@ -93,7 +96,7 @@ std::string beyond(const Measured& measured) {
 
 }  // namespace
 
-std::string describe_jumps(const Measured& measured) {
+std::string describe_jumps(const MeasuredFigures& measured) {
   if (measured.jumps.empty()) {
     return "No jump: the largest meshing force stays below 0.6 over all of figures 7 and 10.\n\n";
   }
@@ -107,7 +110,7 @@ std::string describe_jumps(const Measured& measured) {
       "| figure | from b | to b | attractors at the one | at the other | |\n"
       "| --- | --- | --- | --- | --- | --- |\n";
   for (const auto& [figure, jumps] : measured.jumps) {
-    for (const Measured::Jump& jump : jumps) {
+    for (const MeasuredFigures::Jump& jump : jumps) {
       text += fmt::format("| {} | {:.4f} | {:.4f} | {} | {} | {} |\n", figure.substr(3), jump.below,
                           jump.above, jump.count_below, jump.count_above,
                           jump.is_change_of_basin() ? "change of basin" : "may be a bifurcation");
@@ -116,7 +119,7 @@ std::string describe_jumps(const Measured& measured) {
   return text + "\n" + describe_basins(measured);
 }
 
-std::string report_on(const Measured& measured) {
+std::string report_on(const MeasuredFigures& measured) {
   return introduction(measured) + claims_table(judge(measured)) + beyond(measured);
 }
 

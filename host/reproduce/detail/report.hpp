@@ -8,9 +8,9 @@
 namespace gearsweep {
 
 // Markdown, all but the pictures.
-std::string report_on(const Measured& measured);
+std::string report_on(const MeasuredFigures& measured);
 
 // The part of it on jumps over the half backlash, and on the basins beside the first of them.
-std::string describe_jumps(const Measured& measured);
+std::string describe_jumps(const MeasuredFigures& measured);
 
 }  // namespace gearsweep

@@ -28,9 +28,10 @@ class Runs {
  public:
   explicit Runs(const ReproduceOptions& options) : options_(options) {
     measured_.preset = options.preset;
+    measured_.overrides = options.overrides;
   }
 
-  Measured all() {
+  MeasuredFigures all() {
     for (const std::string& name : figure_names()) {
       measured_.maps.emplace(name, sweep(name, study_of(name)));
     }
@@ -65,9 +66,12 @@ class Runs {
     if (options_.on_step) options_.on_step(what);
   }
 
+  // The last override of a key counts.
   Study study_of(const std::string& figure, const std::vector<std::string>& overrides = {}) const {
     const std::string name = fmt::format("{}/{}", options_.preset, figure);
-    return read_study(builtin_studies().at(name + ".toml"), name, overrides);
+    std::vector<std::string> all = options_.overrides;
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return read_study(builtin_studies().at(name + ".toml"), name, all);
   }
 
   SweepOptions sweep_options() const {
@@ -81,8 +85,9 @@ class Runs {
     return options_.folder + "/" + name + ".nc";
   }
   Provenance provenance() const {
-    return {fmt::format("gearsweep reproduce --preset {}", options_.preset), version(),
-            source_hash()};
+    std::string call = fmt::format("gearsweep reproduce --preset {}", options_.preset);
+    for (const std::string& assignment : options_.overrides) call += " --set " + assignment;
+    return {call, version(), source_hash()};
   }
 
   SweepResult compute(const Study& study) const {
@@ -131,7 +136,7 @@ class Runs {
   // (of the first kMostJumps), and the basins at the first of them.
   void find_jumps(const std::string& figure) {
     const Curve force(measured_.maps.at(figure), "dmf_max");
-    std::vector<Measured::Jump> jumps;
+    std::vector<MeasuredFigures::Jump> jumps;
     std::set<double> values;
     for (std::size_t i = 1; i < force.size() && jumps.size() < kMaxJumps; ++i) {
       if ((force[i] > kLargeForce) == (force[i - 1] > kLargeForce)) continue;
@@ -146,11 +151,11 @@ class Runs {
     study.axes.front().values.assign(values.begin(), values.end());
     const SweepResult result = compute(study);
     const Curve count(result, "attractor_count");
-    for (Measured::Jump& jump : jumps) {
+    for (MeasuredFigures::Jump& jump : jumps) {
       jump.count_below = static_cast<std::size_t>(count[count.nearest(jump.below)]);
       jump.count_above = static_cast<std::size_t>(count[count.nearest(jump.above)]);
     }
-    const Measured::Jump& first = jumps.front();
+    const MeasuredFigures::Jump& first = jumps.front();
     find_basins(figure, "below", first.below, first.count_below);
     find_basins(figure, "above", first.above, first.count_above);
     measured_.jumps.emplace(figure, std::move(jumps));
@@ -172,7 +177,7 @@ class Runs {
                     "[initial]\npolicy = \"fixed\"\n[integrate]\nsettle = 2000\nrecord = 100\n"
                     "[observe]\nperiod_tolerance = 1e-4\nquantities = [\"attractor\"]\n",
                     b, law_of(figure), options_.preset, law_of(figure), b),
-        "basins");
+        "basins", options_.overrides);
   }
 
   static const char* law_of(const std::string& figure) {
@@ -189,7 +194,7 @@ class Runs {
                     "[observe]\nperiod_tolerance = 1e-4\n"
                     "quantities = [\"lyapunov_max\", \"period\", \"x1_rms\"]\n",
                     law, options_.preset),
-        "omega-b");
+        "omega-b", options_.overrides);
   }
 
   // Undamped, unforced, frictionless, with mesh stiffness 1 and no backlash, from a state away from
@@ -234,7 +239,7 @@ class Runs {
   }
 
   const ReproduceOptions& options_;
-  Measured measured_;
+  MeasuredFigures measured_;
 };
 
 }  // namespace
@@ -246,7 +251,7 @@ const std::vector<std::string>& figure_names() {
   return kNames;
 }
 
-std::optional<Measured> run_figures(const ReproduceOptions& options) {
+std::optional<MeasuredFigures> run_figures(const ReproduceOptions& options) {
   try {
     return Runs(options).all();
   } catch (const Stopped&) {

@@ -10,6 +10,6 @@ namespace gearsweep {
 const std::vector<std::string>& figure_names();
 
 // Nothing when stopped.
-std::optional<Measured> run_figures(const ReproduceOptions& options);
+std::optional<MeasuredFigures> run_figures(const ReproduceOptions& options);
 
 }  // namespace gearsweep
