@@ -174,7 +174,7 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
 
 void Plan::refuse(std::size_t point, const std::string& wrong) const {
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    if (!study_.axes[axis].is_list()) continue;
+    if (!study_.axes[axis].is_list) continue;
     throw InputError(fmt::format("point {}: {}", axis_value(axis, point), wrong));
   }
   throw InputError(wrong);

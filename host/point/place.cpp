@@ -44,19 +44,10 @@ Axis resting_axis(const Study& study) {
                                axis.name, axis.values.front()));
 }
 
-const Axis* list_of(const Study& study) {
-  const auto found = std::ranges::find_if(study.axes, &Axis::is_list);
+const Axis* find_axis_of_several(const Study& study, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      study.axes, [&](const Axis& axis) { return !axis.columns.empty() && axis.name == name; });
   return found == study.axes.end() ? nullptr : &*found;
-}
-
-std::size_t row_of(const Axis& list, double number, const std::string& origin) {
-  const auto found = std::ranges::find(list.values, number);
-  if (found == list.values.end()) {
-    throw InputError(told_of(origin, fmt::format("there is no point {}; points are numbered from "
-                                                 "{} to {}",
-                                                 number, list.values.front(), list.values.back())));
-  }
-  return static_cast<std::size_t>(found - list.values.begin());
 }
 
 const Placed* find_placed(const Place& place, const Swept& swept) {
@@ -66,15 +57,43 @@ const Placed* find_placed(const Place& place, const Swept& swept) {
   return given == place.values.end() ? nullptr : &*given;
 }
 
-// The point of the list, with what the place says otherwise.
-Axis placed_row(const Axis& list, const Place& place) {
-  if (!place.row && list.values.size() > 1) refuse_missing(list, place.origin);
-  Axis row = list.at({place.row.value_or(0)});
-  for (Swept& column : row.columns) {
+// The axis, which stands for several parameters, at one of its values. Those of a key of [gear] may
+// lie between the ones that it has: the study is read again for them.
+Axis at_value(const Study& study, const Axis& axis, double value, const std::string& origin) {
+  const auto own = std::ranges::find(axis.values, value);
+  if (own != axis.values.end()) {
+    return axis.at({static_cast<std::size_t>(own - axis.values.begin())});
+  }
+  if (axis.is_list) {
+    throw InputError(
+        told_of(origin, fmt::format("there is no point {}; points are numbered from {} to {}",
+                                    value, axis.values.front(), axis.values.back())));
+  }
+  const std::string zoom = fmt::format("{}={}:{}:1", axis.name, value, value);
+  try {
+    return *find_axis_of_several(read_study(study.toml, "study", {}, {zoom}), axis.name);
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    const std::string reason = told.substr(told.find(": ") + 2);  // without the place
+    throw InputError(told_of(origin, fmt::format("{} = {}: {}", axis.name, value, reason)));
+  }
+}
+
+// The same at the place, with what that says of single parameters.
+Axis placed_columns(const Study& study, const Axis& axis, const Place& place) {
+  const auto named = place.named.find(axis.name);
+  const bool are_all_placed = std::ranges::all_of(
+      axis.columns, [&](const Swept& column) { return find_placed(place, column) != nullptr; });
+  if (named == place.named.end() && axis.values.size() > 1 && !are_all_placed) {
+    refuse_missing(axis, place.origin);
+  }
+  Axis placed = named == place.named.end() ? axis.at({0})
+                                           : at_value(study, axis, named->second, place.origin);
+  for (Swept& column : placed.columns) {
     const Placed* given = find_placed(place, column);
     if (given != nullptr) column.values = {given->value};
   }
-  return row;
+  return placed;
 }
 
 }  // namespace
@@ -102,11 +121,10 @@ void require_in_range(const ParameterInfo& info, double value, const std::string
 Place find_place(const Study& study, const std::vector<NamedValue>& values,
                  const std::string& origin) {
   const Model& model = *study.model;
-  const Axis* list = list_of(study);
   Place place{{}, {}, origin};
   for (const auto& [name, value] : values) {
-    if (list != nullptr && name == kPointAxis) {
-      place.row = row_of(*list, value, origin);
+    if (find_axis_of_several(study, name) != nullptr) {
+      place.named[name] = value;
       continue;
     }
     const int state = model.find_state(name);
@@ -133,10 +151,11 @@ void place_parameters(const Place& place, Study* study) {
     if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
   }
   if (study->axes.empty()) study->axes.push_back(resting_axis(*study));
+  const Study whole = *study;
   for (Axis& axis : study->axes) {
-    const Placed* given = axis.is_list() ? nullptr : find_placed(place, axis);
-    if (axis.is_list()) {
-      axis = placed_row(axis, place);
+    const Placed* given = axis.columns.empty() ? find_placed(place, axis) : nullptr;
+    if (!axis.columns.empty()) {
+      axis = placed_columns(whole, axis, place);
     } else if (given != nullptr) {
       axis.values = {given->value};
     } else if (axis.values.size() > 1) {
@@ -157,22 +176,26 @@ void place_states(const Place& place, Study* study) {
 }
 
 void snap(const Study& whole, bool is_map, Place* place) {
-  for (Placed& placed : place->values) {
-    for (std::size_t i = 0; i < whole.axes.size(); ++i) {
-      const Axis& axis = whole.axes[i];
-      if (axis.is_list() || !is_swept(axis, placed)) continue;
-      if (!is_map && !(whole.is_chained() && whole.initial.along == i)) continue;
-      placed.value = nearest_value(axis, placed.value, place->origin);
+  for (std::size_t i = 0; i < whole.axes.size(); ++i) {
+    const Axis& axis = whole.axes[i];
+    if (axis.is_list || (!is_map && !(whole.is_chained() && whole.initial.along == i))) continue;
+    const auto move = [&](double* value) { *value = nearest_value(axis, *value, place->origin); };
+    if (const auto named = place->named.find(axis.name); named != place->named.end()) {
+      move(&named->second);
+    }
+    for (Placed& placed : place->values) {
+      if (axis.columns.empty() && is_swept(axis, placed)) move(&placed.value);
     }
   }
 }
 
 std::string label_of(const Model& model, const Place& place) {
-  std::string label = place.row ? fmt::format("{}={}", kPointAxis, *place.row + 1) : "";
-  for (const Placed& placed : place.values) {
-    label +=
-        fmt::format("{}{}={:.6g}", label.empty() ? "" : ", ", name_of(model, placed), placed.value);
-  }
+  std::string label;
+  const auto add = [&](const std::string& name, double value) {
+    label += fmt::format("{}{}={:.6g}", label.empty() ? "" : ", ", name, value);
+  };
+  for (const auto& [name, value] : place.named) add(name, value);
+  for (const Placed& placed : place.values) add(name_of(model, placed), placed.value);
   return label;
 }
 

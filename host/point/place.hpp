@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,8 +24,9 @@ struct Placed {
 
 struct Place {
   std::vector<Placed> values;
-  std::optional<std::size_t> row;  // of the study's list of points, from 0
-  std::string origin;              // what messages call it: "--at"; empty: nothing
+  // Values of axes that stand for several parameters, by their names: {"point", 3} of a list.
+  std::map<std::string, double> named;
+  std::string origin;  // what messages call it: "--at"; empty: nothing
 };
 
 // "--at: TEXT", or the text alone.
@@ -35,8 +36,7 @@ std::size_t parameter_index(const Model& model, const std::string& name, const s
 
 void require_in_range(const ParameterInfo& info, double value, const std::string& origin);
 
-// Refuses names that the model does not have, and values that it does not allow. 'point' is the
-// number of a point of the study's list.
+// Refuses names that neither the model nor an axis has, and values that they do not allow.
 Place find_place(const Study& study, const std::vector<NamedValue>& values,
                  const std::string& origin);
 

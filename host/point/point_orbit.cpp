@@ -18,7 +18,7 @@ Place start_of(const Study& whole, const OrbitRequest& request) {
   if (!request.range) return place;
   const std::size_t parameter = request.range->parameter;
   const bool is_column = std::ranges::any_of(whole.axes, [&](const Axis& axis) {
-    return axis.is_list() && is_swept(axis, {false, parameter, 0.0});
+    return !axis.columns.empty() && is_swept(axis, {false, parameter, 0.0});
   });
   if (is_column) return place;
   const bool is_placed = std::any_of(

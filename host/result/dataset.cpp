@@ -90,7 +90,7 @@ class Description {
   }
 
   void add_axis(const Axis& axis) {
-    const std::string name = axis.is_list() ? kPointAxis : name_in_result(axis, study_);
+    const std::string name = axis.is_list ? kPointAxis : name_in_result(axis, study_);
     out_.dimensions.push_back({name, axis.values.size()});
     map_dimensions_.push_back(name);
     DataVariable variable = coordinate(axis, name, name);
@@ -113,7 +113,7 @@ class Description {
             .elements = std::span(swept.values)};
   }
 
-  // The names of the columns of a list of points, as the CF conventions and xarray want them.
+  // The names of the columns of axes, as the CF conventions and xarray want them.
   void add_columns(DataVariable* variable) const {
     if (!columns_.empty()) variable->attributes.push_back({"coordinates", columns_});
   }
@@ -279,7 +279,7 @@ class Description {
   const Study& study_;
   const FileNotes notes_;
   std::vector<std::string> map_dimensions_;  // (y, x) or (x)
-  std::string columns_;                      // names of a list of points
+  std::string columns_;                      // names of the columns of axes
   Dataset out_;
 };
 

@@ -17,8 +17,8 @@
 
 namespace gearsweep {
 
-// The attribute of a coordinate that is a column of a list of points: the parameter or the state
-// whose initial values it has.
+// The attribute of a coordinate that is a column of an axis, such as a list of points: the
+// parameter, or the state whose initial values it has.
 inline constexpr const char* kSweeps = "sweeps";
 
 struct Attribute {

@@ -45,9 +45,10 @@ struct ResultAxis {
   std::string name, unit, meaning;
   std::vector<double> values;
   bool logarithmic = false;
-  std::vector<ResultAxis> columns = {};  // of a list of points, each as long as its numbers
+  // What it stands for, where these are several: each as long as its values.
+  std::vector<ResultAxis> columns = {};
 
-  bool is_list() const { return !columns.empty(); }
+  bool is_list() const { return name == kPointAxis; }
 };
 
 // One quantity over the axes; `unit` is in the model's dimensionless units, "1" without any, or

@@ -51,7 +51,7 @@ bool are_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-// The columns of a list of points that are along this dimension.
+// The columns of an axis: of a list of points, for example.
 std::vector<ResultAxis> read_columns(const NetcdfFile& file, int dimension) {
   std::vector<ResultAxis> columns;
   for (const std::string& name : file.variables()) {
@@ -150,7 +150,8 @@ PointTable read_point_table(const std::string& path) {
   for (const std::string& name : file.variables()) {
     const int variable = file.find_variable(name);
     const std::optional<std::string> sweeps = file.text_attribute(variable, kSweeps);
-    if (!sweeps || file.dimensions_of(variable).size() != 1) continue;
+    const std::vector<int> along = file.dimensions_of(variable);
+    if (!sweeps || along.size() != 1 || file.dimension_name(along.front()) != kPointAxis) continue;
     points.names.push_back(*sweeps);
     points.columns.push_back(read_row(file, variable));
     if (points.columns.back().size() != points.points() || !are_finite(points.columns.back())) {

@@ -21,7 +21,7 @@ bool is_swept(const Study& study, const std::string& name) {
 void note_moved_chain(const toml::table& root, Study* study) {
   if (!study->is_chained() || study->axes.empty()) return;
   const Axis& axis = study->axes[study->initial.along];
-  if (axis.is_list()) return;
+  if (axis.is_list) return;
   const toml::node* from = (*root["axes"].as_array())[study->initial.along].as_table()->get("from");
   if (from == nullptr || !place_of(*from).starts_with("--zoom")) return;
   study->notices.push_back(fmt::format(

@@ -16,7 +16,7 @@ std::vector<double> chosen(const std::vector<double>& values,
 }  // namespace
 
 std::span<const Swept> Axis::swept() const {
-  if (is_list()) return columns;
+  if (!columns.empty()) return columns;
   return {static_cast<const Swept*>(this), 1};
 }
 

@@ -23,14 +23,16 @@ struct Swept {
   std::vector<double> values;
 };
 
-// A direction of the map: one swept quantity with increasing values, or a list of points. A list
-// has columns, whose values stand in the order of the points; its own values are 1, 2, 3, ...
+// A direction of the map: one swept quantity with increasing values, or what stands for several,
+// which are its columns, with a value for each of its own. Those are the numbers 1, 2, 3, ... of a
+// list of points, whose neighbours have nothing in common, or values of a key of [gear], from which
+// the columns follow.
 struct Axis : Swept {
   bool logarithmic = false;
+  bool is_list = false;
   std::vector<Swept> columns;
 
-  bool is_list() const { return !columns.empty(); }
-  // What has its value of each place: the axis itself, or the columns of a list.
+  // What has a value at each place: the axis itself, or its columns.
   std::span<const Swept> swept() const;
   bool sweeps_state() const;
   bool sweeps_parameter() const;

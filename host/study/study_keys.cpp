@@ -101,17 +101,19 @@ StudyTable gear_table() {
 
 StudyTable axes_table() {
   const std::string number = "number";
-  return {"axes",
-          "[[axes]]",
-          "Each axis is a table of its own, [[axes]], with from, to and count, or with values.",
-          {{"name", "string", "required",
-            "A parameter of the model, or one of its states: then the initial value is swept."},
-           {"from", number, "", "The first value, within the range of what is swept."},
-           {"to", number, "from", "The last value; greater than from."},
-           {"count", "whole number", "", "How many values.", 1.0, 1e6},
-           one_of("scale", {"linear", "log"}, quoted("linear"), "How the values are spaced."),
-           {"values", "list of numbers", "",
-            "The values themselves, increasing; as many as count may be."}}};
+  return {
+      "axes",
+      "[[axes]]",
+      "Each axis is a table of its own, [[axes]], with from, to and count, or with values.",
+      {{"name", "string", "required",
+        "A parameter of the model, or one of its states: then the initial value is swept. With a "
+        "[gear] table also a key of it, in the unit of the drawing: torque_N_m."},
+       {"from", number, "", "The first value, within the range of what is swept."},
+       {"to", number, "from", "The last value; greater than from."},
+       {"count", "whole number", "", "How many values.", 1.0, 1e6},
+       one_of("scale", {"linear", "log"}, quoted("linear"), "How the values are spaced."),
+       {"values", "list of numbers", "",
+        "The values themselves, increasing; as many as count may be."}}};
 }
 
 StudyTable points_table() {

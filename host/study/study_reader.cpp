@@ -8,6 +8,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/detail/axis_reader.hpp"
+#include "study/detail/drawing_axis.hpp"
 #include "study/detail/gear_table.hpp"
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/model_table.hpp"
@@ -53,7 +54,7 @@ std::vector<GearParameter> read_gear(const toml::table* gear, Study* study) {
   if (study->model != &gear_table_model()) {
     fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
   }
-  GearConversion conversion = convert_gear(*gear);
+  GearConversion conversion = convert_gear(*gear, first_values(study->axes));
   study->scales = conversion.scales;
   study->gear_notes = conversion.notes;
   for (const GearParameter& parameter : conversion.parameters) {
@@ -134,7 +135,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   std::vector<std::string> states = reader.texts("poincare");
   if (reader.find("quantities") == nullptr) {
     quantities = {first_state + "_rms"};
-    if (study->axes.size() == 1 && !study->axes.front().is_list()) quantities.push_back("poincare");
+    if (study->axes.size() == 1 && !study->axes.front().is_list) quantities.push_back("poincare");
   }
   if (reader.find("poincare") == nullptr) states = {first_state};
   // What rounding leaves of a stable orbit's recurrence, with some room.
@@ -230,13 +231,15 @@ Study read_tables(const StudyText& text) {
   study.title = reader.text("title", "");
   read_model(root, reader.table("model"), &study);
   const toml::table* parameters = reader.table("parameters");
-  const std::vector<GearParameter> gear = read_gear(reader.table("gear"), &study);
+  const toml::table* gear_table = reader.table("gear");
   reader.table("points");
   refuse_misplaced(root, *study.model);
   reader.refuse_unknown();
 
-  read_parameters(parameters, &study);
   study.axes = read_axes(root, text.points, *study.model);
+  const std::vector<GearParameter> gear = read_gear(gear_table, &study);
+  take_in_gear(root, &study.axes);
+  read_parameters(parameters, &study);
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);

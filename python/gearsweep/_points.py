@@ -58,7 +58,7 @@ def columns_of(points: Any) -> Columns:
 
 def is_column(coordinate: xarray.DataArray) -> bool:
     """Whether a coordinate is a column of a list of points."""
-    return _SWEEPS in coordinate.attrs and coordinate.ndim == 1
+    return _SWEEPS in coordinate.attrs and coordinate.dims == ("point",)
 
 
 def points_in(maps: xarray.Dataset) -> Columns:

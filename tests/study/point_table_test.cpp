@@ -107,7 +107,7 @@ TEST(PointTable, MayStandBesideOneAxis) {
   EXPECT_THAT(refusal(axis + "[[axes]]\nname = 'b'\nvalues = [1]\n" + kList),
               HasSubstr("a list takes the place of one axis"));
   EXPECT_THAT(refusal("[[axes]]\nname = 'mu'\nvalues = [0.1]\n" + kList),
-              HasSubstr("'mu' is an axis and a column of the points"));
+              HasSubstr("the axes 'mu' and 'point' both give mu"));
 }
 
 TEST(PointTable, IsRefusedWhereTheModelHasNoSuchValues) {

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/detail/drawing_axis.hpp"
 #include "study/detail/point_reader.hpp"
 #include "study/detail/toml_access.hpp"
 #include "sweep_types.h"
@@ -72,7 +73,34 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
   axis->values = spaced(from, to, static_cast<std::size_t>(*count), axis->logarithmic);
 }
 
-Axis read_axis(const toml::table& table, const Model& model) {
+// The values of an axis within its range.
+void read_values(const toml::table& table, TableReader* reader, std::pair<double, double> range,
+                 Axis* axis) {
+  const toml::node* values = reader->find("values");
+  if (values == nullptr) {
+    read_range(table, reader, range, axis);
+    check_increasing(table, *axis);
+    return;
+  }
+  for (const char* key : {"from", "to", "count"}) {
+    if (const toml::node* extra = reader->find(key)) {
+      fail_at(*extra, fmt::format("axis '{}' has both values and {}", axis->name, key));
+    }
+  }
+  const toml::array* list = values->as_array();
+  if (list != nullptr && static_cast<double>(list->size()) > max_values()) {
+    fail_at(*values, fmt::format("axis '{}' has {} values; at most {} are possible", axis->name,
+                                 list->size(), max_values()));
+  }
+  axis->values = reader->numbers("values", range.first, range.second);
+  if (axis->values.empty()) {
+    fail_at(*values, fmt::format("axis '{}' has no values; at least 1 is needed", axis->name));
+  }
+  check_increasing(*values, *axis);
+}
+
+// gear: the table [gear] of the study; nullptr when there is none.
+Axis read_axis(const toml::table& table, const Model& model, const toml::table* gear) {
   TableReader reader(&table, study_table("axes"));
   Axis axis;
   axis.name = reader.text("name", "");
@@ -80,29 +108,19 @@ Axis read_axis(const toml::table& table, const Model& model) {
   axis.logarithmic = reader.choice("scale", 0) == 1;
   reader.refuse_unknown();
 
-  const toml::node* name_node = reader.find("name");
-  const std::pair<double, double> range = bind_swept(model, *name_node, "axis", &axis);
-  const toml::node* values = reader.find("values");
-  if (values == nullptr) {
-    read_range(table, &reader, range, &axis);
-    check_increasing(table, axis);
+  const toml::node& name = *reader.find("name");
+  const GearKey* key = find_swept_key(axis.name);
+  if (key == nullptr) {
+    const std::pair<double, double> range = bind_swept(model, name, "axis", &axis);
+    read_values(table, &reader, range, &axis);
     return axis;
   }
-  for (const char* key : {"from", "to", "count"}) {
-    if (const toml::node* extra = reader.find(key)) {
-      fail_at(*extra, fmt::format("axis '{}' has both values and {}", axis.name, key));
-    }
+  if (gear == nullptr) {
+    fail_at(name, fmt::format("axis '{}' is a key of [gear], and the study has no such table",
+                              axis.name));
   }
-  const toml::array* list = values->as_array();
-  if (list != nullptr && static_cast<double>(list->size()) > max_values()) {
-    fail_at(*values, fmt::format("axis '{}' has {} values; at most {} are possible", axis.name,
-                                 list->size(), max_values()));
-  }
-  axis.values = reader.numbers("values", range.first, range.second);
-  if (axis.values.empty()) {
-    fail_at(*values, fmt::format("axis '{}' has no values; at least 1 is needed", axis.name));
-  }
-  check_increasing(*values, axis);
+  bind_key(*key, &axis);
+  read_values(table, &reader, {key->min, key->max}, &axis);
   return axis;
 }
 
@@ -119,22 +137,25 @@ std::vector<Axis> axes_of_tables(const toml::table& study, const Model& model) {
     fail_at(*node, fmt::format("{} axes are given; a map has one or two", array->size()));
   }
   for (const toml::node& element : *array) {
-    axes.push_back(read_axis(*element.as_table(), model));
+    axes.push_back(read_axis(*element.as_table(), model, study["gear"].as_table()));
   }
   return axes;
 }
 
+// Two axes must not have a say in one parameter.
 void refuse_twice(const std::vector<Axis>& axes, const toml::table& study) {
-  std::set<std::string> names;
+  std::map<std::string, const Axis*> names;
   for (const Axis& axis : axes) {
     for (const Swept& swept : axis.swept()) {
-      if (names.insert(swept.name).second) continue;
-      if (axis.is_list()) {
-        fail_at(*study.get("points"),
-                fmt::format("'{}' is an axis and a column of the points", swept.name));
+      const auto [other, is_new] = names.try_emplace(swept.name, &axis);
+      if (is_new) continue;
+      const toml::node& place =
+          axis.is_list ? *study.get("points") : study.get("axes")->as_array()->back();
+      if (axis.name == other->second->name) {
+        fail_at(place, fmt::format("axis '{}' is given twice", axis.name));
       }
-      fail_at(study.get("axes")->as_array()->back(),
-              fmt::format("axis '{}' is given twice", swept.name));
+      fail_at(place, fmt::format("the axes '{}' and '{}' both give {}", other->second->name,
+                                 axis.name, swept.name));
     }
   }
 }
@@ -174,8 +195,19 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
     }
     axes.push_back(axis_of_points(points, place, model));
   }
-  refuse_twice(axes, study);
   return axes;
+}
+
+void take_in_gear(const toml::table& study, std::vector<Axis>* axes) {
+  for (std::size_t i = 0; i < axes->size(); ++i) {
+    Axis& axis = (*axes)[i];
+    const GearKey* key = axis.is_list ? nullptr : find_swept_key(axis.name);
+    if (key == nullptr) continue;
+    const toml::table& gear = *study["gear"].as_table();
+    GearValues others = first_values(*axes);
+    add_parameters(*key, gear, others, (*study["axes"].as_array())[i], &axis);
+  }
+  refuse_twice(*axes, study);
 }
 
 }  // namespace gearsweep

@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,15 +62,19 @@ inline constexpr std::array kGearKeys = {
     kInertia,       kMass,      kBearingStiffness, kBearingDamping,    kMeshDamping,  kHalfBacklash,
     kMeshStiffness, kFaceWidth, kTorque,           kTransmissionError, kSpeed};
 
+// Numbers that stand in place of those of the table, by the names of keys.
+using GearValues = std::map<std::string, double>;
+
 // The table by keys. All its numbers are in the units of the keys.
 class GearReader {
  public:
-  explicit GearReader(const toml::table& gear) : gear_(gear), reader_(&gear, "[gear]") {
+  GearReader(const toml::table& gear, const GearValues& values)
+      : gear_(gear), values_(values), reader_(&gear, "[gear]") {
     for (const GearKey& key : kGearKeys) reader_.know(std::string(key.name));
     reader_.refuse_unknown();
   }
 
-  bool has(const GearKey& key) const { return gear_.contains(key.name); }
+  bool has(const GearKey& key) const { return value_of(key) || gear_.contains(key.name); }
 
   // What a message about this key should point at: the key, or the table that lacks it.
   const toml::node& node(const GearKey& key) const {
@@ -78,6 +83,7 @@ class GearReader {
   }
 
   std::optional<double> optional(const GearKey& key) {
+    if (const std::optional<double> value = value_of(key)) return value;
     return reader_.optional_number(std::string(key.name), key.min, key.max);
   }
 
@@ -89,6 +95,9 @@ class GearReader {
   // `count` numbers, or one that stands for all of them.
   std::vector<double> list(const GearKey& key, std::size_t count) {
     need(key);
+    if (const std::optional<double> value = value_of(key)) {
+      return std::vector<double>(count, *value);
+    }
     std::vector<double> values = reader_.numbers(std::string(key.name), key.min, key.max);
     if (!node(key).is_array()) values.assign(count, values.front());
     if (values.size() != count) {
@@ -99,11 +108,17 @@ class GearReader {
   }
 
  private:
+  std::optional<double> value_of(const GearKey& key) const {
+    const auto found = values_.find(std::string(key.name));
+    return found == values_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   void need(const GearKey& key) const {
     if (!has(key)) fail_at(gear_, fmt::format("[gear] needs '{}' ({})", key.name, key.meaning));
   }
 
   const toml::table& gear_;
+  const GearValues& values_;
   TableReader reader_;
 };
 

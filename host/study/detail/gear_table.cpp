@@ -291,8 +291,8 @@ const Model& gear_table_model() {
   return model;
 }
 
-GearConversion convert_gear(const toml::table& gear) {
-  GearReader in(gear);
+GearConversion convert_gear(const toml::table& gear, const GearValues& values) {
+  GearReader in(gear, values);
   Parameters parameters(in);
   GearConversion out;
   const Geometry geometry = read_geometry(in);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -45,6 +46,8 @@ struct GearConversion {
 // half backlash b_n, forces by k0 b_n, time by 1/varpi with varpi^2 = k0/me (Chen et al. 2011).
 // Throws InputError with the place: unknown or missing keys, numbers out of range, a gear pair that
 // the model cannot describe.
-GearConversion convert_gear(const toml::table& gear);
+//
+// values: numbers in place of those of the table, in the range of their keys.
+GearConversion convert_gear(const toml::table& gear, const GearValues& values = {});
 
 }  // namespace gearsweep

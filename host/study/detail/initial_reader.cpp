@@ -89,7 +89,7 @@ void read_initial(const toml::table* table, Study* study) {
         fmt::format("{}: a chain cannot go along axis '{}', {}; name a parameter's axis with "
                     "along = \"...\"",
                     place_of(*table), along.name,
-                    along.is_list() ? "which has initial states" : "an initial state"));
+                    along.is_list ? "which has initial states" : "an initial state"));
   }
 }
 

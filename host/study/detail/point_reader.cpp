@@ -69,6 +69,7 @@ PointTable take_in_points(const std::string& source, const PointTable& given, to
 Axis axis_of_points(const PointTable& points, const toml::node& place, const Model& model) {
   Axis axis;
   axis.name = kPointAxis;
+  axis.is_list = true;
   axis.meaning = "number of the point";
   for (std::size_t point = 0; point < points.points(); ++point) {
     axis.values.push_back(static_cast<double>(point + 1));
