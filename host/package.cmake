@@ -45,7 +45,7 @@ as xarray Datasets.")
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
   set(python "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${driver}, ${python}, python3-numpy, python3-xarray")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-tqdm")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-netcdf4, python3-tqdm")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/python/debian/postinst
       ${PROJECT_SOURCE_DIR}/python/debian/prerm)
 endif()

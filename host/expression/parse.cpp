@@ -245,7 +245,11 @@ class Parser {
     if (std::ranges::find(functions(), name, &FunctionInfo::name) != functions().end()) {
       fail(start, fmt::format("'{}' is a function: {}(...)", name, name));
     }
-    fail(start, fmt::format("unknown name '{}'{}", name, suggest_name(name, known_names())));
+    const bool is_time = name == "t" || name == "time";
+    fail(start, fmt::format("unknown name '{}'{}", name,
+                            is_time ? "; the forcing is written with its phase, as in cos(phase), "
+                                      "which goes from 0 to 2 pi in each period"
+                                    : suggest_name(name, known_names())));
   }
 
   std::vector<std::string> known_names() const {

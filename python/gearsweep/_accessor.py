@@ -9,7 +9,7 @@ import xarray
 
 from gearsweep._errors import InputError
 from gearsweep._flags import flags_of
-from gearsweep._si import in_si
+from gearsweep._si import IN_SI, in_si
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -68,6 +68,11 @@ class Gear:
         """
         from gearsweep import trace
 
+        if IN_SI in self._maps.attrs:
+            raise InputError(
+                "this Dataset is in rpm, µm and N; take the point of the result that it was made "
+                "of, in the units of the study: maps.gear.at(...)"
+            )
         return trace(self._maps, **place)
 
     def plot(

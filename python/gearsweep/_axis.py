@@ -15,6 +15,11 @@ def axis_table(name: str, values: Any) -> dict[str, Any]:
     if is_range and (len(values) == 3 or values[3] in ("log", "linear")):
         axis = {"name": name, **dict(zip(("from", "to", "count"), values, strict=False))}
         return axis | ({"scale": values[3]} if len(values) == 4 else {})
+    if isinstance(values, tuple) and len(values) == 2:
+        raise InputError(
+            f"axis {name!r}: {values!r} has no count; a range is (from, to, count), and values "
+            "come in a list"
+        )
     try:
         numbers = numpy.asarray(values, dtype=float)
     except (TypeError, ValueError):

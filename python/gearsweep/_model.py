@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gearsweep import _core
-from gearsweep._model_text import model_text, table_texts
+from gearsweep._errors import InputError
+from gearsweep._model_text import lack_of_period, model_text, table_texts
 from gearsweep._value import path_of, text_of
 
 if TYPE_CHECKING:
@@ -148,7 +149,10 @@ class Model:
             name=name,
             summary=summary,
         )
-        self._take(_core.read_model(text, f"model {name}", table_texts(tables)))
+        read = _core.read_model(text, f"model {name}", table_texts(tables))
+        if lack := lack_of_period(period, states, constants, parameters):
+            raise InputError(lack)
+        self._take(read)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Self:

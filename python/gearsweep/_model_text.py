@@ -106,18 +106,26 @@ def _option(value: Any) -> Any:
     return value if isinstance(value, Mapping) else {"choices": value}
 
 
-def _period(period: Any, tables: dict[str, dict[str, Any]]) -> Any:
+def lack_of_period(period: Any, states: Any, constants: Any, parameters: Any) -> str:
+    """Why the period is not known; empty where it is."""
     if period is not None:
-        return period
-    expressions = [*tables["states"].values(), *tables["constants"].values()]
+        return ""
+    expressions = [*_mapping(states, "states").values(), *_mapping(constants, "constants").values()]
     has_phase = any(_PHASE.search(str(expression)) for expression in expressions)
-    if has_phase and "omega" in tables["parameters"]:
-        return "2*pi/omega"
+    if has_phase and "omega" in _mapping(parameters, "parameters"):
+        return ""
     lack = "the parameters have no 'omega'" if has_phase else "no equation uses the phase"
-    raise InputError(
+    return (
         f"{lack}, so the period is not known: give it, as in period='2*pi/Omega' (of a model "
         "without forcing the time from section to section)"
     )
+
+
+def _period(period: Any, tables: dict[str, dict[str, Any]]) -> Any:
+    """The period, or one in its place where it is not known, so that all else can be checked."""
+    if period is not None:
+        return period
+    return "2*pi/omega" if "omega" in tables["parameters"] else 1
 
 
 def _table(name: str, entries: Mapping[str, Any]) -> str:

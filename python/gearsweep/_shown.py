@@ -41,6 +41,10 @@ class Missing(NamedTuple):
 
 
 def axes_of(maps: xarray.Dataset) -> list[str]:
+    if "moment" in maps.dims:
+        raise InputError("this is a trace; draw it with trace.x1.plot(x='tau'), for example")
+    if "multipliers" in maps:
+        raise InputError("these are orbits; draw them with abs(orbits.multipliers).plot()")
     if "status" not in maps:
         raise InputError("the Dataset has no variable 'status': gearsweep did not make it")
     axes = [str(name) for name in maps.status.dims]

@@ -11,6 +11,8 @@ from gearsweep import _core
 from gearsweep._errors import InputError
 
 # What tells the scales of a variable, or of the states along a dimension, before it is converted.
+# The attribute of a Dataset that was converted.
+IN_SI = "in_si"
 _TOLD = ("scale_to_SI", "SI_units")
 
 
@@ -44,7 +46,7 @@ def in_si(data: xarray.Dataset) -> xarray.Dataset:
             changed = _renamed(variable, scales)
         if changed is not None:
             (coordinates if name in made.coords else values)[name] = changed
-    return made.assign_coords(coordinates).assign(values)
+    return made.assign_coords(coordinates).assign(values).assign_attrs({IN_SI: 1})
 
 
 def _converted(

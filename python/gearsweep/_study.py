@@ -77,8 +77,11 @@ class Study:
     def __init__(self, source: str | Model) -> None:
         if isinstance(source, Model):
             self._take(Study.of(source)._core)
-        else:
-            self._take(_core.read_draft(study_text(source), "study", [], []))
+            return
+        text = text_of(source, "a study as TOML, or a Model (Study.read takes names and paths)")
+        if text.strip() and not set(text) & set("\n=["):
+            raise InputError(f"{text!r} is no TOML; Study.read({text!r}) reads files and built-ins")
+        self._take(_core.read_draft(text, "study", [], []))
 
     @classmethod
     def of(cls, model: str | Model, /, preset: str | None = None, **settings: Any) -> Study:
@@ -213,7 +216,8 @@ class Study:
         """
         if not axes:
             raise InputError("sweep: give one or two axes, as in sweep(omega=(0.4, 2.0, 100))")
-        return self.set({"axes": [axis_table(name, values) for name, values in axes.items()]})
+        tables = [axis_table(name, values) for name, values in axes.items()]
+        return self._built("sweep", axes, {"axes": tables})
 
     def points(self, points: Any) -> Study:
         """Make a study of these points in place of its axes.
@@ -239,6 +243,11 @@ class Study:
         {'b': 10, 'point': 3}
         """
         columns = columns_of(points)
+        if self.axes:
+            warn(
+                f"the points take the place of the axes {', '.join(self.axes)}; to give each point "
+                "all values of an axis, sweep it after the points"
+            )
         return Study._of(_core.read_draft(self.toml, "study", ["axes=[]"], columns))
 
     def observe(
@@ -266,11 +275,13 @@ class Study:
         >>> "quantities = [ 'x1_rms', 'poincare' ]" in study.toml
         True
         """
+        if len(quantities) == 1 and isinstance(quantities[0], list | tuple):
+            quantities = tuple(quantities[0])
         named = list(quantities)
         if poincare is not None:
             keys["poincare"] = [poincare] if isinstance(poincare, str) else poincare
             named += [] if "poincare" in named else ["poincare"]
-        return self.set({"observe": {"quantities": named, **keys}})
+        return self._built("observe", keys, {"observe": {"quantities": named, **keys}})
 
     def parameters(self, **settings: Any) -> Study:
         """Make a study with other values of parameters and options.
@@ -297,7 +308,8 @@ class Study:
             is_option = name in options or (isinstance(value, str) and name not in parameters)
             return "model" if is_option else "parameters"
 
-        return self.set({f"{table(name, value)}.{name}": value for name, value in settings.items()})
+        changes = {f"{table(name, value)}.{name}": value for name, value in settings.items()}
+        return self._built("parameters", settings, changes)
 
     def initial(self, **keys: Any) -> Study:
         """Make a study whose points start otherwise.
@@ -341,7 +353,17 @@ class Study:
         return self._with("integrate", keys)
 
     def _with(self, table: str, keys: Mapping[str, Any]) -> Study:
-        return self.set({f"{table}.{key}": value for key, value in keys.items()})
+        return self._built(table, keys, {f"{table}.{key}": value for key, value in keys.items()})
+
+    def _built(self, step: str, keys: Mapping[str, Any], changes: Mapping[str, Any]) -> Study:
+        """As `set`; messages begin with the step, since no user has written its assignments."""
+        try:
+            return self.set(changes)
+        except InputError as error:
+            place, colon, reason = str(error).partition(": ")
+            if not colon or not place.startswith("--set "):
+                raise
+            raise InputError(f"{step}({', '.join(keys)}): {reason}") from None
 
     def run(self, **options: Any) -> xarray.Dataset:
         """Compute it, as `gearsweep.run` does with the same options."""
@@ -390,5 +412,5 @@ def study_text(source: Any) -> str:
     """The text, name or path of a study that users gave."""
     return text_of(
         source,
-        "a study: the name of a built-in one, a path, TOML, a Study or the Dataset of an earlier run",
+        "a study: the name of a built-in one, a path, TOML, a Study or the Dataset of a run",
     )

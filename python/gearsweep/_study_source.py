@@ -10,6 +10,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
+from gearsweep._model import Model
 from gearsweep._points import points_in
 from gearsweep._study import Study, study_text
 from gearsweep._value import assignments, path_of
@@ -30,6 +31,8 @@ def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:
     Study
     """
     made = assignments(changes)
+    if isinstance(source, Model):
+        raise InputError("a Model is no study yet; gearsweep.Study(model) makes one")
     if isinstance(source, Study):
         return source.set(changes) if changes else source
     if isinstance(source, xarray.Dataset):

@@ -284,3 +284,10 @@ def test_points_of_a_list_are_dots_over_a_column():
     assert list(maps.gear.plot("dmf_max").lines[0].get_xdata()) == [1, 2, 3]
     assert "there are omega, mu" in refusal(lambda: maps.gear.plot("dmf_max", over="b"))
     assert "no column" in refusal(lambda: gearsweep.run("coarse-map", set=MAP).gear.plot(over="b"))
+
+
+def test_what_is_no_map_says_how_it_is_drawn(gear):
+    place = {name: float(gear[name][0]) for name in gear.status.dims}
+    trace = gearsweep.trace(gear, record=2, **place)
+    assert "this is a trace" in refusal(lambda: trace.gear.plot("x1"))
+    assert "maps.gear.at" in refusal(lambda: gear.gear.si().gear.at(**place))

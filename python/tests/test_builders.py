@@ -198,3 +198,27 @@ def test_a_million_values_make_a_short_message():
 def test_a_million_values_are_an_axis():
     values = numpy.linspace(0.1, 1.0, 1_000_000)
     assert Study.gear5().sweep(omega=values).axes == {"omega": 1_000_000}
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: Study.gear5().sweep(omega=(0.2, 2)), "has no count"),
+        (lambda: Study.gear5().sweep(omega=(2, 1, 5)), "sweep(omega): axis 'omega' goes from"),
+        (lambda: Study("coarse-map"), "Study.read('coarse-map')"),
+        (lambda: gearsweep.run(gearsweep.model("duffing")), "gearsweep.Study(model)"),
+    ],
+)
+def test_what_users_try_first_is_answered(call, said):
+    assert said in refusal(call)
+
+
+def test_quantities_may_be_a_list():
+    asked = Study.gear5().observe(["x1_rms", "dmf_max"])
+    assert asked == Study.gear5().observe("x1_rms", "dmf_max")
+
+
+def test_who_drops_axes_is_told():
+    swept = Study.gear5().sweep(omega=(0.5, 1.0, 3))
+    with pytest.warns(RuntimeWarning, match="take the place of the axes omega"):
+        assert swept.points({"mu": [0.0, 0.1]}).axes == {"point": 2}
