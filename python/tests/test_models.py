@@ -204,7 +204,7 @@ def test_the_period_is_that_of_omega_where_the_phase_is_used():
             "table 'k':2",
         ),
         (lambda: Model({"x": "-x + F*cos(omega*t)"}, {"omega": 1, "F": 1}), "as in cos(phase)"),
-        (lambda: Model({"x": "-bcklash(x, 1)"}, {}), "did you mean 'backlash'"),
+        (lambda: Model({"x": "-bcklash(x, b)"}, {"b": 1}), "did you mean 'backlash'"),
         (lambda: Model.read("nowhere.toml"), "nowhere.toml"),
         (lambda: gearsweep.model("dufing"), "did you mean 'duffing'?"),
         (lambda: gearsweep.model(3), "expected the name of a model"),
