@@ -77,7 +77,7 @@ TEST(Peaks, EqualOnesAreInTheOrderOfThePoints) {
 
 TEST(Peaks, APointOfAListHasNoNeighbours) {
   ResultMap list = map_of({4}, {1, 4, 3, 2});
-  list.axes[0].columns = {list.axes[0]};
+  list.axes[0].name = kPointAxis;
   EXPECT_THAT(points(list, 3, false, 0.5), ElementsAre(1, 2, 3));
   EXPECT_FALSE(find_peaks(list, {.count = 4, .smallest = false, .apart = 0.5})[3].at_edge);
 }
