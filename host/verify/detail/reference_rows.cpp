@@ -118,7 +118,7 @@ std::string study_of(const ReferenceRow& row, const std::string& integrate) {
 
 // The `paper` rows move slowly, hence fewer steps.
 std::string converged_steps(const ReferenceRow& row) {
-  if (row.preset != "paper") return "steps_per_period = 4096\n";
+  if (row.preset != "paper") return "steps_per_period = 1024\n";
   return row.omega < 0.2 ? "steps_per_period = 1024\n" : "steps_per_period = 512\n";
 }
 
