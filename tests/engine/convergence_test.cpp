@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace {
 const std::string kStudy =
     "[model]\nstiffness = 'rectangular'\nbacklash = 'dynamic'\n[parameters]\neps = 1.5\n"
     "e0 = 0.05\nmu = 0.1\n[[axes]]\nname = 'omega'\nvalues = [0.8]\n[integrate]\nsettle = 4\n"
-    "record = 1\n[observe]\nquantities = ['contact_class', 'poincare']\n"
+    "record = 1\nstop = 'never'\n[observe]\nquantities = ['contact_class', 'poincare']\n"
     "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
 
 // The teeth part and meet again in each period, on one flank or, with the small backlash, on both;
@@ -29,7 +30,7 @@ std::string parting(const std::string& backlash, const std::string& b,
                     const std::string& omega = "1.0") {
   return "[model]\npreset = 'coarse'\nbacklash = '" + backlash +
          "'\n[parameters]\neps = 1.5\nb = " + b + "\n[[axes]]\nname = 'omega'\nvalues = [" + omega +
-         "]\n[integrate]\nsettle = 4\nrecord = 1\n"
+         "]\n[integrate]\nsettle = 4\nrecord = 1\nstop = 'never'\n"
          "[observe]\nquantities = ['contact_class', 'poincare']\n"
          "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
 }
@@ -40,6 +41,7 @@ std::string parting(const std::string& backlash, const std::string& b,
 std::vector<double> errors(const std::string& study, const std::string& engine,
                            const std::string& events, double contact_class) {
   std::vector<double> found;
+  std::optional<OutsideState> exact;
   for (const char* steps : {"32", "64", "128", "256", "512"}) {
     const SweepResult result =
         run(study, {"integrate.engine='" + engine + "'", "integrate.events=" + events,
@@ -47,12 +49,14 @@ std::vector<double> errors(const std::string& study, const std::string& engine,
     EXPECT_EQ(map_of(result, "contact_class")[0], contact_class);
     const Plan plan(result.study, 1);
     EXPECT_EQ(plan.phase_grid_of(0).steps, std::stoul(steps));
-    const OutsideGear gear(plan.setting_of(0));
-    OutsideState exact = outside_state(plan.own_initial_state(0));
-    for (int period = 0; period < 5; ++period) gear.advance_period(1e-15, &exact);
+    if (!exact) {
+      const OutsideGear gear(plan.setting_of(0));
+      exact = outside_state(plan.own_initial_state(0));
+      for (int period = 0; period < 5; ++period) gear.advance_period(1e-15, &*exact);
+    }
     double error = 0.0;
     for (std::size_t i = 0; i < 10; ++i) {
-      error = std::max(error, std::abs(samples_of(result, 0, i)[0] - exact[i]));
+      error = std::max(error, std::abs(samples_of(result, 0, i)[0] - (*exact)[i]));
     }
     found.push_back(error);
   }

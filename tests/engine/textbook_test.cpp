@@ -176,7 +176,8 @@ TEST(EveryModel, KernelAndReferenceEngineAgree) {
     const std::string study =
         "[model]\nname = '" + model.name + "'\n[[axes]]\nname = '" + model.states[0].name +
         "'\nfrom = 0.5\nto = 1.5\ncount = 16\n[integrate]\nsettle = 0\nrecord = 2\n"
-        "steps_per_period = 128\n[observe]\nquantities = ['poincare']\npoincare = [" +
+        "steps_per_period = 128\nstop = 'never'\n[observe]\nquantities = ['poincare']\n"
+        "poincare = [" +
         sampled + "]\n";
     const SweepResult kernel = run(study);
     const SweepResult reference = run(study, {"integrate.engine=reference"});

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -15,6 +15,7 @@
 
 #include "engine/exact_pieces.hpp"
 #include "orbits/example_orbits.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/run.hpp"
 #include "support/text.hpp"
 
@@ -74,7 +75,7 @@ void expect_orbit(const Example& example, const ExactPieces& exact, std::size_t 
   const ExactPieces::Image orbit = exact.orbit(found.state);
   EXPECT_EQ(orbit.crossings, crossings);
   EXPECT_LT((found.state - orbit.state).cwiseAbs().maxCoeff(), tolerance);
-  for (const std::complex<double>& one : orbit.monodromy.eigenvalues()) {
+  for (const std::complex<double>& one : eigenvalues_of(orbit.monodromy)) {
     EXPECT_LT((found.multipliers.array() - one).abs().minCoeff(), tolerance) << one;
   }
 }
@@ -132,7 +133,10 @@ struct Hill {
       matrix(i, i) -= std::complex<double>(0.0, omega * static_cast<double>(i % n - kHarmonics));
     }
     double largest = -std::numeric_limits<double>::infinity();
-    for (const std::complex<double>& one : matrix.eigenvalues()) {
+    // The same map of real and imaginary parts, which has the conjugates of its eigenvalues, too.
+    Eigen::MatrixXd parts(4 * n, 4 * n);
+    parts << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
+    for (const std::complex<double>& one : eigenvalues_of(parts)) {
       if (std::abs(one.imag()) < 0.75 * omega) largest = std::max(largest, one.real());
     }
     return largest;

@@ -31,7 +31,7 @@ std::string study_of(const Laws& laws) {
          "[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.6\ncount = 40\n"
          "[[axes]]\nname = 'b'\nfrom = 0.02\nto = 1.5\ncount = 25\n"
          "[initial]\npolicy = 'shifted'\n[integrate]\ncontract = false\nmax_step = 0.1\n"
-         "settle = 26\nrecord = 2\nprecision = '" +
+         "settle = 26\nrecord = 2\nstop = 'never'\nprecision = '" +
          laws.precision + "'\n[observe]\nquantities = ['contact_class']\n";
 }
 

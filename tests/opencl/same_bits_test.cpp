@@ -38,13 +38,15 @@ const std::string kObserve =
     "'backlash_min', 'backlash_max', 'contact_drive', 'contact_losses', 'contact_class', "
     "'poincare']\npoincare = ['x1', 'v4']\n";
 
-// No impact to chaos, several phase grids whose sizes are no multiple of any number of lanes.
-std::string chaotic(const std::string& backlash) {
+// No impact to chaos, several phase grids whose sizes are no multiple of any number of lanes. The
+// search for orbits has kernels of its own, which take as long to build: it is cut up in fp32 here,
+// in fp64 where an axis shapes the phase, and in OrbitSearch.IsTheSameForAnyCut.
+std::string chaotic(const std::string& backlash, const std::string& stop = "never") {
   return "[model]\npreset = 'coarse'\nbacklash = '" + backlash +
          "'\n[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.9\ncount = 13\n"
          "[[axes]]\nname = 'b'\nfrom = 0.1\nto = 1.3\ncount = 7\n"
-         "[integrate]\nsettle = 21\nrecord = 11\nmax_step = 0.1\n" +
-         kObserve;
+         "[integrate]\nsettle = 21\nrecord = 11\nmax_step = 0.1\nstop = '" +
+         stop + "'\n" + kObserve;
 }
 
 void expect_any_cut(const std::string& toml, const std::string& precision,
@@ -67,7 +69,9 @@ TEST(SameBits, Fp64ConstantBacklash) {
   expect_any_cut(chaotic("constant"), "fp64", {"2", "4", "8"});
 }
 TEST(SameBits, Fp64DynamicBacklash) { expect_any_cut(chaotic("dynamic"), "fp64", {"4", "8"}); }
-TEST(SameBits, Fp32ConstantBacklash) { expect_any_cut(chaotic("constant"), "fp32", {"8", "16"}); }
+TEST(SameBits, Fp32ConstantBacklash) {
+  expect_any_cut(chaotic("constant", "orbit"), "fp32", {"8", "16"});
+}
 TEST(SameBits, Fp32DynamicBacklash) { expect_any_cut(chaotic("dynamic"), "fp32", {"8", "16"}); }
 
 // With so small a centre distance the shafts move out of the range of the dynamic backlash's series
