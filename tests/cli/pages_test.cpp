@@ -19,6 +19,7 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::Contains;
+using ::testing::HasSubstr;
 
 const std::filesystem::path kSource = GEARSWEEP_SOURCE;
 const std::string kPackage = GEARSWEEP_PYTHON_FOLDER;
@@ -223,6 +224,15 @@ TEST(Documentation, ReadmeLeadsToEachPage) {
     if (path == readme.path) continue;
     EXPECT_THAT(readme.links(), Contains("doc/" + path.filename().string()));
   }
+}
+
+// Who copies the first two blocks has built the program and run its tests.
+TEST(Documentation, TheFirstBlocksAreTheTwoCommands) {
+  const std::vector<Block> blocks = read_page(kSource / "README.md").blocks;
+  ASSERT_GE(blocks.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(blocks[i].language, "sh");
+  EXPECT_THAT(blocks[0].text, HasSubstr("cmake --build --preset release"));
+  EXPECT_THAT(blocks[1].text, HasSubstr("ctest --preset test"));
 }
 
 // A command that no test runs is a decision: it raises this number.
