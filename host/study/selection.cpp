@@ -173,8 +173,11 @@ std::vector<std::size_t> find_states(const Model& model, const std::vector<std::
 std::optional<std::size_t> Selection::output_of(OutputRole role) const {
   std::size_t first = 0;
   for (const Observer& observer : observers) {
-    for (std::size_t i = 0; i < observer.outputs; ++i) {
-      if (observer.observable->outputs[i].role == role) return first + i;
+    // An output of every state is told of once. Samples are no outputs.
+    const std::vector<ObservableOutput>& told = observer.observable->outputs;
+    const std::size_t width = told.empty() ? 0 : observer.outputs / told.size();
+    for (std::size_t i = 0; width > 0 && i < told.size(); ++i) {
+      if (told[i].role == role) return first + i * width;
     }
     first += observer.outputs;
   }

@@ -49,5 +49,17 @@ TEST(Quantities, OneOfAChannelBearsItsName) {
   }
 }
 
+// A spectrum has an output for each state, and is told of once.
+TEST(Quantities, AnOutputIsFoundByItsRoleBesideOneOfEveryState) {
+  const Model& model = *find_model("gear5");
+  const Selection spectrum = select_quantities(model, {"lyapunov_spectrum"}, {});
+  EXPECT_EQ(spectrum.output_of(OutputRole::exponents), 0U);
+  for (const OutputRole role : {OutputRole::settled, OutputRole::motion, OutputRole::peak}) {
+    EXPECT_FALSE(spectrum.output_of(role));
+  }
+  const Selection both = select_quantities(model, {"lyapunov_spectrum", "settled"}, {});
+  EXPECT_EQ(both.output_of(OutputRole::settled), model.states.size());
+}
+
 }  // namespace
 }  // namespace gearsweep
