@@ -134,7 +134,7 @@ void print_table(const toml::table& table, const StudyTable* declared, const std
   }
   for (const auto& [name, node] : keys) {
     if (!node->is_table() && !node->is_array_of_tables()) continue;
-    const std::string own = path.empty() ? name : path + "." + name;
+    const std::string own = path.empty() ? name : fmt::format("{}.{}", path, name);
     const StudyTable* inner = path.empty() ? &study_table(name) : nullptr;
     if (const toml::table* table_inside = node->as_table()) {
       const std::string space = out->empty() ? "" : "\n";
