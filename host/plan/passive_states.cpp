@@ -66,6 +66,18 @@ std::set<std::size_t> chosen_places(const Axis& axis, bool all) {
   return places;
 }
 
+// What an axis of several columns may make of a setting, though no point need have it: each column
+// is somewhere else between its ends, so that what two of them make together does not vanish.
+void mix_columns(const Axis& axis, ModelSetting* setting) {
+  constexpr double kGoldenRatio = 0.6180339887498949;  // its multiples repeat no share
+  double share = 0.0;
+  for (const Swept& swept : axis.columns) {
+    share = std::fmod(share + kGoldenRatio, 1.0);
+    const auto [min, max] = std::ranges::minmax(swept.values);
+    if (!swept.is_state) setting->parameters[swept.index] = min + share * (max - min);
+  }
+}
+
 // Settings of the study: each axis goes through its chosen places, or all of them while the other
 // one goes through the chosen.
 std::vector<ModelSetting> settings_of(const Study& study, bool all) {
@@ -83,6 +95,11 @@ std::vector<ModelSetting> settings_of(const Study& study, bool all) {
           }
           wider.push_back(std::move(setting));
         }
+      }
+      for (ModelSetting setting : own) {
+        if (all || axis.columns.size() < 2) break;
+        mix_columns(axis, &setting);
+        wider.push_back(std::move(setting));
       }
       own = std::move(wider);
     }

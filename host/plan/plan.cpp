@@ -29,7 +29,8 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
 
 }  // namespace
 
-Plan::Plan(const Study& study, std::size_t tile_points) : study_(study) {
+Plan::Plan(const Study& study, std::size_t tile_points)
+    : shared_(std::make_shared<const Study>(study)) {
   const Model& model = *study_.model;
   offsets_ = ensemble_offsets(study_.initial, (model.whole ? *model.whole : model).states.size());
   const Span x = {0, study_.axes[0].values.size()};

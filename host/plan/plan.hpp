@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,7 +78,9 @@ class Plan {
   std::vector<Group> grouped(const Span& x, const Span& y) const;
   Stage stage_of(const std::vector<Group>& groups) const;
 
-  const Study study_;
+  // Copies of a plan share it: a list of points may be large.
+  const std::shared_ptr<const Study> shared_;
+  const Study& study_ = *shared_;
   std::size_t tile_points_ = 0;
   std::size_t step_length_ = 1;               // in steps of the study
   std::vector<std::vector<double>> offsets_;  // [trajectory of a point][state]

@@ -54,7 +54,7 @@ std::vector<GearParameter> read_gear(const toml::table* gear, Study* study) {
   if (study->model != &gear_table_model()) {
     fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
   }
-  GearConversion conversion = convert_gear(*gear, first_values(study->axes));
+  GearConversion conversion = convert_gear(*gear, first_values(*study->model, study->axes));
   study->scales = conversion.scales;
   study->gear_notes = conversion.notes;
   for (const GearParameter& parameter : conversion.parameters) {
@@ -238,7 +238,7 @@ Study read_tables(const StudyText& text) {
 
   study.axes = read_axes(root, text.points, *study.model);
   const std::vector<GearParameter> gear = read_gear(gear_table, &study);
-  take_in_gear(root, &study.axes);
+  take_in_gear(root, *study.model, &study.axes);
   read_parameters(parameters, &study);
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);

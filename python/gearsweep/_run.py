@@ -86,7 +86,7 @@ def run(
             study=asked._core,
             device=device_text(device),
             journal="" if journal is None else path_of(journal, "a path as journal"),
-            call=call_text("run", study, set=set),
+            call=call_text("run", study, set=set, points=_shown(points)),
             progress=tell,
         )
     for trouble in troubles:
@@ -94,6 +94,11 @@ def run(
     made = dataset_of(*described)
     _warn_of_failures(made.status)
     return made
+
+
+def _shown(points: Any) -> str | None:
+    """What the record of the call says of points, whose numbers the result has."""
+    return None if points is None else f"columns {', '.join(map(str, points))}"
 
 
 def _warn_of_failures(status: xarray.DataArray) -> None:

@@ -243,10 +243,12 @@ class Study:
         {'b': 10, 'point': 3}
         """
         columns = columns_of(points)
-        if self.axes:
+        # Other points in place of points are no surprise.
+        lost = [name for name in self.axes if name != "point"]
+        if lost:
             warn(
-                f"the points take the place of the axes {', '.join(self.axes)}; to give each point "
-                "all values of an axis, sweep it after the points"
+                f"the points take the place of the axes {', '.join(lost)}; to give each point all "
+                "values of an axis, sweep it after the points"
             )
         return Study._of(_core.read_draft(self.toml, "study", ["axes=[]"], columns))
 

@@ -54,6 +54,12 @@ def test_a_single_number_stands_for_all():
 def test_take_the_place_of_axes():
     made = gearsweep.run("coarse-map", set=SMALL, points={"omega": [0.6, 0.7]})
     assert dict(made.sizes) == {"point": 2}
+    assert "points='columns omega'" in made.attrs["command_line"]
+
+
+def test_replace_other_points_without_a_warning(recwarn):
+    assert STUDY.points(POINTS).points({"mu": [0.0, 0.1]}).axes == {"point": 2}
+    assert not recwarn
 
 
 def test_each_may_have_all_values_of_an_axis():

@@ -80,6 +80,17 @@ TEST(DrawingAxis, IsRefusedWhereTheResultWouldChangeItsUnits) {
   EXPECT_THAT(refusal(kDrawing + axis_over("teeth", "20, 21")), HasSubstr("axis 'teeth'"));
 }
 
+TEST(DrawingAxis, IsNoneWhereAModelHasAParameterOfThatName) {
+  const Study study = read_study(
+      "[model]\ntext = '''\n[model]\nname = \"own\"\n[states]\nx = {}\n[parameters]\n"
+      "mass_kg = 1.0\n[equations]\nx = \"-x/mass_kg + cos(phase)\"\n[forcing]\nperiod = "
+      "\"1\"\n'''\n" +
+          axis_over("mass_kg", "0.5, 2"),
+      "s.toml");
+  EXPECT_TRUE(study.axes[0].columns.empty());
+  EXPECT_THAT(study.axes[0].values, ::testing::ElementsAre(0.5, 2.0));
+}
+
 TEST(DrawingAxis, IsRefusedWithItsPlace) {
   EXPECT_THAT(refusal(axis_over("torque_N_m", "50, 150")), HasSubstr("no such table"));
   EXPECT_THAT(refusal(kDrawing + axis_over("torque_N_m", "-50, 150")), HasSubstr("out of range"));

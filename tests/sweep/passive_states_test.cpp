@@ -34,6 +34,22 @@ TEST(PassiveStates, TheOtherStatesHaveTheSameBitsWithoutThem) {
   }
 }
 
+// y drives v where neither p nor q is 0: at one point of this list, at which neither is largest.
+TEST(PassiveStates, AStateThatDrivesAtOnePointOfAListIsKept) {
+  const std::string study =
+      "[model]\ntext = '''\n[model]\nname = \"coupled\"\n[states]\nx = { start = \"b + F\" }\n"
+      "v = {}\ny = {}\n[parameters]\nomega = { value = 0.8, min = 1e-4, max = 100 }\n"
+      "b = { value = 1.0, min = 0 }\nF = 0.1\ne = 0.2\np = 0.0\nq = 0.0\n[equations]\nx = \"v\"\n"
+      "v = \"F + e*cos(phase) - 0.1*v - backlash(x, b) + p*q*y\"\ny = \"cos(phase) - 0.5*y\"\n"
+      "[forcing]\nperiod = \"2*pi/omega\"\n'''\n"
+      "[points]\nnames = ['p', 'q']\nnumbers = '''\n1 0\n0 1\n0 0\n0 0\n0 0\n0 0\n0.5 0.5\n'''\n"
+      "[integrate]\nsettle = 40\nrecord = 10\nstop = 'never'\n[observe]\nquantities = ['x_rms']\n";
+  const SweepResult driving = run(study);
+  const SweepResult all = run(study, {kStates + "all"});
+  EXPECT_THAT(driving.integrated, ElementsAre("x", "v", "y"));
+  EXPECT_EQ(map_of(driving, "x_rms"), map_of(all, "x_rms"));
+}
+
 TEST(PassiveStates, ThePeriodIsFoundWithoutThem) {
   const std::string study = kGears + "[observe]\nquantities = ['period', 'motion_class']\n";
   const SweepResult driving = run(study, {kStates + "driving"});

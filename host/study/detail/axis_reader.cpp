@@ -109,7 +109,7 @@ Axis read_axis(const toml::table& table, const Model& model, const toml::table* 
   reader.refuse_unknown();
 
   const toml::node& name = *reader.find("name");
-  const GearKey* key = find_swept_key(axis.name);
+  const GearKey* key = find_swept_key(model, axis.name);
   if (key == nullptr) {
     const std::pair<double, double> range = bind_swept(model, name, "axis", &axis);
     read_values(table, &reader, range, &axis);
@@ -198,13 +198,13 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
   return axes;
 }
 
-void take_in_gear(const toml::table& study, std::vector<Axis>* axes) {
+void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis>* axes) {
   for (std::size_t i = 0; i < axes->size(); ++i) {
     Axis& axis = (*axes)[i];
-    const GearKey* key = axis.is_list ? nullptr : find_swept_key(axis.name);
+    const GearKey* key = axis.is_list ? nullptr : find_swept_key(model, axis.name);
     if (key == nullptr) continue;
     const toml::table& gear = *study["gear"].as_table();
-    GearValues others = first_values(*axes);
+    GearValues others = first_values(model, *axes);
     add_parameters(*key, gear, others, (*study["axes"].as_array())[i], &axis);
   }
   refuse_twice(*axes, study);

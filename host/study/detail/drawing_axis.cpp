@@ -57,7 +57,9 @@ const GearParameter* find_parameter(const GearConversion& conversion, const std:
 
 }  // namespace
 
-const GearKey* find_swept_key(const std::string& name) {
+const GearKey* find_swept_key(const Model& model, const std::string& name) {
+  // Another model may have a parameter of that name.
+  if (&model != &gear_table_model()) return nullptr;
   // Numbers of teeth are whole, and come in pairs.
   const auto* const found = std::ranges::find(kGearKeys, name, &GearKey::name);
   return found == kGearKeys.end() || found->name == kTeeth.name ? nullptr : &*found;
@@ -88,10 +90,10 @@ void add_parameters(const GearKey& key, const toml::table& gear, const GearValue
   }
 }
 
-GearValues first_values(const std::vector<Axis>& axes) {
+GearValues first_values(const Model& model, const std::vector<Axis>& axes) {
   GearValues values;
   for (const Axis& axis : axes) {
-    if (find_swept_key(axis.name) != nullptr) values[axis.name] = axis.values.front();
+    if (find_swept_key(model, axis.name) != nullptr) values[axis.name] = axis.values.front();
   }
   return values;
 }

@@ -8,8 +8,8 @@
 
 namespace gearsweep {
 
-// The key of [gear] of this name that an axis can sweep; nullptr if there is none.
-const GearKey* find_swept_key(const std::string& name);
+// The key of [gear] of this name that an axis of the model can sweep; nullptr if there is none.
+const GearKey* find_swept_key(const Model& model, const std::string& name);
 
 // Fills in what the axis has from its key, but for the values and the columns.
 void bind_key(const GearKey& key, Axis* axis);
@@ -21,7 +21,7 @@ void bind_key(const GearKey& key, Axis* axis);
 void add_parameters(const GearKey& key, const toml::table& gear, const GearValues& others,
                     const toml::node& place, Axis* axis);
 
-// The values of [gear] that the axes of the study give: the first of each.
-GearValues first_values(const std::vector<Axis>& axes);
+// The values of [gear] that the axes of a study of the model give: the first of each.
+GearValues first_values(const Model& model, const std::vector<Axis>& axes);
 
 }  // namespace gearsweep
