@@ -2,6 +2,7 @@
 // (tile/detail/orbit_search.hpp). States are [point of the tile][state], at phase 0.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "engine/result.hpp"
 #include "engine/window.hpp"
 #include "plan/plan.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 
@@ -81,10 +83,20 @@ struct ReturnMaps {
   std::vector<double> derivatives;  // [point][column][row]
 };
 
-// Whether a study's points are looked at on their orbits: to stop there, or for the error of their
-// exponents.
+// Periods of a study's settling that a search for orbits may take: what is left is the warm-up of
+// the tangent vectors, which belongs to the record.
+inline std::size_t searched_periods(const Study& study) {
+  const Integrate& integrate = study.integrate;
+  const bool warms_up = study.selection.tangent_count() > 0;
+  return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
+}
+
+// Whether a study's points are looked at on their orbits: to stop there, where it settles for long
+// enough, or for the error of their exponents.
 inline bool looks_for_orbits(const Study& study) {
-  return study.integrate.stop == Stop::orbit || study.selection.exponent_error.has_value();
+  const bool searches =
+      study.integrate.stop == Stop::orbit && searched_periods(study) >= ORBIT_LONGEST;
+  return searches || study.selection.exponent_error.has_value();
 }
 
 class OrbitEngine {

@@ -253,7 +253,7 @@ TEST_F(ProgramCache, ManyWritersLeaveOneWholeFile) {
 TEST_F(ProgramCache, AKeptProgramGivesTheSameBits) {
   const std::string study =
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.9\ncount = 13\n"
-      "[integrate]\nsettle = 11\nrecord = 7\n[observe]\nquantities = ['x1_rms', 'dmf_max']\n";
+      "[integrate]\nsettle = 31\nrecord = 7\n[observe]\nquantities = ['x1_rms', 'dmf_max']\n";
   const auto maps = [&](const std::string& folder) {
     const Environment environment("GEARSWEEP_CACHE_DIR", folder);
     return testing::run(study).values;

@@ -180,10 +180,4 @@ void OrbitSearch::close_points() {
   states_.resize(kept * states.columns());
 }
 
-std::size_t searched_periods(const Study& study) {
-  const Integrate& integrate = study.integrate;
-  const bool warms_up = study.selection.tangent_count() > 0;
-  return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
-}
-
 }  // namespace gearsweep

@@ -85,8 +85,4 @@ class OrbitSearch {
   std::vector<std::size_t> diverged_;
 };
 
-// Periods of a study's settling that a search may take: what is left is the warm-up of the tangent
-// vectors, which belongs to the record.
-std::size_t searched_periods(const Study& study);
-
 }  // namespace gearsweep
