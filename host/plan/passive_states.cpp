@@ -78,14 +78,34 @@ void mix_columns(const Axis& axis, ModelSetting* setting) {
   }
 }
 
+// The axes, and the draws of uncertain parameters as one more.
+std::vector<Axis> axes_and_draws(const Study& study) {
+  std::vector<Axis> axes = study.axes;
+  Axis draws;
+  draws.is_list = true;
+  for (const UncertainParameter& parameter : study.uncertain.parameters) {
+    for (Swept column : parameter.draws.swept()) {
+      if (study.find_on_axes(column.index) != nullptr) continue;  // its axis goes through values
+      for (double& value : column.values) {
+        if (parameter.is_factor) value *= study.setting.parameters[column.index];
+      }
+      draws.columns.push_back(std::move(column));
+    }
+    draws.values = parameter.draws.values;
+  }
+  if (!draws.columns.empty()) axes.push_back(std::move(draws));
+  return axes;
+}
+
 // Settings of the study: each axis goes through its chosen places, or all of them while the other
 // one goes through the chosen.
 std::vector<ModelSetting> settings_of(const Study& study, bool all) {
   std::vector<ModelSetting> settings;
+  const std::vector<Axis> axes = axes_and_draws(study);
   const auto add = [&](std::size_t whole_axis) {
     std::vector<ModelSetting> own = {study.setting};
-    for (std::size_t number = 0; number < study.axes.size(); ++number) {
-      const Axis& axis = study.axes[number];
+    for (std::size_t number = 0; number < axes.size(); ++number) {
+      const Axis& axis = axes[number];
       if (!axis.sweeps_parameter()) continue;
       std::vector<ModelSetting> wider;
       for (const std::size_t place : chosen_places(axis, all && number == whole_axis)) {
@@ -105,7 +125,7 @@ std::vector<ModelSetting> settings_of(const Study& study, bool all) {
     }
     std::ranges::move(own, std::back_inserter(settings));
   };
-  for (std::size_t axis = 0; axis < (all ? study.axes.size() : 1); ++axis) add(axis);
+  for (std::size_t axis = 0; axis < (all ? axes.size() : 1); ++axis) add(axis);
   return settings;
 }
 

@@ -30,7 +30,7 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
 }  // namespace
 
 Plan::Plan(const Study& study, std::size_t tile_points)
-    : shared_(std::make_shared<const Study>(study)) {
+    : shared_(std::make_shared<const Study>(study)), swept_(study_.swept()) {
   const Model& model = *study_.model;
   offsets_ = ensemble_offsets(study_.initial, (model.whole ? *model.whole : model).states.size());
   const Span x = {0, study_.axes[0].values.size()};
@@ -77,11 +77,32 @@ void Plan::place(std::size_t axis, std::size_t index, ModelSetting* setting) con
   }
 }
 
+void Plan::place_draw(std::size_t member, ModelSetting* setting) const {
+  for (const UncertainParameter& parameter : study_.uncertain.parameters) {
+    for (const Swept& swept : parameter.draws.swept()) {
+      double& value = setting->parameters[swept.index];
+      if (!parameter.is_factor) {
+        value = member == 0 ? study_.setting.parameters[swept.index] : swept.values[member - 1];
+        continue;
+      }
+      if (study_.find_on_axes(swept.index) == nullptr) {
+        value = study_.setting.parameters[swept.index];
+      }
+      if (member > 0) value *= swept.values[member - 1];
+    }
+  }
+}
+
+void Plan::set(std::size_t point, ModelSetting* setting) const {
+  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
+    place(axis, axis_index(axis, point), setting);
+  }
+  place_draw(point / study_.points(), setting);
+}
+
 ModelSetting Plan::setting_of(std::size_t point) const {
   ModelSetting setting = study_.setting;
-  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    place(axis, axis_index(axis, point), &setting);
-  }
+  set(point, &setting);
   return setting;
 }
 
@@ -127,14 +148,12 @@ std::vector<double> Plan::grid_key(std::size_t point) const {
   return key;
 }
 
-// The number of steps and the phase-shaping parameters among the axes.
+// The number of steps and the phase-shaping parameters among those that differ.
 void Plan::set_key(const ModelSetting& setting, std::vector<double>* key) const {
   key->assign(1, static_cast<double>(steps_at(setting)));
-  for (const Axis& axis : study_.axes) {
-    for (const Swept& swept : axis.swept()) {
-      if (swept.is_state || !study_.model->parameters[swept.index].shapes_phase) continue;
-      key->push_back(setting.parameters[swept.index]);
-    }
+  for (const Swept* swept : swept_) {
+    if (swept->is_state || !study_.model->parameters[swept->index].shapes_phase) continue;
+    key->push_back(setting.parameters[swept->index]);
   }
 }
 
@@ -163,8 +182,10 @@ std::vector<double> Plan::start_of_policy(std::size_t point) const {
 
 std::vector<double> Plan::own_initial_state(std::size_t point) const {
   std::vector<double> state = start_of_policy(point);
-  const std::vector<double>& offset = offsets_[point / study_.points()];
-  for (std::size_t i = 0; i < state.size(); ++i) state[i] += offset[i];
+  const std::size_t member = point / study_.points();
+  if (member < offsets_.size()) {
+    for (std::size_t i = 0; i < state.size(); ++i) state[i] += offsets_[member][i];
+  }
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
     for (const Swept& swept : study_.axes[axis].swept()) {
       if (swept.is_state) state[swept.index] = swept.values[axis_index(axis, point)];
@@ -174,6 +195,9 @@ std::vector<double> Plan::own_initial_state(std::size_t point) const {
 }
 
 void Plan::refuse(std::size_t point, const std::string& wrong) const {
+  if (const std::size_t draw = point / study_.points(); draw > 0) {
+    throw InputError(fmt::format("draw {} of [uncertain]: {}", draw, wrong));
+  }
   for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
     if (!study_.axes[axis].is_list) continue;
     throw InputError(fmt::format("point {}: {}", axis_value(axis, point), wrong));
@@ -191,15 +215,20 @@ std::vector<Plan::Group> Plan::grouped(const Span& x, const Span& y) const {
   std::vector<double> key;
   ModelSetting setting = study_.setting;
   const std::size_t nx = study_.axes[0].values.size();
-  const std::size_t members = study_.is_chained() ? 1 : study_.initial.ensemble;
+  const std::size_t members = study_.is_chained() ? 1 : study_.members();
+  const bool has_draws = !study_.uncertain.parameters.empty();
   for (std::size_t line = 0; line < members * (y.last - y.first); ++line) {
     const std::size_t member = line / (y.last - y.first);
     const std::size_t iy = y.first + line % (y.last - y.first);
     place(1, iy, &setting);
     for (std::size_t ix = x.first; ix < x.last; ++ix) {
-      place(0, ix, &setting);
+      if (has_draws) {
+        set(member * study_.points() + iy * nx + ix, &setting);
+      } else {
+        place(0, ix, &setting);
+      }
       const std::string wrong = study_.model->check(setting);
-      if (!wrong.empty()) refuse(iy * nx + ix, wrong);
+      if (!wrong.empty()) refuse(member * study_.points() + iy * nx + ix, wrong);
       set_key(setting, &key);
       Entry*& above = row[ix - x.first];
       if (entry == nullptr || entry->first != key) entry = above;

@@ -15,7 +15,8 @@
 namespace gearsweep {
 
 // The points that one launch sequence computes; those that share a phase grid stand together. With
-// an ensemble, trajectory m of point p counts as point m * study.points() + p of the plan.
+// an ensemble or uncertain parameters, trajectory m of point p counts as point m * study.points() +
+// p of the plan; the first one has the nominal parameters.
 struct Tile {
   PointList points;
   std::vector<std::size_t> grid_starts;  // position in `points` where each phase grid begins
@@ -43,6 +44,8 @@ class Plan {
   double total_work() const;
 
   ModelSetting setting_of(std::size_t point) const;
+  // The same into a setting that was of another point of this plan before.
+  void set(std::size_t point, ModelSetting* setting) const;
   // Steps asked of the phase grid of a point (the grid may have a few more).
   std::size_t steps_of(std::size_t point) const;
   // Integration steps of these points, each through its own number of periods.
@@ -71,6 +74,8 @@ class Plan {
   std::vector<double> start_of_policy(std::size_t point) const;
   // Gives the parameters that an axis sweeps their values of this index.
   void place(std::size_t axis, std::size_t index, ModelSetting* setting) const;
+  // Gives uncertain parameters what they have in a trajectory of a point, whose axes are placed.
+  void place_draw(std::size_t member, ModelSetting* setting) const;
   // Throws InputError. wrong: with the setting of the point.
   [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
   void set_key(const ModelSetting& setting, std::vector<double>* key) const;
@@ -81,9 +86,10 @@ class Plan {
   // Copies of a plan share it: a list of points may be large.
   const std::shared_ptr<const Study> shared_;
   const Study& study_ = *shared_;
+  std::vector<const Swept*> swept_;  // of the study
   std::size_t tile_points_ = 0;
   std::size_t step_length_ = 1;               // in steps of the study
-  std::vector<std::vector<double>> offsets_;  // [trajectory of a point][state]
+  std::vector<std::vector<double>> offsets_;  // [trajectory of an ensemble's point][state]
   std::vector<std::vector<Group>> groups_;    // [stage]
   std::vector<Stage> stages_;
 };

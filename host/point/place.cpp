@@ -147,6 +147,7 @@ bool is_swept(const Axis& axis, const Placed& placed) {
 }
 
 void place_parameters(const Place& place, Study* study) {
+  study->take_nominal();
   for (const Placed& placed : place.values) {
     if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
   }

@@ -12,6 +12,7 @@
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
 #include "result/result_size.hpp"
+#include "study/draw_quantities.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -214,8 +215,17 @@ class Description {
         std::any_of(out_.variables.begin(), out_.variables.end(),
                     [&](const DataVariable& known) { return known.name == name; });
     if (is_known) return;
-    const std::string what = name == "attractor_number" ? "attractor" : name;
+    const std::string what = name == "attractor_number"    ? "attractor"
+                             : name == kUncertainDimension ? "uncertain parameter"
+                                                           : name;
     add_count(name, size, fmt::format("number of the {}", what));
+    if (name == kUncertainDimension) {
+      std::vector<std::string> names;
+      for (const UncertainParameter& parameter : study_.uncertain.parameters) {
+        names.push_back(parameter.draws.name);
+      }
+      add_texts("uncertain_parameter", "name of each uncertain parameter", name, names, &out_);
+    }
     if (name != kComponents) return;
     // What the numbers of the model's states stand for.
     const std::vector<ChannelInfo>& states = study_.model->states;

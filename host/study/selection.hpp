@@ -25,6 +25,7 @@ struct Quantity {
   std::vector<std::string> flags;  // class names when the value is a class
   std::size_t output = 0;          // index among the outputs of all observers, in their order
   bool of_census = false;          // not an output, but found from the whole map (attractors/)
+  bool of_draws = false;           // not an output, but of those of all draws (sweep/draw_maps.hpp)
   std::size_t width = 1;           // numbers for each point, next to each other among the outputs
   std::string dimension;           // the name of what they stand along; empty when width = 1
   std::string channel;             // the state or signal that it looks at; empty: none

@@ -41,10 +41,25 @@ std::size_t Study::points() const {
   return count;
 }
 
+const Swept* Study::find_on_axes(std::size_t parameter) const {
+  for (const Axis& axis : axes) {
+    for (const Swept& one : axis.swept()) {
+      if (!one.is_state && one.index == parameter) return &one;
+    }
+  }
+  return nullptr;
+}
+
 std::vector<const Swept*> Study::swept() const {
   std::vector<const Swept*> all;
   for (const Axis& axis : axes) {
     for (const Swept& one : axis.swept()) all.push_back(&one);
+  }
+  for (const UncertainParameter& parameter : uncertain.parameters) {
+    for (const Swept& one : parameter.draws.swept()) {
+      // A factor may belong to a parameter that an axis has.
+      if (find_on_axes(one.index) == nullptr) all.push_back(&one);
+    }
   }
   return all;
 }
@@ -59,6 +74,18 @@ const Swept* Study::find_swept(bool is_state, std::size_t index) const {
 void Study::separate_points() {
   if (is_chained()) initial.policy = InitialPolicy::shifted;
   initial.ensemble = 1;
+  take_nominal();
+}
+
+void Study::take_nominal() {
+  uncertain = {};
+  std::erase_if(selection.quantities, [](const Quantity& quantity) { return quantity.of_draws; });
+}
+
+std::size_t Uncertain::independent_draws() const { return sobol ? 2 * samples : samples; }
+
+std::size_t Uncertain::draws() const {
+  return independent_draws() + (sobol ? samples * parameters.size() : 0);
 }
 
 }  // namespace gearsweep

@@ -12,6 +12,7 @@
 #include "study/initial_policy.hpp"
 #include "study/point_table.hpp"
 #include "study/selection.hpp"
+#include "study/uncertain.hpp"
 
 namespace gearsweep {
 
@@ -38,6 +39,14 @@ struct Axis : Swept {
   bool sweeps_parameter() const;
   // The same axis at some of its places.
   Axis at(const std::vector<std::size_t>& places) const;
+};
+
+// Its draws are the values of an axis: of one parameter, or of those that follow from a key of
+// [gear].
+struct UncertainParameter {
+  Axis draws;
+  // A draw is a factor of the point's own value, which an axis may give.
+  bool is_factor = false;
 };
 
 // The name of the axis that a list of points makes.
@@ -113,6 +122,7 @@ struct Study {
   Scales scales;
   std::vector<Axis> axes;  // one or two; the first is x, the fastest
   Initial initial;
+  Uncertain uncertain;
   Integrate integrate;
   Selection selection;
   std::string toml;  // the whole study as TOML, overrides included: reading it gives this study
@@ -123,15 +133,21 @@ struct Study {
   // `toml` without the numbers of a list of points.
   std::string brief_toml() const;
   std::size_t points() const;
-  // The parameters and initial states that differ from point to point.
+  // The parameters and initial states that differ from point to point, or from draw to draw.
   std::vector<const Swept*> swept() const;
   // The one of them that is this parameter or initial state; nullptr if it is the same everywhere.
   const Swept* find_swept(bool is_state, std::size_t index) const;
+  // The one of the axes' own that is this parameter; nullptr if no axis has it.
+  const Swept* find_on_axes(std::size_t parameter) const;
   // Whether points go on from their neighbours.
   bool is_chained() const { return info_of(initial.policy).neighbour != 0; }
-  // Makes each point start on its own, and once: without chain or ensemble.
+  // Takes uncertain parameters as they are without their tolerances.
+  void take_nominal();
+  // Makes each point start on its own, and once: without chain, ensemble or draws.
   void separate_points();
-  std::size_t trajectories() const { return points() * initial.ensemble; }
+  // Of each point: the members of an ensemble, or the nominal parameters and their draws.
+  std::size_t members() const { return initial.ensemble + uncertain.draws(); }
+  std::size_t trajectories() const { return points() * members(); }
 };
 
 // Makes a study from TOML text. cli/ finds the text: a file, the study in a result file, a built-in

@@ -51,6 +51,7 @@ StudyTable whole_study() {
         "What is swept; the first axis is x. A list of points may take the place of one."},
        {"points", table, "", "A list of points, instead of an axis or beside one."},
        {"initial", table, "", "Where points start."},
+       {"uncertain", table, "", "Parameters that are known within tolerances."},
        {"integrate", table, "", "How, and for how long, points are integrated."},
        {"observe", table, "", "What becomes a map."}}};
 }
@@ -160,6 +161,34 @@ StudyTable initial_table() {
             0.0, beyond}}};
 }
 
+StudyTable uncertain_table() {
+  constexpr std::size_t kSamples = 200;
+  StudyKey parameter{
+      "PARAMETER", "table", "",
+      "A parameter of the model, or a key of [gear], and its distribution: {distribution = "
+      "\"normal\", mean = 0.05, std = 0.01} (mean: the parameter's own value), \"uniform\" with "
+      "from and to, \"triangular\" with from, mode and to, or values = [...] or file = "
+      "\"loads.csv\", a number a line, of which each is as likely. With relative = true the "
+      "numbers "
+      "are factors of the point's own value, which an axis may give."};
+  parameter.is_pattern = true;
+  return {"uncertain",
+          "[uncertain]",
+          "Each point is integrated with many draws of these parameters, the same for all points. "
+          "Beside the map of a quantity with the nominal parameters there are those of its mean, "
+          "standard deviation and percentiles over the draws, and of the share of each class.",
+          {whole("samples", kSamples, 2, 1e5, "Draws of each point."),
+           whole("seed", 1, 0, 1e9, "Another seed, other draws."),
+           {"percentiles", "list of numbers", "[5, 50, 95]",
+            "Which percentiles become maps, increasing.", 0.0, 100.0},
+           truth("sobol", false,
+                 "Sobol indices of each quantity: which share of its variance each parameter "
+                 "makes, alone (first) and with all others (total). It takes samples times two "
+                 "more than the number of uncertain parameters, trajectories. A study without axes "
+                 "is that of its one point."),
+           parameter}};
+}
+
 StudyTable integrate_table() {
   const Integrate integrate;
   return {
@@ -223,8 +252,8 @@ StudyTable observe_table() {
 
 const std::vector<StudyTable>& study_tables() {
   static const std::vector<StudyTable> kTables = {
-      whole_study(),  model_table(),   parameters_table(), gear_table(),   axes_table(),
-      points_table(), initial_table(), integrate_table(),  observe_table()};
+      whole_study(),  model_table(),   parameters_table(), gear_table(),      axes_table(),
+      points_table(), initial_table(), uncertain_table(),  integrate_table(), observe_table()};
   return kTables;
 }
 

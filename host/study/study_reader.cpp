@@ -16,6 +16,7 @@
 #include "study/detail/point_reader.hpp"
 #include "study/detail/study_printer.hpp"
 #include "study/detail/toml_access.hpp"
+#include "study/detail/uncertain_reader.hpp"
 #include "study/detail/zoom.hpp"
 #include "study/draft.hpp"
 #include "study/nesting.hpp"
@@ -168,9 +169,10 @@ void check_attractors(const toml::table* observe, const Study& study) {
 }
 
 void check_size(const toml::table& root, const Study& study) {
+  if (study.axes.empty()) return;
   double points = 1.0;
   for (const Axis& axis : study.axes) points *= static_cast<double>(axis.values.size());
-  const auto members = static_cast<double>(study.initial.ensemble);
+  const auto members = static_cast<double>(study.members());
   if (points * members > kMaxPoints) {
     fail_at(*root.get(root.contains("axes") ? "axes" : "points"),
             fmt::format("the axes span {:.3g} points{}; at most {:.0g} are possible", points,
@@ -181,15 +183,17 @@ void check_size(const toml::table& root, const Study& study) {
   const double boxes = study.selection.census
                            ? members * 2.0 * static_cast<double>(study.model->states.size())
                            : 0.0;
+  const double draws =
+      static_cast<double>(study.uncertain.draws() * study.selection.quantities.size());
   const double numbers =
       points * (static_cast<double>(study.selection.quantities.size() + 1 +
                                     study.selection.poincare.size() * study.integrate.record) +
-                boxes);
+                boxes + draws);
   if (numbers > kMaxNumbers) {
     throw InputError(
         fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "
                     "possible: sample fewer states or periods (integrate.record), leave out "
-                    "'poincare', or take a smaller initial.ensemble",
+                    "'poincare', or take a smaller initial.ensemble or uncertain.samples",
                     place_of(root), numbers, kMaxNumbers));
   }
 }
@@ -208,6 +212,7 @@ StudyText take_in(const std::string& text, const std::string& source,
   for (const std::string& zoom : zooms) apply_zoom(zoom, &study.root);
   take_in_model_file(source, &study.root);
   study.points = take_in_points(source, given_points, &study.root);
+  take_in_sample_files(source, &study.root);
   // As axes=[] takes them away.
   if (const toml::array* axes = study.root["axes"].as_array(); axes != nullptr && axes->empty()) {
     study.root.erase("axes");
@@ -223,6 +228,23 @@ void refuse_without_axes(const StudyText& text) {
                   place_of(text.root)));
 }
 
+// A study of uncertain parameters needs no axes: it is that of its one point. The axis is one that
+// nothing else has a say in.
+void add_single_point(Study* study) {
+  for (std::size_t index = 0; index < study->model->parameters.size(); ++index) {
+    if (study->find_swept(false, index) != nullptr) continue;
+    const ParameterInfo& info = study->model->parameters[index];
+    Axis axis;
+    axis.name = info.name;
+    axis.unit = info.unit;
+    axis.meaning = info.meaning;
+    axis.index = index;
+    axis.values = {study->setting.parameters[index]};
+    study->axes.push_back(std::move(axis));
+    return;
+  }
+}
+
 // Axes may be missing.
 Study read_tables(const StudyText& text) {
   const toml::table& root = text.root;
@@ -233,6 +255,7 @@ Study read_tables(const StudyText& text) {
   const toml::table* parameters = reader.table("parameters");
   const toml::table* gear_table = reader.table("gear");
   reader.table("points");
+  reader.table("uncertain");
   refuse_misplaced(root, *study.model);
   reader.refuse_unknown();
 
@@ -244,6 +267,8 @@ Study read_tables(const StudyText& text) {
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
   check_attractors(reader.table("observe"), study);
+  read_uncertain(root, &study);
+  if (study.axes.empty() && study.uncertain.draws() > 0) add_single_point(&study);
   check_size(root, study);
   note_what_wins(root, gear, &study);
 

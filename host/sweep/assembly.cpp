@@ -39,6 +39,7 @@ Assembly::Assembly(const Study& study, std::size_t states) {
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
   if (study.is_chained()) final_states_.resize(points * states);
   if (selection.census) summaries_.resize(study.trajectories());
+  if (study.uncertain.draws() > 0) draws_.emplace(study);
 }
 
 void Assembly::add(const Tile& tile, const TileResult& result) {
@@ -51,12 +52,15 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
     const std::size_t point = tile.points[i];
     if (!summaries_.empty()) add_summary(point, result, i);
     // The maps are those of each point's first trajectory.
-    if (point >= result_.status.size()) continue;
+    if (point >= result_.status.size()) {
+      if (draws_) draws_->add(point, result, i);
+      continue;
+    }
     result_.status[point] = result.status[i];
     if (!result.on_orbit.empty()) result_.on_orbit[point] = result.on_orbit[i];
     for (std::size_t j = 0; j < result_.values.size(); ++j) {
       const Quantity& quantity = result_.study.selection.quantities[j];
-      if (quantity.of_census) continue;
+      if (quantity.of_census || quantity.of_draws) continue;
       const std::span<double> value = Array2(result_.values[j], quantity.width)[point];
       for (std::size_t k = 0; k < quantity.width; ++k) {
         value[k] = result.output_table()[quantity.output + k][i];
@@ -123,6 +127,7 @@ void Assembly::take_census() {
 
 SweepResult Assembly::take() {
   if (!summaries_.empty()) take_census();
+  if (draws_) draws_->reduce(&result_.values);
   result_.engine.device = fmt::format("{}", fmt::join(devices_, "; "));
   return std::move(result_);
 }

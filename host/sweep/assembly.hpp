@@ -1,11 +1,13 @@
 // Puts the answers of tiles together to the maps of a sweep.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
 #include "attractors/attractor_census.hpp"
 #include "engine/engine.hpp"
+#include "sweep/draw_maps.hpp"
 
 namespace gearsweep {
 
@@ -29,6 +31,7 @@ class Assembly {
   SweepResult result_;
   std::vector<double> final_states_;  // [point][state]
   std::set<std::string> devices_;
+  std::optional<DrawMaps> draws_;             // of a study with uncertain parameters
   std::vector<TrajectorySummary> summaries_;  // [trajectory]; empty unless the study has a census
 };
 

@@ -34,6 +34,9 @@ double memory_of_maps(const Study& study, std::size_t tiles) {
   constexpr double kOfTrajectory = 32.0, kOfTile = 512.0;
   double bytes = points * (1.0 + 8.0 * numbers) + kOfTrajectory * trajectories +
                  kOfTile * static_cast<double>(tiles);
+  // Until all are there, the numbers of all draws.
+  bytes += points * static_cast<double>(study.uncertain.draws()) *
+           (1.0 + 8.0 * static_cast<double>(study.selection.quantities.size()));
   // A box grows by doubling; telling the attractors apart takes a few indices more, and a set for
   // each point.
   if (study.selection.census) {

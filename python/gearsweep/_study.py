@@ -334,6 +334,29 @@ class Study:
         """
         return self._with("initial", keys)
 
+    def uncertain(self, **keys: Any) -> Study:
+        """Make a study whose parameters are known within tolerances.
+
+        Parameters
+        ----------
+        **keys : mapping, number or bool
+            Parameters with their distributions, as ``mu={"distribution": "normal", "std": 0.01}``,
+            and other keys of ``[uncertain]``: ``samples``, ``seed``, ``percentiles``, ``sobol``.
+            The page on tolerances has them all.
+
+        Returns
+        -------
+        Study
+
+        Examples
+        --------
+        >>> study = Study.gear5().sweep(omega=(0.4, 2.0, 64)).observe("dmf_max")
+        >>> study = study.uncertain(samples=50, b={"distribution": "normal", "std": 0.01})
+        >>> "std = 0.01" in study.toml
+        True
+        """
+        return self._with("uncertain", keys)
+
     def integrate(self, **keys: Any) -> Study:
         """Make a study that is integrated otherwise.
 

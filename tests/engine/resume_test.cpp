@@ -92,5 +92,13 @@ TEST_F(Resume, GoesOnInTheMiddleOfAChain) {
   expect_resumes(kStudy + "[initial]\npolicy = 'forward'\n[integrate]\n" + kInParts);
 }
 
+// The draws of a point may lie in tiles of both runs.
+TEST_F(Resume, GoesOnAmongTheDrawsOfUncertainParameters) {
+  expect_resumes(kStudy +
+                 "[uncertain]\nsamples = 9\nmu = {distribution = 'normal', std = 0.001}\n"
+                 "[integrate]\n" +
+                 kInParts);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

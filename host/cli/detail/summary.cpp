@@ -13,6 +13,7 @@
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
+#include "cli/detail/tolerance_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "sweep_types.h"
 
@@ -186,6 +187,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
   text += describe_integrated(result.integrated, result.study.model->states.size());
   if (result.pilot) text += "steps of " + describe_pilot(*result.pilot);
   text += describe_attractors(result);
+  text += describe_tolerances(result);
   text += describe_agreement(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
   if (result.steps > 0.0) {

@@ -50,13 +50,17 @@ std::vector<std::uint32_t> swept_rows(const Study& study) {
 }
 
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
-  std::vector<double> values;
-  for (std::size_t axis = 0; axis < plan.study().axes.size(); ++axis) {
-    for (const Swept& swept : plan.study().axes[axis].swept()) {
-      if (swept.is_state) continue;
-      for (const std::size_t position : slots.position) {
-        values.push_back(swept.values[plan.axis_index(axis, tile.points[position])]);
-      }
+  std::vector<std::size_t> parameters;
+  for (const Swept* swept : plan.study().swept()) {
+    if (!swept->is_state) parameters.push_back(swept->index);
+  }
+  const std::size_t count = slots.position.size();
+  std::vector<double> values(parameters.size() * count);
+  ModelSetting setting = plan.study().setting;
+  for (std::size_t slot = 0; slot < count && !parameters.empty(); ++slot) {
+    plan.set(tile.points[slots.position[slot]], &setting);
+    for (std::size_t row = 0; row < parameters.size(); ++row) {
+      values[row * count + slot] = setting.parameters[parameters[row]];
     }
   }
   return values;

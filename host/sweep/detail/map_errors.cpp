@@ -16,7 +16,7 @@ struct Values {
 };
 
 bool is_compared(const Quantity& quantity) {
-  return !quantity.of_census && quantity.role != OutputRole::exponent_error &&
+  return !quantity.of_census && !quantity.of_draws && quantity.role != OutputRole::exponent_error &&
          quantity.role != OutputRole::settled;
 }
 
