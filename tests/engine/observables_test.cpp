@@ -27,7 +27,7 @@ std::string all_quantities() {
       "'contact_class', 'poincare'";
   for (const auto& channels : {gear5().states, gear5().signals}) {
     for (const ChannelInfo& channel : channels) {
-      for (const char* suffix : {"_min", "_max", "_mean", "_rms", "_std"}) {
+      for (const char* suffix : {"_min", "_max", "_peak_to_peak", "_mean", "_rms", "_std"}) {
         list += ", '" + channel.name + suffix + "'";
       }
     }

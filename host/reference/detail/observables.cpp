@@ -45,7 +45,7 @@ class Extrema final : public ReferenceObservable {
     for (const Moment* moment : {&step.before, &step.middle, &step.after}) see(channel_(*moment));
     if (step.is_smooth) see_inside(step);
   }
-  std::vector<double> finish(const Window&) const override { return {min_, max_}; }
+  std::vector<double> finish(const Window&) const override { return {min_, max_, max_ - min_}; }
 
  private:
   void see(double value) {
