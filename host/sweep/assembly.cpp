@@ -25,6 +25,12 @@ std::vector<std::string> class_names(const std::vector<Attractor>& attractors) {
   return names;
 }
 
+// A value over a parameter of the point; not a number where that is 0.
+double quotient(double value, const Plan& plan, std::size_t point, std::size_t parameter) {
+  const double divisor = plan.setting_of(point).parameters[parameter];
+  return divisor == 0.0 ? std::numeric_limits<double>::quiet_NaN() : value / divisor;
+}
+
 }  // namespace
 
 Assembly::Assembly(const Study& study, std::size_t states) {
@@ -41,7 +47,7 @@ Assembly::Assembly(const Study& study, std::size_t states) {
   if (selection.census) summaries_.resize(study.trajectories());
 }
 
-void Assembly::add(const Tile& tile, const TileResult& result) {
+void Assembly::add(const Plan& plan, const Tile& tile, const TileResult& result) {
   devices_.insert(result.device);
   result_.steps += result.effort.steps;
   result_.seconds += result.effort.seconds;
@@ -61,6 +67,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
       for (std::size_t k = 0; k < quantity.width; ++k) {
         value[k] = result.output_table()[quantity.output + k][i];
       }
+      if (quantity.divided_by) value[0] = quotient(value[0], plan, point, *quantity.divided_by);
     }
     const auto copy = [&](const std::vector<double>& from, std::vector<double>* to) {
       const std::size_t width = from.size() / tile.points.size();
@@ -98,6 +105,10 @@ void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std
   summary.rms = output(census.rms);
   summary.exponent = output(census.exponent);
   summary.peak = census.peak ? output(*census.peak) : std::numeric_limits<double>::quiet_NaN();
+  if (census.impacts_drive) {
+    summary.impacts_drive = output(*census.impacts_drive);
+    summary.impacts_back = output(*census.impacts_back);
+  }
   const std::size_t states = result_.study.model->states.size();
   for (const std::size_t first : {census.section_min, census.section_max}) {
     for (std::size_t i = 0; i < states; ++i) summary.box.push_back(output(first + i));
