@@ -95,9 +95,15 @@ TEST(Quantities, LoadFactorsAndImpactsAreOfModelsThatHaveThem) {
   EXPECT_FALSE(offered(*find_model("duffing")).contains("dynamic_load_factor"));
   EXPECT_TRUE(offered(*find_model("idler")).contains("first_contact_impacts_drive"));
   for (const Quantity& quantity : offered_quantities(*find_model("gear5"))) {
-    if (quantity.name == "contact_impacts_speed") EXPECT_EQ(quantity.unit, "b_n varpi");
-    if (quantity.name == "contact_impacts_depth") EXPECT_EQ(quantity.unit, "b_n");
-    if (quantity.name == "contact_losses") EXPECT_EQ(quantity.unit, "1");
+    if (quantity.name == "contact_impacts_speed") {
+      EXPECT_EQ(quantity.unit, "b_n varpi");
+    }
+    if (quantity.name == "contact_impacts_depth") {
+      EXPECT_EQ(quantity.unit, "b_n");
+    }
+    if (quantity.name == "contact_losses") {
+      EXPECT_EQ(quantity.unit, "1");
+    }
   }
 }
 
