@@ -139,6 +139,22 @@ TEST(Impacts, AgreeWithTheReferenceEngine) {
   agree("name = 'shaw_holmes'\n[[axes]]\nname = 'x'\nvalues = [0.0, 0.5]\n", "256");
 }
 
+// Of a periodic motion in single precision: the same counts, and what is measured to its digits.
+TEST(Impacts, AreCountedInSinglePrecision) {
+  const std::string study =
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 1.0]\n[integrate]\n"
+      "settle = 300\nrecord = 10\nstop = 'never'\nmax_step = 0.05\n[observe]\nquantities = [" +
+      kImpacts + "]\n";
+  const SweepResult fp64 = run(study);
+  const SweepResult fp32 = run(study, {"integrate.precision=fp32"});
+  for (const std::size_t point : {0U, 1U}) {
+    EXPECT_EQ(impact_value(fp32, "drive", point), impact_value(fp64, "drive", point));
+    EXPECT_EQ(impact_value(fp32, "back", point), impact_value(fp64, "back", point));
+    EXPECT_NEAR(impact_value(fp32, "speed", point), impact_value(fp64, "speed", point), 1e-4);
+    EXPECT_NEAR(impact_value(fp32, "depth", point), impact_value(fp64, "depth", point), 1e-4);
+  }
+}
+
 // Of each attractor the list has the forcing periods of its motion, and the impacts on each flank.
 TEST(Impacts, StandInTheListOfAttractors) {
   const std::string study =

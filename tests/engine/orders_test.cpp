@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "model/error.hpp"
+#include "study/builtin_models.hpp"
 #include "support/run.hpp"
 #include "support/text.hpp"
 
@@ -125,6 +128,52 @@ TEST(Orders, AgreeWithTheReferenceEngine) {
                            part_of(reference, first, order, point)),
                   1e-9)
             << model << " " << order;
+      }
+    }
+  }
+}
+
+// At random parameters, of models with one contact, two, a stop, and none: what the kernels and the
+// other engine's own code read out of the same steps.
+TEST(Orders, AndImpactsAgreeWithTheReferenceEngineWhateverTheModel) {
+  std::mt19937 random(20261125);
+  std::uniform_real_distribution<double> factor(0.7, 1.4);
+  for (const char* const name : {"gear1", "idler", "shaw_holmes", "pendulum"}) {
+    const Model& model = *find_model(name);
+    const std::string first = model.states.front().name;
+    std::string study = "[model]\nname = '" + model.name + "'\n[parameters]\n";
+    for (const ParameterInfo& info : model.parameters) {
+      const double value = info.default_value * factor(random);
+      if (info.shapes_phase || value == 0.0) continue;
+      study += info.name + " = " + digits(std::clamp(value, info.min, info.max)) + "\n";
+    }
+    study += "[[axes]]\nname = '" + first +
+             "'\nvalues = [-1.2, 0.4, 1.7]\n[integrate]\nsettle = 1\nrecord = 2\n"
+             "stop = 'never'\n[observe]\norders = [1, 0.5, 3]\nquantities = ['" +
+             first + "_order_amplitude', '" + first + "_order_phase', '" + first + "_peak_to_peak'";
+    for (const ContactInfo& contact : model.contacts) {
+      const std::string stem = contact.name.empty() ? "" : contact.name + "_";
+      for (const char* const what : {"drive", "back", "speed", "depth"}) {
+        study += ", '" + stem + "contact_impacts_" + what + "'";
+      }
+    }
+    study += "]\n";
+    SCOPED_TRACE(study);
+    const SweepResult kernel = run(study);
+    const SweepResult reference = run(study, {"integrate.engine='reference'"});
+    ASSERT_EQ(kernel.status, reference.status);
+    for (std::size_t point = 0; point < 3; ++point) {
+      for (std::size_t order = 0; order < 3; ++order) {
+        EXPECT_LT(std::abs(part_of(kernel, first, order, point) -
+                           part_of(reference, first, order, point)),
+                  1e-9);
+      }
+      for (const Quantity& quantity : kernel.study.selection.quantities) {
+        if (quantity.width > 1) continue;
+        const double value = map_of(kernel, quantity.name)[point];
+        EXPECT_NEAR(value, map_of(reference, quantity.name)[point],
+                    1e-8 * std::max(1.0, std::abs(value)))
+            << quantity.name;
       }
     }
   }
