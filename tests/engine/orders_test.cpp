@@ -1,5 +1,6 @@
 // Amplitude and phase of orders of the mesh frequency, against linear responses, Parseval's theorem
 // and the reference engine.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,8 +34,7 @@ Complex part_of(const SweepResult& result, const std::string& channel, std::size
 std::string orders_of(const std::vector<std::string>& channels) {
   std::string list;
   for (const std::string& channel : channels) {
-    list +=
-        "'" + channel + "_order_amplitude', '" + channel + "_order_phase', '" + channel + "_std', ";
+    list += fmt::format("'{0}_order_amplitude', '{0}_order_phase', '{0}_std', ", channel);
   }
   return list;
 }
@@ -47,13 +47,13 @@ struct LinearResponse {
     const double zeta = 0.04008, m = 0.3507525, k = 1.38, c = 2.0;
     const Complex z(0.0, w), mesh = 1.0 + 4.0 * zeta * z;
     const Complex shaft = z * z + 2.0 * m * c * zeta * z + m * k;
-    Eigen::Matrix3cd A;
-    A << z * z + mesh, -mesh, mesh,              //
+    Eigen::Matrix3cd matrix;
+    matrix << z * z + mesh, -mesh, mesh,         //
         -m * mesh, shaft + m * mesh, -m * mesh,  //
         m * mesh, -m * mesh, shaft + m * mesh;
-    const Eigen::Vector3cd X =
-        A.partialPivLu().solve(Eigen::Vector3cd(Complex(0.0, -e0 * w * w), 0.0, 0.0));
-    x1 = X[0], x3 = X[1], x5 = X[2];
+    const Eigen::Vector3cd answer =
+        matrix.partialPivLu().solve(Eigen::Vector3cd(Complex(0.0, -e0 * w * w), 0.0, 0.0));
+    x1 = answer[0], x3 = answer[1], x5 = answer[2];
   }
 };
 
@@ -147,14 +147,15 @@ TEST(Orders, AndImpactsAgreeWithTheReferenceEngineWhateverTheModel) {
       if (info.shapes_phase || value == 0.0) continue;
       study += info.name + " = " + digits(std::clamp(value, info.min, info.max)) + "\n";
     }
-    study += "[[axes]]\nname = '" + first +
-             "'\nvalues = [-1.2, 0.4, 1.7]\n[integrate]\nsettle = 1\nrecord = 2\n"
-             "stop = 'never'\n[observe]\norders = [1, 0.5, 3]\nquantities = ['" +
-             first + "_order_amplitude', '" + first + "_order_phase', '" + first + "_peak_to_peak'";
+    study += fmt::format(
+        "[[axes]]\nname = '{0}'\nvalues = [-1.2, 0.4, 1.7]\n[integrate]\nsettle = 1\nrecord = 2\n"
+        "stop = 'never'\n[observe]\norders = [1, 0.5, 3]\nquantities = ['{0}_order_amplitude', "
+        "'{0}_order_phase', '{0}_peak_to_peak'",
+        first);
     for (const ContactInfo& contact : model.contacts) {
       const std::string stem = contact.name.empty() ? "" : contact.name + "_";
       for (const char* const what : {"drive", "back", "speed", "depth"}) {
-        study += ", '" + stem + "contact_impacts_" + what + "'";
+        study += fmt::format(", '{}contact_impacts_{}'", stem, what);
       }
     }
     study += "]\n";

@@ -55,8 +55,8 @@ TEST(Gear5Signals, BearingForcesAreWhatTheAccelerationsLackOfTheMeshForces) {
     const SignalMoment at = any_moment(setting, &random);
     const double sign = option_of(setting, "formulation") == "printed" ? 1.0 : -1.0;
     const double rate = at.x[5] + sign * (at.x[7] - at.x[9]);
-    const double b = at.signal("backlash"), D = at.signal("deflection");
-    const double f = std::max(D - b, 0.0) + std::min(D + b, 0.0);
+    const double b = at.signal("backlash"), deflection = at.signal("deflection");
+    const double f = std::max(deflection - b, 0.0) + std::min(deflection + b, 0.0);
     const double normal =
         at.signal("mesh_stiffness") * f + 4.0 * parameter_of(setting, "zeta") * rate;
     const double m1 = parameter_of(setting, "m1"), m2 = parameter_of(setting, "m2");
