@@ -99,7 +99,7 @@ void assembly(benchmark::State& state) {
       answers.outputs.resize(points * study.selection.output_count());
       answers.samples.resize(points * study.selection.poincare.size() * study.integrate.record);
       answers.final_states = maps.initial_states(made, tile);
-      maps.add(tile, answers);
+      maps.add(made, tile, answers);
     }
     benchmark::DoNotOptimize(maps.take());
   }

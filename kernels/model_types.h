@@ -51,8 +51,18 @@ SHARED_FN void model_take_turns(real* x) {
 typedef struct {
   MODEL_SIGNALS(MODEL_SIGNAL_FIELD)
 } ModelSignals;
+#ifdef ORDER_COUNT
+// Cosine and sine of each order's angle at a phase, of studies that ask for orders
+// (observables/orders.h).
+typedef struct {
+  scalar cosine[ORDER_COUNT], sine[ORDER_COUNT];
+} OrderPhases;
+#endif
 typedef struct {
   MODEL_PHASE_COEFS(MODEL_PHASE_COEF_FIELD)
+#ifdef ORDER_COUNT
+  OrderPhases orders;
+#endif
 } PhaseCoefs;
 
 #ifdef MODEL_CONTACT

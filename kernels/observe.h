@@ -12,6 +12,9 @@
 typedef struct {
   ModelSignals signals;
   real x[MODEL_STATE_COUNT];
+#ifdef ORDER_COUNT
+  OrderPhases orders;
+#endif
 } Moment;
 
 // How far a contact's deflection is beyond the limits of its flanks; of one that is one-sided the
@@ -46,6 +49,7 @@ typedef struct {
 // The end of a recorded period.
 typedef struct {
   const real* x;
+  const Moment* end;           // x and what a verdict has no need of: it may be another moment
   const real* log_stretching;  // logarithm of how far each tangent vector grew in the period
   const Extent* extent;        // of the motion in the period
   real period;                 // in dimensionless time
@@ -62,8 +66,13 @@ SHARED_FN void take_moment(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   model_signals(point, &phase, x, &moment->signals);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) moment->x[i] = x[i];
+#ifdef ORDER_COUNT
+  moment->orders = phase.orders;
+#endif
 }
 
-// Each observable counts its outputs from its list; some have one for each state.
+// Each observable counts its outputs from its list; some have one for each state, or for each
+// order.
 #define PER_STATE MODEL_STATE_COUNT
+#define PER_ORDER ORDER_COUNT
 #define COUNT_OUTPUT(suffix, unit, flags, meaning) +1

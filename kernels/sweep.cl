@@ -74,6 +74,7 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
     extent_begin(x, &extent);
     walk_period(&point, &grid, EVENTS, beside, x, w, log_stretching, &extent, &watcher);
     const Section section = {.x = x,
+                             .end = &watcher.after,
                              .log_stretching = log_stretching,
                              .extent = &extent,
                              .period = point.period,
@@ -119,6 +120,7 @@ __kernel void replay(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
       load_components(sections, items, item, first_component, MODEL_STATE_COUNT, x);
     }
     const Section section = {.x = x,
+                             .end = &start,
                              .log_stretching = log_stretching,
                              .extent = &extent,
                              .period = point.period,

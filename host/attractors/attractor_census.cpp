@@ -1,5 +1,7 @@
 #include "attractors/attractor_census.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -205,16 +207,27 @@ Value most_frequent(const std::map<Value, std::size_t>& counts) {
       ->first;
 }
 
+// Attractor::impacts of a trajectory.
+std::string impacts_of(const TrajectorySummary& summary) {
+  if (!is_periodic(summary) || summary.period <= 0.0 || std::isnan(summary.impacts_drive)) {
+    return "";
+  }
+  return fmt::format("{}-{}-{}", summary.period, std::round(summary.impacts_drive * summary.period),
+                     std::round(summary.impacts_back * summary.period));
+}
+
 Attractor describe(const std::vector<TrajectorySummary>& summaries,
                    const std::vector<std::size_t>& trajectories) {
   std::map<std::size_t, std::size_t> motions;
   std::map<double, std::size_t> periods;
+  std::map<std::string, std::size_t> impacts;
   Attractor attractor;
   attractor.peak = summaries[trajectories.front()].peak;
   for (const std::size_t i : trajectories) {
     const TrajectorySummary& summary = summaries[i];
     ++motions[summary.motion];
     ++periods[summary.period];
+    ++impacts[impacts_of(summary)];
     attractor.rms += summary.rms;
     attractor.exponent += summary.exponent;
     attractor.peak = std::max(attractor.peak, summary.peak);
@@ -225,6 +238,7 @@ Attractor describe(const std::vector<TrajectorySummary>& summaries,
   attractor.exponent /= count;
   attractor.motion = most_frequent(motions);
   attractor.period = most_frequent(periods);
+  attractor.impacts = most_frequent(impacts);
   return attractor;
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/result.hpp"
@@ -20,6 +21,9 @@ struct TrajectorySummary {
   bool is_known = false;  // it ended ok, and its kind of motion is not undecided
   std::size_t motion = 0;
   double period = 0.0, rms = 0.0, peak = 0.0, exponent = 0.0;
+  // Impacts in a forcing period; not numbers where nobody asks for them.
+  double impacts_drive = std::numeric_limits<double>::quiet_NaN();
+  double impacts_back = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> box;  // min of each state at phase 0, then the max
 };
 

@@ -26,6 +26,9 @@ struct Attractor {
   // model has none), mean lyapunov_max.
   double rms = 0.0, peak = 0.0, exponent = 0.0;
   std::size_t trajectories = 0;  // that reached it
+  // Impacts of most of its trajectories, as n-m-k: in a motion of n forcing periods, m on the drive
+  // flank and k on the back flank. Empty where there is no period or nobody asks for impacts.
+  std::string impacts = {};
 };
 
 // How integrate.tolerance was met (sweep/pilot.hpp).

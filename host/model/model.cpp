@@ -36,6 +36,20 @@ const ChannelInfo* Model::contact_force() const {
   return signal < 0 ? nullptr : &signals[static_cast<std::size_t>(signal)];
 }
 
+std::optional<std::size_t> Model::mean_load() const {
+  if (contact_force() == nullptr) return std::nullopt;
+  for (const char* const load : {"F1", "Fm"}) {
+    const int index = find_parameter(load);
+    if (index >= 0) return static_cast<std::size_t>(index);
+  }
+  return std::nullopt;
+}
+
+double Model::mesh_periods(const ModelSetting& setting) const {
+  const int cycle = find_parameter("cycle");
+  return cycle < 0 ? 1.0 : setting.parameters[static_cast<std::size_t>(cycle)];
+}
+
 ModelSetting Model::default_setting() const {
   ModelSetting setting;
   for (const ParameterInfo& parameter : parameters) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -148,6 +149,11 @@ struct Model {
   std::vector<ContactLimit> contact_limits() const;
   // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.
   const ChannelInfo* contact_force() const;
+  // The parameter that is the mean of that force where nothing moves: `F1`, or `Fm`. Nothing of a
+  // model that has no such force.
+  std::optional<std::size_t> mean_load() const;
+  // Mesh periods in a forcing period: the parameter `cycle`, and 1 of a model without it.
+  double mesh_periods(const ModelSetting& setting) const;
 
   ModelSetting default_setting() const;
 

@@ -8,14 +8,24 @@
 
 namespace gearsweep {
 
-// In a count, stands for the model's number of states: 3 + 2 * kPerState is 3 and two per state.
-constexpr int kPerState = 1 << 16;
+// In a count, these stand for the model's number of states and for the study's number of orders:
+// 3 + 2 * kPerState is 3 and two per state.
+constexpr int kPerState = 1 << 12;
+constexpr int kPerOrder = 1 << 20;
 
-// A count with that put in.
-constexpr std::size_t numbers_of(int count, std::size_t states) {
+// What is put in.
+struct Sizes {
+  std::size_t states = 0, orders = 0;
+};
+
+constexpr std::size_t numbers_of(int count, const Sizes& sizes) {
   return static_cast<std::size_t>(count % kPerState) +
-         static_cast<std::size_t>(count / kPerState) * states;
+         static_cast<std::size_t>(count / kPerState % (kPerOrder / kPerState)) * sizes.states +
+         static_cast<std::size_t>(count / kPerOrder) * sizes.orders;
 }
+
+// The dimension of outputs that have a number for each order (study/selection.hpp).
+constexpr const char* kOrders = "order";
 
 // What an observable is for.
 enum class ObservableRole {
@@ -36,13 +46,16 @@ enum class OutputRole {
   exponent_error,  // its error, to which the host adds
   section_min,     // the box around the sections
   section_max,
-  rms,   // of a channel
-  peak,  // the largest value of a channel
+  rms,            // of a channel
+  peak,           // the largest value of a channel
+  impacts_drive,  // on each flank of a contact, per forcing period
+  impacts_back,
+  angle,  // which jumps by full turns, and means nothing where what turns is small
 };
 
 struct ObservableOutput {
   std::string suffix;
-  std::string unit;                // empty: the unit of the channel
+  std::string unit;                // empty: that of what it looks at; "/tau": that of its rate
   std::vector<std::string> flags;  // names of the classes 0, 1, ... when the value is a class
   std::string meaning;
   OutputRole role = OutputRole::none;
@@ -59,11 +72,21 @@ struct Observable {
   std::string name;
   ObservableRole role;
   ObservedPart part = ObservedPart::whole;
-  int accumulators;  // numbers that it keeps for each point between rounds; counts in kPerState
-  int tangents;      // tangent vectors that it needs; counts in kPerState
-  // Name of the dimension of its outputs, one number for each state; empty: plain numbers.
+  // Numbers that it keeps for each point between rounds, tangent vectors that it needs; counts in
+  // kPerState and kPerOrder.
+  int accumulators;
+  int tangents;
+  // Name of the dimension of its outputs; empty: plain numbers. Along kOrders they have a number
+  // for each order, along others one for each state.
   std::string dimension;
   std::vector<ObservableOutput> outputs;
+
+  bool has_each_state() const { return !dimension.empty() && dimension != kOrders; }
+  // Numbers of each output.
+  std::size_t width(const Sizes& sizes) const {
+    if (dimension == kOrders) return sizes.orders;
+    return dimension.empty() ? 1 : sizes.states;
+  }
 };
 
 // All built-in observables, by name.

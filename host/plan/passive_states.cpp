@@ -17,7 +17,7 @@ namespace {
 
 bool looks_at_all_states(const Observer& observer) {
   const Observable& observable = *observer.observable;
-  return !observable.dimension.empty() || observable.tangents >= kPerState;
+  return observable.has_each_state() || observable.tangents >= kPerState;
 }
 
 // The states that the study looks at itself. Observables of the section follow the first state.
@@ -216,7 +216,8 @@ void fit(const Model& reduced, Selection* selection) {
                                      reduced.reduction.kept.begin());
   }
   for (Observer& observer : selection->observers) {
-    observer.accumulators = numbers_of(observer.observable->accumulators, reduced.states.size());
+    observer.accumulators = numbers_of(observer.observable->accumulators,
+                                       {reduced.states.size(), selection->orders.size()});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -12,6 +13,9 @@ namespace gearsweep {
 namespace {
 
 constexpr double kMaxSteps = 65536;  // per period
+// With fewer in a wave of an order Simpson's rule is off by more than (2 pi/8)^4/2880 = 1.3e-4 of
+// what it integrates.
+constexpr double kStepsOfWave = 8;
 
 // The same for all points, so that neighbours differ by their parameters alone. The first is zero.
 std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::size_t states) {
@@ -126,8 +130,17 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
   const auto longer = [this](std::size_t steps) {
     return (steps + step_length_ - 1) / step_length_;
   };
-  if (study_.integrate.steps_per_period > 0) return longer(study_.integrate.steps_per_period);
-  const double wanted = study_.model->period(setting) / study_.integrate.max_step;
+  const double for_orders = steps_for_orders(setting);
+  const std::size_t given = study_.integrate.steps_per_period;
+  if (given > 0) {
+    if (static_cast<double>(given) >= for_orders) return longer(given);
+    throw InputError(fmt::format(
+        "the highest of observe.orders takes {} steps of a period or more, {} for each of its "
+        "waves: integrate.steps_per_period = {} is too few",
+        for_orders, kStepsOfWave, given));
+  }
+  const double wanted =
+      std::max(study_.model->period(setting) / study_.integrate.max_step, for_orders);
   if (!(wanted <= kMaxSteps)) {
     throw InputError(
         fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
@@ -136,6 +149,13 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
                     wanted, study_.integrate.max_step, kMaxSteps));
   }
   return longer(ladder_steps(wanted));
+}
+
+double Plan::steps_for_orders(const ModelSetting& setting) const {
+  const std::vector<double>& orders = study_.selection.orders;
+  if (orders.empty()) return 0.0;
+  const double waves = *std::ranges::max_element(orders) * study_.model->mesh_periods(setting);
+  return std::ceil(kStepsOfWave * waves);
 }
 
 PhaseGrid Plan::phase_grid_of(std::size_t point) const {

@@ -80,6 +80,8 @@ class Plan {
   [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
   void set_key(const ModelSetting& setting, std::vector<double>* key) const;
   std::size_t steps_at(const ModelSetting& setting) const;
+  // So many that they tell the waves of the study's orders.
+  double steps_for_orders(const ModelSetting& setting) const;
   std::vector<Group> grouped(const Span& x, const Span& y) const;
   Stage stage_of(const std::vector<Group>& groups) const;
 

@@ -37,10 +37,10 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   }
   if (warm_up == 0) set_start_tangents(study.selection.tangent_count(), &trajectory);
   std::vector<std::unique_ptr<ReferenceObservable>> observables;
+  const ModelSetting setting = plan.setting_of(point);
   for (const Observer& observer : study.selection.observers) {
     if (observer.observable->role == ObservableRole::samples) continue;  // kept below
-    observables.push_back(
-        make_observable(*study.model, observer, study.selection.period_tolerance));
+    observables.push_back(make_observable(study, setting, observer));
   }
   const std::vector<std::size_t>& sampled = study.selection.poincare;
   for (const auto& observable : observables) observable->begin(trajectory.state());

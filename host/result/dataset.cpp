@@ -150,7 +150,7 @@ class Description {
                              .attributes = {},
                              .elements = std::span(values),
                              .is_compressed = true};
-    if (quantity.width > 1) {
+    if (quantity.width > 1 || quantity.dimension == kOrders) {
       add_numbered(quantity.dimension, quantity.width);
       variable.dimensions.push_back(quantity.dimension);
     }
@@ -200,6 +200,13 @@ class Description {
           "largest dynamic meshing force of the attractor",
           [](const Attractor& a) { return a.peak; });
     }
+    std::vector<std::string> impacts;
+    for (const Attractor& attractor : list) impacts.push_back(attractor.impacts);
+    if (std::ranges::any_of(impacts, [](const std::string& text) { return !text.empty(); })) {
+      add_texts("attractor_impacts",
+                "forcing periods, impacts on the drive flank and on the back flank of the motion",
+                number, impacts, &out_);
+    }
     add("attractor_lyapunov_max", "1/tau",
         "largest Lyapunov exponent, mean over the attractor's trajectories",
         [](const Attractor& a) { return a.exponent; });
@@ -215,6 +222,10 @@ class Description {
         std::any_of(out_.variables.begin(), out_.variables.end(),
                     [&](const DataVariable& known) { return known.name == name; });
     if (is_known) return;
+    if (name == kOrders) {
+      add_orders();
+      return;
+    }
     const std::string what = name == "attractor_number"    ? "attractor"
                              : name == kUncertainDimension ? "uncertain parameter"
                                                            : name;
@@ -232,6 +243,16 @@ class Description {
     add_texts(kComponents + std::string("_state"), "state of each component", name,
               names_of(states), &out_);
     notes_.add_channels(states, kComponents, name, &out_);
+  }
+
+  void add_orders() {
+    const std::vector<double>& orders = study_.selection.orders;
+    out_.dimensions.push_back({kOrders, orders.size()});
+    out_.variables.push_back({.name = kOrders,
+                              .stored = Stored::real,
+                              .dimensions = {kOrders},
+                              .attributes = notes_.describe("1", "multiple of the mesh frequency"),
+                              .elements = std::span(orders)});
   }
 
   void add_count(const std::string& name, std::size_t size, const std::string& meaning) {

@@ -103,6 +103,7 @@ class ResultFile {
  private:
   std::vector<ChannelInfo> read_states() const;
   std::vector<ChannelInfo> read_parts(int variable) const;
+  std::vector<std::string> read_part_names(int dimension) const;
   void refuse_unknown(const std::string& quantity) const;
 
   std::string path_;

@@ -12,6 +12,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/observable.hpp"
 #include "result/dataset.hpp"
 #include "result/detail/netcdf_file.hpp"
 #include "result/result_file.hpp"
@@ -252,6 +253,21 @@ std::vector<ChannelInfo> ResultFile::read_states() const {
   return states;
 }
 
+// Orders are called by their values, which need not be whole; other parts by their numbers.
+std::vector<std::string> ResultFile::read_part_names(int dimension) const {
+  const std::size_t count = file_->dimension_size(dimension);
+  std::vector<double> values(count);
+  std::iota(values.begin(), values.end(), 1.0);
+  const int orders = file_->find_variable(kOrders);
+  if (file_->dimension_name(dimension) == kOrders && orders >= 0 &&
+      file_->dimensions_of(orders) == std::vector<int>{dimension}) {
+    values = file_->read(orders, {0}, {count});
+  }
+  std::vector<std::string> names;
+  for (const double value : values) names.push_back(fmt::format("{}", value));
+  return names;
+}
+
 // What stands beside each other at a point of a variable: states, or numbered parts.
 std::vector<ChannelInfo> ResultFile::read_parts(int variable) const {
   const std::vector<int> dimensions = file_->dimensions_of(variable);
@@ -273,9 +289,9 @@ std::vector<ChannelInfo> ResultFile::read_parts(int variable) const {
     if (units.size() != count) refuse_foreign(path_, fmt::format("unit for each {}", along));
   }
   const std::string meaning = text_or_empty(*file_, variable, "long_name");
+  const std::vector<std::string> names = read_part_names(dimension);
   for (std::size_t i = 0; i < count; ++i) {
-    parts.push_back(
-        {fmt::format("{}", i + 1), units[i], fmt::format("{}, {} {}", meaning, along, i + 1)});
+    parts.push_back({names[i], units[i], fmt::format("{}, {} {}", meaning, along, names[i])});
   }
   return parts;
 }

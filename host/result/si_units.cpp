@@ -18,6 +18,9 @@ SiUnit si_unit(const std::string& unit, const Scales& scales) {
   if (unit == "1/tau") return {scales.varpi, "1/s"};
   if (unit == "k0") return {scales.k0, "N/m"};
   if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
+  if (unit == "k0 b_n^2 varpi") {
+    return {scales.k0 * scales.b_n * scales.b_n * scales.varpi, "W"};
+  }
   return {};
 }
 

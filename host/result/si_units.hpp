@@ -18,7 +18,7 @@ struct SiUnit {
   std::string axis_meaning = {};  // of an axis in this unit, where it is another than before
 };
 
-// As SI has it: m, m/s, rad/s, s, 1/s, N/m, N.
+// As SI has it: m, m/s, rad/s, s, 1/s, N/m, N, W.
 SiUnit si_unit(const std::string& unit, const Scales& scales);
 
 // As pictures and tables show it: um, mm/s, N, N/um, and rpm of the pinion for frequencies.

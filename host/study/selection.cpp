@@ -44,7 +44,7 @@ std::vector<Part> parts_for(const Observable& observable, const Model& model) {
       return parts;
     case ObservedPart::contact:
       for (const ContactInfo& contact : model.contacts) {
-        parts.push_back({contact.name, "", contact.name});
+        parts.push_back({contact.name, model.signals[contact.deflection].unit, contact.name});
       }
       return parts;
   }
@@ -57,30 +57,36 @@ std::string stem_of(const Observable& observable, const Part& part) {
   return part.name.empty() ? observable.name : part.name + "_" + observable.name;
 }
 
+// The unit of an output that looks at something of this unit.
+std::string unit_of(const ObservableOutput& output, const std::string& seen) {
+  if (output.unit == "/tau") return seen == "b_n" ? "b_n varpi" : seen + "/tau";
+  return output.unit.empty() && output.flags.empty() ? seen : output.unit;
+}
+
 // The offers of one observable for a part of the model.
-void add_offers(const Observable& observable, const Part& part, std::size_t state_count,
+void add_offers(const Observable& observable, const Part& part, const Sizes& sizes,
                 std::vector<Offer>* offers) {
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
     const std::string stem = stem_of(observable, part);
     Quantity quantity;
     quantity.name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
-    quantity.unit = output.unit.empty() && output.flags.empty() ? part.unit : output.unit;
+    quantity.unit = unit_of(output, part.unit);
     quantity.meaning =
         part.meaning.empty() ? output.meaning : fmt::format("{}: {}", part.meaning, output.meaning);
     quantity.flags = output.flags;
     quantity.dimension = observable.dimension;
     if (observable.part == ObservedPart::channel) quantity.channel = part.name;
-    if (!observable.dimension.empty()) quantity.width = state_count;
+    quantity.width = observable.width(sizes);
     offers->push_back({quantity, {&observable, part.name, i}});
   }
 }
 
-std::vector<Offer> offers_of(const Model& model) {
+std::vector<Offer> offers_of(const Model& model, const Sizes& sizes) {
   std::vector<Offer> offers;
   for (const Observable& observable : observables()) {
     for (const Part& part : parts_for(observable, model)) {
-      add_offers(observable, part, model.states.size(), &offers);
+      add_offers(observable, part, sizes, &offers);
     }
   }
   return offers;
@@ -98,8 +104,22 @@ std::vector<Quantity> census_quantities() {
   return {attractor, count};
 }
 
+// The largest force between the teeth over the mean one; nothing of a model without a load.
+std::optional<Quantity> load_factor(const Model& model) {
+  const std::optional<std::size_t> load = model.mean_load();
+  if (!load) return std::nullopt;
+  const std::string& force = model.contact_force()->name;
+  Quantity quantity;
+  quantity.name = "dynamic_load_factor";
+  quantity.unit = "1";
+  quantity.meaning = fmt::format("largest {} over the recorded periods, divided by {}", force,
+                                 model.parameters[*load].name);
+  quantity.divided_by = load;
+  return quantity;
+}
+
 // Index of the first output of an observer, which is added when the selection has it not yet.
-std::size_t first_output_of(const Source& source, std::size_t states, Selection* selection) {
+std::size_t first_output_of(const Source& source, const Sizes& sizes, Selection* selection) {
   std::size_t first = 0;
   for (const Observer& observer : selection->observers) {
     if (observer.observable == source.observable && observer.part == source.part) {
@@ -110,30 +130,30 @@ std::size_t first_output_of(const Source& source, std::size_t states, Selection*
   const Observable& observable = *source.observable;
   const std::size_t outputs =
       observable.role == ObservableRole::samples ? 0 : observable.outputs.size();
-  selection->observers.push_back({&observable, source.part,
-                                  numbers_of(observable.accumulators, states),
-                                  outputs * (observable.dimension.empty() ? 1 : states),
-                                  numbers_of(observable.tangents, states)});
+  selection->observers.push_back(
+      {&observable, source.part, numbers_of(observable.accumulators, sizes),
+       outputs * observable.width(sizes), numbers_of(observable.tangents, sizes)});
   return first;
 }
 
-std::size_t add_output(const Offer& offer, std::size_t states, Selection* selection) {
-  return first_output_of(offer.source, states, selection) +
+std::size_t add_output(const Offer& offer, const Sizes& sizes, Selection* selection) {
+  return first_output_of(offer.source, sizes, selection) +
          offer.source.output_in_observable * offer.quantity.width;
 }
 
 // The output of this role, with the observer that gives it.
 std::size_t add_role(const std::vector<Offer>& offers, OutputRole role, const std::string& channel,
-                     std::size_t states, Selection* selection) {
+                     const Sizes& sizes, Selection* selection) {
   const auto offer = std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
     return candidate.role() == role && candidate.source.part == channel;
   });
-  return add_output(*offer, states, selection);
+  return add_output(*offer, sizes, selection);
 }
 
-void add_census(const Model& model, const std::vector<Offer>& offers, Selection* selection) {
+void add_census(const Model& model, const std::vector<Offer>& offers, const Sizes& sizes,
+                Selection* selection) {
   const auto output = [&](OutputRole role, const std::string& channel = "") {
-    return add_role(offers, role, channel, model.states.size(), selection);
+    return add_role(offers, role, channel, sizes, selection);
   };
   CensusOutputs census;
   census.motion = output(OutputRole::motion);
@@ -203,8 +223,10 @@ std::size_t Selection::tangent_count() const {
 }
 
 std::vector<Quantity> offered_quantities(const Model& model) {
+  const Sizes sizes = {model.states.size(), kDefaultOrders.size()};
   std::vector<Quantity> out;
-  for (const Offer& offer : offers_of(model)) out.push_back(offer.quantity);
+  for (const Offer& offer : offers_of(model, sizes)) out.push_back(offer.quantity);
+  if (const std::optional<Quantity> factor = load_factor(model)) out.push_back(*factor);
   for (const Quantity& quantity : census_quantities()) out.push_back(quantity);
   Quantity status;
   status.name = "status";
@@ -223,11 +245,12 @@ std::vector<std::string> motion_names() {
 }
 
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
-                            const std::vector<std::string>& poincare_states) {
-  const std::vector<Offer> offers = offers_of(model);
+                            const std::vector<std::string>& poincare_states,
+                            const std::vector<double>& orders) {
+  const Sizes sizes = {model.states.size(), orders.size()};
+  const std::vector<Offer> offers = offers_of(model, sizes);
   const std::vector<std::size_t> sampled = find_states(model, poincare_states);
   const std::vector<Quantity> known = offered_quantities(model);
-  const std::size_t states = model.states.size();
   Selection selection;
   std::set<std::string> listed;
   for (const std::string& name : names) {
@@ -246,7 +269,13 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     }
     Quantity quantity = *found;
     if (quantity.of_census) {
-      add_census(model, offers, &selection);
+      add_census(model, offers, sizes, &selection);
+      selection.quantities.push_back(quantity);
+      continue;
+    }
+    if (quantity.divided_by) {
+      const std::string& force = model.contact_force()->name;
+      quantity.output = add_role(offers, OutputRole::peak, force, sizes, &selection);
       selection.quantities.push_back(quantity);
       continue;
     }
@@ -256,7 +285,9 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     if (offer.source.observable->role == ObservableRole::samples && sampled.empty()) {
       throw InputError(fmt::format("observe.{} names no state", name));
     }
-    quantity.output = add_output(offer, states, &selection);
+    quantity.output = add_output(offer, sizes, &selection);
+    quantity.width = offer.quantity.width;
+    if (quantity.dimension == kOrders) selection.orders = orders;
     if (offer.source.observable->role == ObservableRole::samples) {
       selection.poincare = sampled;
       continue;
@@ -264,11 +295,15 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     quantity.role = offer.role();
     if (offer.role() == OutputRole::motion) selection.motion = quantity.output;
     if (offer.role() == OutputRole::exponent_error) {
-      selection.exponent_error = {add_role(offers, OutputRole::exponent, "", states, &selection),
+      selection.exponent_error = {add_role(offers, OutputRole::exponent, "", sizes, &selection),
                                   quantity.output,
-                                  add_role(offers, OutputRole::period, "", states, &selection)};
+                                  add_role(offers, OutputRole::period, "", sizes, &selection)};
     }
     selection.quantities.push_back(quantity);
+  }
+  if (selection.census && model.contacts.size() == 1) {
+    selection.census->impacts_drive = selection.output_of(OutputRole::impacts_drive);
+    selection.census->impacts_back = selection.output_of(OutputRole::impacts_back);
   }
   return selection;
 }

@@ -29,6 +29,8 @@ struct Quantity {
   std::size_t width = 1;           // numbers for each point, next to each other among the outputs
   std::string dimension;           // the name of what they stand along; empty when width = 1
   std::string channel;             // the state or signal that it looks at; empty: none
+  // The parameter by which the output is divided; where that is 0 there is no value.
+  std::optional<std::size_t> divided_by;
   OutputRole role = OutputRole::none;
 };
 
@@ -40,6 +42,8 @@ struct CensusOutputs {
   std::size_t rms = 0;                           // of the model's first state
   std::size_t exponent = 0;                      // lyapunov_max
   std::optional<std::size_t> peak;               // of Model::contact_force(), where there is one
+  // Of the model's only contact, where the study asks for them anyway.
+  std::optional<std::size_t> impacts_drive, impacts_back;
 };
 
 // What the error of the largest exponent needs: outputs of lyapunov_max and period.
@@ -51,6 +55,9 @@ struct Selection {
   std::vector<Observer> observers;
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
+  // Of which amplitudes and phases are asked for, in multiples of the mesh frequency
+  // (Model::mesh_periods); empty: of none.
+  std::vector<double> orders;
   // Output of motion_class, when an observer looks for kinds of motion.
   std::optional<std::size_t> motion;
   std::optional<CensusOutputs> census;          // when attractors are to be told apart
@@ -72,9 +79,13 @@ std::vector<Quantity> offered_quantities(const Model& model);
 // The classes of motion_class, by value.
 std::vector<std::string> motion_names();
 
+// Those of a study that names none.
+inline const std::vector<double> kDefaultOrders = {1.0, 2.0, 3.0};
+
 // Resolves quantity names. Throws InputError with the nearest known name (the caller adds the
 // place).
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
-                            const std::vector<std::string>& poincare_states);
+                            const std::vector<std::string>& poincare_states,
+                            const std::vector<double>& orders = kDefaultOrders);
 
 }  // namespace gearsweep

@@ -245,7 +245,12 @@ StudyTable observe_table() {
            {"period_tolerance", "number", "1e-6",
             "Two states at phase 0 are the same when they differ by no more than this, relative to "
             "the range of the motion. Without it 1e-4 in fp32.",
-            1e-12, 0.1}}};
+            1e-12, 0.1},
+           {"orders", "list of numbers", "[1, 2, 3]",
+            "Of which multiples of the mesh frequency amplitude and phase are asked for, by the "
+            "quantities that end on order_amplitude and order_phase; fractions are allowed. At "
+            "most 32.",
+            1e-3, 1e3}}};
 }
 
 }  // namespace

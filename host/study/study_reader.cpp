@@ -129,6 +129,26 @@ void read_integrate(const toml::table* table, Study* study) {
   reader.refuse_unknown();
 }
 
+// Of which orders amplitudes and phases are asked for.
+std::vector<double> read_orders(TableReader* reader) {
+  constexpr std::size_t kMost = 32;
+  const toml::node* node = reader->find("orders");
+  if (node == nullptr) return kDefaultOrders;
+  const StudyKey& key = *find_key(study_table("observe"), "orders");
+  const std::vector<double> orders = reader->numbers("orders", key.min, key.max);
+  if (orders.empty() || orders.size() > kMost) {
+    fail_at(*node, fmt::format("observe.orders has {} numbers; from 1 to {} are possible",
+                               orders.size(), kMost));
+  }
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    if (std::find(orders.begin(), orders.begin() + static_cast<std::ptrdiff_t>(i), orders[i]) !=
+        orders.begin() + static_cast<std::ptrdiff_t>(i)) {
+      fail_at(*node, fmt::format("observe.orders lists {} twice", orders[i]));
+    }
+  }
+  return orders;
+}
+
 void read_observe(const toml::table* table, const toml::table& root, Study* study) {
   TableReader reader(table, study_table("observe"));
   const std::string first_state = study->model->states.front().name;
@@ -142,6 +162,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   // What rounding leaves of a stable orbit's recurrence, with some room.
   const double rounding = study->integrate.fp64 ? 1e-6 : 1e-4;
   const double tolerance = reader.number("period_tolerance", rounding);
+  const std::vector<double> orders = read_orders(&reader);
   reader.refuse_unknown();
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;
@@ -152,7 +173,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
                         first_state));
   }
   try {
-    study->selection = select_quantities(*study->model, quantities, states);
+    study->selection = select_quantities(*study->model, quantities, states, orders);
     study->selection.period_tolerance = tolerance;
   } catch (const InputError& error) {
     fail_at(*place, error.what());

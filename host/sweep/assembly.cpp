@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "model/array.hpp"
+#include "sweep/detail/map_value.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -42,7 +43,7 @@ Assembly::Assembly(const Study& study, std::size_t states) {
   if (study.uncertain.draws() > 0) draws_.emplace(study);
 }
 
-void Assembly::add(const Tile& tile, const TileResult& result) {
+void Assembly::add(const Plan& plan, const Tile& tile, const TileResult& result) {
   devices_.insert(result.device);
   result_.steps += result.effort.steps;
   result_.seconds += result.effort.seconds;
@@ -53,7 +54,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
     if (!summaries_.empty()) add_summary(point, result, i);
     // The maps are those of each point's first trajectory.
     if (point >= result_.status.size()) {
-      if (draws_) draws_->add(point, result, i);
+      if (draws_) draws_->add(plan, point, result, i);
       continue;
     }
     result_.status[point] = result.status[i];
@@ -63,7 +64,7 @@ void Assembly::add(const Tile& tile, const TileResult& result) {
       if (quantity.of_census || quantity.of_draws) continue;
       const std::span<double> value = Array2(result_.values[j], quantity.width)[point];
       for (std::size_t k = 0; k < quantity.width; ++k) {
-        value[k] = result.output_table()[quantity.output + k][i];
+        value[k] = map_value(plan, quantity, k, point, result, i);
       }
     }
     const auto copy = [&](const std::vector<double>& from, std::vector<double>* to) {
@@ -102,6 +103,10 @@ void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std
   summary.rms = output(census.rms);
   summary.exponent = output(census.exponent);
   summary.peak = census.peak ? output(*census.peak) : std::numeric_limits<double>::quiet_NaN();
+  if (census.impacts_drive) {
+    summary.impacts_drive = output(*census.impacts_drive);
+    summary.impacts_back = output(*census.impacts_back);
+  }
   const std::size_t states = result_.study.model->states.size();
   for (const std::size_t first : {census.section_min, census.section_max}) {
     for (std::size_t i = 0; i < states; ++i) summary.box.push_back(output(first + i));

@@ -15,7 +15,7 @@ class Assembly {
  public:
   Assembly(const Study& study, std::size_t states);
 
-  void add(const Tile& tile, const TileResult& result);
+  void add(const Plan& plan, const Tile& tile, const TileResult& result);
 
   // [point of the tile][state]: where each point of a tile starts. A point whose predecessor has
   // diverged starts from its own initial state.

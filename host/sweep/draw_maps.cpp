@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sweep/detail/map_value.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -78,15 +79,16 @@ DrawMaps::DrawMaps(const Study& study) : study_(study), quantities_(draw_quantit
   is_ok_.assign(numbers, 0);
 }
 
-void DrawMaps::add(std::size_t trajectory, const TileResult& result, std::size_t position) {
+void DrawMaps::add(const Plan& plan, std::size_t trajectory, const TileResult& result,
+                   std::size_t position) {
   if (result.status[position] != STATUS_ok) return;
   const std::size_t point = trajectory % study_.points();
   const std::size_t draw = trajectory / study_.points() - 1;
   const std::size_t place = point * study_.uncertain.draws() + draw;
   is_ok_[place] = 1;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const std::size_t output = study_.selection.quantities[sources_[i]].output;
-    kept_[i][place] = result.output_table()[output][position];
+    const Quantity& quantity = study_.selection.quantities[sources_[i]];
+    kept_[i][place] = map_value(plan, quantity, 0, trajectory, result, position);
   }
 }
 

@@ -17,7 +17,8 @@ class DrawMaps {
   explicit DrawMaps(const Study& study);
 
   // trajectory: draw n (from 1) of point p is n * study.points() + p. position: in the tile.
-  void add(std::size_t trajectory, const TileResult& result, std::size_t position);
+  void add(const Plan& plan, std::size_t trajectory, const TileResult& result,
+           std::size_t position);
 
   // values: [quantity of the study's selection][point * its width + i]; those of draws are filled
   // in. A draw that diverged counts in the share of these alone; a point all of whose draws did has

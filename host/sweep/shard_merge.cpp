@@ -137,7 +137,7 @@ SweepResult merge_shards(const std::vector<std::string>& journals) {
   for (std::size_t number = 0; number < tiles.size(); ++number) {
     const TileResult result = shards.tile(number);
     require_fit(plan.study(), *tiles[number], result);
-    assembly.add(*tiles[number], result);
+    assembly.add(plan, *tiles[number], result);
   }
   SweepResult result = assembly.take();
   result.engine.driver = shards.note(notes::kDriver);

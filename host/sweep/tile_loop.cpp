@@ -129,7 +129,7 @@ void TileLoop::hand_back(const WorkerReport& report) {
 }
 
 void TileLoop::add(std::size_t number, const TileResult& result, bool resumed) {
-  assembly_->add(*tiles_[number], result);
+  assembly_->add(plan_, *tiles_[number], result);
   progress_.tile_done(number, *tiles_[number], resumed);
 }
 

@@ -1,6 +1,7 @@
 #include "tile/tile_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -14,6 +15,22 @@
 
 namespace gearsweep {
 namespace {
+
+// How often an orbit of this many periods is gone through, so that the waves of all orders fit: the
+// smallest number that does, or as often as fits into the record.
+std::size_t turns_of_orders(const std::vector<double>& orders, std::size_t length,
+                            std::size_t record) {
+  const std::size_t most = std::max<std::size_t>(record / length, 1);
+  for (std::size_t turns = 1; turns < most; ++turns) {
+    const auto periods = static_cast<double>(turns * length);
+    const bool all_fit = std::ranges::all_of(orders, [&](double order) {
+      const double waves = order * periods;
+      return std::abs(waves - std::round(waves)) < 1e-6;
+    });
+    if (all_fit) return turns;
+  }
+  return most;
+}
 
 class TileRun {
  public:
@@ -115,8 +132,9 @@ class TileRun {
     return states;
   }
 
-  // Two passes: in the first, observers of states and signals see one turn of the orbit; in the
-  // second, observers of tangents and sections see this turn repeated for the whole record.
+  // Two passes: in the first, observers of states and signals see one turn of the orbit, or so many
+  // that the waves of the orders fit; in the second, observers of tangents and sections see one
+  // turn repeated for the whole record.
   bool record_alike(const std::vector<FoundOrbit>& orbits) {
     const std::size_t length = orbits.front().length;
     std::vector<std::size_t> positions;
@@ -129,12 +147,14 @@ class TileRun {
                              first + static_cast<std::ptrdiff_t>(tangents));
     }
     const Window& whole = windows_.front();
-    const Tile subset = subset_of(plan_, tile_, positions, 2 * length);
+    const std::size_t recorded =
+        length * turns_of_orders(study_.selection.orders, length, whole.record);
+    const Tile subset = subset_of(plan_, tile_, positions, recorded + length);
     callbacks_.on_work(subset.work);
     const std::optional<std::vector<double>> states = first_recorded(orbits, subset);
     if (!states) return false;
     // The verdicts of this window are replaced by those of the next.
-    const Window turn = {.record = length, .samples = whole.samples > 0 ? length : 0};
+    const Window turn = {.record = recorded, .samples = whole.samples > 0 ? length : 0};
     std::optional<TileResult> once =
         engine_->compute(plan_, subset, *states, turn, callbacks_.after_round);
     if (!once) return false;

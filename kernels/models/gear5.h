@@ -86,13 +86,18 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
     "formulation = 'printed'\nstiffness = 'fourier'\npolicy = 'fixed'\n")
 
 // X(name, unit, meaning)
-#define MODEL_SIGNALS(X)                                                                \
-  X(deflection, "b_n", "mesh deflection D along the line of action")                    \
-  X(backlash, "b_n", "half backlash b' at work")                                        \
-  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                \
-  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                    \
-  X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs") \
-  X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")
+#define MODEL_SIGNALS(X)                                                                 \
+  X(deflection, "b_n", "mesh deflection D along the line of action")                     \
+  X(backlash, "b_n", "half backlash b' at work")                                         \
+  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                 \
+  X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                     \
+  X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs")  \
+  X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")     \
+  X(dte, "b_n", "dynamic transmission error Rp theta_p - Rg theta_g = x1 + e(t)")        \
+  X(bearing_p, "k0 b_n", "force on the pinion's bearing, of its spring and damper")      \
+  X(bearing_g, "k0 b_n", "force on the gear's bearing, of its spring and damper")        \
+  X(power_damping, "k0 b_n^2 varpi", "power that the dampers of mesh and bearings take") \
+  X(power_friction, "k0 b_n^2 varpi", "power that friction takes from the vibration")
 
 // What depends on the phase alone. With friction arms a_i = rho_p s_pi/Rp + rho_g s_gi/Rg (printed:
 // s_gi/R) and sliding directions lambda_i, the sums of model equations over the pairs are
@@ -114,6 +119,7 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
 typedef struct {
   real period;           // of the mesh, 2 pi / omega
   real load;             // F1
+  real error;            // e0
   real forcing;          // e0 omega^2
   real friction;         // mu
   real normal_damping;   // 4 zeta
@@ -125,12 +131,15 @@ typedef struct {
   real mass_p, mass_g;        // m1, m2
   real bearing_damping[4];    // 2 m c zeta of x2..x5
   real bearing_stiffness[4];  // m k of x2..x5
+  real bearing_springs[4];    // k of x2..x5
+  real bearing_dampers[4];    // 2 c zeta of x2..x5
   int printed, dynamic;
 } ModelPoint;
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
   point->period = (scalar)(TWO_PI) / p->omega;
   point->load = p->F1;
+  point->error = p->e0;
   point->forcing = p->e0 * p->omega * p->omega;
   point->friction = p->mu;
   const real damping = (scalar)(2) * p->zeta;
@@ -150,6 +159,14 @@ SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, Mod
   point->bearing_stiffness[1] = p->m1 * p->k2;
   point->bearing_stiffness[2] = p->m2 * p->k3;
   point->bearing_stiffness[3] = p->m2 * p->k4;
+  point->bearing_springs[0] = p->k1;
+  point->bearing_springs[1] = p->k2;
+  point->bearing_springs[2] = p->k3;
+  point->bearing_springs[3] = p->k4;
+  point->bearing_dampers[0] = damping * p->c1;
+  point->bearing_dampers[1] = damping * p->c2;
+  point->bearing_dampers[2] = damping * p->c3;
+  point->bearing_dampers[3] = damping * p->c4;
   point->printed = options.formulation == FORMULATION_PRINTED;
   point->dynamic = options.backlash == BACKLASH_DYNAMIC;
 }
@@ -373,6 +390,32 @@ SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear,
                   linear->mass_g * normal;
 }
 
+// The transmission error e(t).
+SHARED_FN real gear5_error(const ModelPoint* point, const PhaseCoefs* phase) {
+  return point->error * phase->sine;
+}
+
+// The force of spring and damper in a bearing; first: its direction across the line of action.
+SHARED_FN real gear5_bearing_force(const ModelPoint* point, const real* x, int first) {
+  const real* place = x + STATE_x2 + first;
+  const real* velocity = x + STATE_v2 + first;
+  const real across =
+      point->bearing_springs[first] * place[0] + point->bearing_dampers[first] * velocity[0];
+  const real along = point->bearing_springs[first + 1] * place[1] +
+                     point->bearing_dampers[first + 1] * velocity[1];
+  return lane_sqrt(across * across + along * along);
+}
+
+// What the dampers of the mesh and of the bearings take from the motion.
+SHARED_FN real gear5_damping_power(const ModelPoint* point, const real* x, real rate) {
+  const real approach = x[STATE_v1] - x[STATE_v3] + x[STATE_v5];
+  const real across = point->bearing_dampers[0] * x[STATE_v2] * x[STATE_v2] +
+                      point->bearing_dampers[2] * x[STATE_v4] * x[STATE_v4];
+  const real along = point->bearing_dampers[1] * x[STATE_v3] * x[STATE_v3] +
+                     point->bearing_dampers[3] * x[STATE_v5] * x[STATE_v5];
+  return point->normal_damping * rate * approach + (across + along);
+}
+
 SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                              ModelSignals* signals) {
   ModelContact contact;
@@ -387,6 +430,12 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
   signals->friction = mesh.slide_stiffness * f + mesh.slide_damping * rate;
   signals->friction_lever =
       point->friction * phase->lever * f + point->sliding_damping * phase->lever_damping * rate;
+  signals->dte = x[STATE_x1] + gear5_error(point, phase);
+  signals->bearing_p = gear5_bearing_force(point, x, 0);
+  signals->bearing_g = gear5_bearing_force(point, x, 2);
+  signals->power_damping = gear5_damping_power(point, x, rate);
+  signals->power_friction =
+      signals->friction * (x[STATE_v2] - x[STATE_v4]) - signals->friction_lever * x[STATE_v1];
 }
 
 #ifdef MODEL_HOST_PART

@@ -1,8 +1,6 @@
 // Contact regime of the teeth: on the drive flank while D > b', on the back flank while D < -b', in
 // the gap while neither, wedged while both, which takes a negative b'. A stop has the drive flank
-// alone. Inside a step the distance
-// from a limit follows the cubic of step_curve.h; its roots give the shares of the step's time. A
-// contact that begins and ends within one step counts, and so does one that is lost and regained.
+// alone. What happens inside a step counts (contact_touch.h).
 
 #define CONTACT_ROLE measure
 #define CONTACT_PER_CONTACT
@@ -30,6 +28,8 @@ enum {
 };
 
 #ifdef __OPENCL_VERSION__
+#include "contact_touch.h"
+
 enum { contact_outputs = CONTACT_OUTPUTS(COUNT_OUTPUT) };
 
 SHARED_FN void contact_init(real* sums, ContactDepths start) {
@@ -44,28 +44,6 @@ SHARED_FN void contact_init(real* sums, ContactDepths start) {
   sums[contact_period_wedged] = 0;
 }
 
-// The root of the depth between t = from and t = to, where its signs differ, and between which it
-// is monotone: bisection, then Newton's method, which does not leave the bracket.
-SHARED_FN real contact_root(const StepCurve* depth, real from, real to, mask is_on) {
-  const real zero = 0;
-  const real one_half = (scalar)(0.5);
-  real low = from;
-  real high = to;
-  for (int i = 0; i < 3; ++i) {
-    const real middle = one_half * (low + high);
-    const mask before = (step_curve_at(depth, middle) > zero) == is_on;
-    low = lane_select(before, middle, low);
-    high = lane_select(before, high, middle);
-  }
-  real t = one_half * (low + high);
-  for (int i = 0; i < 3; ++i) {
-    const real slope = step_curve_slope(depth, t);
-    const real next = t - step_curve_at(depth, t) / slope;
-    t = lane_select(slope != zero, lane_clamp(next, low, high), t);
-  }
-  return t;
-}
-
 // The share of a step during which a flank is touched, by its depth at the step's four moments;
 // adds the contact losses.
 SHARED_FN real contact_share(real earlier, real before, real middle, real after, real cubic,
@@ -73,33 +51,19 @@ SHARED_FN real contact_share(real earlier, real before, real middle, real after,
   const real zero = 0;
   const real one_half = (scalar)(0.5);
   const real one = 1;
-  const StepCurve depth = step_curve(earlier, before, middle, after, cubic);
-  const mask on_before = before > zero;
-  const mask on_after = after > zero;
-  const real whole = lane_select(on_before, one, zero);
-  // Before and after its extremum the depth is monotone. Where both ends lie on one side of the
-  // limit, the extremum may lie on the other: it is within |a| + |b| + |c| of the middle.
-  const mask turns = step_curve_turns(&depth);
-  const real reach = lane_abs(depth.a) + lane_abs(depth.b) + lane_abs(depth.c);
-  const mask changes = (on_before != on_after) |
-                       (turns & (on_before == (depth.a > zero)) & (lane_abs(middle) < reach));
-  if (all_lanes(!changes)) return whole;
-  const real turn = step_curve_turn(&depth, turns);
-  const mask on_turn = ((step_curve_at(&depth, turn) > zero) & turns) | (on_after & !turns);
-  const mask in_first = on_turn != on_before;  // the sign changes before the extremum
-  const mask in_second = on_turn != on_after;
-  const real first = contact_root(&depth, -one, turn, on_before);
-  const real second = all_lanes(!in_second) ? one : contact_root(&depth, turn, one, on_turn);
-  const real end = lane_select(in_first, first, turn);     // of what began the step
-  const real begin = lane_select(in_second, second, one);  // of what ends it
-  const real on_first = lane_select(on_before, end + one, zero);
-  const real on_middle = lane_select(on_turn, begin - end, zero);
-  const real on_last = lane_select(on_after, one - begin, zero);
-  // What a lane gets must not depend on the others: those without a change are left alone.
-  *losses = *losses + lane_select(changes & in_first & on_before, one, zero) +
-            lane_select(changes & in_second & on_turn, one, zero);
+  ContactTouch touch;
+  const bool is_touched = contact_touch(earlier, before, middle, after, cubic, &touch);
+  const real whole = lane_select(touch.on_before, one, zero);
+  if (!is_touched) return whole;
+  const real end = lane_select(touch.in_first, touch.first, touch.turn);  // of what began the step
+  const real begin = lane_select(touch.in_second, touch.second, one);     // of what ends it
+  const real on_first = lane_select(touch.on_before, end + one, zero);
+  const real on_middle = lane_select(touch.on_turn, begin - end, zero);
+  const real on_last = lane_select(touch.on_after, one - begin, zero);
+  *losses = *losses + lane_select(touch.changes & touch.in_first & touch.on_before, one, zero) +
+            lane_select(touch.changes & touch.in_second & touch.on_turn, one, zero);
   const real share = one_half * (on_first + on_middle + on_last);
-  return lane_select(changes & (in_first | in_second), share, whole);
+  return lane_select(touch.changes & (touch.in_first | touch.in_second), share, whole);
 }
 
 SHARED_FN void contact_step(real* sums, ContactDepths earlier, ContactDepths before,

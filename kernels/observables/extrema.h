@@ -7,7 +7,8 @@
 // X(suffix of the quantity's name, unit (empty: the channel's), flag meanings, meaning)
 #define EXTREMA_OUTPUTS(X)                                   \
   X(min, "", "", "smallest value over the recorded periods") \
-  X(max, "", "", "largest value over the recorded periods")
+  X(max, "", "", "largest value over the recorded periods")  \
+  X(peak_to_peak, "", "", "largest less smallest value over the recorded periods")
 // X(suffix, role)
 #define EXTREMA_OUTPUT_ROLES(X) X(max, peak)
 
@@ -45,5 +46,6 @@ SHARED_FN void extrema_end_period(real* sums, const Section* section) {}
 SHARED_FN void extrema_finish(const real* sums, SweepRound round, real* out) {
   out[0] = sums[extrema_min];
   out[1] = sums[extrema_max];
+  out[2] = sums[extrema_max] - sums[extrema_min];
 }
 #endif

@@ -117,8 +117,9 @@ def _draw_parts(
     """The first curve stands over the others."""
     count = shown.values.shape[1]
     for part in range(count - 1, 0, -1):
-        label = f"{shown.dimension} 2 to {count}" if part == 1 else None
+        others = f"{shown.dimension} {shown.parts[1]} to {shown.parts[-1]}"
+        label = others if part == 1 else None
         look = {"color": _core.OTHER_PARTS_COLOUR, "markersize": size, "label": label}
         ax.plot(x, shown.values[:, part], line, linewidth=1, **look)
     look = {"color": _core.FIRST_PART_COLOUR, "markersize": size}
-    ax.plot(x, shown.values[:, 0], line, label=f"{shown.dimension} 1", **look)
+    ax.plot(x, shown.values[:, 0], line, label=f"{shown.dimension} {shown.parts[0]}", **look)

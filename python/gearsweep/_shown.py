@@ -23,7 +23,8 @@ Limits = tuple[float | None, float | None]
 class Shown(NamedTuple):
     """A quantity of a result that is drawn.
 
-    `values` has the axes of the result in front (y, then x), then parts or samples.
+    `values` has the axes of the result in front (y, then x), then parts or samples; `parts` are
+    what the parts are called.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Shown(NamedTuple):
     meaning: str
     values: NDArray[Any]
     dimension: str
+    parts: tuple[str, ...] = ()
 
 
 class Missing(NamedTuple):
@@ -90,11 +92,11 @@ def find_shown(maps: xarray.Dataset, quantity: str | None, axes: list[str]) -> S
         )
     if not extra:
         return _shown(variable, name, "")
-    labels = [str(one) for one in maps[extra[0]].values.tolist()]
+    labels = [_label(one) for one in maps[extra[0]].values.tolist()]
     if part == "" and (name == _SAMPLES or len(axes) == 2):
         part = labels[0]
     if part == "":
-        return _shown(variable, name, extra[0])
+        return _shown(variable, name, extra[0])._replace(parts=tuple(labels))
     if part not in labels:
         raise InputError(f"{name} has no '{part}'{_core.suggest_name(part, labels)}")
     chosen = variable.isel({extra[0]: labels.index(part)})
@@ -109,6 +111,11 @@ def find_shown(maps: xarray.Dataset, quantity: str | None, axes: list[str]) -> S
     if name != _SAMPLES:
         return one._replace(meaning=f"{variable.attrs.get('long_name', '')}, {extra[0]} {part}")
     return one._replace(meaning=f"{one.meaning}, at phase 0 of each recorded period")
+
+
+def _label(part: Any) -> str:
+    """What a part is called: a state, a number, an order, which need not be whole."""
+    return str(int(part)) if isinstance(part, float) and part.is_integer() else str(part)
 
 
 def _default(known: list[str], axes: int) -> str:

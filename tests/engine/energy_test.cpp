@@ -174,6 +174,26 @@ TEST(Energy, PowerBalance) {
   EXPECT_EQ(works.backlash, 0.0);
 }
 
+// The signals are the powers of the balance: their means are the works of a period over its length,
+// of a motion that has settled.
+TEST(Energy, MeanPowersAreThoseOfTheBalance) {
+  for (const char* const law : {"constant", "dynamic"}) {
+    const std::string toml = "[model]\npreset = 'coarse'\nbacklash = '" + std::string(law) +
+                             "'\n[parameters]\n" + kBalanced;
+    const Works works = works_of(toml);
+    const SweepResult result = run(toml +
+                                   "settle = 200\nrecord = 1\nstop = 'never'\n[observe]\n"
+                                   "quantities = ['power_damping_mean', 'power_friction_mean']\n");
+    const double period = 2.0 * std::numbers::pi / 0.65;
+    const double damping = map_of(result, "power_damping_mean")[0] * period;
+    const double friction = map_of(result, "power_friction_mean")[0] * period;
+    EXPECT_NEAR(damping, works.bearings + works.mesh, 1e-8) << law;
+    EXPECT_NEAR(friction, -works.friction, 1e-8) << law;
+    // What goes in is taken by these, but for what the stiffness and the backlash do.
+    EXPECT_NEAR(works.input + works.parametric - works.backlash, damping + friction, 1e-8) << law;
+  }
+}
+
 TEST(Energy, PowerBalanceWithDynamicBacklash) {
   const Works works =
       works_of("[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[parameters]\n" + kBalanced);

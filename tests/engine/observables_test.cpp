@@ -27,7 +27,7 @@ std::string all_quantities() {
       "'contact_class', 'poincare'";
   for (const auto& channels : {gear5().states, gear5().signals}) {
     for (const ChannelInfo& channel : channels) {
-      for (const char* suffix : {"_min", "_max", "_mean", "_rms", "_std"}) {
+      for (const char* suffix : {"_min", "_max", "_peak_to_peak", "_mean", "_rms", "_std"}) {
         list += ", '" + channel.name + suffix + "'";
       }
     }
@@ -133,6 +133,32 @@ TEST(Observables, SignalsAreThoseOfTheStates) {
                 1e-13);
     EXPECT_NEAR(std::pow(value("x1_rms"), 2),
                 std::pow(value("x1_mean"), 2) + std::pow(value("x1_std"), 2), 1e-13);
+  }
+}
+
+// Where nothing moves the force is the load; without a load there is no factor.
+TEST(Observables, DynamicLoadFactorIsTheLargestForceOverTheLoad) {
+  const SweepResult still = run(
+      "[model]\nstiffness = 'fourier'\n[parameters]\nkappa = 0.0\nmu = 0.0\ne0 = 0.0\n[[axes]]\n"
+      "name = 'F1'\nvalues = [0.0, 0.1, 0.3]\n[integrate]\nsettle = 100\nrecord = 1\n[observe]\n"
+      "quantities = ['dynamic_load_factor', 'dmf_max', 'bearing_p_max', 'bearing_g_max']\n");
+  const std::vector<double>& factor = map_of(still, "dynamic_load_factor");
+  EXPECT_TRUE(std::isnan(factor[0]));
+  for (const std::size_t point : {1U, 2U}) {
+    EXPECT_NEAR(factor[point], 1.0, 1e-12);
+    // The shafts hold what the teeth press with.
+    EXPECT_NEAR(map_of(still, "bearing_p_max")[point], map_of(still, "dmf_max")[point], 1e-12);
+    EXPECT_NEAR(map_of(still, "bearing_g_max")[point], map_of(still, "dmf_max")[point], 1e-12);
+  }
+  const SweepResult gear1 =
+      run("[model]\nname = 'gear1'\n[[axes]]\nname = 'Fm'\nvalues = [0.1, 0.2]\n[integrate]\n"
+          "settle = 20\nrecord = 2\n[observe]\nquantities = ['dmf_max', 'dynamic_load_factor', "
+          "'dmf_min', 'dmf_peak_to_peak']\n");
+  for (const std::size_t point : {0U, 1U}) {
+    EXPECT_EQ(map_of(gear1, "dynamic_load_factor")[point],
+              map_of(gear1, "dmf_max")[point] / gear1.study.axes[0].values[point]);
+    EXPECT_EQ(map_of(gear1, "dmf_peak_to_peak")[point],
+              map_of(gear1, "dmf_max")[point] - map_of(gear1, "dmf_min")[point]);
   }
 }
 

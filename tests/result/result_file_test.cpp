@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 #include "result/example_result.hpp"
 #include "result/python.hpp"
 #include "sweep_types.h"
@@ -82,6 +84,33 @@ TEST_F(ResultFileTest, PoincareSamplesComeBackByState) {
   EXPECT_EQ(velocity.unit, "b_n varpi");
   EXPECT_EQ(velocity.values.size(), 12U * 5U);
   EXPECT_EQ(velocity.values[7 * 5 + 3], result.samples[(7 * 2 + 1) * 5 + 3]);
+}
+
+// Orders are called by their values, which need not be whole.
+TEST_F(ResultFileTest, AmplitudesComeBackByOrder) {
+  SweepResult result = example_result();
+  const Model& model = *result.study.model;
+  result.study.selection = select_quantities(model, {"x1_order_amplitude"}, {}, {0.5, 1.0, 2.5});
+  result.samples.clear();
+  result.values = {std::vector<double>(3 * result.status.size())};
+  std::iota(result.values[0].begin(), result.values[0].end(), 1.0);
+  const ResultFile file(write(result));
+  const ResultMap all = file.read("x1_order_amplitude");
+  EXPECT_EQ(all.dimension, "order");
+  ASSERT_EQ(all.part_count(), 3U);
+  EXPECT_EQ(all.parts[0].name, "0.5");
+  EXPECT_EQ(all.parts[0].unit, "b_n");
+  const ResultMap first = file.read("x1_order_amplitude:1");
+  EXPECT_EQ(first.values[4], result.values[0][4 * 3 + 1]);
+  EXPECT_THAT(first.meaning, HasSubstr("order 1"));
+  EXPECT_THAT(refusal([&] { file.read("x1_order_amplitude:2"); }),
+              HasSubstr("no quantity 'x1_order_amplitude:2'"));
+  // One order has its dimension, too.
+  result.study.selection = select_quantities(model, {"x1_order_phase"}, {}, {4.0});
+  result.values = {std::vector<double>(result.status.size(), 0.25)};
+  const ResultFile single(write(result, "single.nc"));
+  EXPECT_EQ(single.read("x1_order_phase:4").values[0], 0.25);
+  EXPECT_EQ(single.read("x1_order_phase").unit, "rad");
 }
 
 TEST_F(ResultFileTest, ALyapunovSpectrumComesBackByExponent) {

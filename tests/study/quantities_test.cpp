@@ -49,6 +49,64 @@ TEST(Quantities, OneOfAChannelBearsItsName) {
   }
 }
 
+Study with_orders(const std::string& orders) {
+  return read_study("[[axes]]\nname = 'omega'\nvalues = [0.5]\n[observe]\norders = " + orders +
+                        "\nquantities = ['dmf_order_amplitude', 'x1_rms', 'dmf_order_phase']\n",
+                    "s.toml");
+}
+
+// Amplitudes of all orders, then phases, from one observer; what comes after them has its place.
+TEST(Quantities, OrdersHaveANumberForEachThatTheStudyNames) {
+  const Selection selection = with_orders("[0.5, 2]").selection;
+  EXPECT_EQ(selection.orders, (std::vector<double>{0.5, 2.0}));
+  EXPECT_EQ(selection.quantities[0].width, 2U);
+  EXPECT_EQ(selection.quantities[2].output, 2U);
+  EXPECT_EQ(selection.quantities[1].output, 5U);  // after the mean
+  EXPECT_EQ(with_orders("7").selection.orders, std::vector<double>{7.0});
+  // Of a study that does not ask for them there are none.
+  const Selection without = select_quantities(*find_model("gear5"), {"x1_rms"}, {}, {1.0, 2.0});
+  EXPECT_TRUE(without.orders.empty());
+}
+
+TEST(Quantities, OrdersThatAreNoneAreRefused) {
+  std::string many = "[1";
+  for (int i = 2; i <= 33; ++i) many += ", " + std::to_string(i);
+  for (const auto& [orders, said] :
+       std::vector<std::pair<std::string, std::string>>{{"[]", "from 1 to 32"},
+                                                        {many + "]", "from 1 to 32"},
+                                                        {"[0]", "orders"},
+                                                        {"[-1]", "orders"},
+                                                        {"[1, 2, 1]", "lists 1 twice"},
+                                                        {"['a']", "orders"}}) {
+    try {
+      with_orders(orders);
+      ADD_FAILURE() << orders;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(),
+                  ::testing::AllOf(::testing::HasSubstr("s.toml:5"), ::testing::HasSubstr(said)))
+          << orders;
+    }
+  }
+}
+
+// A model of one mesh has a load; speeds are in the unit of the deflection's rate.
+TEST(Quantities, LoadFactorsAndImpactsAreOfModelsThatHaveThem) {
+  EXPECT_TRUE(offered(*find_model("gear1")).contains("dynamic_load_factor"));
+  EXPECT_FALSE(offered(*find_model("duffing")).contains("dynamic_load_factor"));
+  EXPECT_TRUE(offered(*find_model("idler")).contains("first_contact_impacts_drive"));
+  for (const Quantity& quantity : offered_quantities(*find_model("gear5"))) {
+    if (quantity.name == "contact_impacts_speed") {
+      EXPECT_EQ(quantity.unit, "b_n varpi");
+    }
+    if (quantity.name == "contact_impacts_depth") {
+      EXPECT_EQ(quantity.unit, "b_n");
+    }
+    if (quantity.name == "contact_losses") {
+      EXPECT_EQ(quantity.unit, "1");
+    }
+  }
+}
+
 // A spectrum has an output for each state, and is told of once.
 TEST(Quantities, AnOutputIsFoundByItsRoleBesideOneOfEveryState) {
   const Model& model = *find_model("gear5");

@@ -17,6 +17,10 @@ double share_of(const Attractor& attractor, const SweepResult& result) {
 
 std::string name_of_peak(const Model& model) { return model.contact_force()->name + "_max"; }
 
+bool have_impacts(const std::vector<Attractor>& list) {
+  return std::ranges::any_of(list, [](const Attractor& one) { return !one.impacts.empty(); });
+}
+
 }  // namespace
 
 std::string describe_attractors(const SweepResult& result) {
@@ -32,6 +36,8 @@ std::string describe_attractors(const SweepResult& result) {
   std::string text = fmt::format("{:<9}  {:<14}  {:>6}  {:>10}", "attractor", "motion", "period",
                                  result.study.model->states.front().name + "_rms");
   if (has_peak) text += fmt::format("  {:>10}", name_of_peak(*result.study.model));
+  const bool has_impacts = have_impacts(list);
+  if (has_impacts) text += fmt::format("  {:>8}", "impacts");
   text += fmt::format("  {:>12}  {:>7}\n", "lyapunov_max", "share");
   for (std::size_t i = 0; i < std::min(kMaxRows, order.size()); ++i) {
     const Attractor& attractor = list[order[i]];
@@ -39,6 +45,9 @@ std::string describe_attractors(const SweepResult& result) {
         "{:>9}  {:<14}  {:>6}  {:>10.6g}", order[i] + 1, motion_names().at(attractor.motion),
         attractor.period > 0.0 ? fmt::format("{}", attractor.period) : "-", attractor.rms);
     if (has_peak) text += fmt::format("  {:>10.6g}", attractor.peak);
+    if (has_impacts) {
+      text += fmt::format("  {:>8}", attractor.impacts.empty() ? "-" : attractor.impacts);
+    }
     text += fmt::format("  {:>12.4f}  {:>5.1f} %\n", attractor.exponent,
                         100.0 * share_of(attractor, result));
   }
@@ -56,6 +65,7 @@ nlohmann::json attractors_as_json(const SweepResult& result) {
         {"period", attractor.period},         {"rms", attractor.rms},
         {"lyapunov_max", attractor.exponent}, {"share", share_of(attractor, result)}};
     if (!std::isnan(attractor.peak)) entry[name_of_peak(*result.study.model)] = attractor.peak;
+    if (!attractor.impacts.empty()) entry["impacts"] = attractor.impacts;
     json.push_back(entry);
   }
   return json;

@@ -104,6 +104,9 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
 
 std::string selection_header(const Study& study) {
   std::ostringstream out;
+  if (!study.selection.orders.empty()) {
+    out << fmt::format("#define ORDER_COUNT {}\n", study.selection.orders.size());
+  }
   out << fmt::format("#include \"models/{}.h\"\n", study.model->name);
   if (study.model->whole != nullptr) write_reduction(*study.model, out);
   out << "#include \"rk4/rk4.h\"\n#define MODEL_OPTION_VALUES {";
@@ -124,7 +127,10 @@ std::string flatten(const std::string& name, const std::map<std::string, std::st
 std::string program_source(const Study& study, const std::string& file) {
   std::map<std::string, std::string> sources = kernel_sources();
   Study seen = study;
-  if (file != "sweep.cl") seen.selection = {};  // only there does it matter what is observed
+  if (file != "sweep.cl") {  // only there does it matter what is observed
+    seen.selection = {};
+    seen.selection.orders = study.selection.orders;  // but these are in the tables of all
+  }
   const Model& model = *seen.model;
   if (!model.kernel.empty()) sources[fmt::format("models/{}.h", model.name)] = model.kernel;
   sources["selection.h"] = selection_header(seen);

@@ -1,5 +1,8 @@
 #include "opencl/detail/tile_buffers.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "plan/start_tangents.hpp"
 
 namespace gearsweep {
@@ -21,8 +24,53 @@ Slots arrange_slots(const Tile& tile, std::size_t lanes) {
   return slots;
 }
 
+std::size_t table_width(const Study& study) {
+  return study.model->phase_coefs.size() + 2 * study.selection.orders.size();
+}
+
+namespace {
+
+// Cosines, then sines, of the orders' angles at a phase of the forcing period; whole turns are
+// taken out of them while they are exact.
+void append_orders(const std::vector<double>& orders, double mesh_periods, double psi,
+                   std::vector<double>* row) {
+  std::vector<double> angles;
+  for (const double order : orders) {
+    const double turns = order * mesh_periods * psi;
+    angles.push_back(2.0 * std::numbers::pi * (turns - std::round(turns)));
+  }
+  for (const double angle : angles) row->push_back(std::cos(angle));
+  for (const double angle : angles) row->push_back(std::sin(angle));
+}
+
+// The rows of a phase grid as the kernels have them.
+std::vector<double> table_rows(const Plan& plan, std::size_t point, const PhaseGrid& grid) {
+  const Study& study = plan.study();
+  if (study.selection.orders.empty()) return grid.coefs;
+  const std::size_t width = study.model->phase_coefs.size();
+  const ModelSetting setting = plan.setting_of(point);
+  const std::vector<double> bounds = segment_bounds(*study.model, setting);
+  const double mesh_periods = study.model->mesh_periods(setting);
+  std::vector<double> rows;
+  auto coefs = grid.coefs.begin();
+  for (std::size_t segment = 0; segment < grid.segment_steps.size(); ++segment) {
+    const std::uint32_t last = 2 * grid.segment_steps[segment];
+    for (std::uint32_t row = 0; row <= last; ++row) {
+      rows.insert(rows.end(), coefs, coefs + static_cast<std::ptrdiff_t>(width));
+      coefs += static_cast<std::ptrdiff_t>(width);
+      const double psi = row == last
+                             ? bounds[segment + 1]
+                             : bounds[segment] + 0.5 * row * grid.segment_fractions[segment];
+      append_orders(study.selection.orders, mesh_periods, psi, &rows);
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points) {
-  const std::size_t width = plan.study().model->phase_coefs.size();
+  const std::size_t width = table_width(plan.study());
   GridTables tables;
   for (const std::size_t point : points) {
     const PhaseGrid grid = plan.phase_grid_of(point);
@@ -34,7 +82,7 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
     };
     append(grid.segment_steps, tables.segment_steps);
     append(grid.segment_fractions, tables.segment_fractions);
-    append(grid.coefs, tables.coefs);
+    append(table_rows(plan, point, grid), tables.coefs);
     tables.steps.push_back(grid.steps);
   }
   return tables;

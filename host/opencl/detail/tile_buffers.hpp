@@ -32,6 +32,10 @@ struct GridTables {
   std::vector<std::size_t> steps;  // of a period, per grid
 };
 
+// Numbers of a row of `coefs`: the model's phase coefficients, then cosines and sines of the orders
+// that the study asks for (kernels/observables/orders.h).
+std::size_t table_width(const Study& study);
+
 // Those of these points.
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "opencl/detail/buffer_plan.hpp"
+#include "opencl/detail/tile_buffers.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -89,7 +90,7 @@ class Estimate {
     buffers.add(keys.size() * sizeof(SweepGrid));
     buffers.add(segments * sizeof(sweep_uint));
     buffers.add(scalars(segments));
-    buffers.add(scalars(rows * study_.model->phase_coefs.size()));
+    buffers.add(scalars(rows * table_width(study_)));
     return buffers;
   }
 

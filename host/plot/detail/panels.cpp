@@ -170,9 +170,12 @@ std::vector<KeyEntry> key_entries(const Stack& stack) {
       const ResultMap& map = panel.front().map;
       if (map.part_count() == 1 || map.is_poincare()) continue;
       const std::string what = literal(map.dimension);
-      entries.push_back({KeyEntry::Kind::kLine, kFirstPartColour, "1", what + " 1"});
-      entries.push_back({KeyEntry::Kind::kLine, kOtherPartsColour, "1",
-                         fmt::format("{} 2 to {}", what, map.part_count())});
+      const std::vector<ChannelInfo>& parts = map.parts;
+      entries.push_back({KeyEntry::Kind::kLine, kFirstPartColour, "1",
+                         fmt::format("{} {}", what, literal(parts.front().name))});
+      entries.push_back(
+          {KeyEntry::Kind::kLine, kOtherPartsColour, "1",
+           fmt::format("{} {} to {}", what, literal(parts[1].name), literal(parts.back().name))});
     }
   }
   const std::vector<KeyEntry> missing = missing_entries(stack);

@@ -57,6 +57,16 @@ const std::map<std::string, std::string>& known_names() {
       {"mesh_stiffness", "mesh stiffness"},
       {"friction", "friction force"},
       {"friction_lever", "friction lever"},
+      {"dte", "transmission error"},
+      {"bearing_p", "force on the pinion's bearing"},
+      {"bearing_g", "force on the gear's bearing"},
+      {"power_damping", "power that damping takes"},
+      {"power_friction", "power that friction takes"},
+      {"dynamic_load_factor", "dynamic load factor"},
+      {"contact_impacts_drive", "impacts on the drive flank per period"},
+      {"contact_impacts_back", "impacts on the back flank per period"},
+      {"contact_impacts_speed", "speed of the hardest impact"},
+      {"contact_impacts_depth", "largest depth after an impact"},
       {"attractor", "attractor"},
       {"attractor_count", "number of attractors"},
       {"contact_back", "share of time on the back flank"},
@@ -89,11 +99,11 @@ std::string name_markup(const std::string& name) {
   if (known != known_names().end()) return known->second;
   const std::string symbol = symbol_of(name);
   if (!symbol.empty()) return symbol;
-  static const std::map<std::string, std::string> kAverages = {{"_max", "largest "},
-                                                               {"_mean", "mean of "},
-                                                               {"_min", "smallest "},
-                                                               {"_rms", "rms of "},
-                                                               {"_std", "standard deviation of "}};
+  static const std::map<std::string, std::string> kAverages = {
+      {"_max", "largest "},          {"_mean", "mean of "},
+      {"_min", "smallest "},         {"_order_amplitude", "amplitude of "},
+      {"_order_phase", "phase of "}, {"_peak_to_peak", "range of "},
+      {"_rms", "rms of "},           {"_std", "standard deviation of "}};
   for (const auto& [ending, words] : kAverages) {
     if (name.ends_with(ending)) {
       return words + name_markup(name.substr(0, name.size() - ending.size()));

@@ -4,39 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 #include "model/error.hpp"
+#include "reference/detail/channel.hpp"
+#include "reference/detail/contact_observables.hpp"
 #include "reference/detail/lyapunov_observables.hpp"
 #include "reference/detail/orbit_observables.hpp"
-#include "reference/detail/step_curve.hpp"
 #include "reference/detail/zero_one_observable.hpp"
 
 namespace gearsweep {
 namespace {
-
-// Reads a state or a signal from a moment.
-class Channel {
- public:
-  Channel(const Model& model, const std::string& name)
-      : is_state_(model.find_state(name) >= 0),
-        index_(is_state_ ? model.find_state(name) : model.find_signal(name)) {}
-  double operator()(const Moment& moment) const {
-    return is_state_ ? moment.state[index_] : moment.signals[index_];
-  }
-
- private:
-  bool is_state_;
-  Eigen::Index index_;
-};
-
-// Of a channel, or of anything else that a moment has.
-template <class Value>
-StepCurve curve_of(const TrajectoryStep& step, const Value& value) {
-  std::optional<double> earlier;
-  if (step.earlier) earlier = value(*step.earlier);
-  return {value(step.before), value(step.middle), value(step.after), earlier};
-}
 
 class Extrema final : public ReferenceObservable {
  public:
@@ -45,7 +26,7 @@ class Extrema final : public ReferenceObservable {
     for (const Moment* moment : {&step.before, &step.middle, &step.after}) see(channel_(*moment));
     if (step.is_smooth) see_inside(step);
   }
-  std::vector<double> finish(const Window&) const override { return {min_, max_}; }
+  std::vector<double> finish(const Window&) const override { return {min_, max_, max_ - min_}; }
 
  private:
   void see(double value) {
@@ -90,106 +71,65 @@ class Moments final : public ReferenceObservable {
   double weight_ = 0.0, mean_ = 0.0, squares_ = 0.0;
 };
 
-class Contact final : public ReferenceObservable {
+// The complex Fourier integral, with the whole angle at each moment, by Simpson's rule.
+class Orders final : public ReferenceObservable {
  public:
-  Contact(const Model& model, const ContactInfo& contact)
-      : deflection_(model, model.signals[contact.deflection].name),
-        backlash_(model, model.signals[contact.backlash].name),
-        is_one_sided_(contact.is_one_sided) {}
+  Orders(const Channel& channel, const std::vector<double>& orders, double mesh_periods)
+      : channel_(channel), mesh_periods_(mesh_periods), orders_(orders), sums_(orders.size()) {}
 
   void step(const TrajectoryStep& step) override {
-    const Moment& before = step.before;
-    const Moment& after = step.after;
-    const Touch drive = touch(step, 1.0);
-    const Touch back = is_one_sided_ ? Touch{} : touch(step, -1.0);
-    const double sum = drive.share + back.share;
-    const bool opposite = drive.at_start != back.at_start && drive.at_end != back.at_end;
-    const double both = opposite ? std::max(0.0, sum - 1.0) : std::min(drive.share, back.share);
-    drive_ += step.share * (drive.share - both);
-    back_ += step.share * (back.share - both);
-    wedged_ += step.share * both;
-    losses_ += drive.losses + back.losses;
-    // Without a backlash a gap between the flanks is rounding.
-    const bool open = is_one_sided_ || std::max(backlash_(before), backlash_(after)) > 0.0;
-    const double touching = sum - both;
-    if (touching <= 0.0 || (open && touching < 1.0)) seen_gap_ = true;
-    if (is_one_sided_) return;
-    min_backlash_ = std::min({min_backlash_, backlash_(before), backlash_(after)});
+    if (!first_) first_ = channel_(step.before);
+    add(step.before, psi_, step.share / 6.0);
+    add(step.middle, psi_ + 0.5 * step.share, step.share * 4.0 / 6.0);
+    psi_ += step.share;
+    add(step.after, psi_, step.share / 6.0);
   }
-
-  std::vector<double> finish(const Window& window) const override {
-    const auto count = static_cast<double>(window.record);
-    const bool on_drive = drive_ > 0.0;
-    const bool on_back = back_ > 0.0;
-    double contact_class = 0.0;
-    if (min_backlash_ < 0.0) {
-      contact_class = 3.0;
-    } else if (on_drive && on_back) {
-      contact_class = 2.0;
-    } else if ((on_drive || on_back) && seen_gap_) {
-      contact_class = 1.0;
-    }
-    // Without a negative backlash both flanks touch by rounding only.
-    const double wedged = min_backlash_ < 0.0 ? wedged_ : 0.0;
-    const double gap = seen_gap_ ? std::max(0.0, 1.0 - (drive_ + back_ + wedged) / count) : 0.0;
-    return {drive_ / count, gap, back_ / count, wedged / count, losses_ / count, contact_class};
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double) override {
+    periods_ += 1.0;
+    psi_ = 0.0;
   }
-
- private:
-  // What a flank does during a step.
-  struct Touch {
-    bool at_start = false, at_end = false;
-    double share = 0.0, losses = 0.0;
-  };
-  Touch touch(const TrajectoryStep& step, double flank) const {
-    const StepCurve depth =
-        curve_of(step, [&](const Moment& moment) { return beyond(moment, flank); });
-    Touch out;
-    out.at_start = beyond(step.before, flank) > 0.0;
-    out.at_end = beyond(step.after, flank) > 0.0;
-    std::vector<double> places = {-1.0};
-    if (const std::optional<double> turn = depth.extremum()) places.push_back(*turn);
-    places.push_back(1.0);
-    const auto is_on = [&](std::size_t i) {
-      return i == 0                   ? out.at_start
-             : i + 1 == places.size() ? out.at_end
-                                      : depth.value(places[i]) > 0.0;
-    };
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      const double from = places[i], to = places[i + 1];
-      if (is_on(i) == is_on(i + 1)) {
-        if (is_on(i)) out.share += 0.5 * (to - from);
-        continue;
-      }
-      const double zero = depth.zero(from, to);
-      out.share += 0.5 * (is_on(i) ? zero - from : to - zero);
-      if (is_on(i)) ++out.losses;
-    }
+  std::vector<double> finish(const Window&) const override {
+    std::vector<double> out;
+    for (const std::complex<double>& sum : sums_) out.push_back(2.0 * std::abs(sum) / periods_);
+    for (const std::complex<double>& sum : sums_) out.push_back(std::arg(sum));
     return out;
   }
 
-  // How far the deflection is beyond the limit of a flank, 1 (drive) or -1 (back).
-  double beyond(const Moment& moment, double flank) const {
-    return flank * deflection_(moment) - backlash_(moment);
+ private:
+  void add(const Moment& moment, double psi, double weight) {
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      const double turns = orders_[i] * mesh_periods_ * (periods_ + psi);
+      sums_[i] +=
+          weight * (channel_(moment) - *first_) * std::polar(1.0, -2.0 * std::numbers::pi * turns);
+    }
   }
 
-  Channel deflection_, backlash_;
-  bool is_one_sided_;
-  double drive_ = 0.0, back_ = 0.0, wedged_ = 0.0, losses_ = 0.0;
-  double min_backlash_ = std::numeric_limits<double>::infinity();
-  bool seen_gap_ = false;
+  Channel channel_;
+  double mesh_periods_;
+  std::vector<double> orders_;
+  std::optional<double> first_;
+  double psi_ = 0.0, periods_ = 0.0;
+  std::vector<std::complex<double>> sums_;
 };
 
 }  // namespace
 
-std::unique_ptr<ReferenceObservable> make_observable(const Model& model, const Observer& observer,
-                                                     double period_tolerance) {
+std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
+                                                     const ModelSetting& setting,
+                                                     const Observer& observer) {
+  const Model& model = *study.model;
+  const double period_tolerance = study.selection.period_tolerance;
   const std::string& kind = observer.observable->name;
   if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.part));
   if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.part));
-  if (kind == "contact") {
+  if (kind == "orders") {
+    return std::make_unique<Orders>(Channel(model, observer.part), study.selection.orders,
+                                    model.mesh_periods(setting));
+  }
+  if (observer.observable->part == ObservedPart::contact) {
     const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
-    return std::make_unique<Contact>(model, *contact);
+    if (kind == "contact") return make_contact(model, *contact);
+    if (kind == "contact_impacts") return make_contact_impacts(model, *contact);
   }
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();

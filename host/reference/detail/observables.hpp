@@ -25,9 +25,10 @@ class ReferenceObservable {
   virtual std::vector<double> finish(const Window& window) const = 0;
 };
 
-// `period_tolerance` is the selection's. Throws RunError for an observable that the reference
-// engine does not know.
-std::unique_ptr<ReferenceObservable> make_observable(const Model& model, const Observer& observer,
-                                                     double period_tolerance);
+// `setting`: of the point. Throws RunError for an observable that the reference engine does not
+// know.
+std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
+                                                     const ModelSetting& setting,
+                                                     const Observer& observer);
 
 }  // namespace gearsweep

@@ -17,7 +17,7 @@ struct Values {
 
 bool is_compared(const Quantity& quantity) {
   return !quantity.of_census && !quantity.of_draws && quantity.role != OutputRole::exponent_error &&
-         quantity.role != OutputRole::settled;
+         quantity.role != OutputRole::settled && quantity.role != OutputRole::angle;
 }
 
 bool is_exponent(const Quantity& quantity) {
