@@ -36,6 +36,10 @@ const ChannelInfo* Model::contact_force() const {
   return signal < 0 ? nullptr : &signals[static_cast<std::size_t>(signal)];
 }
 
+double Model::mesh_periods(const ModelSetting& setting) const {
+  return cycle ? setting.parameters[*cycle] : 1.0;
+}
+
 ModelSetting Model::default_setting() const {
   ModelSetting setting;
   for (const ParameterInfo& parameter : parameters) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -109,6 +110,8 @@ struct Model {
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
+  // The parameter that says how many mesh periods one period of the forcing has, if there is one.
+  std::optional<std::size_t> cycle;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
   // take and give the states of the whole model.
   const Model* whole = nullptr;
@@ -148,6 +151,9 @@ struct Model {
   std::vector<ContactLimit> contact_limits() const;
   // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.
   const ChannelInfo* contact_force() const;
+
+  // 1 of a model that counts no mesh periods.
+  double mesh_periods(const ModelSetting& setting) const;
 
   ModelSetting default_setting() const;
 

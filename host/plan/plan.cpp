@@ -11,7 +11,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMaxSteps = 65536;  // per period
+constexpr double kMaxSteps = 4194304;  // per period, which may be many mesh periods
 
 // The same for all points, so that neighbours differ by their parameters alone. The first is zero.
 std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::size_t states) {

@@ -32,49 +32,80 @@
 
 // X(name, unit, default, min, max, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
-#define MODEL_PARAMETERS(X)                                                                 \
-  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency")                                  \
-  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                            \
-  X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient of the teeth")                        \
-  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                            \
-  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                     \
-  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                 \
-  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                       \
-  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                         \
-  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                            \
-  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                            \
-  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                              \
-  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                              \
-  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                \
-  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                \
-  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                  \
-  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                  \
-  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                      \
-  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point") \
-  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                  \
-  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                      \
-  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)") \
-  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")   \
-  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                   \
-  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")       \
-  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")     \
-  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")        \
-  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")          \
-  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")          \
-  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")          \
-  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")        \
-  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")        \
-  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")        \
-  X(phase_4, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 4")
+#define MODEL_PARAMETERS(X)                                                                       \
+  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency")                                        \
+  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                                  \
+  X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient of the teeth")                              \
+  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                                  \
+  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                           \
+  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                       \
+  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                             \
+  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                               \
+  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                                  \
+  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                                  \
+  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                                    \
+  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                                    \
+  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                      \
+  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                      \
+  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                        \
+  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                        \
+  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                            \
+  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point")       \
+  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                        \
+  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                            \
+  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)")       \
+  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")         \
+  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                         \
+  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")             \
+  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")           \
+  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")              \
+  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")                \
+  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")                \
+  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")                \
+  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")              \
+  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")              \
+  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")              \
+  X(phase_4, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 4")              \
+  X(e0_2, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 2")                       \
+  X(e0_3, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 3")                       \
+  X(e0_4, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 4")                       \
+  X(e0_5, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 5")                       \
+  X(e0_6, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 6")                       \
+  X(e0_7, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 7")                       \
+  X(e0_8, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 8")                       \
+  X(e0_phase, "rad", 0.0, -100.0, 100.0, 1, "phase of the transmission error, of its harmonic 1") \
+  X(e0_phase_2, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 2")                \
+  X(e0_phase_3, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 3")                \
+  X(e0_phase_4, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 4")                \
+  X(e0_phase_5, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 5")                \
+  X(e0_phase_6, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 6")                \
+  X(e0_phase_7, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 7")                \
+  X(e0_phase_8, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 8")                \
+  X(cycle, "1", 1.0, 1.0, 1e6, 1, "mesh periods in one period of the forcing")                    \
+  X(runout_p, "b_n", 0.0, 0.0, 1e3, 1,                                                            \
+    "error series, runout of the pinion: amplitude once per turn")                                \
+  X(runout_g, "b_n", 0.0, 0.0, 1e3, 1,                                                            \
+    "error series, runout of the gear: amplitude once per turn")                                  \
+  X(runout_phase_p, "rad", 0.0, -100.0, 100.0, 1, "phase of the pinion's runout")                 \
+  X(runout_phase_g, "rad", 0.0, -100.0, 100.0, 1, "phase of the gear's runout")                   \
+  X(damage_p, "1", 0.0, 0.0, 1.0, 1,                                                              \
+    "share of its pair's stiffness that the pinion's tooth 0 loses")                              \
+  X(damage_g, "1", 0.0, 0.0, 1.0, 1, "share of its pair's stiffness that the gear's tooth 0 loses")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
 #define MODEL_OPTIONS(X)                                                              \
   X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")   \
   X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)") \
-  X(stiffness, "parabolic rectangular fourier", "shape of the pair stiffness")
+  X(stiffness, "parabolic rectangular fourier", "shape of the pair stiffness")        \
+  X(error, "sine series", "transmission error: one sine, or more than that")
 enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
 enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
+enum { ERROR_SINE, ERROR_SERIES };
+
+// One period of the forcing may be several mesh periods, so that what comes back once per turn of a
+// shaft does. The parameter with their number:
+#define MODEL_CYCLE cycle
 
 // X(name, meaning, TOML of what differs from the defaults above)
 #define MODEL_PRESETS(X)                                                                      \
@@ -103,7 +134,9 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
   X(lever_damping, "sum of lambda_i a_i")                               \
   X(slide, "sum of lambda_i kappa_i (printed: with the opposite sign)") \
   X(slide_damping, "sum of lambda_i (printed: with the opposite sign)") \
-  X(sine, "sin(2 pi psi)")                                              \
+  X(sine, "sin(2 pi psi + e0_phase), psi the phase of the mesh")        \
+  X(excitation, "of all other errors e in b_n: -d^2 e/d(omega tau)^2")  \
+  X(error, "all other errors e in b_n")                                 \
   X(cos_alpha, "cos(alpha), the same at all phases")                    \
   X(sin_alpha, "sin(alpha), the same at all phases")                    \
   X(tan_alpha, "tan(alpha), the same at all phases")
@@ -112,9 +145,10 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
 
 // What a point needs in the inner loop.
 typedef struct {
-  real period;           // of the mesh, 2 pi / omega
+  real period;           // of the forcing, cycle 2 pi / omega
   real load;             // F1
   real forcing;          // e0 omega^2
+  real series_forcing;   // omega^2
   real friction;         // mu
   real normal_damping;   // 4 zeta
   real sliding_damping;  // 2 zeta mu
@@ -125,13 +159,14 @@ typedef struct {
   real mass_p, mass_g;        // m1, m2
   real bearing_damping[4];    // 2 m c zeta of x2..x5
   real bearing_stiffness[4];  // m k of x2..x5
-  int printed, dynamic;
+  int printed, dynamic, series;
 } ModelPoint;
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
-  point->period = (scalar)(TWO_PI) / p->omega;
+  point->period = p->cycle * ((scalar)(TWO_PI) / p->omega);
   point->load = p->F1;
   point->forcing = p->e0 * p->omega * p->omega;
+  point->series_forcing = p->omega * p->omega;
   point->friction = p->mu;
   const real damping = (scalar)(2) * p->zeta;
   point->normal_damping = (scalar)(2) * damping;
@@ -152,6 +187,7 @@ SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, Mod
   point->bearing_stiffness[3] = p->m2 * p->k4;
   point->printed = options.formulation == FORMULATION_PRINTED;
   point->dynamic = options.backlash == BACKLASH_DYNAMIC;
+  point->series = options.error == ERROR_SERIES;
 }
 
 // D from positions (or D' from velocities) of x1, x3, x5.
@@ -202,6 +238,13 @@ SHARED_FN Gear5Mesh gear5_mesh(const ModelPoint* point, const PhaseCoefs* phase)
   return mesh;
 }
 
+// What drives x1: the mean load and the errors of the mesh.
+SHARED_FN real gear5_drive(const ModelPoint* point, const PhaseCoefs* phase) {
+  const real drive = point->load + point->forcing * phase->sine;
+  if (!point->series) return drive;
+  return drive + point->series_forcing * phase->excitation;
+}
+
 // The equations of motion, linear in all but f: dx from x, the penetration f, the deflection's rate
 // and what drives x1. Fused, a sum of two products works out the second one first, so what waits
 // longest for the velocities, the rate and the forces that it gives, is the first.
@@ -238,7 +281,7 @@ SHARED_FN void model_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* p
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
   const real f = gear5_penetration(point, contact);
   const Gear5Mesh mesh = gear5_mesh(point, phase);
-  gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
+  gear5_motion(point, &mesh, x, f, rate, gear5_drive(point, phase), dx);
 }
 
 // dx = dx/dtau.
@@ -392,20 +435,75 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 #ifdef MODEL_HOST_PART
 // From here on host only, in double: what is tabulated or computed once per point.
 
+// The errors beyond the first harmonic, and those that come back once per turn.
+struct Gear5Sine {
+  double amplitude, order, phase;  // order: periods per mesh period
+};
+
+inline std::array<Gear5Sine, 9> gear5_sines(const ModelParameters& p) {
+  return {{{p.e0_2, 2.0, p.e0_phase_2},
+           {p.e0_3, 3.0, p.e0_phase_3},
+           {p.e0_4, 4.0, p.e0_phase_4},
+           {p.e0_5, 5.0, p.e0_phase_5},
+           {p.e0_6, 6.0, p.e0_phase_6},
+           {p.e0_7, 7.0, p.e0_phase_7},
+           {p.e0_8, 8.0, p.e0_phase_8},
+           {p.runout_p, 1.0 / std::round(p.zp), p.runout_phase_p},
+           {p.runout_g, 1.0 / std::round(p.zp * p.teeth_ratio), p.runout_phase_g}}};
+}
+
+// What is wrong with a fault of a gear that comes back once per turn; empty if nothing.
+inline std::string gear5_check_turn(const ModelParameters& p, const std::string& gear,
+                                    double teeth) {
+  const double whole = std::round(teeth);
+  if (std::fabs(teeth - whole) > 1e-6) {
+    return "a fault of the " + gear + " needs a whole number of teeth";
+  }
+  if (std::fmod(p.cycle, whole) == 0.0) return "";
+  return "a fault of the " + gear + " comes back once per turn: cycle must be a multiple of its " +
+         std::to_string(static_cast<long>(whole)) + " teeth";
+}
+
 // The first thing that is wrong with a set of parameters whose ranges are right; empty if nothing.
 inline std::string model_check(const ModelParameters& p, const ModelOptions& options) {
   if (std::fabs(p.rho_p + p.rho_g - 1.0) > 1e-6) return "rho_p + rho_g must be 1";
   if (options.formulation == FORMULATION_PRINTED && p.teeth_ratio != 1.0) {
     return "formulation 'printed' is for equal gears: teeth_ratio must be 1";
   }
-  return "";
+  if (p.cycle != std::floor(p.cycle)) return "cycle must be a whole number";
+  if (options.error != ERROR_SERIES) {
+    for (const Gear5Sine& sine : gear5_sines(p)) {
+      if (sine.amplitude != 0.0) return "e0_2 .. e0_8 and runout need the option error = 'series'";
+    }
+  }
+  std::string wrong;
+  if (p.runout_p > 0.0 || p.damage_p > 0.0) wrong = gear5_check_turn(p, "pinion", p.zp);
+  if (wrong.empty() && (p.runout_g > 0.0 || p.damage_g > 0.0)) {
+    wrong = gear5_check_turn(p, "gear", p.zp * p.teeth_ratio);
+  }
+  return wrong;
 }
 
-// Phases in [0, 1) at which the right-hand side jumps (0 is always one): a pair leaves, a pair
-// passes the pitch point.
+// Phases in [0, 1) at which the right-hand side jumps (0 is always one): in each mesh period a pair
+// enters, a pair leaves, a pair passes the pitch point.
 inline std::vector<double> model_break_phases(const ModelParameters& p, const ModelOptions&) {
   const double pitch = p.approach * p.eps;
-  return {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
+  const double breaks[] = {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
+  std::vector<double> phases;
+  for (double begin = 0.0; begin < p.cycle; begin += 1.0) {
+    for (const double phase : breaks) phases.push_back((begin + phase) / p.cycle);
+  }
+  return phases;
+}
+
+// What is left of the stiffness of a pair whose teeth may be damaged. The pair that enters at the
+// beginning of the forcing period has both gears' teeth 0; `pair` counts on from there.
+inline double gear5_sound_share(const ModelParameters& p, double pair) {
+  const auto is_tooth_0 = [&](double teeth) { return std::fmod(pair, std::round(teeth)) == 0.0; };
+  double share = 1.0;
+  if (p.damage_p > 0.0 && is_tooth_0(p.zp)) share *= 1.0 - p.damage_p;
+  if (p.damage_g > 0.0 && is_tooth_0(p.zp * p.teeth_ratio)) share *= 1.0 - p.damage_g;
+  return share;
 }
 
 // Stiffness kappa_i of a pair in contact at position s (in base pitches from its entry).
@@ -424,18 +522,28 @@ inline double gear5_fourier_stiffness(const ModelParameters& p, double psi) {
           p.kappa_4 * std::cos(4.0 * turn + p.phase_4));
 }
 
-// Coefficients at phase psi in [0, 1], as the limit from the side of `inside`, a phase strictly
-// between the two break phases that enclose psi.
+// Coefficients at phase `at` in [0, 1] of the forcing period, as the limit from the side of
+// `inside`, a phase strictly between the two break phases that enclose it.
 inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
-                                    double psi, double inside) {
+                                    double at, double at_inside) {
   const double turn = TWO_PI;
+  const double period = std::floor(p.cycle * at_inside);  // of the mesh
+  const double psi = p.cycle * at - period;
+  const double inside = p.cycle * at_inside - period;
   const double radians = p.alpha * turn / 360.0;
   const bool printed = options.formulation == FORMULATION_PRINTED;
   PhaseCoefs out = {};
   out.cos_alpha = std::cos(radians);
   out.sin_alpha = std::sin(radians);
   out.tan_alpha = std::tan(radians);
-  out.sine = std::sin(turn * psi);
+  out.sine = std::sin(turn * psi + p.e0_phase);
+  for (const Gear5Sine& sine : gear5_sines(p)) {
+    if (options.error != ERROR_SERIES || sine.amplitude == 0.0) continue;
+    const double angle = turn * sine.order * (period + psi) + sine.phase;
+    const double error = sine.amplitude * std::sin(angle);
+    out.error += error;
+    out.excitation += sine.order * sine.order * error;
+  }
   for (int pair = 0; pair < 2; ++pair) {
     const double s = psi + pair;
     const bool in_contact = inside + pair < p.eps;
@@ -446,6 +554,7 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
     } else if (in_contact) {
       kappa = gear5_pair_stiffness(p, options.stiffness, s);
     }
+    kappa *= gear5_sound_share(p, period - pair);
     // s_p/Rp = tan(alpha) + along and s_g/Rg = tan(alpha) - along Rp/Rg (Eq. 11).
     const double along = (s - p.approach * p.eps) * turn / p.zp;
     const double pinion_arm = out.tan_alpha + along;

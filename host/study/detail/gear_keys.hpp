@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -25,6 +26,7 @@ struct GearKey {
 };
 
 inline constexpr std::string_view kPair = "number or [pinion, gear]";
+inline constexpr std::string_view kHarmonics = "number or list, harmonic by harmonic";
 inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
 
 inline constexpr GearKey kTeeth{"teeth", 3.0, 1000.0, "numbers of teeth", "[pinion, gear]"};
@@ -53,14 +55,40 @@ inline constexpr GearKey kFaceWidth{
     "face_width_mm", 1e-3, 1e5, "face width", "number", "needed without mesh_stiffness_N_per_m"};
 inline constexpr GearKey kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
 inline constexpr GearKey kTransmissionError{"transmission_error_um", 0.0, 1e9,
-                                            "amplitude of the transmission error"};
+                                            "amplitudes of the transmission error", kHarmonics};
+inline constexpr GearKey kErrorPhase{"transmission_error_phase_deg",     -3600.0,    3600.0,
+                                     "their phases where a pair enters", kHarmonics, "0"};
+inline constexpr GearKey kRunout{
+    "runout_um", 0.0, 1e9, "amplitude of the error that eccentricity makes once per turn",
+    kPair,       "0"};
+inline constexpr GearKey kRunoutPhase{
+    "runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", kPair, "0"};
+inline constexpr GearKey kDamage{
+    "damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair", kPair, "0"};
 inline constexpr GearKey kSpeed{"pinion_speed_rpm",    1e-6,     1e9,
                                 "speed of the pinion", "number", "omega stays as it is"};
 
-inline constexpr std::array kGearKeys = {
-    kTeeth,         kModule,    kPressureAngle,    kCentreDistance,    kContactRatio, kAddendum,
-    kInertia,       kMass,      kBearingStiffness, kBearingDamping,    kMeshDamping,  kHalfBacklash,
-    kMeshStiffness, kFaceWidth, kTorque,           kTransmissionError, kSpeed};
+inline constexpr std::array kGearKeys = {kTeeth,
+                                         kModule,
+                                         kPressureAngle,
+                                         kCentreDistance,
+                                         kContactRatio,
+                                         kAddendum,
+                                         kInertia,
+                                         kMass,
+                                         kBearingStiffness,
+                                         kBearingDamping,
+                                         kMeshDamping,
+                                         kHalfBacklash,
+                                         kMeshStiffness,
+                                         kFaceWidth,
+                                         kTorque,
+                                         kTransmissionError,
+                                         kErrorPhase,
+                                         kRunout,
+                                         kRunoutPhase,
+                                         kDamage,
+                                         kSpeed};
 
 // Numbers that stand in place of those of the table, by the names of keys.
 using GearValues = std::map<std::string, double>;
@@ -74,6 +102,8 @@ class GearReader {
     reader_.refuse_unknown();
   }
 
+  // An axis gives its values.
+  bool is_swept(const GearKey& key) const { return value_of(key).has_value(); }
   bool has(const GearKey& key) const { return value_of(key) || gear_.contains(key.name); }
 
   // What a message about this key should point at: the key, or the table that lacks it.
@@ -105,6 +135,21 @@ class GearReader {
                                      key.name, values.size(), count));
     }
     return values;
+  }
+
+  // As many numbers as there are; none where the table has no such key. An axis gives the first.
+  std::vector<double> numbers(const GearKey& key) {
+    std::vector<double> values = reader_.numbers(std::string(key.name), key.min, key.max);
+    if (const std::optional<double> value = value_of(key)) {
+      values.resize(std::max<std::size_t>(values.size(), 1));
+      values.front() = *value;
+    }
+    return values;
+  }
+
+  // A pair that may be missing: two zeros then.
+  std::vector<double> pair_or_zero(const GearKey& key) {
+    return has(key) ? list(key, 2) : std::vector<double>(2, 0.0);
   }
 
  private:

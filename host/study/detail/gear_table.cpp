@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -279,9 +281,76 @@ void add_lengths_and_loads(GearReader& in, const Geometry& geometry, const Bases
   parameters->add("F1", torque / (bases.pinion_base * bases.k0 * bases.b_n), kTorque,
                   fmt::format("T/(Rp k0 b_n) = {:.6g} N m / ({:.6g} m {:.6g} N/m {:.6g} m)", torque,
                               bases.pinion_base, bases.k0, bases.b_n));
-  const double error = in.required(kTransmissionError) * 1e-6;
-  parameters->add("e0", error / bases.b_n, kTransmissionError,
-                  fmt::format("e/b_n = {:.6g} m / {:.6g} m", error, bases.b_n));
+}
+
+std::string name_in_list(const std::string& name, std::size_t place) {
+  return place == 0 ? name : fmt::format("{}_{}", name, place + 1);
+}
+
+constexpr std::size_t kMostHarmonics = 8;
+
+// Returns whether one sine is enough.
+bool add_transmission_error(GearReader& in, const Bases& bases, Parameters* parameters) {
+  if (!in.has(kTransmissionError)) in.required(kTransmissionError);
+  const std::vector<double> amplitudes = in.numbers(kTransmissionError);
+  const std::vector<double> phases = in.numbers(kErrorPhase);
+  for (const auto& [key, list] :
+       {std::pair(&kTransmissionError, &amplitudes), std::pair(&kErrorPhase, &phases)}) {
+    const std::size_t most = key == &kErrorPhase ? amplitudes.size() : kMostHarmonics;
+    const bool may_be_missing = key == &kErrorPhase;
+    if (list->size() > most || (list->empty() && !may_be_missing)) {
+      fail_at(in.node(*key),
+              fmt::format("{} has {} numbers; {} is possible", key->name, list->size(),
+                          key == &kErrorPhase ? "at most one for each harmonic of the error"
+                                              : fmt::format("1 to {}", kMostHarmonics)));
+    }
+  }
+  for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+    const double error = amplitudes[i] * 1e-6;
+    parameters->add(name_in_list("e0", i), error / bases.b_n, kTransmissionError,
+                    fmt::format("e/b_n = {:.6g} m / {:.6g} m", error, bases.b_n));
+  }
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    parameters->add(name_in_list("e0_phase", i), phases[i] * std::numbers::pi / 180.0, kErrorPhase,
+                    fmt::format("{:.6g} degrees", phases[i]));
+  }
+  return amplitudes.size() == 1;
+}
+
+// What comes back once per turn of a gear. Returns whether there is any runout.
+bool add_faults(GearReader& in, const Geometry& geometry, const Bases& bases,
+                Parameters* parameters) {
+  const std::vector<double> runout = in.pair_or_zero(kRunout);
+  const std::vector<double> phase = in.pair_or_zero(kRunoutPhase);
+  const std::vector<double> damage = in.pair_or_zero(kDamage);
+  const std::array<double, 2> teeth = {geometry.pinion_teeth, geometry.gear_teeth};
+  std::size_t cycle = 1;
+  bool is_faulty = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string gear = i == 0 ? "p" : "g";
+    if (in.has(kRunout)) {
+      parameters->add("runout_" + gear, runout[i] * 1e-6 / bases.b_n, kRunout,
+                      fmt::format("{:.6g} m / {:.6g} m", runout[i] * 1e-6, bases.b_n));
+    }
+    if (in.has(kRunoutPhase)) {
+      parameters->add("runout_phase_" + gear, phase[i] * std::numbers::pi / 180.0, kRunoutPhase,
+                      fmt::format("{:.6g} degrees", phase[i]));
+    }
+    if (in.has(kDamage)) parameters->add("damage_" + gear, damage[i], kDamage, "as given");
+    // An axis may begin with 0.
+    const bool turns =
+        in.is_swept(kRunout) || in.is_swept(kDamage) || runout[i] > 0.0 || damage[i] > 0.0;
+    if (turns) cycle = std::lcm(cycle, static_cast<std::size_t>(teeth[i]));
+    is_faulty = is_faulty || turns;
+  }
+  if (is_faulty) {
+    parameters->add(
+        "cycle", static_cast<double>(cycle), kTeeth,
+        fmt::format("mesh periods until all faults come back: {:.6g} turns of the "
+                    "pinion, {:.6g} of the gear",
+                    static_cast<double>(cycle) / teeth[0], static_cast<double>(cycle) / teeth[1]));
+  }
+  return in.is_swept(kRunout) || runout[0] > 0.0 || runout[1] > 0.0;
 }
 
 }  // namespace
@@ -302,6 +371,9 @@ GearConversion convert_gear(const toml::table& gear, const GearValues& values) {
   add_masses(in, bases, &parameters);
   add_springs_and_dampers(in, bases, &parameters);
   add_lengths_and_loads(in, geometry, bases, &parameters);
+  const bool is_sine = add_transmission_error(in, bases, &parameters);
+  const bool has_runout = add_faults(in, geometry, bases, &parameters);
+  if (!is_sine || has_runout) out.options.push_back({"error", "series"});
 
   const double turns_per_omega = bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth);
   out.scales = {bases.varpi, bases.b_n, bases.k0, 60.0 * turns_per_omega};

@@ -24,9 +24,15 @@ struct GearParameter {
   std::string key;  // of the table, that gives it
 };
 
+// An option of that model that the table needs; [model] may give another.
+struct GearOption {
+  std::string name, choice;
+};
+
 struct GearConversion {
   std::vector<GearParameter> parameters;  // each once; omega only when the pinion's speed is given
-  std::vector<std::string> notes;         // intermediate results, one line each
+  std::vector<GearOption> options;
+  std::vector<std::string> notes;  // intermediate results, one line each
   Scales scales;
 };
 
@@ -38,7 +44,8 @@ struct GearConversion {
 //   mass_kg (pair)              bearing_stiffness_N_per_mm   bearing_damping_N_s_per_mm
 //   mesh_damping_N_s_per_mm     half_backlash_mm (along the line of action)
 //   mesh_stiffness_N_per_m or face_width_mm (mean stiffness k0 by ISO 6336-1, method B)
-//   torque_N_m (on the pinion)  transmission_error_um (amplitude)
+//   torque_N_m (on the pinion)  transmission_error_um (amplitudes of harmonics)
+//   transmission_error_phase_deg   runout_um (pair)   runout_phase_deg (pair)   damage (pair)
 //   pinion_speed_rpm (omega stays as it is)
 // At a centre distance other than the standard one the gears work at the pressure angle
 // cos(alpha_w) = (Rp + Rg)/a, which then stands for alpha everywhere. A given contact ratio changes
