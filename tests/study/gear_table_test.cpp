@@ -323,6 +323,54 @@ TEST(GearTable, NumbersOutOfRangeAreRefusedAtTheirLine) {
   }
 }
 
+std::string options_of(const GearConversion& gear) {
+  std::string all;
+  for (const GearOption& option : gear.options) all += option.name + " = " + option.choice + "\n";
+  return all;
+}
+
+TEST(GearTable, HarmonicsOfTheErrorAreALongList) {
+  Table table = with(table_1(), "transmission_error_um", "[10, 2, 0.5]");
+  table["transmission_error_phase_deg"] = "[0, 90]";
+  const GearConversion gear = convert(table);
+  expect_value(gear, "e0", 0.2);
+  expect_value(gear, "e0_2", 0.04);
+  expect_value(gear, "e0_3", 0.01);
+  expect_value(gear, "e0_phase_2", std::acos(0.0));
+  EXPECT_FALSE(has(gear, "e0_4"));
+  EXPECT_FALSE(has(gear, "cycle"));
+  EXPECT_EQ(options_of(gear), "error = series\n");
+  EXPECT_EQ(options_of(convert(table_1())), "");
+  EXPECT_THAT(message_of(with(table_1(), "transmission_error_um", "[1, 2, 3, 4, 5, 6, 7, 8, 9]")),
+              HasSubstr("has 9 numbers; 1 to 8 is possible"));
+  EXPECT_THAT(message_of(with(table_1(), "transmission_error_um", "[]")), HasSubstr("0 numbers"));
+  EXPECT_THAT(message_of(with(table_1(), "transmission_error_phase_deg", "[1, 2]")),
+              HasSubstr("at most one for each harmonic"));
+}
+
+// What one gear has comes back once per turn of it; what both have, when the same two teeth meet.
+TEST(GearTable, FaultsChooseTheCycle) {
+  const Table pair = with(unequal_pair(), "teeth", "[23, 47]");
+  const auto cycle = [&](const std::string& key, const std::string& value) {
+    const GearConversion gear = convert(with(without(pair, "addendum_mm"), key, value));
+    return has(gear, "cycle") ? value_of(gear, "cycle") : 1.0;
+  };
+  EXPECT_EQ(cycle("runout_um", "[30, 0]"), 23.0);
+  EXPECT_EQ(cycle("runout_um", "[0, 30]"), 47.0);
+  EXPECT_EQ(cycle("runout_um", "30"), 1081.0);
+  EXPECT_EQ(cycle("damage", "[0.3, 0]"), 23.0);
+  EXPECT_EQ(cycle("damage", "[0, 0.3]"), 47.0);
+  EXPECT_EQ(cycle("damage", "0"), 1.0);
+  EXPECT_EQ(cycle("runout_phase_deg", "90"), 1.0);
+  const GearConversion gear = convert(with(table_1(), "runout_um", "[30, 20]"));
+  EXPECT_EQ(value_of(gear, "cycle"), 40.0);
+  expect_value(gear, "runout_p", 0.6);
+  expect_value(gear, "runout_g", 0.4);
+  EXPECT_EQ(options_of(gear), "error = series\n");
+  EXPECT_EQ(options_of(convert(with(table_1(), "damage", "[0.5, 0]"))), "");
+  EXPECT_THAT(message_of(with(table_1(), "damage", "1.5")), HasSubstr("damage"));
+}
+
 TEST(GearTable, AContactRatioOutOfRangeIsExplained) {
   const Table table = with(table_1(), "addendum_mm", "1.0");
   EXPECT_THAT(message_of(table),

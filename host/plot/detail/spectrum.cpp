@@ -105,7 +105,7 @@ Spectrum amplitude_spectrum(const Trace& trace, std::size_t channel, std::size_t
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(whole * per_period);
   Spectrum spectrum =
       amplitude_spectrum({end - static_cast<std::ptrdiff_t>(used * per_period), end}, used);
-  spectrum.order_step *= trace.mesh_periods;
+  spectrum.order_step /= trace.mesh_periods;
   return spectrum;
 }
 
