@@ -7,6 +7,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "model/names.hpp"
 #include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
 #include "sweep_types.h"
@@ -94,8 +95,12 @@ StudyTable gear_table() {
                    {}};
   for (const GearKey& key : kGearKeys) {
     table.keys.push_back({std::string(key.name), std::string(key.type), std::string(key.fallback),
-                          sentence(key.meaning), key.min, key.max});
+                          sentence(key.meaning), key.min, key.max,
+                          split_words(std::string(key.choices))});
   }
+  table.keys.push_back({"tables", "table", "",
+                        "The numbers of these files, by their names, where a result holds the "
+                        "study."});
   return table;
 }
 

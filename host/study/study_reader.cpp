@@ -10,6 +10,7 @@
 #include "model/names.hpp"
 #include "study/detail/axis_reader.hpp"
 #include "study/detail/drawing_axis.hpp"
+#include "study/detail/gear_files.hpp"
 #include "study/detail/gear_table.hpp"
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/model_table.hpp"
@@ -50,8 +51,7 @@ toml::table parse(const std::string& text, const std::string& source) {
 }
 
 // What the table gives. own: [model], whose options win.
-std::vector<GearParameter> read_gear(const toml::table* gear, const toml::table* own,
-                                     Study* study) {
+GearConversion read_gear(const toml::table* gear, const toml::table* own, Study* study) {
   if (gear == nullptr) return {};
   if (study->model != &gear_table_model()) {
     fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
@@ -72,7 +72,14 @@ std::vector<GearParameter> read_gear(const toml::table* gear, const toml::table*
         static_cast<int>(std::ranges::find(choices, option.choice) - choices.begin());
     study->option_origins[index] = "[gear]";
   }
-  return std::move(conversion.parameters);
+  return conversion;
+}
+
+// The model that reads the study's measured curves.
+void bind_curves(const Curves& curves, Study* study) {
+  if (curves.empty()) return;
+  study->own_model = std::make_shared<const Model>(study->model->with_curves(curves));
+  study->model = study->own_model.get();
 }
 
 // Mesh periods in a period of the study: the fewest of its points.
@@ -246,6 +253,7 @@ StudyText take_in(const std::string& text, const std::string& source,
   for (const std::string& assignment : overrides) apply_override(assignment, &study.root);
   for (const std::string& zoom : zooms) apply_zoom(zoom, &study.root);
   take_in_model_file(source, &study.root);
+  take_in_gear_files(source, &study.root);
   study.points = take_in_points(source, given_points, &study.root);
   // As axes=[] takes them away.
   if (const toml::array* axes = study.root["axes"].as_array(); axes != nullptr && axes->empty()) {
@@ -276,7 +284,7 @@ Study read_tables(const StudyText& text) {
   reader.refuse_unknown();
 
   study.axes = read_axes(root, text.points, *study.model);
-  const std::vector<GearParameter> gear = read_gear(gear_table, root["model"].as_table(), &study);
+  const GearConversion gear = read_gear(gear_table, root["model"].as_table(), &study);
   take_in_gear(root, *study.model, &study.axes);
   read_parameters(parameters, &study);
   read_initial(reader.table("initial"), &study);
@@ -284,7 +292,8 @@ Study read_tables(const StudyText& text) {
   read_observe(reader.table("observe"), root, &study);
   check_attractors(reader.table("observe"), study);
   check_size(root, study);
-  note_what_wins(root, gear, &study);
+  note_what_wins(root, gear.parameters, &study);
+  bind_curves(gear.curves, &study);
 
   study.toml = print_study(root);
   return study;

@@ -90,22 +90,33 @@
   X(runout_phase_g, "rad", 0.0, -100.0, 100.0, 1, "phase of the gear's runout")                   \
   X(damage_p, "1", 0.0, 0.0, 1.0, 1,                                                              \
     "share of its pair's stiffness that the pinion's tooth 0 loses")                              \
-  X(damage_g, "1", 0.0, 0.0, 1.0, 1, "share of its pair's stiffness that the gear's tooth 0 loses")
+  X(damage_g, "1", 0.0, 0.0, 1.0, 1,                                                              \
+    "share of its pair's stiffness that the gear's tooth 0 loses")                                \
+  X(overlap, "1", 0.0, 0.0, 10.0, 1, "overlap ratio of helical teeth")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
 #define MODEL_OPTIONS(X)                                                              \
   X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")   \
   X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)") \
-  X(stiffness, "parabolic rectangular fourier", "shape of the pair stiffness")        \
+  X(stiffness, "parabolic rectangular fourier table", "shape of the pair stiffness")  \
   X(error, "sine series", "transmission error: one sine, or more than that")
 enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
-enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
+enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER, STIFFNESS_TABLE };
 enum { ERROR_SINE, ERROR_SERIES };
 
 // One period of the forcing may be several mesh periods, so that what comes back once per turn of a
 // shaft does. The parameter with their number:
 #define MODEL_CYCLE cycle
+
+// X(name, meaning): what may be measured.
+#define MODEL_CURVES(X)                                                              \
+  X(stiffness, "of stiffness table, over a mesh period: the mesh stiffness in k0")   \
+  X(load_share, "of stiffness table: the share of the pair that entered last")       \
+  X(pitch_p, "of error series, over a turn of the pinion: pitch errors in b_n")      \
+  X(pitch_g, "over a turn of the gear")                                              \
+  X(pitch_bend_p, "minus the second derivative of pitch_p by the angle of the turn") \
+  X(pitch_bend_g, "of pitch_g")
 
 // X(name, meaning, TOML of what differs from the defaults above)
 #define MODEL_PRESETS(X)                                                                      \
@@ -465,30 +476,55 @@ inline std::string gear5_check_turn(const ModelParameters& p, const std::string&
 }
 
 // The first thing that is wrong with a set of parameters whose ranges are right; empty if nothing.
-inline std::string model_check(const ModelParameters& p, const ModelOptions& options) {
+inline std::string model_check(const ModelParameters& p, const ModelOptions& options,
+                               const ModelCurves& curves = {}) {
   if (std::fabs(p.rho_p + p.rho_g - 1.0) > 1e-6) return "rho_p + rho_g must be 1";
   if (options.formulation == FORMULATION_PRINTED && p.teeth_ratio != 1.0) {
     return "formulation 'printed' is for equal gears: teeth_ratio must be 1";
   }
   if (p.cycle != std::floor(p.cycle)) return "cycle must be a whole number";
+  if (options.stiffness == STIFFNESS_TABLE && !curves.stiffness.at) {
+    return "stiffness 'table' needs a measured curve: stiffness_file in [gear]";
+  }
+  if (p.overlap > 0.0 && options.stiffness == STIFFNESS_TABLE && curves.load_share.at) {
+    return "the load of helical teeth is shared slice by slice: overlap and load_share_file do not "
+           "go together";
+  }
+  const bool has_pitch = curves.pitch_p.at || curves.pitch_g.at;
+  if (options.error != ERROR_SERIES && has_pitch) {
+    return "pitch errors need the option error = 'series'";
+  }
   if (options.error != ERROR_SERIES) {
     for (const Gear5Sine& sine : gear5_sines(p)) {
       if (sine.amplitude != 0.0) return "e0_2 .. e0_8 and runout need the option error = 'series'";
     }
   }
   std::string wrong;
-  if (p.runout_p > 0.0 || p.damage_p > 0.0) wrong = gear5_check_turn(p, "pinion", p.zp);
-  if (wrong.empty() && (p.runout_g > 0.0 || p.damage_g > 0.0)) {
+  if (p.runout_p > 0.0 || p.damage_p > 0.0 || curves.pitch_p.at)
+    wrong = gear5_check_turn(p, "pinion", p.zp);
+  if (wrong.empty() && (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at)) {
     wrong = gear5_check_turn(p, "gear", p.zp * p.teeth_ratio);
   }
   return wrong;
 }
 
-// Phases in [0, 1) at which the right-hand side jumps (0 is always one): in each mesh period a pair
-// enters, a pair leaves, a pair passes the pitch point.
-inline std::vector<double> model_break_phases(const ModelParameters& p, const ModelOptions&) {
+// Phases in [0, 1) at which the right-hand side jumps or bends (0 is always one): in each mesh
+// period a pair enters, a pair leaves, a pair passes the pitch point; of helical teeth, both ends
+// of the face width do.
+inline std::vector<double> model_break_phases(const ModelParameters& p, const ModelOptions& options,
+                                              const ModelCurves& curves = {}) {
   const double pitch = p.approach * p.eps;
-  const double breaks[] = {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
+  std::vector<double> breaks = {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
+  if (p.overlap > 0.0) {
+    for (const double end : {p.overlap, p.eps + p.overlap, pitch + p.overlap}) {
+      breaks.push_back(end - std::floor(end));
+    }
+  }
+  if (options.stiffness == STIFFNESS_TABLE) {
+    for (const Curve* curve : {&curves.stiffness, &curves.load_share}) {
+      breaks.insert(breaks.end(), curve->jumps.begin(), curve->jumps.end());
+    }
+  }
   std::vector<double> phases;
   for (double begin = 0.0; begin < p.cycle; begin += 1.0) {
     for (const double phase : breaks) phases.push_back((begin + phase) / p.cycle);
@@ -522,50 +558,138 @@ inline double gear5_fourier_stiffness(const ModelParameters& p, double psi) {
           p.kappa_4 * std::cos(4.0 * turn + p.phase_4));
 }
 
-// Coefficients at phase `at` in [0, 1] of the forcing period, as the limit from the side of
-// `inside`, a phase strictly between the two break phases that enclose it.
-inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
-                                    double at, double at_inside) {
+// All errors of `error` series but the first harmonic; turns: mesh periods since phase 0 of the
+// forcing, at a place and inside of the segment that it is the end of.
+inline void gear5_add_errors(const ModelParameters& p, const ModelCurves& curves, double turns,
+                             double inside, PhaseCoefs* out) {
   const double turn = TWO_PI;
-  const double period = std::floor(p.cycle * at_inside);  // of the mesh
-  const double psi = p.cycle * at - period;
-  const double inside = p.cycle * at_inside - period;
-  const double radians = p.alpha * turn / 360.0;
-  const bool printed = options.formulation == FORMULATION_PRINTED;
-  PhaseCoefs out = {};
-  out.cos_alpha = std::cos(radians);
-  out.sin_alpha = std::sin(radians);
-  out.tan_alpha = std::tan(radians);
-  out.sine = std::sin(turn * psi + p.e0_phase);
   for (const Gear5Sine& sine : gear5_sines(p)) {
-    if (options.error != ERROR_SERIES || sine.amplitude == 0.0) continue;
-    const double angle = turn * sine.order * (period + psi) + sine.phase;
-    const double error = sine.amplitude * std::sin(angle);
-    out.error += error;
-    out.excitation += sine.order * sine.order * error;
+    if (sine.amplitude == 0.0) continue;
+    const double error = sine.amplitude * std::sin(turn * sine.order * turns + sine.phase);
+    out->error += error;
+    out->excitation += sine.order * sine.order * error;
   }
+  const auto add_pitch = [&](const Curve& pitch, const Curve& bend, double teeth) {
+    if (!pitch.at) return;
+    const double order = 1.0 / std::round(teeth);
+    out->error += pitch.at(order * turns, order * inside);
+    out->excitation += order * order * bend.at(order * turns, order * inside);
+  };
+  add_pitch(curves.pitch_p, curves.pitch_bend_p, p.zp);
+  add_pitch(curves.pitch_g, curves.pitch_bend_g, p.zp * p.teeth_ratio);
+}
+
+// Adds a pair in contact at position s, or a slice of it that is a share of its face width.
+// lambda: its sliding direction.
+inline void gear5_add_pair(const ModelParameters& p, bool printed, double s, double lambda,
+                           double kappa, double share, PhaseCoefs* out) {
+  // s_p/Rp = tan(alpha) + along and s_g/Rg = tan(alpha) - along Rp/Rg (Eq. 11).
+  const double along = (s - p.approach * p.eps) * TWO_PI / p.zp;
+  const double pinion_arm = out->tan_alpha + along;
+  const double gear_arm = out->tan_alpha - along / p.teeth_ratio;
+  const double arm = printed ? gear_arm : p.rho_p * pinion_arm + p.rho_g * gear_arm;
+  const double slide_sign = printed ? -lambda : lambda;
+  out->stiffness += share * kappa;
+  out->lever += lambda * arm * (share * kappa);
+  out->lever_damping += share * lambda * arm;
+  out->slide += slide_sign * (share * kappa);
+  out->slide_damping += share * slide_sign;
+}
+
+// Spur teeth: two pairs at most, each at one position.
+inline void gear5_add_spur(const ModelParameters& p, const ModelOptions& options,
+                           const ModelCurves& curves, double period, double psi, double inside,
+                           PhaseCoefs* out) {
+  const bool printed = options.formulation == FORMULATION_PRINTED;
+  const bool is_shared = options.stiffness == STIFFNESS_TABLE && curves.load_share.at;
   for (int pair = 0; pair < 2; ++pair) {
-    const double s = psi + pair;
     const bool in_contact = inside + pair < p.eps;
     const double lambda = !in_contact ? 0.0 : inside + pair < p.approach * p.eps ? 1.0 : -1.0;
     double kappa = 0.0;
     if (options.stiffness == STIFFNESS_FOURIER) {
       kappa = gear5_fourier_stiffness(p, psi);
+    } else if (is_shared) {
+      const double last = curves.load_share.at(psi, inside);
+      kappa = pair == 0 ? last : 1.0 - last;
     } else if (in_contact) {
-      kappa = gear5_pair_stiffness(p, options.stiffness, s);
+      kappa = gear5_pair_stiffness(p, options.stiffness, psi + pair);
     }
     kappa *= gear5_sound_share(p, period - pair);
-    // s_p/Rp = tan(alpha) + along and s_g/Rg = tan(alpha) - along Rp/Rg (Eq. 11).
-    const double along = (s - p.approach * p.eps) * turn / p.zp;
-    const double pinion_arm = out.tan_alpha + along;
-    const double gear_arm = out.tan_alpha - along / p.teeth_ratio;
-    const double arm = printed ? gear_arm : p.rho_p * pinion_arm + p.rho_g * gear_arm;
-    const double slide_sign = printed ? -lambda : lambda;
-    out.stiffness += kappa;
-    out.lever += lambda * arm * kappa;
-    out.lever_damping += lambda * arm;
-    out.slide += slide_sign * kappa;
-    out.slide_damping += slide_sign;
+    gear5_add_pair(p, printed, psi + pair, lambda, kappa, 1.0, out);
+  }
+}
+
+// Helical teeth: the slices of a pair are spread over positions from s - overlap to s, and a pair
+// has the mean of what they have. Gauss's two points are right for the cubics that are summed.
+inline void gear5_add_helical(const ModelParameters& p, const ModelOptions& options, double period,
+                              double psi, PhaseCoefs* out) {
+  const bool printed = options.formulation == FORMULATION_PRINTED;
+  const double pitch = p.approach * p.eps;
+  const double ends[] = {0.0, pitch, p.eps};
+  for (double pair = 0.0; pair < p.eps + p.overlap; pair += 1.0) {
+    const double sound = gear5_sound_share(p, period - pair);
+    for (int side = 0; side < 2; ++side) {
+      const double from = std::fmax(ends[side], psi + pair - p.overlap);
+      const double to = std::fmin(ends[side + 1], psi + pair);
+      if (!(to > from)) continue;
+      const double half = 0.5 * (to - from);
+      for (const double sign : {-1.0, 1.0}) {
+        const double s = from + half * (1.0 + sign / std::sqrt(3.0));
+        const double kappa = sound * gear5_pair_stiffness(p, options.stiffness, s);
+        gear5_add_pair(p, printed, s, side == 0 ? 1.0 : -1.0, kappa, half / p.overlap, out);
+      }
+    }
+  }
+}
+
+// All pairs.
+inline void gear5_add_pairs(const ModelParameters& p, const ModelOptions& options,
+                            const ModelCurves& curves, double period, double psi, double inside,
+                            PhaseCoefs* out) {
+  if (p.overlap > 0.0) {
+    gear5_add_helical(p, options, period, psi, out);
+  } else {
+    gear5_add_spur(p, options, curves, period, psi, inside, out);
+  }
+}
+
+// Scales the stiffness of pairs that share `total` as they are, as damage leaves them.
+inline void gear5_share_total(const ModelParameters& p, const ModelOptions& options,
+                              const ModelCurves& curves, double period, double psi, double inside,
+                              double total, PhaseCoefs* out) {
+  ModelParameters sound = p;
+  sound.damage_p = sound.damage_g = 0.0;
+  PhaseCoefs shares = {};
+  gear5_add_pairs(sound, options, curves, period, psi, inside, &shares);
+  const double factor = total / shares.stiffness;
+  out->stiffness *= factor;
+  out->lever *= factor;
+  out->slide *= factor;
+}
+
+// Coefficients at phase `at` in [0, 1] of the forcing period, as the limit from the side of
+// `inside`, a phase strictly between the two break phases that enclose it.
+inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
+                                    double at, double at_inside, const ModelCurves& curves = {}) {
+  const double turn = TWO_PI;
+  const double period = std::floor(p.cycle * at_inside);  // of the mesh
+  const double psi = p.cycle * at - period;
+  const double inside = p.cycle * at_inside - period;
+  const double radians = p.alpha * turn / 360.0;
+  PhaseCoefs out = {};
+  out.cos_alpha = std::cos(radians);
+  out.sin_alpha = std::sin(radians);
+  out.tan_alpha = std::tan(radians);
+  out.sine = std::sin(turn * psi + p.e0_phase);
+  if (options.error == ERROR_SERIES) {
+    gear5_add_errors(p, curves, period + psi, period + inside, &out);
+  }
+  gear5_add_pairs(p, options, curves, period, psi, inside, &out);
+  const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
+  if (options.stiffness == STIFFNESS_TABLE || (is_fourier && p.overlap > 0.0)) {
+    const double total =
+        is_fourier ? 2.0 * gear5_fourier_stiffness(p, psi) : curves.stiffness.at(psi, inside);
+    gear5_share_total(p, options, curves, period, psi, inside, total, &out);
   }
   return out;
 }
@@ -577,7 +701,10 @@ inline void model_equilibrium(const ModelParameters& p, const ModelOptions& opti
   x[STATE_x5] = -p.F1 / p.k4;
   ModelPoint point;
   model_prepare(&p, options, &point);
-  const PhaseCoefs phase = model_phase_coefs(p, options, 0.0, 1e-9);
+  ModelOptions plain = options;  // the angles alone are asked for
+  plain.stiffness = STIFFNESS_PARABOLIC;
+  plain.error = ERROR_SINE;
+  const PhaseCoefs phase = model_phase_coefs(p, plain, 0.0, 1e-9);
   const double shafts = gear5_deflection(&point, 0.0, x[STATE_x3], x[STATE_x5]);
   x[STATE_x1] = gear5_backlash(&point, &phase, x) + p.F1 - shafts;
 }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/names.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
@@ -23,9 +24,18 @@ struct GearKey {
   double min, max;
   std::string_view meaning;
   std::string_view type = "number", fallback = "required";
+  std::string_view choices = "";  // of a word, with blanks between
+
+  constexpr bool is_file() const {
+    return type == "file beside the study" || type == "file with a number per tooth";
+  }
+  constexpr bool is_number() const { return !is_file() && choices.empty(); }
 };
 
 inline constexpr std::string_view kPair = "number or [pinion, gear]";
+inline constexpr std::string_view kFile = "file beside the study";
+inline constexpr std::string_view kFilePerTooth = "file with a number per tooth";
+inline constexpr std::string_view kWord = "string";
 inline constexpr std::string_view kHarmonics = "number or list, harmonic by harmonic";
 inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
 
@@ -65,6 +75,53 @@ inline constexpr GearKey kRunoutPhase{
     "runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", kPair, "0"};
 inline constexpr GearKey kDamage{
     "damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair", kPair, "0"};
+inline constexpr GearKey kErrorFile{
+    "transmission_error_file",
+    0.0,
+    0.0,
+    "measured transmission error in um over a mesh period, instead of amplitudes; its first 8 "
+    "harmonics are taken",
+    kFile,
+    ""};
+inline constexpr GearKey kPinionPitch{"pinion_pitch_error_file",
+                                      0.0,
+                                      0.0,
+                                      "pitch errors of the pinion in um, where each tooth enters",
+                                      kFilePerTooth,
+                                      ""};
+inline constexpr GearKey kGearPitch{
+    "gear_pitch_error_file", 0.0, 0.0, "pitch errors of the gear in um, where each tooth enters",
+    kFilePerTooth,           ""};
+inline constexpr GearKey kStiffnessFile{
+    "stiffness_file", 0.0, 0.0, "measured mesh stiffness in N/m over a mesh period", kFile, ""};
+inline constexpr GearKey kLoadShareFile{"load_share_file",
+                                        0.0,
+                                        0.0,
+                                        "with it: the share, 0 to 1, of the pair that entered last",
+                                        kFile,
+                                        ""};
+inline constexpr GearKey kStiffnessMean{
+    "stiffness_mean",
+    0.0,
+    0.0,
+    "keep: its mean may differ from mesh_stiffness_N_per_m; normalise: it is scaled to that",
+    kWord,
+    "\"keep\"",
+    "keep normalise"};
+inline constexpr GearKey kInterpolation{"stiffness_interpolation",
+                                        0.0,
+                                        0.0,
+                                        "between the points of these files",
+                                        kWord,
+                                        "\"linear\"",
+                                        "linear cubic"};
+inline constexpr GearKey kProfileShift{"profile_shift", -2.0, 2.0, "profile shift coefficients",
+                                       kPair,           "0"};
+inline constexpr GearKey kTipDiameter{
+    "tip_diameter_mm",  1e-3, 1e6, "tip diameters, instead of the addendum", kPair,
+    "from the addendum"};
+inline constexpr GearKey kHelix{"helix_angle_deg", 0.0, 45.0, "helix angle, with face_width_mm",
+                                "number",          "0"};
 inline constexpr GearKey kSpeed{"pinion_speed_rpm",    1e-6,     1e9,
                                 "speed of the pinion", "number", "omega stays as it is"};
 
@@ -88,6 +145,16 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kRunout,
                                          kRunoutPhase,
                                          kDamage,
+                                         kErrorFile,
+                                         kPinionPitch,
+                                         kGearPitch,
+                                         kStiffnessFile,
+                                         kLoadShareFile,
+                                         kStiffnessMean,
+                                         kInterpolation,
+                                         kProfileShift,
+                                         kTipDiameter,
+                                         kHelix,
                                          kSpeed};
 
 // Numbers that stand in place of those of the table, by the names of keys.
@@ -99,7 +166,23 @@ class GearReader {
   GearReader(const toml::table& gear, const GearValues& values)
       : gear_(gear), values_(values), reader_(&gear, "[gear]") {
     for (const GearKey& key : kGearKeys) reader_.know(std::string(key.name));
+    reader_.know("tables");
     reader_.refuse_unknown();
+  }
+
+  // The numbers of files, by their names; nullptr where there are none.
+  const toml::table* tables() const { return gear_["tables"].as_table(); }
+
+  std::optional<std::string> text(const GearKey& key) {
+    const std::string name(key.name);
+    if (reader_.find(name) == nullptr) return std::nullopt;
+    return reader_.text(name, "");
+  }
+
+  // One of its choices, the first where the table has no such key.
+  std::string choice(const GearKey& key) {
+    const std::vector<std::string> choices = split_words(std::string(key.choices));
+    return choices[reader_.choice(std::string(key.name), 0, choices)];
   }
 
   // An axis gives its values.

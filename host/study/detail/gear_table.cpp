@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "study/builtin_models.hpp"
+#include "study/detail/gear_files.hpp"
 #include "study/detail/gear_keys.hpp"
 
 namespace gearsweep {
@@ -49,7 +51,11 @@ struct Geometry {
   double pinion_base, gear_base;  // base radii Rp, Rg
   double alpha;                   // working pressure angle
   double centre;                  // centre distance
-  double base_pitch;
+  double base_pitch;              // transverse, as all of these but the module
+  double helix;                   // at the reference circle
+  std::vector<double> shift;      // profile shift coefficients
+  // Reference radii.
+  double reference(double teeth) const { return module / std::cos(helix) * teeth / 2.0; }
 };
 
 void read_teeth(GearReader& in, Geometry* out) {
@@ -62,17 +68,45 @@ void read_teeth(GearReader& in, Geometry* out) {
   out->gear_teeth = teeth[1];
 }
 
+double involute(double angle) { return std::tan(angle) - angle; }
+
+// By Newton's method, from where it converges from above.
+double angle_of_involute(double wanted) {
+  double angle = std::fmin(std::cbrt(3.0 * wanted), 1.5);
+  for (int i = 0; i < 50; ++i) {
+    const double tangent = std::tan(angle);
+    angle -= (tangent - angle - wanted) / (tangent * tangent);
+  }
+  return angle;
+}
+
 // Within a part in a million of the standard centre distance the tool's pressure angle is kept, so
 // that a rounded drawing gives the same gear as no centre distance at all.
 Geometry read_geometry(GearReader& in) {
   Geometry out{};
   read_teeth(in, &out);
   out.module = in.required(kModule);
-  const double tool_alpha = in.optional(kPressureAngle).value_or(20.0) * std::numbers::pi / 180.0;
-  out.pinion_base = out.module * out.pinion_teeth / 2.0 * std::cos(tool_alpha);
-  out.gear_base = out.module * out.gear_teeth / 2.0 * std::cos(tool_alpha);
+  out.helix = in.optional(kHelix).value_or(0.0) * std::numbers::pi / 180.0;
+  out.shift = in.pair_or_zero(kProfileShift);
+  const double normal_alpha = in.optional(kPressureAngle).value_or(20.0) * std::numbers::pi / 180.0;
+  const double tool_alpha =
+      out.helix == 0.0 ? normal_alpha : std::atan(std::tan(normal_alpha) / std::cos(out.helix));
+  out.pinion_base = out.reference(out.pinion_teeth) * std::cos(tool_alpha);
+  out.gear_base = out.reference(out.gear_teeth) * std::cos(tool_alpha);
   out.base_pitch = 2.0 * std::numbers::pi * out.pinion_base / out.pinion_teeth;
-  const double standard = out.module * (out.pinion_teeth + out.gear_teeth) / 2.0;
+  const double teeth = out.pinion_teeth + out.gear_teeth;
+  const double standard = out.reference(teeth);
+  const double shifts = out.shift[0] + out.shift[1];
+  if (shifts != 0.0 && !in.has(kCentreDistance)) {
+    // Without backlash of the tool's profile: inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) x/z.
+    const double wanted = involute(tool_alpha) + 2.0 * std::tan(normal_alpha) * shifts / teeth;
+    if (wanted <= 0.0) {
+      fail_at(in.node(kProfileShift), "profile_shift brings the gears too near: no pressure angle");
+    }
+    out.alpha = angle_of_involute(wanted);
+    out.centre = (out.pinion_base + out.gear_base) / std::cos(out.alpha);
+    return out;
+  }
   out.centre = in.optional(kCentreDistance).value_or(standard);
   out.alpha = tool_alpha;
   if (std::fabs(out.centre - standard) > 1e-6 * standard) {
@@ -96,14 +130,29 @@ struct Path {
 };
 
 // Contact begins on the gear's addendum circle and ends on the pinion's.
-Path path_from_addenda(const Geometry& geometry, const std::vector<double>& addenda) {
-  const auto reach = [&](double teeth, double base, double addendum) {
-    const double tip = geometry.module * teeth / 2.0 + addendum;
+Path path_from_tips(const Geometry& geometry, const std::vector<double>& tips) {
+  const auto reach = [&](double tip, double base) {
     return (std::sqrt(tip * tip - base * base) - base * std::tan(geometry.alpha)) /
            geometry.base_pitch;
   };
-  return {reach(geometry.gear_teeth, geometry.gear_base, addenda[1]),
-          reach(geometry.pinion_teeth, geometry.pinion_base, addenda[0])};
+  return {reach(tips[1], geometry.gear_base), reach(tips[0], geometry.pinion_base)};
+}
+
+// Radii of the tip circles.
+std::vector<double> read_tips(GearReader& in, const Geometry& geometry) {
+  if (in.has(kTipDiameter) && in.has(kAddendum)) {
+    fail_at(in.node(kTipDiameter), "tip_diameter_mm and addendum_mm both give the tips; keep one");
+  }
+  if (in.has(kTipDiameter)) {
+    std::vector<double> tips = in.list(kTipDiameter, 2);
+    for (double& tip : tips) tip /= 2.0;
+    return tips;
+  }
+  const std::vector<double> addenda =
+      in.has(kAddendum) ? in.list(kAddendum, 2) : std::vector<double>(2, geometry.module);
+  return {
+      geometry.reference(geometry.pinion_teeth) + addenda[0] + geometry.shift[0] * geometry.module,
+      geometry.reference(geometry.gear_teeth) + addenda[1] + geometry.shift[1] * geometry.module};
 }
 
 // Involutes meet only between the two points where the line of action touches the base circles.
@@ -111,7 +160,9 @@ void refuse_interference(const GearReader& in, const Geometry& geometry, const P
   const auto check = [&](double share, double base, const char* whose) {
     const double beyond = share * geometry.base_pitch - base * std::tan(geometry.alpha);
     if (beyond > 1e-9 * base) {
-      const GearKey& origin = in.has(kContactRatio) ? kContactRatio : kAddendum;
+      const GearKey& origin = in.has(kContactRatio)  ? kContactRatio
+                              : in.has(kTipDiameter) ? kTipDiameter
+                                                     : kAddendum;
       fail_at(
           in.node(origin),
           fmt::format("the path of contact reaches {:.3g} mm beyond the point where the line of "
@@ -127,10 +178,14 @@ void refuse_interference(const GearReader& in, const Geometry& geometry, const P
 // Adds eps and approach; returns the path of contact in use.
 Path read_path(GearReader& in, const Geometry& geometry, Parameters* parameters,
                std::vector<std::string>* notes) {
-  const std::vector<double> addenda =
-      in.has(kAddendum) ? in.list(kAddendum, 2) : std::vector<double>(2, geometry.module);
-  const GearKey& drawing = in.has(kAddendum) ? kAddendum : kCentreDistance;
-  const Path drawn = path_from_addenda(geometry, addenda);
+  const std::vector<double> tips = read_tips(in, geometry);
+  const std::vector<double> addenda = {tips[0] - geometry.reference(geometry.pinion_teeth),
+                                       tips[1] - geometry.reference(geometry.gear_teeth)};
+  const GearKey& drawing = in.has(kAddendum)       ? kAddendum
+                           : in.has(kTipDiameter)  ? kTipDiameter
+                           : in.has(kProfileShift) ? kProfileShift
+                                                   : kCentreDistance;
+  const Path drawn = path_from_tips(geometry, tips);
   if (!(drawn.approach > 0.0 && drawn.recess > 0.0)) {
     fail_at(in.node(drawing),
             fmt::format("the addenda ({:.6g} and {:.6g} mm) do not reach over the pitch point "
@@ -157,11 +212,11 @@ Path read_path(GearReader& in, const Geometry& geometry, Parameters* parameters,
 }
 
 // Mean mesh stiffness k0 in N/m, as given or from the face width: ISO 6336-1, method B, for steel
-// spur gears without profile shift (theoretical single stiffness 1/q', model factor 0.8, basic rack
-// factor 0.975).
+// (theoretical single stiffness 1/q', model factor 0.8, basic rack factor 0.975, helix factor
+// cos(beta)). Without either, the mean of what was measured, if that is above 0.
 double read_mesh_stiffness(GearReader& in, const Geometry& geometry, double contact_ratio,
-                           std::vector<std::string>* notes) {
-  if (in.has(kMeshStiffness) && in.has(kFaceWidth)) {
+                           double measured, std::vector<std::string>* notes) {
+  if (in.has(kMeshStiffness) && in.has(kFaceWidth) && geometry.helix == 0.0) {
     fail_at(in.node(kFaceWidth),
             "mesh_stiffness_N_per_m and face_width_mm both give the mesh stiffness; keep one");
   }
@@ -170,17 +225,26 @@ double read_mesh_stiffness(GearReader& in, const Geometry& geometry, double cont
     notes->push_back(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as given", k0));
     return k0;
   }
+  if (measured > 0.0) {
+    notes->push_back(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as measured", measured));
+    return measured;
+  }
   if (!in.has(kFaceWidth)) {
     fail_at(in.node(kFaceWidth),
             "[gear] needs 'mesh_stiffness_N_per_m' (mean mesh stiffness) or 'face_width_mm'");
   }
   const double width = in.required(kFaceWidth);
-  const double q = 0.04723 + 0.15551 / geometry.pinion_teeth + 0.25791 / geometry.gear_teeth;
-  const double single = 0.8 * 0.975 / q;
+  const double slant = std::cos(geometry.helix);
+  const double z1 = geometry.pinion_teeth / (slant * slant * slant);
+  const double z2 = geometry.gear_teeth / (slant * slant * slant);
+  const double x1 = geometry.shift[0], x2 = geometry.shift[1];
+  const double q = 0.04723 + 0.15551 / z1 + 0.25791 / z2 - 0.00635 * x1 - 0.11654 * x1 / z1 -
+                   0.00193 * x2 - 0.24188 * x2 / z2 + 0.00529 * x1 * x1 + 0.00182 * x2 * x2;
+  const double single = 0.8 * 0.975 / q * slant;
   const double mesh = single * (0.75 * contact_ratio + 0.25);
   const double k0 = mesh * width * 1e6;
   notes->push_back(fmt::format(
-      "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel, no profile shift): "
+      "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
       "q' = {:.6g} um mm/N, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), face width {:.6g} mm",
       k0, q, single, mesh, width));
   return k0;
@@ -197,7 +261,7 @@ struct Bases {
 };
 
 Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
-                 std::vector<std::string>* notes) {
+                 double measured_stiffness, std::vector<std::string>* notes) {
   const std::vector<double> inertia = in.list(kInertia, 2);
   Bases out{};
   out.pinion_mesh_mass = inertia[0] / (geometry.pinion_base * geometry.pinion_base);
@@ -207,7 +271,7 @@ Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
       fmt::format("me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
                   "Ig/Rg^2 = {:.6g} kg",
                   out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
-  out.k0 = read_mesh_stiffness(in, geometry, contact_ratio, notes);
+  out.k0 = read_mesh_stiffness(in, geometry, contact_ratio, measured_stiffness, notes);
   out.b_n = in.required(kHalfBacklash) * 1e-3;
   out.varpi = std::sqrt(out.k0 / out.me);
   out.pinion_base = geometry.pinion_base * 1e-3;
@@ -215,7 +279,7 @@ Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
   return out;
 }
 
-void add_geometry(const GearReader& in, const Geometry& geometry, Parameters* parameters,
+void add_geometry(GearReader& in, const Geometry& geometry, Parameters* parameters,
                   std::vector<std::string>* notes) {
   const double degrees = geometry.alpha * 180.0 / std::numbers::pi;
   notes->push_back(
@@ -227,6 +291,17 @@ void add_geometry(const GearReader& in, const Geometry& geometry, Parameters* pa
   parameters->add("zp", geometry.pinion_teeth, kTeeth, "teeth of the pinion as given");
   parameters->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth,
                   fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
+  if (geometry.helix > 0.0) {
+    const double width = in.required(kFaceWidth);
+    const double overlap = width * std::sin(geometry.helix) / (std::numbers::pi * geometry.module);
+    parameters->add(
+        "overlap", overlap, kHelix,
+        fmt::format("b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm", width * std::sin(geometry.helix),
+                    std::numbers::pi * geometry.module));
+    notes->push_back(
+        "helical teeth: radii, pressure angle, torque's force and backlash are those "
+        "of the transverse section; axial forces are left out");
+  }
   const GearKey& origin = in.has(kCentreDistance) ? kCentreDistance : kPressureAngle;
   parameters->add("alpha", degrees, origin,
                   fmt::format("working pressure angle at a = {:.6g} mm", geometry.centre));
@@ -289,8 +364,49 @@ std::string name_in_list(const std::string& name, std::size_t place) {
 
 constexpr std::size_t kMostHarmonics = 8;
 
+// The mean square of what is not the mean.
+double power_of(const MeasuredCurve& curve) {
+  constexpr int kSamples = 4096;
+  double sum = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSamples;
+    sum += std::pow(curve.table->at(angle, angle) - curve.mean, 2) / kSamples;
+  }
+  return sum;
+}
+
+// Of a measured error. A second derivative enters: a curve that jumps has none.
+void add_measured_error(GearReader& in, const MeasuredCurve& curve, const Bases& bases,
+                        Parameters* parameters, std::vector<std::string>* notes) {
+  if (in.has(kTransmissionError) || in.has(kErrorPhase)) {
+    fail_at(in.node(kErrorFile),
+            "transmission_error_file and transmission_error_um both give the error; keep one");
+  }
+  if (!curve.table->jumps().empty()) {
+    fail_at(in.node(kErrorFile), "a transmission error that jumps has no second derivative");
+  }
+  const std::vector<Harmonic> harmonics = harmonics_of(*curve.table, kMostHarmonics);
+  const double all = power_of(curve);
+  double left = all;
+  for (const Harmonic& harmonic : harmonics) left -= 0.5 * harmonic.amplitude * harmonic.amplitude;
+  for (std::size_t i = 0; i < harmonics.size(); ++i) {
+    const double error = harmonics[i].amplitude * 1e-6;
+    const std::string note = fmt::format("harmonic {} of the measured error", i + 1);
+    parameters->add(name_in_list("e0", i), error / bases.b_n, kErrorFile, note);
+    parameters->add(name_in_list("e0_phase", i), harmonics[i].phase, kErrorFile, note);
+  }
+  notes->push_back(fmt::format(
+      "transmission error: the first {} harmonics of '{}'; they leave out {:.3g} % of its power",
+      harmonics.size(), curve.table->name(), all > 0.0 ? 100.0 * std::fmax(0.0, left) / all : 0.0));
+}
+
 // Returns whether one sine is enough.
-bool add_transmission_error(GearReader& in, const Bases& bases, Parameters* parameters) {
+bool add_transmission_error(GearReader& in, const Bases& bases, Parameters* parameters,
+                            std::vector<std::string>* notes) {
+  if (const auto curve = measured_curve(in, kErrorFile, Interpolation::cubic)) {
+    add_measured_error(in, *curve, bases, parameters, notes);
+    return false;
+  }
   if (!in.has(kTransmissionError)) in.required(kTransmissionError);
   const std::vector<double> amplitudes = in.numbers(kTransmissionError);
   const std::vector<double> phases = in.numbers(kErrorPhase);
@@ -317,15 +433,35 @@ bool add_transmission_error(GearReader& in, const Bases& bases, Parameters* para
   return amplitudes.size() == 1;
 }
 
-// What comes back once per turn of a gear. Returns whether there is any runout.
+// A spline through the errors of the teeth, where each enters, and its second derivative.
+void add_pitch_errors(const std::string& gear, const std::vector<double>& errors,
+                      const Bases& bases, Curves* curves) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  std::vector<TablePoint> points;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    points.push_back({kTurn * static_cast<double>(i) / static_cast<double>(errors.size()),
+                      errors[i] * 1e-6 / bases.b_n});
+  }
+  const auto table =
+      std::make_shared<const PeriodicTable>("pitch errors", points, Interpolation::cubic);
+  (*curves)["pitch_" + gear] = {
+      [table](double phase, double toward) { return table->at(kTurn * phase, kTurn * toward); },
+      {}};
+  (*curves)["pitch_bend_" + gear] = {[table](double phase, double toward) {
+                                       return -table->bend_at(kTurn * phase, kTurn * toward);
+                                     },
+                                     {}};
+}
+
+// What comes back once per turn of a gear. Returns whether there is any runout or pitch error.
 bool add_faults(GearReader& in, const Geometry& geometry, const Bases& bases,
-                Parameters* parameters) {
+                Parameters* parameters, Curves* curves) {
   const std::vector<double> runout = in.pair_or_zero(kRunout);
   const std::vector<double> phase = in.pair_or_zero(kRunoutPhase);
   const std::vector<double> damage = in.pair_or_zero(kDamage);
   const std::array<double, 2> teeth = {geometry.pinion_teeth, geometry.gear_teeth};
   std::size_t cycle = 1;
-  bool is_faulty = false;
+  bool is_faulty = false, has_pitch = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string gear = i == 0 ? "p" : "g";
     if (in.has(kRunout)) {
@@ -338,8 +474,11 @@ bool add_faults(GearReader& in, const Geometry& geometry, const Bases& bases,
     }
     if (in.has(kDamage)) parameters->add("damage_" + gear, damage[i], kDamage, "as given");
     // An axis may begin with 0.
+    const auto pitch = errors_of_teeth(in, i == 0 ? kPinionPitch : kGearPitch, teeth[i]);
+    if (pitch) add_pitch_errors(gear, *pitch, bases, curves);
+    has_pitch = has_pitch || pitch;
     const bool turns =
-        in.is_swept(kRunout) || in.is_swept(kDamage) || runout[i] > 0.0 || damage[i] > 0.0;
+        in.is_swept(kRunout) || in.is_swept(kDamage) || runout[i] > 0.0 || damage[i] > 0.0 || pitch;
     if (turns) cycle = std::lcm(cycle, static_cast<std::size_t>(teeth[i]));
     is_faulty = is_faulty || turns;
   }
@@ -350,7 +489,36 @@ bool add_faults(GearReader& in, const Geometry& geometry, const Bases& bases,
                     "pinion, {:.6g} of the gear",
                     static_cast<double>(cycle) / teeth[0], static_cast<double>(cycle) / teeth[1]));
   }
-  return in.is_swept(kRunout) || runout[0] > 0.0 || runout[1] > 0.0;
+  return has_pitch || in.is_swept(kRunout) || runout[0] > 0.0 || runout[1] > 0.0;
+}
+
+// The curve divided by `unit`; phases in turns.
+Curve curve_of(const MeasuredCurve& measured, double unit) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  Curve curve;
+  curve.at = [table = measured.table, unit](double phase, double toward) {
+    return table->at(kTurn * phase, kTurn * toward) / unit;
+  };
+  for (const double jump : measured.table->jumps()) {
+    curve.jumps.push_back(jump / kTurn - std::floor(jump / kTurn));
+  }
+  return curve;
+}
+
+void add_stiffness(GearReader& in, const std::optional<MeasuredCurve>& stiffness,
+                   Interpolation interpolation, const Bases& bases, GearConversion* out) {
+  const auto share = measured_curve(in, kLoadShareFile, interpolation);
+  if (!stiffness) {
+    if (share) fail_at(in.node(kLoadShareFile), "load_share_file goes with stiffness_file");
+    return;
+  }
+  const bool keeps = in.choice(kStiffnessMean) == "keep";
+  out->curves["stiffness"] = curve_of(*stiffness, keeps ? bases.k0 : stiffness->mean);
+  if (share) out->curves["load_share"] = curve_of(*share, 1.0);
+  out->options.push_back({"stiffness", "table"});
+  out->notes.push_back(fmt::format(
+      "mesh stiffness from '{}': mean {:.6g} N/m, which is {:.6g} k0{}", stiffness->table->name(),
+      stiffness->mean, stiffness->mean / bases.k0, keeps ? "" : ", scaled to k0"));
 }
 
 }  // namespace
@@ -367,12 +535,20 @@ GearConversion convert_gear(const toml::table& gear, const GearValues& values) {
   const Geometry geometry = read_geometry(in);
   add_geometry(in, geometry, &parameters, &out.notes);
   const Path path = read_path(in, geometry, &parameters, &out.notes);
-  const Bases bases = read_bases(in, geometry, path.contact_ratio(), &out.notes);
+  const Interpolation interpolation =
+      in.choice(kInterpolation) == "cubic" ? Interpolation::cubic : Interpolation::linear;
+  const auto stiffness = measured_curve(in, kStiffnessFile, interpolation);
+  if (stiffness && !(stiffness->mean > 0.0)) {
+    fail_at(in.node(kStiffnessFile), "the mean of the stiffness must be greater than 0");
+  }
+  const Bases bases =
+      read_bases(in, geometry, path.contact_ratio(), stiffness ? stiffness->mean : 0.0, &out.notes);
   add_masses(in, bases, &parameters);
   add_springs_and_dampers(in, bases, &parameters);
   add_lengths_and_loads(in, geometry, bases, &parameters);
-  const bool is_sine = add_transmission_error(in, bases, &parameters);
-  const bool has_runout = add_faults(in, geometry, bases, &parameters);
+  const bool is_sine = add_transmission_error(in, bases, &parameters, &out.notes);
+  const bool has_runout = add_faults(in, geometry, bases, &parameters, &out.curves);
+  add_stiffness(in, stiffness, interpolation, bases, &out);
   if (!is_sine || has_runout) out.options.push_back({"error", "series"});
 
   const double turns_per_omega = bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth);

@@ -32,6 +32,7 @@ struct GearOption {
 struct GearConversion {
   std::vector<GearParameter> parameters;  // each once; omega only when the pinion's speed is given
   std::vector<GearOption> options;
+  Curves curves;
   std::vector<std::string> notes;  // intermediate results, one line each
   Scales scales;
 };
