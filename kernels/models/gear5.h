@@ -686,7 +686,9 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
   }
   gear5_add_pairs(p, options, curves, period, psi, inside, &out);
   const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
-  if (options.stiffness == STIFFNESS_TABLE || (is_fourier && p.overlap > 0.0)) {
+  // A table without its curve is what model_check() refuses.
+  const bool is_table = options.stiffness == STIFFNESS_TABLE && curves.stiffness.at;
+  if (is_table || (is_fourier && p.overlap > 0.0)) {
     const double total =
         is_fourier ? 2.0 * gear5_fourier_stiffness(p, psi) : curves.stiffness.at(psi, inside);
     gear5_share_total(p, options, curves, period, psi, inside, total, &out);

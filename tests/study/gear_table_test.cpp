@@ -1,6 +1,7 @@
 // A [gear] table against the paper's Table 1, ISO 6336-1 and an unequal pair worked out elsewhere.
 #include "study/detail/gear_table.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -369,6 +370,35 @@ TEST(GearTable, FaultsChooseTheCycle) {
   EXPECT_EQ(options_of(gear), "error = series\n");
   EXPECT_EQ(options_of(convert(with(table_1(), "damage", "[0.5, 0]"))), "");
   EXPECT_THAT(message_of(with(table_1(), "damage", "1.5")), HasSubstr("damage"));
+}
+
+// Teeth 12 and 24 of module 3 mm with shifts 0.6 and 0.36: KHK, Gear Technical Reference, table
+// 4.3, has alpha_w = 26.0886 degrees and a centre distance of 56.4999 mm.
+TEST(GearTable, ProfileShiftGivesTheWorkingPressureAngle) {
+  Table table = with(table_1(), "teeth", "[12, 24]");
+  table["profile_shift"] = "[0.6, 0.36]";
+  table["tip_diameter_mm"] = "[44.84, 79.4]";
+  const GearConversion gear = convert(table);
+  EXPECT_NEAR(value_of(gear, "alpha"), 26.0886, 5e-5);
+  EXPECT_NEAR(value_of(gear, "A") * 0.05, 56.4999, 5e-5);
+  // The same gear by its centre distance.
+  const double centre = value_of(gear, "A") * 0.05;
+  table["centre_distance_mm"] = fmt::format("{}", centre);
+  EXPECT_NEAR(value_of(convert(table), "alpha"), value_of(gear, "alpha"), 1e-9);
+  EXPECT_NEAR(value_of(convert(table), "eps"), value_of(gear, "eps"), 1e-9);
+}
+
+TEST(GearTable, TipDiametersAreTwiceTheReferenceRadiusAndTheAddendum) {
+  const GearConversion own = convert(table_1());
+  const GearConversion tips = convert(with(table_1(), "tip_diameter_mm", "126"));
+  EXPECT_NEAR(value_of(tips, "eps"), value_of(own, "eps"), 1e-14);
+  Table both = with(table_1(), "tip_diameter_mm", "126");
+  both["addendum_mm"] = "3";
+  EXPECT_THAT(message_of(both), HasSubstr("keep one"));
+  // A shift of one gear against the other leaves the centre distance, and moves the pitch point.
+  const GearConversion shifted = convert(with(table_1(), "profile_shift", "[0.2, -0.2]"));
+  EXPECT_EQ(value_of(shifted, "alpha"), value_of(own, "alpha"));
+  EXPECT_LT(value_of(shifted, "approach"), 0.5);
 }
 
 TEST(GearTable, AContactRatioOutOfRangeIsExplained) {

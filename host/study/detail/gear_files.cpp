@@ -20,8 +20,6 @@ constexpr const char* kTables = "tables";
 constexpr const char* kTeethFile = "a list of errors";
 constexpr std::size_t kMaxTeethBytes = 1U << 16U;
 
-bool has_value_per_tooth(const GearKey& key) { return key.type == kFilePerTooth; }
-
 // One number to the line; a first line that has none is a heading.
 std::vector<double> parse_teeth(std::string_view text, const std::string& source) {
   NumberLines lines(text, kMaxTeethBytes, kTeethFile, source);
@@ -44,10 +42,32 @@ std::string text_of_teeth(const std::vector<double>& errors) {
   return text;
 }
 
+// Two numbers to the line: a place on the path of contact, and what is taken away there in um.
+std::vector<TablePoint> parse_deviations(std::string_view text, const std::string& source) {
+  NumberLines lines(text, kMaxTeethBytes, kTeethFile, source);
+  std::vector<TablePoint> points;
+  std::vector<std::string_view> fields;
+  for (bool is_first = true; lines.next(&fields); is_first = false) {
+    const std::optional<double> place = number_in(fields.front());
+    if (!place && is_first) continue;
+    const std::optional<double> value = fields.size() == 2 ? number_in(fields[1]) : std::nullopt;
+    if (!place || !value || !std::isfinite(*value) || !(*place >= 0.0 && *place <= 1.0)) {
+      lines.fail("a line has two numbers: the share of the path of contact, 0 to 1, and um");
+    }
+    if (!points.empty() && !(*place > points.back().phase)) lines.fail("shares must rise");
+    points.push_back({*place, *value});
+  }
+  if (points.empty()) lines.fail("there are no points");
+  return points;
+}
+
 // As it stands in [gear.tables].
 std::string read_beside(const std::string& source, const std::string& name, const GearKey& key) {
   const std::string path = (std::filesystem::path(source).parent_path() / name).string();
-  if (!has_value_per_tooth(key)) return table_text(tables_beside(source)(name));
+  if (key.type == kFile) return table_text(tables_beside(source)(name));
+  if (key.type == kFileOverPath) {
+    return table_text(parse_deviations(number_file_text(path, kMaxTeethBytes, kTeethFile), path));
+  }
   return text_of_teeth(parse_teeth(number_file_text(path, kMaxTeethBytes, kTeethFile), path));
 }
 
@@ -86,6 +106,9 @@ double mean_of(const PeriodicTable& table, const std::vector<TablePoint>& points
 void take_in_gear_files(const std::string& source, toml::table* root) {
   toml::table* gear = (*root)["gear"].as_table();
   if (gear == nullptr) return;
+  if (const toml::node* node = gear->get(kTables); node != nullptr && !node->is_table()) {
+    fail_at(*node, "tables must be a table: [gear.tables]");
+  }
   toml::table tables;
   const toml::table* held = (*gear)[kTables].as_table();
   for (const GearKey& key : kGearKeys) {
@@ -142,14 +165,25 @@ std::optional<std::vector<double>> errors_of_teeth(GearReader& in, const GearKey
   return errors;
 }
 
-std::vector<Harmonic> harmonics_of(const PeriodicTable& table, std::size_t count) {
+std::optional<std::vector<TablePoint>> deviations_of(GearReader& in, const GearKey& key) {
+  const std::optional<std::string> name = in.text(key);
+  if (!name) return std::nullopt;
+  const std::string text = text_in_tables(in, key, *name);
+  try {
+    return parse_deviations(text, place_in_tables(*name));
+  } catch (const InputError& error) {
+    fail_at(in.node(key), error.what());
+  }
+}
+
+std::vector<Harmonic> harmonics_of(const std::function<double(double)>& value, std::size_t count) {
   constexpr std::size_t kSamples = 4096;
   std::vector<Harmonic> harmonics;
   for (std::size_t order = 1; order <= count; ++order) {
     std::complex<double> sum = 0.0;
     for (std::size_t i = 0; i < kSamples; ++i) {
       const double angle = kWholeTurn * static_cast<double>(i) / kSamples;
-      sum += table.at(angle, angle) * std::polar(1.0, -angle * static_cast<double>(order));
+      sum += value(angle) * std::polar(1.0, -angle * static_cast<double>(order));
     }
     // |c| cos(n x + arg c) = |c| sin(n x + arg c + pi/2)
     harmonics.push_back({2.0 / kSamples * std::abs(sum), std::arg(sum) + 0.5 * std::numbers::pi});

@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,12 +32,16 @@ std::optional<MeasuredCurve> measured_curve(GearReader& in, const GearKey& key,
 std::optional<std::vector<double>> errors_of_teeth(GearReader& in, const GearKey& key,
                                                    double teeth);
 
+// Deviations over the path of contact, as points from its entry, 0, to its exit, 1; nothing where
+// the table has no such key.
+std::optional<std::vector<TablePoint>> deviations_of(GearReader& in, const GearKey& key);
+
 // A line amplitude sin(order angle + phase) of the series of a curve.
 struct Harmonic {
   double amplitude = 0.0, phase = 0.0;  // rad
 };
 
-// The first so many; the mean is left out.
-std::vector<Harmonic> harmonics_of(const PeriodicTable& table, std::size_t count);
+// Of a function of an angle, the first so many; the mean is left out.
+std::vector<Harmonic> harmonics_of(const std::function<double(double)>& value, std::size_t count);
 
 }  // namespace gearsweep

@@ -17,6 +17,15 @@
 
 namespace gearsweep {
 
+// What a key takes, in words.
+inline constexpr std::string_view kPair = "number or [pinion, gear]";
+inline constexpr std::string_view kFile = "file beside the study";
+inline constexpr std::string_view kFilePerTooth = "file with a number per tooth";
+inline constexpr std::string_view kFileOverPath = "file over the path of contact";
+inline constexpr std::string_view kWord = "string";
+inline constexpr std::string_view kHarmonics = "number or list, harmonic by harmonic";
+inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
+
 // A key of the table with its allowed range, in its own unit. `type` and `fallback` (what a table
 // without the key has) are in words.
 struct GearKey {
@@ -27,17 +36,10 @@ struct GearKey {
   std::string_view choices = "";  // of a word, with blanks between
 
   constexpr bool is_file() const {
-    return type == "file beside the study" || type == "file with a number per tooth";
+    return type == kFile || type == kFilePerTooth || type == kFileOverPath;
   }
   constexpr bool is_number() const { return !is_file() && choices.empty(); }
 };
-
-inline constexpr std::string_view kPair = "number or [pinion, gear]";
-inline constexpr std::string_view kFile = "file beside the study";
-inline constexpr std::string_view kFilePerTooth = "file with a number per tooth";
-inline constexpr std::string_view kWord = "string";
-inline constexpr std::string_view kHarmonics = "number or list, harmonic by harmonic";
-inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
 
 inline constexpr GearKey kTeeth{"teeth", 3.0, 1000.0, "numbers of teeth", "[pinion, gear]"};
 inline constexpr GearKey kModule{"module_mm", 1e-3, 1e3, "module"};
@@ -64,8 +66,12 @@ inline constexpr GearKey kMeshStiffness{
 inline constexpr GearKey kFaceWidth{
     "face_width_mm", 1e-3, 1e5, "face width", "number", "needed without mesh_stiffness_N_per_m"};
 inline constexpr GearKey kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
-inline constexpr GearKey kTransmissionError{"transmission_error_um", 0.0, 1e9,
-                                            "amplitudes of the transmission error", kHarmonics};
+inline constexpr GearKey kTransmissionError{"transmission_error_um",
+                                            0.0,
+                                            1e9,
+                                            "amplitudes of the transmission error",
+                                            kHarmonics,
+                                            "needed without transmission_error_file"};
 inline constexpr GearKey kErrorPhase{"transmission_error_phase_deg",     -3600.0,    3600.0,
                                      "their phases where a pair enters", kHarmonics, "0"};
 inline constexpr GearKey kRunout{
@@ -82,6 +88,13 @@ inline constexpr GearKey kErrorFile{
     "measured transmission error in um over a mesh period, instead of amplitudes; its first 8 "
     "harmonics are taken",
     kFile,
+    ""};
+inline constexpr GearKey kProfileFile{
+    "profile_deviation_file",
+    0.0,
+    0.0,
+    "what corrections and wear take away from a pair of flanks, in um",
+    kFileOverPath,
     ""};
 inline constexpr GearKey kPinionPitch{"pinion_pitch_error_file",
                                       0.0,
@@ -146,6 +159,7 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kRunoutPhase,
                                          kDamage,
                                          kErrorFile,
+                                         kProfileFile,
                                          kPinionPitch,
                                          kGearPitch,
                                          kStiffnessFile,
