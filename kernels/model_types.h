@@ -1,10 +1,10 @@
 // The types that every model has, made from its lists, and defaults. A model file defines
 // MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any, MODEL_PHASE_COEFS,
-// MODEL_OPTIONS, MODEL_ANGLES (X(state) of each that means the same after a full turn, in radians)
-// and MODEL_MIRROR_PAIRS (X(states, parameters), names pair after pair: while both parameters of
-// each pair are equal, a motion with the second state of each pair the negative of the first keeps
-// that), then includes this file, then defines its functions. No include guard: the host
-// includes each model into a namespace of its own.
+// MODEL_OPTIONS, MODEL_CURVES (what may be measured), MODEL_ANGLES (X(state) of each that means the
+// same after a full turn, in radians) and MODEL_MIRROR_PAIRS (X(states, parameters), names pair
+// after pair: while both parameters of each pair are equal, a motion with the second state of each
+// pair the negative of the first keeps that), then includes this file, then defines its functions.
+// No include guard: the host includes each model into a namespace of its own.
 
 #include "functions.h"
 
@@ -82,6 +82,15 @@ typedef struct {
 #endif
 
 #ifdef MODEL_HOST_PART
+// X(name, meaning) of each curve that a study may measure (Curve of the host). Functions that take
+// such a model's curves have them as their last argument.
+#ifdef MODEL_CURVES
+#define MODEL_CURVE_FIELD(name, meaning) Curve name;
+struct ModelCurves {
+  MODEL_CURVES(MODEL_CURVE_FIELD)
+};
+#endif
+
 // What holds for most models. A model for which it does not defines a function of the same name,
 // which the compiler prefers to these templates.
 

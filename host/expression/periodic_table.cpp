@@ -140,10 +140,7 @@ void PeriodicTable::bend_piece(std::size_t first, std::size_t last) {
   knots_[last].bend = bend(last - 1) + end * (bend(last - 1) - bend(last - 2));
 }
 
-double PeriodicTable::at(double phase, double toward) const {
-  if (!std::isfinite(phase) || !std::isfinite(toward)) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+PeriodicTable::Place PeriodicTable::place_of(double phase, double toward) const {
   const double turns = kTurn * std::floor((toward - knots_.front().phase) / kTurn);
   const double side = toward - turns;
   const auto phase_of = [&](std::size_t knot) { return knots_[knot].phase; };
@@ -157,7 +154,23 @@ double PeriodicTable::at(double phase, double toward) const {
                                begin + static_cast<std::ptrdiff_t>(last), x, {}, &Knot::phase);
   const Knot &left = *(after - 1), &right = *after;
   const double length = right.phase - left.phase;
-  const double b = (x - left.phase) / length, a = 1.0 - b;
+  const double b = (x - left.phase) / length;
+  return {&left, &right, 1.0 - b, b};
+}
+
+double PeriodicTable::bend_at(double phase, double toward) const {
+  const Place place = place_of(phase, toward);
+  return place.a * place.left->bend + place.b * place.right->bend;
+}
+
+double PeriodicTable::at(double phase, double toward) const {
+  if (!std::isfinite(phase) || !std::isfinite(toward)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const Place place = place_of(phase, toward);
+  const Knot &left = *place.left, &right = *place.right;
+  const double length = right.phase - left.phase;
+  const double b = place.b, a = place.a;
   const double line = left.value + b * (right.value - left.value);
   const double bent = (a * a - 1.0) * a * left.bend + (b * b - 1.0) * b * right.bend;
   return line + bent * length * length / 6.0;

@@ -38,6 +38,8 @@ class PeriodicTable {
   // The value at any phase, in radians; at a jump that of the side on which `toward` lies, which is
   // a phase with no jump in between. NaN where a phase is not finite.
   double at(double phase, double toward) const;
+  // The second derivative there; of a linear table 0.
+  double bend_at(double phase, double toward) const;
 
  private:
   struct Knot {
@@ -45,6 +47,13 @@ class PeriodicTable {
     double bend = 0.0;  // the second derivative
   };
 
+  // Where a phase lies: as the shares a and b of the knots on both sides of it.
+  struct Place {
+    const Knot* left;
+    const Knot* right;
+    double a, b;
+  };
+  Place place_of(double phase, double toward) const;
   void bend_period();
   void bend_piece(std::size_t first, std::size_t last);
 

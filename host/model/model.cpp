@@ -46,8 +46,7 @@ std::optional<std::size_t> Model::mean_load() const {
 }
 
 double Model::mesh_periods(const ModelSetting& setting) const {
-  const int cycle = find_parameter("cycle");
-  return cycle < 0 ? 1.0 : setting.parameters[static_cast<std::size_t>(cycle)];
+  return cycle ? setting.parameters[*cycle] : 1.0;
 }
 
 ModelSetting Model::default_setting() const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,6 +43,16 @@ struct ModelSetting {
   std::vector<double> parameters;
   std::vector<int> options;
 };
+
+// What is measured of a system and no parameter: a function of the phase of its own period, in
+// [0, 1]. At a jump it has the value of the side on which `toward` lies.
+struct Curve {
+  std::function<double(double phase, double toward)> at;  // empty where nothing is measured
+  std::vector<double> jumps;                              // phases
+};
+
+// By the names that a model gives them.
+using Curves = std::map<std::string, Curve, std::less<>>;
 
 // A place where a force begins: at both limits of a backlash, or at the one limit of a stop. Its
 // drive flank touches where the deflection D is beyond the backlash b', its back flank where D is
@@ -110,6 +121,8 @@ struct Model {
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
+  // The parameter that says how many mesh periods one period of the forcing has, if there is one.
+  std::optional<std::size_t> cycle;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
   // take and give the states of the whole model.
   const Model* whole = nullptr;
@@ -135,6 +148,9 @@ struct Model {
   // The static equilibrium, one number per state: where the policy "shifted" starts.
   std::function<std::vector<double>(const ModelSetting&)> equilibrium;
   std::function<std::unique_ptr<PreparedPoint>(const ModelSetting&)> prepare;
+  // This model with measured curves; empty where it takes none. Throws std::out_of_range for a name
+  // that is none of its curves.
+  std::function<Model(const Curves&)> with_curves;
   // As of prepare(), without the rest: a plan asks for each point of a study.
   std::function<double(const ModelSetting&)> period;
 

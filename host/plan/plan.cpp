@@ -12,7 +12,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMaxSteps = 65536;  // per period
+constexpr double kMaxSteps = 4194304;  // per period, which may be many mesh periods
 // With fewer in a wave of an order Simpson's rule is off by more than (2 pi/8)^4/2880 = 1.3e-4 of
 // what it integrates.
 constexpr double kStepsOfWave = 8;

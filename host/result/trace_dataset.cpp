@@ -30,6 +30,11 @@ class TraceDescription {
     const std::string time = time_unit(*study_.model);
     add_numbers("period", time, "forcing period in dimensionless time",
                 [](const Trace& trace) { return trace.period; });
+    if (std::ranges::any_of(traces_,
+                            [](const Trace& trace) { return trace.mesh_periods != 1.0; })) {
+      add_numbers(kMeshPeriods, "1", "mesh periods in one forcing period",
+                  [](const Trace& trace) { return trace.mesh_periods; });
+    }
     add_numbers("settled", "1", "forcing periods before the first moment",
                 [](const Trace& trace) { return static_cast<double>(trace.settled); });
     for (const std::string& name : placed_) add_parameter(name);

@@ -138,6 +138,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   const int tau = file.find_variable("tau");
   const int label = file.find_variable("label");
   const int period = file.find_variable("period");
+  const int mesh = file.find_variable(kMeshPeriods);
   if (file.text_attribute(NC_GLOBAL, "content") != kContentOfTraces || tau < 0 || label < 0 ||
       period < 0 || file.dimensions_of(tau).size() != 2) {
     refuse_foreign(path);
@@ -155,6 +156,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
     stored.scales = read_scales(file);
     stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
+    if (mesh >= 0) stored.trace.mesh_periods = file.read(mesh, {i}, {1}).front();
     if (!is_time(stored.trace.tau) || stored.trace.channels.empty() ||
         !(std::isfinite(periods[i]) && periods[i] > 0.0)) {
       refuse_foreign(path);

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "model/names.hpp"
 #include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
 #include "sweep_types.h"
@@ -95,8 +96,12 @@ StudyTable gear_table() {
                    {}};
   for (const GearKey& key : kGearKeys) {
     table.keys.push_back({std::string(key.name), std::string(key.type), std::string(key.fallback),
-                          sentence(key.meaning), key.min, key.max});
+                          sentence(key.meaning), key.min, key.max,
+                          split_words(std::string(key.choices))});
   }
+  table.keys.push_back({"tables", "table", "",
+                        "The numbers of these files, by their names, where a result holds the "
+                        "study."});
   return table;
 }
 
@@ -194,7 +199,9 @@ StudyTable integrate_table() {
   return {
       "integrate",
       "[integrate]",
-      "A period is that of the forcing: of gears, the mesh period. lanes, tile, local_size and "
+      "A period is that of the forcing: of gears, the mesh period, or as many of them as the "
+      "parameter cycle says; then settle, record and warm_up are shorter by default. lanes, tile, "
+      "local_size and "
       "round change how a study is computed and never what comes out.",
       {one_of("precision", {"fp32", "fp64"}, quoted(integrate.fp64 ? "fp64" : "fp32"),
               "Of all numbers on the device."),
@@ -209,7 +216,7 @@ StudyTable integrate_table() {
        {"max_step", "number", "the model's",
         "Instead of tolerance: the longest step, in dimensionless time.", 1e-6, 1.0},
        {"steps_per_period", "whole number", "", "Instead of tolerance: at least so many steps.",
-        8.0, 65536.0},
+        8.0, 4194304.0},
        truth("events", integrate.events, "Correct the steps in which teeth meet or part."),
        whole("settle", integrate.settle, 0, 1e8, "Periods before recording."),
        whole("record", integrate.record, 1, 1e7, "Periods recorded."),

@@ -4,11 +4,13 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/detail/axis_reader.hpp"
 #include "study/detail/drawing_axis.hpp"
+#include "study/detail/gear_files.hpp"
 #include "study/detail/gear_table.hpp"
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/model_table.hpp"
@@ -49,8 +51,8 @@ toml::table parse(const std::string& text, const std::string& source) {
   }
 }
 
-// What the table gives.
-std::vector<GearParameter> read_gear(const toml::table* gear, Study* study) {
+// What the table gives. own: [model], whose options win.
+GearConversion read_gear(const toml::table* gear, const toml::table* own, Study* study) {
   if (gear == nullptr) return {};
   if (study->model != &gear_table_model()) {
     fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
@@ -63,7 +65,50 @@ std::vector<GearParameter> read_gear(const toml::table* gear, Study* study) {
     study->setting.parameters[index] = parameter.value;
     study->parameter_origins[index] = "[gear]: " + parameter.note;
   }
-  return std::move(conversion.parameters);
+  for (const GearOption& option : conversion.options) {
+    if (own != nullptr && own->contains(option.name)) continue;
+    const auto index = static_cast<std::size_t>(study->model->find_option(option.name));
+    const std::vector<std::string>& choices = study->model->options[index].choices;
+    study->setting.options[index] =
+        static_cast<int>(std::ranges::find(choices, option.choice) - choices.begin());
+    study->option_origins[index] = "[gear]";
+  }
+  return conversion;
+}
+
+// The model that reads the study's measured curves.
+void bind_curves(const Curves& curves, Study* study) {
+  if (curves.empty()) return;
+  study->own_model = std::make_shared<const Model>(study->model->with_curves(curves));
+  study->model = study->own_model.get();
+}
+
+// Mesh periods in a period of the study: the fewest of its points.
+double mesh_periods_of(const Study& study) {
+  if (!study.model->cycle) return 1.0;
+  const Swept* swept = study.find_swept(false, *study.model->cycle);
+  return swept == nullptr ? study.model->mesh_periods(study.setting)
+                          : std::ranges::min(swept->values);
+}
+
+// A study that does not say how long takes about as many mesh periods, whatever its periods have.
+void set_default_windows(const TableReader& reader, Study* study) {
+  const double cycle = mesh_periods_of(*study);
+  if (cycle <= 1.0) return;
+  Integrate& integrate = study->integrate;
+  const auto share = [](double whole, double part) {
+    return static_cast<std::size_t>(std::ceil(whole / part));
+  };
+  const auto longest = static_cast<double>(integrate.extend * integrate.record);
+  integrate.settle = share(static_cast<double>(integrate.settle), cycle);
+  integrate.record = share(static_cast<double>(integrate.record), cycle);
+  integrate.warm_up = share(static_cast<double>(integrate.warm_up), cycle);
+  integrate.extend = share(longest, cycle * static_cast<double>(integrate.record));
+  if (reader.has("settle") && reader.has("record")) return;
+  study->notices.push_back(fmt::format(
+      "a period of this study is {} mesh periods: unless given, settle = {}, record = {}, "
+      "warm_up = {} and extend = {}",
+      cycle, integrate.settle, integrate.record, integrate.warm_up, integrate.extend));
 }
 
 // A key that a table has, but not the study itself: a parameter without [parameters] before it, or
@@ -111,6 +156,7 @@ void read_integrate(const toml::table* table, Study* study) {
             "give exponent_tolerance, from which the step follows, or the step, not both");
   }
   integrate.events = reader.boolean("events", integrate.events);
+  set_default_windows(reader, study);
   integrate.settle = reader.count("settle", integrate.settle);
   integrate.record = reader.count("record", integrate.record);
   integrate.warm_up = reader.count("warm_up", integrate.warm_up);
@@ -232,6 +278,7 @@ StudyText take_in(const std::string& text, const std::string& source,
   for (const std::string& assignment : overrides) apply_override(assignment, &study.root);
   for (const std::string& zoom : zooms) apply_zoom(zoom, &study.root);
   take_in_model_file(source, &study.root);
+  take_in_gear_files(source, &study.root);
   study.points = take_in_points(source, given_points, &study.root);
   take_in_sample_files(source, &study.root);
   // As axes=[] takes them away.
@@ -281,7 +328,7 @@ Study read_tables(const StudyText& text) {
   reader.refuse_unknown();
 
   study.axes = read_axes(root, text.points, *study.model);
-  const std::vector<GearParameter> gear = read_gear(gear_table, &study);
+  const GearConversion gear = read_gear(gear_table, root["model"].as_table(), &study);
   take_in_gear(root, *study.model, &study.axes);
   read_parameters(parameters, &study);
   read_initial(reader.table("initial"), &study);
@@ -291,7 +338,8 @@ Study read_tables(const StudyText& text) {
   read_uncertain(root, &study);
   if (study.axes.empty() && study.uncertain.draws() > 0) add_single_point(&study);
   check_size(root, study);
-  note_what_wins(root, gear, &study);
+  note_what_wins(root, gear.parameters, &study);
+  bind_curves(gear.curves, &study);
 
   study.toml = print_study(root);
   return study;

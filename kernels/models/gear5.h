@@ -32,49 +32,91 @@
 
 // X(name, unit, default, min, max, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
-#define MODEL_PARAMETERS(X)                                                                 \
-  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency")                                  \
-  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                            \
-  X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient of the teeth")                        \
-  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                            \
-  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                     \
-  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                 \
-  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                       \
-  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                         \
-  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                            \
-  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                            \
-  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                              \
-  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                              \
-  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                \
-  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                \
-  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                  \
-  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                  \
-  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                      \
-  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point") \
-  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                  \
-  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                      \
-  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)") \
-  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")   \
-  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                   \
-  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")       \
-  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")     \
-  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")        \
-  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")          \
-  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")          \
-  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")          \
-  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")        \
-  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")        \
-  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")        \
-  X(phase_4, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 4")
+#define MODEL_PARAMETERS(X)                                                                       \
+  X(omega, "varpi", 0.7, 1e-4, 100.0, 0, "mesh frequency")                                        \
+  X(b, "b_n", 1.0, 0.0, 1e4, 0, "half backlash")                                                  \
+  X(mu, "1", 0.05, 0.0, 1.0, 0, "friction coefficient of the teeth")                              \
+  X(F1, "k0 b_n", 0.1, 0.0, 1e3, 0, "mean load")                                                  \
+  X(e0, "b_n", 0.2, 0.0, 1e3, 0, "amplitude of the transmission error")                           \
+  X(zeta, "1", 0.04008, 0.0, 10.0, 0, "mesh damping ratio cm/(2 varpi me)")                       \
+  X(m1, "1", 0.3507525, 0.0, 100.0, 0, "me/mp, mp the pinion's mass")                             \
+  X(m2, "1", 0.3507525, 0.0, 100.0, 0, "me/mg, mg the gear's mass")                               \
+  X(k1, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion x")                                  \
+  X(k2, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, pinion y")                                  \
+  X(k3, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear x")                                    \
+  X(k4, "k0", 1.38, 1e-6, 1e6, 0, "bearing stiffness, gear y")                                    \
+  X(c1, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion x")                                      \
+  X(c2, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, pinion y")                                      \
+  X(c3, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear x")                                        \
+  X(c4, "cm", 2.0, 0.0, 1e4, 0, "bearing damping, gear y")                                        \
+  X(eps, "1", 1.718, 1.001, 1.999, 1, "contact ratio")                                            \
+  X(approach, "1", 0.5, 0.01, 0.99, 1, "share of the contact ratio before the pitch point")       \
+  X(alpha, "degree", 20.0, 1.0, 45.0, 1, "pressure angle")                                        \
+  X(A, "b_n", 2400.0, 10.0, 1e9, 0, "centre distance")                                            \
+  X(rho_p, "1", 0.5, 0.0, 1.0, 1, "pinion's share of the torsional mobility, me/(Ip/Rp^2)")       \
+  X(rho_g, "1", 0.5, 0.0, 1.0, 1, "gear's share of the torsional mobility, me/(Ig/Rg^2)")         \
+  X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                         \
+  X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")             \
+  X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")           \
+  X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")              \
+  X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")                \
+  X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")                \
+  X(kappa_4, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 4")                \
+  X(phase, "rad", 5.714, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 1")              \
+  X(phase_2, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 2")              \
+  X(phase_3, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 3")              \
+  X(phase_4, "rad", 0.0, -100.0, 100.0, 1, "fourier stiffness, phase of harmonic 4")              \
+  X(e0_2, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 2")                       \
+  X(e0_3, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 3")                       \
+  X(e0_4, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 4")                       \
+  X(e0_5, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 5")                       \
+  X(e0_6, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 6")                       \
+  X(e0_7, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 7")                       \
+  X(e0_8, "b_n", 0.0, 0.0, 1e3, 1, "error series, amplitude of harmonic 8")                       \
+  X(e0_phase, "rad", 0.0, -100.0, 100.0, 1, "phase of the transmission error, of its harmonic 1") \
+  X(e0_phase_2, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 2")                \
+  X(e0_phase_3, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 3")                \
+  X(e0_phase_4, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 4")                \
+  X(e0_phase_5, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 5")                \
+  X(e0_phase_6, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 6")                \
+  X(e0_phase_7, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 7")                \
+  X(e0_phase_8, "rad", 0.0, -100.0, 100.0, 1, "error series, phase of harmonic 8")                \
+  X(cycle, "1", 1.0, 1.0, 1e6, 1, "mesh periods in one period of the forcing")                    \
+  X(runout_p, "b_n", 0.0, 0.0, 1e3, 1,                                                            \
+    "error series, runout of the pinion: amplitude once per turn")                                \
+  X(runout_g, "b_n", 0.0, 0.0, 1e3, 1,                                                            \
+    "error series, runout of the gear: amplitude once per turn")                                  \
+  X(runout_phase_p, "rad", 0.0, -100.0, 100.0, 1, "phase of the pinion's runout")                 \
+  X(runout_phase_g, "rad", 0.0, -100.0, 100.0, 1, "phase of the gear's runout")                   \
+  X(damage_p, "1", 0.0, 0.0, 1.0, 1,                                                              \
+    "share of its pair's stiffness that the pinion's tooth 0 loses")                              \
+  X(damage_g, "1", 0.0, 0.0, 1.0, 1,                                                              \
+    "share of its pair's stiffness that the gear's tooth 0 loses")                                \
+  X(overlap, "1", 0.0, 0.0, 10.0, 1, "overlap ratio of helical teeth")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
 #define MODEL_OPTIONS(X)                                                              \
   X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")   \
   X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)") \
-  X(stiffness, "parabolic rectangular fourier", "shape of the pair stiffness")
+  X(stiffness, "parabolic rectangular fourier table", "shape of the pair stiffness")  \
+  X(error, "sine series", "transmission error: one sine, or more than that")
 enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
-enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
+enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER, STIFFNESS_TABLE };
+enum { ERROR_SINE, ERROR_SERIES };
+
+// One period of the forcing may be several mesh periods, so that what comes back once per turn of a
+// shaft does. The parameter with their number:
+#define MODEL_CYCLE cycle
+
+// X(name, meaning): what may be measured.
+#define MODEL_CURVES(X)                                                              \
+  X(stiffness, "of stiffness table, over a mesh period: the mesh stiffness in k0")   \
+  X(load_share, "of stiffness table: the share of the pair that entered last")       \
+  X(pitch_p, "of error series, over a turn of the pinion: pitch errors in b_n")      \
+  X(pitch_g, "over a turn of the gear")                                              \
+  X(pitch_bend_p, "minus the second derivative of pitch_p by the angle of the turn") \
+  X(pitch_bend_g, "of pitch_g")
 
 // X(name, meaning, TOML of what differs from the defaults above)
 #define MODEL_PRESETS(X)                                                                      \
@@ -108,7 +150,9 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
   X(lever_damping, "sum of lambda_i a_i")                               \
   X(slide, "sum of lambda_i kappa_i (printed: with the opposite sign)") \
   X(slide_damping, "sum of lambda_i (printed: with the opposite sign)") \
-  X(sine, "sin(2 pi psi)")                                              \
+  X(sine, "sin(2 pi psi + e0_phase), psi the phase of the mesh")        \
+  X(excitation, "of all other errors e in b_n: -d^2 e/d(omega tau)^2")  \
+  X(error, "all other errors e in b_n")                                 \
   X(cos_alpha, "cos(alpha), the same at all phases")                    \
   X(sin_alpha, "sin(alpha), the same at all phases")                    \
   X(tan_alpha, "tan(alpha), the same at all phases")
@@ -117,10 +161,11 @@ enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER };
 
 // What a point needs in the inner loop.
 typedef struct {
-  real period;           // of the mesh, 2 pi / omega
+  real period;           // of the forcing, cycle 2 pi / omega
   real load;             // F1
   real error;            // e0
   real forcing;          // e0 omega^2
+  real series_forcing;   // omega^2
   real friction;         // mu
   real normal_damping;   // 4 zeta
   real sliding_damping;  // 2 zeta mu
@@ -133,14 +178,15 @@ typedef struct {
   real bearing_stiffness[4];  // m k of x2..x5
   real bearing_springs[4];    // k of x2..x5
   real bearing_dampers[4];    // 2 c zeta of x2..x5
-  int printed, dynamic;
+  int printed, dynamic, series;
 } ModelPoint;
 
 SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, ModelPoint* point) {
-  point->period = (scalar)(TWO_PI) / p->omega;
+  point->period = p->cycle * ((scalar)(TWO_PI) / p->omega);
   point->load = p->F1;
   point->error = p->e0;
   point->forcing = p->e0 * p->omega * p->omega;
+  point->series_forcing = p->omega * p->omega;
   point->friction = p->mu;
   const real damping = (scalar)(2) * p->zeta;
   point->normal_damping = (scalar)(2) * damping;
@@ -169,6 +215,7 @@ SHARED_FN void model_prepare(const ModelParameters* p, ModelOptions options, Mod
   point->bearing_dampers[3] = damping * p->c4;
   point->printed = options.formulation == FORMULATION_PRINTED;
   point->dynamic = options.backlash == BACKLASH_DYNAMIC;
+  point->series = options.error == ERROR_SERIES;
 }
 
 // D from positions (or D' from velocities) of x1, x3, x5.
@@ -219,6 +266,13 @@ SHARED_FN Gear5Mesh gear5_mesh(const ModelPoint* point, const PhaseCoefs* phase)
   return mesh;
 }
 
+// What drives x1: the mean load and the errors of the mesh.
+SHARED_FN real gear5_drive(const ModelPoint* point, const PhaseCoefs* phase) {
+  const real drive = point->load + point->forcing * phase->sine;
+  if (!point->series) return drive;
+  return drive + point->series_forcing * phase->excitation;
+}
+
 // The equations of motion, linear in all but f: dx from x, the penetration f, the deflection's rate
 // and what drives x1. Fused, a sum of two products works out the second one first, so what waits
 // longest for the velocities, the rate and the forces that it gives, is the first.
@@ -255,7 +309,7 @@ SHARED_FN void model_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* p
   const real rate = gear5_deflection(point, x[STATE_v1], x[STATE_v3], x[STATE_v5]);
   const real f = gear5_penetration(point, contact);
   const Gear5Mesh mesh = gear5_mesh(point, phase);
-  gear5_motion(point, &mesh, x, f, rate, point->load + point->forcing * phase->sine, dx);
+  gear5_motion(point, &mesh, x, f, rate, gear5_drive(point, phase), dx);
 }
 
 // dx = dx/dtau.
@@ -392,7 +446,9 @@ SHARED_FN void model_tangent(const ModelPoint* point, const ModelLinear* linear,
 
 // The transmission error e(t).
 SHARED_FN real gear5_error(const ModelPoint* point, const PhaseCoefs* phase) {
-  return point->error * phase->sine;
+  const real error = point->error * phase->sine;
+  if (!point->series) return error;
+  return error + phase->error;
 }
 
 // The force of spring and damper in a bearing; first: its direction across the line of action.
@@ -441,20 +497,100 @@ SHARED_FN void model_signals(const ModelPoint* point, const PhaseCoefs* phase, c
 #ifdef MODEL_HOST_PART
 // From here on host only, in double: what is tabulated or computed once per point.
 
+// The errors beyond the first harmonic, and those that come back once per turn.
+struct Gear5Sine {
+  double amplitude, order, phase;  // order: periods per mesh period
+};
+
+inline std::array<Gear5Sine, 9> gear5_sines(const ModelParameters& p) {
+  return {{{p.e0_2, 2.0, p.e0_phase_2},
+           {p.e0_3, 3.0, p.e0_phase_3},
+           {p.e0_4, 4.0, p.e0_phase_4},
+           {p.e0_5, 5.0, p.e0_phase_5},
+           {p.e0_6, 6.0, p.e0_phase_6},
+           {p.e0_7, 7.0, p.e0_phase_7},
+           {p.e0_8, 8.0, p.e0_phase_8},
+           {p.runout_p, 1.0 / std::round(p.zp), p.runout_phase_p},
+           {p.runout_g, 1.0 / std::round(p.zp * p.teeth_ratio), p.runout_phase_g}}};
+}
+
+// What is wrong with a fault of a gear that comes back once per turn; empty if nothing.
+inline std::string gear5_check_turn(const ModelParameters& p, const std::string& gear,
+                                    double teeth) {
+  const double whole = std::round(teeth);
+  if (std::fabs(teeth - whole) > 1e-6) {
+    return "a fault of the " + gear + " needs a whole number of teeth";
+  }
+  if (std::fmod(p.cycle, whole) == 0.0) return "";
+  return "a fault of the " + gear + " comes back once per turn: cycle must be a multiple of its " +
+         std::to_string(static_cast<long>(whole)) + " teeth";
+}
+
 // The first thing that is wrong with a set of parameters whose ranges are right; empty if nothing.
-inline std::string model_check(const ModelParameters& p, const ModelOptions& options) {
+inline std::string model_check(const ModelParameters& p, const ModelOptions& options,
+                               const ModelCurves& curves = {}) {
   if (std::fabs(p.rho_p + p.rho_g - 1.0) > 1e-6) return "rho_p + rho_g must be 1";
   if (options.formulation == FORMULATION_PRINTED && p.teeth_ratio != 1.0) {
     return "formulation 'printed' is for equal gears: teeth_ratio must be 1";
   }
-  return "";
+  if (p.cycle != std::floor(p.cycle)) return "cycle must be a whole number";
+  if (options.stiffness == STIFFNESS_TABLE && !curves.stiffness.at) {
+    return "stiffness 'table' needs a measured curve: stiffness_file in [gear]";
+  }
+  if (p.overlap > 0.0 && options.stiffness == STIFFNESS_TABLE && curves.load_share.at) {
+    return "the load of helical teeth is shared slice by slice: overlap and load_share_file do not "
+           "go together";
+  }
+  const bool has_pitch = curves.pitch_p.at || curves.pitch_g.at;
+  if (options.error != ERROR_SERIES && has_pitch) {
+    return "pitch errors need the option error = 'series'";
+  }
+  if (options.error != ERROR_SERIES) {
+    for (const Gear5Sine& sine : gear5_sines(p)) {
+      if (sine.amplitude != 0.0) return "e0_2 .. e0_8 and runout need the option error = 'series'";
+    }
+  }
+  std::string wrong;
+  if (p.runout_p > 0.0 || p.damage_p > 0.0 || curves.pitch_p.at)
+    wrong = gear5_check_turn(p, "pinion", p.zp);
+  if (wrong.empty() && (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at)) {
+    wrong = gear5_check_turn(p, "gear", p.zp * p.teeth_ratio);
+  }
+  return wrong;
 }
 
-// Phases in [0, 1) at which the right-hand side jumps (0 is always one): a pair leaves, a pair
-// passes the pitch point.
-inline std::vector<double> model_break_phases(const ModelParameters& p, const ModelOptions&) {
+// Phases in [0, 1) at which the right-hand side jumps or bends (0 is always one): in each mesh
+// period a pair enters, a pair leaves, a pair passes the pitch point; of helical teeth, both ends
+// of the face width do.
+inline std::vector<double> model_break_phases(const ModelParameters& p, const ModelOptions& options,
+                                              const ModelCurves& curves = {}) {
   const double pitch = p.approach * p.eps;
-  return {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
+  std::vector<double> breaks = {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
+  if (p.overlap > 0.0) {
+    for (const double end : {p.overlap, p.eps + p.overlap, pitch + p.overlap}) {
+      breaks.push_back(end - std::floor(end));
+    }
+  }
+  if (options.stiffness == STIFFNESS_TABLE) {
+    for (const Curve* curve : {&curves.stiffness, &curves.load_share}) {
+      breaks.insert(breaks.end(), curve->jumps.begin(), curve->jumps.end());
+    }
+  }
+  std::vector<double> phases;
+  for (double begin = 0.0; begin < p.cycle; begin += 1.0) {
+    for (const double phase : breaks) phases.push_back((begin + phase) / p.cycle);
+  }
+  return phases;
+}
+
+// What is left of the stiffness of a pair whose teeth may be damaged. The pair that enters at the
+// beginning of the forcing period has both gears' teeth 0; `pair` counts on from there.
+inline double gear5_sound_share(const ModelParameters& p, double pair) {
+  const auto is_tooth_0 = [&](double teeth) { return std::fmod(pair, std::round(teeth)) == 0.0; };
+  double share = 1.0;
+  if (p.damage_p > 0.0 && is_tooth_0(p.zp)) share *= 1.0 - p.damage_p;
+  if (p.damage_g > 0.0 && is_tooth_0(p.zp * p.teeth_ratio)) share *= 1.0 - p.damage_g;
+  return share;
 }
 
 // Stiffness kappa_i of a pair in contact at position s (in base pitches from its entry).
@@ -473,39 +609,140 @@ inline double gear5_fourier_stiffness(const ModelParameters& p, double psi) {
           p.kappa_4 * std::cos(4.0 * turn + p.phase_4));
 }
 
-// Coefficients at phase psi in [0, 1], as the limit from the side of `inside`, a phase strictly
-// between the two break phases that enclose psi.
-inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
-                                    double psi, double inside) {
+// All errors of `error` series but the first harmonic; turns: mesh periods since phase 0 of the
+// forcing, at a place and inside of the segment that it is the end of.
+inline void gear5_add_errors(const ModelParameters& p, const ModelCurves& curves, double turns,
+                             double inside, PhaseCoefs* out) {
   const double turn = TWO_PI;
-  const double radians = p.alpha * turn / 360.0;
+  for (const Gear5Sine& sine : gear5_sines(p)) {
+    if (sine.amplitude == 0.0) continue;
+    const double error = sine.amplitude * std::sin(turn * sine.order * turns + sine.phase);
+    out->error += error;
+    out->excitation += sine.order * sine.order * error;
+  }
+  const auto add_pitch = [&](const Curve& pitch, const Curve& bend, double teeth) {
+    if (!pitch.at) return;
+    const double order = 1.0 / std::round(teeth);
+    out->error += pitch.at(order * turns, order * inside);
+    out->excitation += order * order * bend.at(order * turns, order * inside);
+  };
+  add_pitch(curves.pitch_p, curves.pitch_bend_p, p.zp);
+  add_pitch(curves.pitch_g, curves.pitch_bend_g, p.zp * p.teeth_ratio);
+}
+
+// Adds a pair in contact at position s, or a slice of it that is a share of its face width.
+// lambda: its sliding direction.
+inline void gear5_add_pair(const ModelParameters& p, bool printed, double s, double lambda,
+                           double kappa, double share, PhaseCoefs* out) {
+  // s_p/Rp = tan(alpha) + along and s_g/Rg = tan(alpha) - along Rp/Rg (Eq. 11).
+  const double along = (s - p.approach * p.eps) * TWO_PI / p.zp;
+  const double pinion_arm = out->tan_alpha + along;
+  const double gear_arm = out->tan_alpha - along / p.teeth_ratio;
+  const double arm = printed ? gear_arm : p.rho_p * pinion_arm + p.rho_g * gear_arm;
+  const double slide_sign = printed ? -lambda : lambda;
+  out->stiffness += share * kappa;
+  out->lever += lambda * arm * (share * kappa);
+  out->lever_damping += share * lambda * arm;
+  out->slide += slide_sign * (share * kappa);
+  out->slide_damping += share * slide_sign;
+}
+
+// Spur teeth: two pairs at most, each at one position.
+inline void gear5_add_spur(const ModelParameters& p, const ModelOptions& options,
+                           const ModelCurves& curves, double period, double psi, double inside,
+                           PhaseCoefs* out) {
   const bool printed = options.formulation == FORMULATION_PRINTED;
-  PhaseCoefs out = {};
-  out.cos_alpha = std::cos(radians);
-  out.sin_alpha = std::sin(radians);
-  out.tan_alpha = std::tan(radians);
-  out.sine = std::sin(turn * psi);
+  const bool is_shared = options.stiffness == STIFFNESS_TABLE && curves.load_share.at;
   for (int pair = 0; pair < 2; ++pair) {
-    const double s = psi + pair;
     const bool in_contact = inside + pair < p.eps;
     const double lambda = !in_contact ? 0.0 : inside + pair < p.approach * p.eps ? 1.0 : -1.0;
     double kappa = 0.0;
     if (options.stiffness == STIFFNESS_FOURIER) {
       kappa = gear5_fourier_stiffness(p, psi);
+    } else if (is_shared) {
+      const double last = curves.load_share.at(psi, inside);
+      kappa = pair == 0 ? last : 1.0 - last;
     } else if (in_contact) {
-      kappa = gear5_pair_stiffness(p, options.stiffness, s);
+      kappa = gear5_pair_stiffness(p, options.stiffness, psi + pair);
     }
-    // s_p/Rp = tan(alpha) + along and s_g/Rg = tan(alpha) - along Rp/Rg (Eq. 11).
-    const double along = (s - p.approach * p.eps) * turn / p.zp;
-    const double pinion_arm = out.tan_alpha + along;
-    const double gear_arm = out.tan_alpha - along / p.teeth_ratio;
-    const double arm = printed ? gear_arm : p.rho_p * pinion_arm + p.rho_g * gear_arm;
-    const double slide_sign = printed ? -lambda : lambda;
-    out.stiffness += kappa;
-    out.lever += lambda * arm * kappa;
-    out.lever_damping += lambda * arm;
-    out.slide += slide_sign * kappa;
-    out.slide_damping += slide_sign;
+    kappa *= gear5_sound_share(p, period - pair);
+    gear5_add_pair(p, printed, psi + pair, lambda, kappa, 1.0, out);
+  }
+}
+
+// Helical teeth: the slices of a pair are spread over positions from s - overlap to s, and a pair
+// has the mean of what they have. Gauss's two points are right for the cubics that are summed.
+inline void gear5_add_helical(const ModelParameters& p, const ModelOptions& options, double period,
+                              double psi, PhaseCoefs* out) {
+  const bool printed = options.formulation == FORMULATION_PRINTED;
+  const double pitch = p.approach * p.eps;
+  const double ends[] = {0.0, pitch, p.eps};
+  for (double pair = 0.0; pair < p.eps + p.overlap; pair += 1.0) {
+    const double sound = gear5_sound_share(p, period - pair);
+    for (int side = 0; side < 2; ++side) {
+      const double from = std::fmax(ends[side], psi + pair - p.overlap);
+      const double to = std::fmin(ends[side + 1], psi + pair);
+      if (!(to > from)) continue;
+      const double half = 0.5 * (to - from);
+      for (const double sign : {-1.0, 1.0}) {
+        const double s = from + half * (1.0 + sign / std::sqrt(3.0));
+        const double kappa = sound * gear5_pair_stiffness(p, options.stiffness, s);
+        gear5_add_pair(p, printed, s, side == 0 ? 1.0 : -1.0, kappa, half / p.overlap, out);
+      }
+    }
+  }
+}
+
+// All pairs.
+inline void gear5_add_pairs(const ModelParameters& p, const ModelOptions& options,
+                            const ModelCurves& curves, double period, double psi, double inside,
+                            PhaseCoefs* out) {
+  if (p.overlap > 0.0) {
+    gear5_add_helical(p, options, period, psi, out);
+  } else {
+    gear5_add_spur(p, options, curves, period, psi, inside, out);
+  }
+}
+
+// Scales the stiffness of pairs that share `total` as they are, as damage leaves them.
+inline void gear5_share_total(const ModelParameters& p, const ModelOptions& options,
+                              const ModelCurves& curves, double period, double psi, double inside,
+                              double total, PhaseCoefs* out) {
+  ModelParameters sound = p;
+  sound.damage_p = sound.damage_g = 0.0;
+  PhaseCoefs shares = {};
+  gear5_add_pairs(sound, options, curves, period, psi, inside, &shares);
+  const double factor = total / shares.stiffness;
+  out->stiffness *= factor;
+  out->lever *= factor;
+  out->slide *= factor;
+}
+
+// Coefficients at phase `at` in [0, 1] of the forcing period, as the limit from the side of
+// `inside`, a phase strictly between the two break phases that enclose it.
+inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions& options,
+                                    double at, double at_inside, const ModelCurves& curves = {}) {
+  const double turn = TWO_PI;
+  const double period = std::floor(p.cycle * at_inside);  // of the mesh
+  const double psi = p.cycle * at - period;
+  const double inside = p.cycle * at_inside - period;
+  const double radians = p.alpha * turn / 360.0;
+  PhaseCoefs out = {};
+  out.cos_alpha = std::cos(radians);
+  out.sin_alpha = std::sin(radians);
+  out.tan_alpha = std::tan(radians);
+  out.sine = std::sin(turn * psi + p.e0_phase);
+  if (options.error == ERROR_SERIES) {
+    gear5_add_errors(p, curves, period + psi, period + inside, &out);
+  }
+  gear5_add_pairs(p, options, curves, period, psi, inside, &out);
+  const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
+  // A table without its curve is what model_check() refuses.
+  const bool is_table = options.stiffness == STIFFNESS_TABLE && curves.stiffness.at;
+  if (is_table || (is_fourier && p.overlap > 0.0)) {
+    const double total =
+        is_fourier ? 2.0 * gear5_fourier_stiffness(p, psi) : curves.stiffness.at(psi, inside);
+    gear5_share_total(p, options, curves, period, psi, inside, total, &out);
   }
   return out;
 }
@@ -517,7 +754,10 @@ inline void model_equilibrium(const ModelParameters& p, const ModelOptions& opti
   x[STATE_x5] = -p.F1 / p.k4;
   ModelPoint point;
   model_prepare(&p, options, &point);
-  const PhaseCoefs phase = model_phase_coefs(p, options, 0.0, 1e-9);
+  ModelOptions plain = options;  // the angles alone are asked for
+  plain.stiffness = STIFFNESS_PARABOLIC;
+  plain.error = ERROR_SINE;
+  const PhaseCoefs phase = model_phase_coefs(p, plain, 0.0, 1e-9);
   const double shafts = gear5_deflection(&point, 0.0, x[STATE_x3], x[STATE_x5]);
   x[STATE_x1] = gear5_backlash(&point, &phase, x) + p.F1 - shafts;
 }

@@ -12,15 +12,15 @@
 namespace gearsweep::testing {
 namespace {
 
-struct Orbit {
+struct SteadyMotion {
   double omega;
   double x, v;      // at phase 0
   double min, max;  // of x
 };
 
 // From the description of the models, section "Published answers".
-const std::vector<Orbit>& published_orbits() {
-  static const std::vector<Orbit> orbits = {
+const std::vector<SteadyMotion>& published_orbits() {
+  static const std::vector<SteadyMotion> orbits = {
       {0.5, 1.03825294, 0.08857418, 0.951039, 1.242391},
       {0.8, 1.16062296, 0.01407026, 1.013464, 1.176121},
       {1.0, 0.99098839, 0.09992943, 0.951462, 1.227989},
@@ -28,15 +28,15 @@ const std::vector<Orbit>& published_orbits() {
   return orbits;
 }
 
-using OutsideState = std::array<double, 2>;
+using OscillatorState = std::array<double, 2>;
 
 // An outside opinion: the equation written a second time, Boost.odeint's Fehlberg 7(8) steps, each
 // edge of the backlash located by bisection and stepped on.
-class OutsideGear {
+class OutsideOscillator {
  public:
-  explicit OutsideGear(double omega) : omega_(omega) {}
+  explicit OutsideOscillator(double omega) : omega_(omega) {}
 
-  OutsideState section_after(int periods) {
+  OscillatorState section_after(int periods) {
     const double h = 2.0 * std::numbers::pi / omega_ / kSteps;
     for (int step = 0; step < periods * kSteps; ++step) advance(step % kSteps * h, h);
     return state_;
@@ -47,8 +47,8 @@ class OutsideGear {
 
   static int flank_of(double x) { return x > 1.0 ? 1 : x < -1.0 ? -1 : 0; }
 
-  OutsideState stepped(double t, double h) {
-    const auto slope = [this](const OutsideState& s, OutsideState& ds, double time) {
+  OscillatorState stepped(double t, double h) {
+    const auto slope = [this](const OscillatorState& s, OscillatorState& ds, double time) {
       double K = 1.0, F = 0.1;
       for (int r = 1; r <= 3; ++r) {
         const double k = r == 1 ? 0.2 : r == 2 ? 0.1 : 0.05;
@@ -59,7 +59,7 @@ class OutsideGear {
       ds[0] = s[1];
       ds[1] = F - 0.1 * s[1] - (flank_ == 0 ? 0.0 : K * (s[0] - flank_));
     };
-    OutsideState out;
+    OscillatorState out;
     stepper_.do_step(slope, state_, t, out, h);
     return out;
   }
@@ -81,8 +81,8 @@ class OutsideGear {
 
   double omega_;
   int flank_ = 1;
-  OutsideState state_ = {1.1, 0.0};
-  boost::numeric::odeint::runge_kutta_fehlberg78<OutsideState> stepper_;
+  OscillatorState state_ = {1.1, 0.0};
+  boost::numeric::odeint::runge_kutta_fehlberg78<OscillatorState> stepper_;
 };
 
 // 300 periods damp what is left of the start to e^-90 at least. Against the outside opinion: what
@@ -108,10 +108,10 @@ TEST(Gear1, ReferenceOrbits) {
     poincare = ["x", "v"]
   )");
   for (std::size_t i = 0; i < published_orbits().size(); ++i) {
-    const Orbit& orbit = published_orbits()[i];
+    const SteadyMotion& orbit = published_orbits()[i];
     SCOPED_TRACE(orbit.omega);
     const double x = samples_of(result, i, 0)[0], v = samples_of(result, i, 1)[0];
-    const OutsideState outside = OutsideGear(orbit.omega).section_after(300);
+    const OscillatorState outside = OutsideOscillator(orbit.omega).section_after(300);
     EXPECT_NEAR(x, outside[0], 1e-8);
     EXPECT_NEAR(v, outside[1], 1e-8);
     EXPECT_NEAR(x, orbit.x, 1e-7);

@@ -80,6 +80,11 @@ TEST(LyapunovSum, WedgedTooth) {
 TEST(LyapunovSum, ConsistentUnequalMasses) {
   expect_exact_sums("backlash = 'dynamic'\n", "omega = 1.1\nm2 = 0.2\nc3 = 1.0\nc4 = 3.0\n");
 }
+// A softer tooth and an eccentric pinion: neither is a part of the trace.
+TEST(LyapunovSum, FaultsOfAGear) {
+  expect_exact_sums("error = 'series'\n",
+                    "omega = 1.35\nzp = 5\ncycle = 5\nrunout_p = 1.0\ndamage_p = 0.5\n");
+}
 TEST(LyapunovSum, PrintedConstantBacklash) {
   expect_exact_sums("backlash = 'constant'\nformulation = 'printed'\n",
                     "omega = 1.0\nm1 = 0.04\nm2 = 0.04\n");

@@ -40,11 +40,50 @@ OutsideGear::OutsideGear(const ModelSetting& setting) {
   formulation_ = option_of(setting, "formulation");
   stiffness_ = option_of(setting, "stiffness");
   dynamic_ = option_of(setting, "backlash") == "dynamic";
-  breaks_ = {0.0, eps_ - 1.0, std::fmod(pitch_point_, 1.0), 1.0};
+  cycle_ = value("cycle");
+  lines_.push_back({e0_, 1.0, value("e0_phase")});
+  if (option_of(setting, "error") == "series") {
+    for (int i = 2; i <= 8; ++i) {
+      const std::string number = std::to_string(i);
+      lines_.push_back({value(("e0_" + number).c_str()), static_cast<double>(i),
+                        value(("e0_phase_" + number).c_str())});
+    }
+    lines_.push_back({value("runout_p"), 1.0 / zp_, value("runout_phase_p")});
+    lines_.push_back({value("runout_g"), 1.0 / (zp_ * ratio_), value("runout_phase_g")});
+  }
+  damage_p_ = value("damage_p");
+  damage_g_ = value("damage_g");
+  breaks_ = {1.0};
+  for (double begin = 0.0; begin < cycle_; ++begin) {
+    for (const double phase : {0.0, eps_ - 1.0, std::fmod(pitch_point_, 1.0)}) {
+      breaks_.push_back((begin + phase) / cycle_);
+    }
+  }
   std::sort(breaks_.begin(), breaks_.end());
 }
 
-double OutsideGear::period() const { return kTurn / omega_; }
+double OutsideGear::period() const { return cycle_ * kTurn / omega_; }
+
+double OutsideGear::left_by_damage(long entered) const {
+  const auto tooth = [&](double teeth) {
+    const long count = std::lround(teeth);
+    return (entered % count + count) % count;
+  };
+  double left = 1.0;
+  if (tooth(zp_) == 0) left -= damage_p_ * left;
+  if (tooth(zp_ * ratio_) == 0) left -= damage_g_ * left;
+  return left;
+}
+
+OutsideGear::Error OutsideGear::error(double psi) const {
+  Error sum;
+  for (const Line& line : lines_) {
+    const double angle = line.order * kTurn * cycle_ * psi + line.phase;
+    sum.value += line.amplitude * std::sin(angle);
+    sum.second -= std::pow(line.order, 2) * line.amplitude * std::sin(angle);
+  }
+  return sum;
+}
 
 double OutsideGear::pair_stiffness(std::size_t pair, double psi, bool in_contact) const {
   if (stiffness_ == "fourier") return (1.0 + kappa_ * std::cos(kTurn * psi + phase_)) / 2.0;
@@ -56,7 +95,9 @@ double OutsideGear::pair_stiffness(std::size_t pair, double psi, bool in_contact
   return A0 * (1.0 - q_ * std::pow((position - middle) / middle, 2));
 }
 
-MeshSums OutsideGear::sums(double psi, double inside) const {
+MeshSums OutsideGear::sums(double phase, double phase_inside) const {
+  const double begun = std::floor(cycle_ * phase_inside);  // mesh periods
+  const double psi = cycle_ * phase - begun, inside = cycle_ * phase_inside - begun;
   const double tan_alpha = std::tan(alpha_);
   const double base_pitch = kTurn / zp_;    // pb/Rp
   std::array<double, 2> kappa{}, g{}, h{};  // of pair 1 and 2: stiffness, mesh and sliding factors
@@ -70,7 +111,8 @@ MeshSums OutsideGear::sums(double psi, double inside) const {
     // has the length (Rp + Rg) tan(alpha) = s_p + s_g.
     const double arm_p = tan_alpha + (position - pitch_point_) * base_pitch;
     const double arm_g = ((1.0 + ratio_) * tan_alpha - arm_p) / ratio_;
-    kappa[i] = pair_stiffness(i, psi, in_contact);
+    kappa[i] = pair_stiffness(i, psi, in_contact) *
+               left_by_damage(std::lround(begun) - static_cast<long>(i));
     if (formulation_ == "printed") {
       const double sigma = -lambda;
       g[i] = 1.0 + mu_ * sigma * arm_g;
@@ -141,7 +183,7 @@ void OutsideGear::slope(double psi, double inside, const OutsideState& x, Outsid
 
   const double two_zeta = 2.0 * zeta_;
   for (std::size_t i = 0; i < 5; ++i) (*dx)[i] = x[i + 5];
-  (*dx)[5] = F1_ + e0_ * omega_ * omega_ * std::sin(kTurn * psi) - s.Q * f - two_zeta * s.G * Dp;
+  (*dx)[5] = F1_ - omega_ * omega_ * error(psi).second - s.Q * f - two_zeta * s.G * Dp;
   (*dx)[6] =
       -two_zeta * m1_ * c_[0] * x[6] - m1_ * k_[0] * x[1] - m1_ * (s.C * f + two_zeta * s.H * Dp);
   (*dx)[7] =

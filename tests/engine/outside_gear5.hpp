@@ -32,9 +32,9 @@ class OutsideGear {
 
   double period() const;
 
-  // At phase psi; `inside` is a phase strictly between the break phases around psi and tells on
-  // which side of a break psi is meant.
-  MeshSums sums(double psi, double inside) const;
+  // At a phase of the forcing; the one inside is strictly between the break phases around it and
+  // tells on which side of a break it is meant.
+  MeshSums sums(double phase, double phase_inside) const;
 
   // The derivative by dimensionless time. The two integrals' derivatives are x1 and x1^2 divided by
   // the period.
@@ -51,12 +51,25 @@ class OutsideGear {
   void watch(const OutsideState& before, const OutsideState& after, double h,
              OutsideRange* range) const;
   double pair_stiffness(std::size_t pair, double psi, bool in_contact) const;
+  // What is left of it of the pair that entered with a mesh period, by the numbers of its teeth.
+  double left_by_damage(long entered) const;
+  // The transmission error and its second derivative by the angle omega tau.
+  struct Error {
+    double value = 0.0, second = 0.0;
+  };
+  Error error(double psi) const;
 
   double omega_, b_, mu_, F1_, e0_, zeta_, m1_, m2_;
   std::array<double, 4> k_, c_;
   double eps_, pitch_point_, alpha_, A_, rho_p_, rho_g_, zp_, ratio_, q_, kappa_, phase_;
   std::string formulation_, stiffness_;
   bool dynamic_;
+  double cycle_;
+  struct Line {
+    double amplitude, order, phase;
+  };
+  std::vector<Line> lines_;  // of the transmission error; orders by the mesh
+  double damage_p_, damage_g_;
   std::vector<double> breaks_;
 };
 

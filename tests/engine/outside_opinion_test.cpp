@@ -26,9 +26,12 @@ struct Regimes {
   std::size_t with_impacts, wedged;  // points
 };
 
-Regimes expect_same_sections(const std::string& toml) {
+// cycle: mesh periods in a period.
+Regimes expect_same_sections(const std::string& toml, std::size_t cycle = 1) {
+  const std::size_t periods = std::max<std::size_t>(2, kPeriods / cycle);
   const std::string integrate =
-      "\n[integrate]\nsteps_per_period = 2048\nsettle = " + std::to_string(kPeriods - 2) +
+      "\n[integrate]\nsteps_per_period = " + std::to_string(2048 * cycle) +
+      "\nsettle = " + std::to_string(periods - 2) +
       "\nrecord = 2\nstop = 'never'\n[observe]\nquantities = ['poincare', 'contact_class']\n"
       "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
   const SweepResult result = run(toml + integrate);
@@ -37,11 +40,11 @@ Regimes expect_same_sections(const std::string& toml) {
     EXPECT_EQ(result.status[point], 0);
     const OutsideGear gear(plan.setting_of(point));
     OutsideState x = outside_state(plan.own_initial_state(point));
-    for (std::size_t period = 0; period < kPeriods; ++period) {
+    for (std::size_t period = 0; period < periods; ++period) {
       gear.advance_period(1e-12, &x);
-      if (period + 2 < kPeriods) continue;
+      if (period + 2 < periods) continue;
       for (std::size_t state = 0; state < 10; ++state) {
-        EXPECT_NEAR(samples_of(result, point, state)[period + 2 - kPeriods], x[state],
+        EXPECT_NEAR(samples_of(result, point, state)[period + 2 - periods], x[state],
                     kOutsideTolerance)
             << result.study.model->states[state].name << ", point " << point;
       }
@@ -89,6 +92,35 @@ TEST(OutsideOpinion, UnequalGears) {
       "zp = 20\nrho_p = 0.7\nrho_g = 0.3\napproach = 0.44\nm1 = 0.4\nm2 = 0.1\nk1 = 1.1\n"
       "k2 = 1.2\nk3 = 1.5\nk4 = 1.7\nc1 = 1.0\nc2 = 1.5\nc3 = 2.5\nc4 = 3.0\nmu = 0.1\n"
       "[[axes]]\nname = 'omega'\nvalues = [0.7, 0.9]\n");
+}
+
+TEST(OutsideOpinion, HarmonicsOfTheTransmissionError) {
+  const Regimes regimes = expect_same_sections(
+      "[model]\npreset = 'coarse'\nerror = 'series'\n[parameters]\n"
+      "e0 = [0.5, 0.1, 0.0, 0.02, 0.01, 0.0, 0.0, 0.003]\n"
+      "e0_phase = [0.3, -1.0, 0.0, 2.0, 0.5, 0.0, 0.0, 4.0]\n"
+      "[[axes]]\nname = 'omega'\nvalues = [0.4, 0.65, 0.8]\n");
+  EXPECT_GE(regimes.with_impacts, 2U);
+}
+
+// Five teeth drive seven: what one of them has comes back after five mesh periods, or after 35.
+const std::string kFewTeeth =
+    "[model]\npreset = 'coarse'\nerror = 'series'\n[parameters]\nzp = 5\nteeth_ratio = 1.4\n"
+    "e0 = [0.4, 0.05]\n";
+
+TEST(OutsideOpinion, AnEccentricPinionWithACrackedTooth) {
+  const Regimes regimes = expect_same_sections(
+      kFewTeeth + "cycle = 5\nrunout_p = 1.5\nrunout_phase_p = 0.7\ndamage_p = 0.4\n" +
+          "[[axes]]\nname = 'omega'\nvalues = [0.45, 0.7]\n",
+      5);
+  EXPECT_GE(regimes.with_impacts, 1U);
+}
+
+TEST(OutsideOpinion, FaultsOfBothGears) {
+  expect_same_sections(
+      kFewTeeth + "cycle = 35\nrunout_p = 1.5\nrunout_g = 2.0\nrunout_phase_g = 1.1\n" +
+          "damage_p = 0.4\ndamage_g = 0.7\n[[axes]]\nname = 'omega'\nvalues = [0.7]\n",
+      35);
 }
 
 TEST(OutsideOpinion, PrintedConstantBacklash) {

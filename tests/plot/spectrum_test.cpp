@@ -63,6 +63,15 @@ TEST(SpectrumTest, SinesOfKnownAmplitudeAndOrderComeBack) {
   EXPECT_LT(at(10.0), -200.0);
 }
 
+// A period of five mesh periods: its fifth line is the mesh.
+TEST(SpectrumTest, OrdersAreThoseOfTheMesh) {
+  Trace trace = sampled(64, 64 * 12, [](double periods) { return sine(0.25, 5.0, periods); });
+  trace.mesh_periods = 5.0;
+  const Spectrum spectrum = amplitude_spectrum(trace, 0, 0);
+  EXPECT_NEAR(spectrum.amplitude[static_cast<std::size_t>(std::round(1.0 / spectrum.order_step))],
+              0.25, 1e-12);
+}
+
 TEST(SpectrumTest, NoPowerIsLost) {
   // Noise, so that every bin takes part, of an even and an odd number of samples.
   std::mt19937 random(1);

@@ -43,14 +43,14 @@ TEST(Range, IsFromTheLeastToTheGreatest) {
   EXPECT_NEAR(max, 3.26, 0.01);
 }
 
-TEST(Curve, FindsItsWayAlongTheAxis) {
+TEST(MapCurve, FindsItsWayAlongTheAxis) {
   SweepResult result;
   result.study = read_study(
       "[[axes]]\nname = 'omega'\nvalues = [0.1, 0.2, 0.3, 0.4]\n[observe]\n"
       "quantities = ['x1_rms', 'dmf_max']\n",
       "test");
   result.values = {{1.0, 4.0, 2.0, 9.0}, {0.0, 0.0, 0.0, 0.0}};
-  const Curve curve(result, "x1_rms");
+  const MapCurve curve(result, "x1_rms");
   EXPECT_EQ(curve.within(0.15, 0.35), (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(curve.max_in(0.15, 0.35), 1U);
   EXPECT_EQ(curve.nearest(0.31), 2U);

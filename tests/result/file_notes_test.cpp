@@ -164,6 +164,23 @@ TEST_F(FileNotesTest, SamplesOfOneUnitHaveIt) {
   EXPECT_EQ(find(file, "poincare").scale(), 2e-5);
 }
 
+TEST_F(FileNotesTest, APeriodOfManyMeshPeriodsSaysHowManyAndWhatTurns) {
+  Study study = study_of_all(*find_model("gear5"), {"omega"});
+  const auto set = [&](const char* name, double value) {
+    study.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))] = value;
+  };
+  const auto attribute = [&](const char* name) {
+    return NetcdfFile::open(written(study)).number_attribute(NC_GLOBAL, name);
+  };
+  EXPECT_TRUE(attribute("mesh_periods_per_period").empty());
+  set("zp", 5.0);
+  set("teeth_ratio", 1.4);
+  set("cycle", 35.0);
+  EXPECT_EQ(attribute("mesh_periods_per_period"), std::vector{35.0});
+  EXPECT_EQ(attribute("pinion_turns_per_period"), std::vector{7.0});
+  EXPECT_EQ(attribute("gear_turns_per_period"), std::vector{5.0});
+}
+
 // Each with the number that a user has to multiply by.
 TEST_F(FileNotesTest, AScaleIsTheUnitInSi) {
   Study study = study_of_all(*find_model("gear5"), {"c1", "alpha"});

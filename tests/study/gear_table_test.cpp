@@ -1,6 +1,7 @@
 // A [gear] table against the paper's Table 1, ISO 6336-1 and an unequal pair worked out elsewhere.
 #include "study/detail/gear_table.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -321,6 +322,83 @@ TEST(GearTable, NumbersOutOfRangeAreRefusedAtTheirLine) {
     EXPECT_THAT(message_of(table), AllOf(HasSubstr(line_of(table, key)), HasSubstr(key)))
         << key << " = " << value;
   }
+}
+
+std::string options_of(const GearConversion& gear) {
+  std::string all;
+  for (const GearOption& option : gear.options) all += option.name + " = " + option.choice + "\n";
+  return all;
+}
+
+TEST(GearTable, HarmonicsOfTheErrorAreALongList) {
+  Table table = with(table_1(), "transmission_error_um", "[10, 2, 0.5]");
+  table["transmission_error_phase_deg"] = "[0, 90]";
+  const GearConversion gear = convert(table);
+  expect_value(gear, "e0", 0.2);
+  expect_value(gear, "e0_2", 0.04);
+  expect_value(gear, "e0_3", 0.01);
+  expect_value(gear, "e0_phase_2", std::acos(0.0));
+  EXPECT_FALSE(has(gear, "e0_4"));
+  EXPECT_FALSE(has(gear, "cycle"));
+  EXPECT_EQ(options_of(gear), "error = series\n");
+  EXPECT_EQ(options_of(convert(table_1())), "");
+  EXPECT_THAT(message_of(with(table_1(), "transmission_error_um", "[1, 2, 3, 4, 5, 6, 7, 8, 9]")),
+              HasSubstr("has 9 numbers; 1 to 8 is possible"));
+  EXPECT_THAT(message_of(with(table_1(), "transmission_error_um", "[]")), HasSubstr("0 numbers"));
+  EXPECT_THAT(message_of(with(table_1(), "transmission_error_phase_deg", "[1, 2]")),
+              HasSubstr("at most one for each harmonic"));
+}
+
+// What one gear has comes back once per turn of it; what both have, when the same two teeth meet.
+TEST(GearTable, FaultsChooseTheCycle) {
+  const Table pair = with(unequal_pair(), "teeth", "[23, 47]");
+  const auto cycle = [&](const std::string& key, const std::string& value) {
+    const GearConversion gear = convert(with(without(pair, "addendum_mm"), key, value));
+    return has(gear, "cycle") ? value_of(gear, "cycle") : 1.0;
+  };
+  EXPECT_EQ(cycle("runout_um", "[30, 0]"), 23.0);
+  EXPECT_EQ(cycle("runout_um", "[0, 30]"), 47.0);
+  EXPECT_EQ(cycle("runout_um", "30"), 1081.0);
+  EXPECT_EQ(cycle("damage", "[0.3, 0]"), 23.0);
+  EXPECT_EQ(cycle("damage", "[0, 0.3]"), 47.0);
+  EXPECT_EQ(cycle("damage", "0"), 1.0);
+  EXPECT_EQ(cycle("runout_phase_deg", "90"), 1.0);
+  const GearConversion gear = convert(with(table_1(), "runout_um", "[30, 20]"));
+  EXPECT_EQ(value_of(gear, "cycle"), 40.0);
+  expect_value(gear, "runout_p", 0.6);
+  expect_value(gear, "runout_g", 0.4);
+  EXPECT_EQ(options_of(gear), "error = series\n");
+  EXPECT_EQ(options_of(convert(with(table_1(), "damage", "[0.5, 0]"))), "");
+  EXPECT_THAT(message_of(with(table_1(), "damage", "1.5")), HasSubstr("damage"));
+}
+
+// Teeth 12 and 24 of module 3 mm with shifts 0.6 and 0.36: KHK, Gear Technical Reference, table
+// 4.3, has alpha_w = 26.0886 degrees and a centre distance of 56.4999 mm.
+TEST(GearTable, ProfileShiftGivesTheWorkingPressureAngle) {
+  Table table = with(table_1(), "teeth", "[12, 24]");
+  table["profile_shift"] = "[0.6, 0.36]";
+  table["tip_diameter_mm"] = "[44.84, 79.4]";
+  const GearConversion gear = convert(table);
+  EXPECT_NEAR(value_of(gear, "alpha"), 26.0886, 5e-5);
+  EXPECT_NEAR(value_of(gear, "A") * 0.05, 56.4999, 5e-5);
+  // The same gear by its centre distance.
+  const double centre = value_of(gear, "A") * 0.05;
+  table["centre_distance_mm"] = fmt::format("{}", centre);
+  EXPECT_NEAR(value_of(convert(table), "alpha"), value_of(gear, "alpha"), 1e-9);
+  EXPECT_NEAR(value_of(convert(table), "eps"), value_of(gear, "eps"), 1e-9);
+}
+
+TEST(GearTable, TipDiametersAreTwiceTheReferenceRadiusAndTheAddendum) {
+  const GearConversion own = convert(table_1());
+  const GearConversion tips = convert(with(table_1(), "tip_diameter_mm", "126"));
+  EXPECT_NEAR(value_of(tips, "eps"), value_of(own, "eps"), 1e-14);
+  Table both = with(table_1(), "tip_diameter_mm", "126");
+  both["addendum_mm"] = "3";
+  EXPECT_THAT(message_of(both), HasSubstr("keep one"));
+  // A shift of one gear against the other leaves the centre distance, and moves the pitch point.
+  const GearConversion shifted = convert(with(table_1(), "profile_shift", "[0.2, -0.2]"));
+  EXPECT_EQ(value_of(shifted, "alpha"), value_of(own, "alpha"));
+  EXPECT_LT(value_of(shifted, "approach"), 0.5);
 }
 
 TEST(GearTable, AContactRatioOutOfRangeIsExplained) {

@@ -47,6 +47,21 @@ TEST(Notices, AParameterWinsOverTheGearTable) {
   EXPECT_THAT(read_study(gear_study("q = 0.3\n"), "s.toml").notices, IsEmpty());
 }
 
+// As many mesh periods as a study of the mesh alone has, or a few more.
+TEST(Notices, ALongPeriodShortensWhatIsNotSaid) {
+  const std::string cycle = std::string(kStudy) + "[parameters]\nzp = 23\ncycle = 23\n";
+  const Study study = read_study(cycle, "s.toml");
+  EXPECT_EQ(study.integrate.settle, 18U);
+  EXPECT_EQ(study.integrate.record, 9U);
+  EXPECT_EQ(study.integrate.warm_up, 5U);
+  EXPECT_EQ(study.integrate.extend, 16U);
+  EXPECT_THAT(study.notices, ElementsAre("a period of this study is 23 mesh periods: unless given, "
+                                         "settle = 18, record = 9, warm_up = 5 and extend = 16"));
+  const Study given = read_study(cycle + "[integrate]\nsettle = 100\nrecord = 50\n", "s.toml");
+  EXPECT_EQ(given.integrate.settle, 100U);
+  EXPECT_THAT(given.notices, IsEmpty());
+}
+
 TEST(Notices, ThereAreNoneOfTheBuiltInStudies) {
   for (const auto& [name, text] : builtin_studies()) {
     EXPECT_THAT(read_study(text, name).notices, IsEmpty()) << name;

@@ -2,9 +2,11 @@
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -128,6 +130,24 @@ TEST(StudyKeys, RangesEndWhereTheTableSays) {
       }
     }
   }
+}
+
+// doc/gear.md has a row for each key of [gear], in their order.
+TEST(StudyKeys, ThePageOfTheGearHasThem) {
+  std::string rows;
+  for (const StudyKey& key : study_table("gear").keys) {
+    const bool has_range = key.min != 0.0 || key.max != 0.0;
+    rows += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.type,
+                        has_range ? fmt::format("{:g} to {:g}", key.min, key.max)
+                                  : fmt::format("{}", fmt::join(key.choices, ", ")),
+                        key.fallback, key.meaning);
+  }
+  std::ifstream in(GEARSWEEP_SOURCE "/doc/gear.md");
+  std::string shown;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("| `")) shown += line + "\n";
+  }
+  EXPECT_EQ(shown, rows);
 }
 
 TEST(StudyKeys, AKeyOutsideItsTableIsToldWhereItBelongs) {

@@ -103,7 +103,10 @@ Spectrum amplitude_spectrum(const Trace& trace, std::size_t channel, std::size_t
   const std::vector<double>& values = trace.values[channel];
   // Counted from the end of the last whole period, for the trace begins with a period.
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(whole * per_period);
-  return amplitude_spectrum({end - static_cast<std::ptrdiff_t>(used * per_period), end}, used);
+  Spectrum spectrum =
+      amplitude_spectrum({end - static_cast<std::ptrdiff_t>(used * per_period), end}, used);
+  spectrum.order_step /= trace.mesh_periods;
+  return spectrum;
 }
 
 }  // namespace gearsweep

@@ -63,7 +63,7 @@ class Judge {
   void resonances() {
     const std::string quantity = is_paper() ? "x1_rms" : "x1_std";
     const double reach = is_paper() ? 0.03 : 0.06;
-    const Curve curve(map("fig4"), quantity);
+    const MapCurve curve(map("fig4"), quantity);
     std::vector<bool> met;
     std::string found;
     for (const double resonance : {0.25, 0.5}) {
@@ -79,7 +79,7 @@ class Judge {
   }
 
   void friction_and_rms() {
-    const Curve without(map("fig4"), "x1_rms"), with(map("fig4-friction"), "x1_rms");
+    const MapCurve without(map("fig4"), "x1_rms"), with(map("fig4-friction"), "x1_rms");
     const double share =
         share_of(with.within(0.1, 1.5), [&](std::size_t i) { return without[i] > with[i]; });
     add(4, "The RMS is slightly higher without friction.",
@@ -88,7 +88,7 @@ class Judge {
   }
 
   void friction_and_force() {
-    const Curve without(map("fig4"), "dmf_max"), with(map("fig4-friction"), "dmf_max");
+    const MapCurve without(map("fig4"), "dmf_max"), with(map("fig4-friction"), "dmf_max");
     const auto larger = [&](std::size_t i) { return without[i] > with[i]; };
     const double low = share_of(with.within(0.1, 0.14), larger);
     const double above = 1.0 - share_of(with.within(0.14, 0.25), larger);
@@ -171,7 +171,7 @@ class Judge {
   }
 
   void constant_backlash() {
-    const Curve force(map("fig7"), "dmf_max"), rms(map("fig7"), "x1_rms");
+    const MapCurve force(map("fig7"), "dmf_max"), rms(map("fig7"), "x1_rms");
     const std::vector<std::size_t> small = force.within(0.30, 0.42);
     const bool flat =
         share_of(small, [&](std::size_t i) { return force[i] >= 0.21 && force[i] <= 0.23; }) == 1.0;
@@ -197,7 +197,7 @@ class Judge {
         describe_jump("fig7"),
         jump != nullptr && !jump->is_change_of_basin() ? Verdict::holds : Verdict::does_not_hold);
 
-    const Curve exponent(map("fig7"), "lyapunov_max");
+    const MapCurve exponent(map("fig7"), "lyapunov_max");
     const double chaos =
         share_of(force.within(0.8, 1.3), [&](std::size_t i) { return exponent[i] > kChaotic; });
     add(7, "Beyond the first b the motion is chaotic.",
@@ -205,18 +205,20 @@ class Judge {
         fmt::format("at {:.0f} %", 100.0 * chaos), by_share(chaos, 0.8, 0.1));
   }
 
-  static std::optional<double> extreme(const Curve& curve, const std::vector<std::size_t>& points,
-                                       double sign) {
+  static std::optional<double> extreme(const MapCurve& curve,
+                                       const std::vector<std::size_t>& points, double sign) {
     std::optional<double> best;
     for (const std::size_t i : points) {
       if (!best || sign * curve[i] > sign * *best) best = curve[i];
     }
     return best;
   }
-  static std::optional<double> min_of(const Curve& curve, const std::vector<std::size_t>& points) {
+  static std::optional<double> min_of(const MapCurve& curve,
+                                      const std::vector<std::size_t>& points) {
     return extreme(curve, points, -1.0);
   }
-  static std::optional<double> max_of(const Curve& curve, const std::vector<std::size_t>& points) {
+  static std::optional<double> max_of(const MapCurve& curve,
+                                      const std::vector<std::size_t>& points) {
     return extreme(curve, points, 1.0);
   }
 
@@ -231,7 +233,7 @@ class Judge {
         fmt::format("{} after 600, {} after 1500", show(early), show(late)),
         by_count({inside(early, 0.15, 0.45),
                   late.second - late.first < 0.8 * (early.second - early.first)}));
-    const Curve force(map("fig8"), "dmf_min"), exponent(map("fig8"), "lyapunov_max");
+    const MapCurve force(map("fig8"), "dmf_min"), exponent(map("fig8"), "lyapunov_max");
     const auto wide = range_of(measured_.traces.at("fig8")[3], "x1");
     add(8, "At b = 1.2 the motion is chaotic, within -8 .. 8, with negative force.",
         "a largest exponent above 0.003; x1 beyond -5 and 5, within -8 .. 8; a negative force; in "
@@ -248,7 +250,7 @@ class Judge {
   }
 
   static std::optional<double> first_chaos(const SweepResult& result) {
-    const Curve exponent(result, "lyapunov_max");
+    const MapCurve exponent(result, "lyapunov_max");
     for (std::size_t i = 0; i < exponent.size(); ++i) {
       if (exponent[i] > kChaotic) return exponent.x(i);
     }
@@ -269,7 +271,7 @@ class Judge {
   }
 
   void dynamic_backlash() {
-    const Curve force(map("fig10"), "dmf_max"), rms(map("fig10"), "x1_rms");
+    const MapCurve force(map("fig10"), "dmf_max"), rms(map("fig10"), "x1_rms");
     const std::vector<std::size_t> small = force.within(0.30, 0.42);
     const double spread = *max_of(force, small) - *min_of(force, small);
     add(10, "With dynamic backlash, for small b the force is constant and the RMS linear in b.",
@@ -278,7 +280,7 @@ class Judge {
         fmt::format("force varies by {:.1f} %, RMS by {:.3f} b", 100.0 * spread / force[small[0]],
                     slope(rms, small)),
         by_count({spread < 0.05 * force[small[0]], std::abs(slope(rms, small) - 1.0) <= 0.1}));
-    const Curve exponent(map("fig10"), "lyapunov_max");
+    const MapCurve exponent(map("fig10"), "lyapunov_max");
     std::size_t changes = 0;
     const std::vector<std::size_t> large = force.within(0.42, 1.3);
     for (std::size_t i = 1; i < large.size(); ++i) {
@@ -293,14 +295,14 @@ class Judge {
                       : Verdict::does_not_hold);
   }
 
-  static double slope(const Curve& curve, const std::vector<std::size_t>& points) {
+  static double slope(const MapCurve& curve, const std::vector<std::size_t>& points) {
     return (curve[points.back()] - curve[points.front()]) /
            (curve.x(points.back()) - curve.x(points.front()));
   }
 
   void three_regimes() {
-    const Curve constant(map("fig7"), "contact_class");
-    const Curve dynamic(map("fig10"), "contact_class");
+    const MapCurve constant(map("fig7"), "contact_class");
+    const MapCurve dynamic(map("fig10"), "contact_class");
     const auto occurs = [&](double kind) {
       return std::ranges::count(constant.values(), kind) > 0 ||
              std::ranges::count(dynamic.values(), kind) > 0;

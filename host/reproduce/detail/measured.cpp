@@ -17,10 +17,10 @@ const std::vector<double>& channel_of(const Trace& trace, const std::string& nam
 
 }  // namespace
 
-Curve::Curve(const SweepResult& result, const std::string& quantity)
+MapCurve::MapCurve(const SweepResult& result, const std::string& quantity)
     : x_(result.study.axes[0].values), values_(map_of(result, quantity)) {}
 
-std::vector<std::size_t> Curve::within(double from, double to) const {
+std::vector<std::size_t> MapCurve::within(double from, double to) const {
   std::vector<std::size_t> points;
   for (std::size_t i = 0; i < x_.size(); ++i) {
     if (x_[i] >= from && x_[i] <= to) points.push_back(i);
@@ -28,14 +28,14 @@ std::vector<std::size_t> Curve::within(double from, double to) const {
   return points;
 }
 
-std::size_t Curve::max_in(double from, double to) const {
+std::size_t MapCurve::max_in(double from, double to) const {
   const std::vector<std::size_t> points = within(from, to);
   if (points.empty()) throw std::logic_error("a curve has no points there");
   return *std::max_element(points.begin(), points.end(),
                            [&](std::size_t a, std::size_t b) { return values_[a] < values_[b]; });
 }
 
-std::size_t Curve::nearest(double x) const {
+std::size_t MapCurve::nearest(double x) const {
   const auto found = std::min_element(
       x_.begin(), x_.end(), [&](double a, double b) { return std::abs(a - x) < std::abs(b - x); });
   return static_cast<std::size_t>(found - x_.begin());

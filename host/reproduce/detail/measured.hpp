@@ -15,9 +15,9 @@
 namespace gearsweep {
 
 // One quantity of a study of one axis.
-class Curve {
+class MapCurve {
  public:
-  Curve(const SweepResult& result, const std::string& quantity);
+  MapCurve(const SweepResult& result, const std::string& quantity);
 
   std::size_t size() const { return x_.size(); }
   double x(std::size_t i) const { return x_[i]; }

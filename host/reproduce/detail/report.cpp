@@ -12,7 +12,7 @@ namespace {
 // Points of two maps of one quantity that differ by more than `margin`, as a share of all.
 double differing(const SweepResult& a, const SweepResult& b, const std::string& quantity,
                  double margin) {
-  const Curve first(a, quantity), second(b, quantity);
+  const MapCurve first(a, quantity), second(b, quantity);
   return share_of(first.within(-HUGE_VAL, HUGE_VAL), [&](std::size_t i) {
     return !(std::abs(first[i] - second[i]) <= margin * std::abs(first[i]));
   });

@@ -135,7 +135,7 @@ class Runs {
   // How many attractors there are on both sides of each passage of the force through a large value
   // (of the first kMostJumps), and the basins at the first of them.
   void find_jumps(const std::string& figure) {
-    const Curve force(measured_.maps.at(figure), "dmf_max");
+    const MapCurve force(measured_.maps.at(figure), "dmf_max");
     std::vector<MeasuredFigures::Jump> jumps;
     std::set<double> values;
     for (std::size_t i = 1; i < force.size() && jumps.size() < kMaxJumps; ++i) {
@@ -150,7 +150,7 @@ class Runs {
                           "integrate.stop=orbit", "observe.quantities=[\"attractor_count\"]"});
     study.axes.front().values.assign(values.begin(), values.end());
     const SweepResult result = compute(study);
-    const Curve count(result, "attractor_count");
+    const MapCurve count(result, "attractor_count");
     for (MeasuredFigures::Jump& jump : jumps) {
       jump.count_below = static_cast<std::size_t>(count[count.nearest(jump.below)]);
       jump.count_above = static_cast<std::size_t>(count[count.nearest(jump.above)]);

@@ -20,8 +20,8 @@ bool is_taken_in_result(const std::string& name, const Study& study) {
 
 // Of write_traces().
 bool is_taken_in_traces(const std::string& name, const std::vector<ChannelInfo>& channels) {
-  constexpr std::array<std::string_view, 7> kOwn = {"trace",  "moment",  "label", "label_width",
-                                                    "period", "settled", "tau"};
+  constexpr std::array<std::string_view, 8> kOwn = {"trace",  "moment",  "label", "label_width",
+                                                    "period", "settled", "tau",   kMeshPeriods};
   return std::find(kOwn.begin(), kOwn.end(), name) != kOwn.end() ||
          std::any_of(channels.begin(), channels.end(),
                      [&](const ChannelInfo& channel) { return name == channel.name; });

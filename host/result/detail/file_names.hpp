@@ -12,6 +12,9 @@
 
 namespace gearsweep {
 
+// How many mesh periods a forcing period has: an attribute of results, a variable of traces.
+inline constexpr const char* kMeshPeriods = "mesh_periods_per_period";
+
 // Of an axis or of a column of points, in the result file of its study.
 std::string name_in_result(const Swept& swept, const Study& study);
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <numbers>
 
+#include "result/detail/file_names.hpp"
 #include "study/settings.hpp"
 
 namespace gearsweep {
@@ -20,6 +21,21 @@ double unit_of_damping(const Study& study, const std::vector<std::string>& varie
   if (std::find(varied.begin(), varied.end(), "zeta") != varied.end()) return 0.0;
   const double ratio = study.setting.parameters[static_cast<std::size_t>(zeta)];
   return 2.0 * ratio * study.scales.k0 / study.scales.varpi;
+}
+
+// How long a period is, where it is more than one of the mesh and the same at all points.
+std::vector<Attribute> turns_of(const Study& study) {
+  const Model& model = *study.model;
+  const double periods = model.mesh_periods(study.setting);
+  if (periods == 1.0 || study.find_swept(false, *model.cycle) != nullptr) return {};
+  std::vector<Attribute> notes = {{kMeshPeriods, periods}};
+  const int zp = model.find_parameter("zp"), ratio = model.find_parameter("teeth_ratio");
+  if (zp < 0 || ratio < 0) return notes;
+  const double pinion = study.setting.parameters[static_cast<std::size_t>(zp)];
+  const double gear = pinion * study.setting.parameters[static_cast<std::size_t>(ratio)];
+  notes.push_back({"pinion_turns_per_period", periods / pinion});
+  notes.push_back({"gear_turns_per_period", periods / gear});
+  return notes;
 }
 
 bool have_one_unit(const std::vector<ChannelInfo>& channels) {
@@ -44,6 +60,7 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
       {"command_line", provenance.command_line},
       {"created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
   };
+  for (Attribute& own : turns_of(study_)) notes.push_back(std::move(own));
   const Scales& scales = study_.scales;
   if (!scales.known()) return notes;
   notes.push_back({"scale_varpi_rad_per_s", scales.varpi});

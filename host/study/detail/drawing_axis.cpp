@@ -62,7 +62,8 @@ const GearKey* find_swept_key(const Model& model, const std::string& name) {
   if (&model != &gear_table_model()) return nullptr;
   // Numbers of teeth are whole, and come in pairs.
   const auto* const found = std::ranges::find(kGearKeys, name, &GearKey::name);
-  return found == kGearKeys.end() || found->name == kTeeth.name ? nullptr : &*found;
+  if (found == kGearKeys.end() || found->name == kTeeth.name) return nullptr;
+  return found->is_number() ? &*found : nullptr;
 }
 
 void bind_key(const GearKey& key, Axis* axis) {

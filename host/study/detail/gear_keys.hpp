@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -11,9 +12,19 @@
 #include <string_view>
 #include <vector>
 
+#include "model/names.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
+
+// What a key takes, in words.
+inline constexpr std::string_view kPair = "number or [pinion, gear]";
+inline constexpr std::string_view kFile = "file beside the study";
+inline constexpr std::string_view kFilePerTooth = "file with a number per tooth";
+inline constexpr std::string_view kFileOverPath = "file over the path of contact";
+inline constexpr std::string_view kWord = "string";
+inline constexpr std::string_view kHarmonics = "number or list, harmonic by harmonic";
+inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
 
 // A key of the table with its allowed range, in its own unit. `type` and `fallback` (what a table
 // without the key has) are in words.
@@ -22,10 +33,13 @@ struct GearKey {
   double min, max;
   std::string_view meaning;
   std::string_view type = "number", fallback = "required";
-};
+  std::string_view choices = "";  // of a word, with blanks between
 
-inline constexpr std::string_view kPair = "number or [pinion, gear]";
-inline constexpr std::string_view kBearings = "number or [pinion x, pinion y, gear x, gear y]";
+  constexpr bool is_file() const {
+    return type == kFile || type == kFilePerTooth || type == kFileOverPath;
+  }
+  constexpr bool is_number() const { return !is_file() && choices.empty(); }
+};
 
 inline constexpr GearKey kTeeth{"teeth", 3.0, 1000.0, "numbers of teeth", "[pinion, gear]"};
 inline constexpr GearKey kModule{"module_mm", 1e-3, 1e3, "module"};
@@ -52,15 +66,110 @@ inline constexpr GearKey kMeshStiffness{
 inline constexpr GearKey kFaceWidth{
     "face_width_mm", 1e-3, 1e5, "face width", "number", "needed without mesh_stiffness_N_per_m"};
 inline constexpr GearKey kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
-inline constexpr GearKey kTransmissionError{"transmission_error_um", 0.0, 1e9,
-                                            "amplitude of the transmission error"};
+inline constexpr GearKey kTransmissionError{"transmission_error_um",
+                                            0.0,
+                                            1e9,
+                                            "amplitudes of the transmission error",
+                                            kHarmonics,
+                                            "needed without transmission_error_file"};
+inline constexpr GearKey kErrorPhase{"transmission_error_phase_deg",     -3600.0,    3600.0,
+                                     "their phases where a pair enters", kHarmonics, "0"};
+inline constexpr GearKey kRunout{
+    "runout_um", 0.0, 1e9, "amplitude of the error that eccentricity makes once per turn",
+    kPair,       "0"};
+inline constexpr GearKey kRunoutPhase{
+    "runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", kPair, "0"};
+inline constexpr GearKey kDamage{
+    "damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair", kPair, "0"};
+inline constexpr GearKey kErrorFile{
+    "transmission_error_file",
+    0.0,
+    0.0,
+    "measured transmission error in um over a mesh period, instead of amplitudes; its first 8 "
+    "harmonics are taken",
+    kFile,
+    ""};
+inline constexpr GearKey kProfileFile{
+    "profile_deviation_file",
+    0.0,
+    0.0,
+    "what corrections and wear take away from a pair of flanks, in um",
+    kFileOverPath,
+    ""};
+inline constexpr GearKey kPinionPitch{"pinion_pitch_error_file",
+                                      0.0,
+                                      0.0,
+                                      "pitch errors of the pinion in um, where each tooth enters",
+                                      kFilePerTooth,
+                                      ""};
+inline constexpr GearKey kGearPitch{
+    "gear_pitch_error_file", 0.0, 0.0, "pitch errors of the gear in um, where each tooth enters",
+    kFilePerTooth,           ""};
+inline constexpr GearKey kStiffnessFile{
+    "stiffness_file", 0.0, 0.0, "measured mesh stiffness in N/m over a mesh period", kFile, ""};
+inline constexpr GearKey kLoadShareFile{"load_share_file",
+                                        0.0,
+                                        0.0,
+                                        "with it: the share, 0 to 1, of the pair that entered last",
+                                        kFile,
+                                        ""};
+inline constexpr GearKey kStiffnessMean{
+    "stiffness_mean",
+    0.0,
+    0.0,
+    "keep: its mean may differ from mesh_stiffness_N_per_m; normalise: it is scaled to that",
+    kWord,
+    "\"keep\"",
+    "keep normalise"};
+inline constexpr GearKey kInterpolation{"stiffness_interpolation",
+                                        0.0,
+                                        0.0,
+                                        "between the points of these files",
+                                        kWord,
+                                        "\"linear\"",
+                                        "linear cubic"};
+inline constexpr GearKey kProfileShift{"profile_shift", -2.0, 2.0, "profile shift coefficients",
+                                       kPair,           "0"};
+inline constexpr GearKey kTipDiameter{
+    "tip_diameter_mm",  1e-3, 1e6, "tip diameters, instead of the addendum", kPair,
+    "from the addendum"};
+inline constexpr GearKey kHelix{"helix_angle_deg", 0.0, 45.0, "helix angle, with face_width_mm",
+                                "number",          "0"};
 inline constexpr GearKey kSpeed{"pinion_speed_rpm",    1e-6,     1e9,
                                 "speed of the pinion", "number", "omega stays as it is"};
 
-inline constexpr std::array kGearKeys = {
-    kTeeth,         kModule,    kPressureAngle,    kCentreDistance,    kContactRatio, kAddendum,
-    kInertia,       kMass,      kBearingStiffness, kBearingDamping,    kMeshDamping,  kHalfBacklash,
-    kMeshStiffness, kFaceWidth, kTorque,           kTransmissionError, kSpeed};
+inline constexpr std::array kGearKeys = {kTeeth,
+                                         kModule,
+                                         kPressureAngle,
+                                         kCentreDistance,
+                                         kContactRatio,
+                                         kAddendum,
+                                         kInertia,
+                                         kMass,
+                                         kBearingStiffness,
+                                         kBearingDamping,
+                                         kMeshDamping,
+                                         kHalfBacklash,
+                                         kMeshStiffness,
+                                         kFaceWidth,
+                                         kTorque,
+                                         kTransmissionError,
+                                         kErrorPhase,
+                                         kRunout,
+                                         kRunoutPhase,
+                                         kDamage,
+                                         kErrorFile,
+                                         kProfileFile,
+                                         kPinionPitch,
+                                         kGearPitch,
+                                         kStiffnessFile,
+                                         kLoadShareFile,
+                                         kStiffnessMean,
+                                         kInterpolation,
+                                         kProfileShift,
+                                         kTipDiameter,
+                                         kHelix,
+                                         kSpeed};
 
 // Numbers that stand in place of those of the table, by the names of keys.
 using GearValues = std::map<std::string, double>;
@@ -71,9 +180,27 @@ class GearReader {
   GearReader(const toml::table& gear, const GearValues& values)
       : gear_(gear), values_(values), reader_(&gear, "[gear]") {
     for (const GearKey& key : kGearKeys) reader_.know(std::string(key.name));
+    reader_.know("tables");
     reader_.refuse_unknown();
   }
 
+  // The numbers of files, by their names; nullptr where there are none.
+  const toml::table* tables() const { return gear_["tables"].as_table(); }
+
+  std::optional<std::string> text(const GearKey& key) {
+    const std::string name(key.name);
+    if (reader_.find(name) == nullptr) return std::nullopt;
+    return reader_.text(name, "");
+  }
+
+  // One of its choices, the first where the table has no such key.
+  std::string choice(const GearKey& key) {
+    const std::vector<std::string> choices = split_words(std::string(key.choices));
+    return choices[reader_.choice(std::string(key.name), 0, choices)];
+  }
+
+  // An axis gives its values.
+  bool is_swept(const GearKey& key) const { return value_of(key).has_value(); }
   bool has(const GearKey& key) const { return value_of(key) || gear_.contains(key.name); }
 
   // What a message about this key should point at: the key, or the table that lacks it.
@@ -105,6 +232,21 @@ class GearReader {
                                      key.name, values.size(), count));
     }
     return values;
+  }
+
+  // As many numbers as there are; none where the table has no such key. An axis gives the first.
+  std::vector<double> numbers(const GearKey& key) {
+    std::vector<double> values = reader_.numbers(std::string(key.name), key.min, key.max);
+    if (const std::optional<double> value = value_of(key)) {
+      values.resize(std::max<std::size_t>(values.size(), 1));
+      values.front() = *value;
+    }
+    return values;
+  }
+
+  // A pair that may be missing: two zeros then.
+  std::vector<double> pair_or_zero(const GearKey& key) {
+    return has(key) ? list(key, 2) : std::vector<double>(2, 0.0);
   }
 
  private:

@@ -9,157 +9,17 @@
 #include <utility>
 
 #include "study/builtin_models.hpp"
-#include "study/detail/gear_keys.hpp"
+#include "study/detail/gear_parts.hpp"
 
 namespace gearsweep {
 namespace {
 
-// Collects the parameters; each is checked against the range that the model gives it.
-class Parameters {
- public:
-  explicit Parameters(const GearReader& in) : in_(in), model_(gear_table_model()) {}
-
-  // `origin`: the key that a message about this number should point at.
-  void add(std::string_view name, double value, const GearKey& origin, std::string note) {
-    const auto index = static_cast<std::size_t>(model_.find_parameter(name));
-    const ParameterInfo& info = model_.parameters[index];
-    if (!(value >= info.min && value <= info.max)) {
-      fail_at(
-          in_.node(origin),
-          fmt::format("{} gives {} = {:.6g}, out of range; from {:g} to {:g} is allowed ({}: {})",
-                      in_.has(origin) ? origin.name : "[gear]", name, value, info.min, info.max,
-                      info.meaning, note));
-    }
-    list_.push_back({std::string(name), value, std::move(note), std::string(origin.name)});
-  }
-
-  std::vector<GearParameter> take() { return std::move(list_); }
-
- private:
-  const GearReader& in_;
-  const Model& model_;
-  std::vector<GearParameter> list_;
-};
-
-// Lengths in mm, angle in rad.
-struct Geometry {
-  double pinion_teeth, gear_teeth, module;
-  double pinion_base, gear_base;  // base radii Rp, Rg
-  double alpha;                   // working pressure angle
-  double centre;                  // centre distance
-  double base_pitch;
-};
-
-void read_teeth(GearReader& in, Geometry* out) {
-  const std::vector<double> teeth = in.list(kTeeth, 2);
-  if (!in.node(kTeeth).is_array() || std::floor(teeth[0]) != teeth[0] ||
-      std::floor(teeth[1]) != teeth[1]) {
-    fail_at(in.node(kTeeth), "teeth must be two whole numbers, [pinion, gear]");
-  }
-  out->pinion_teeth = teeth[0];
-  out->gear_teeth = teeth[1];
-}
-
-// Within a part in a million of the standard centre distance the tool's pressure angle is kept, so
-// that a rounded drawing gives the same gear as no centre distance at all.
-Geometry read_geometry(GearReader& in) {
-  Geometry out{};
-  read_teeth(in, &out);
-  out.module = in.required(kModule);
-  const double tool_alpha = in.optional(kPressureAngle).value_or(20.0) * std::numbers::pi / 180.0;
-  out.pinion_base = out.module * out.pinion_teeth / 2.0 * std::cos(tool_alpha);
-  out.gear_base = out.module * out.gear_teeth / 2.0 * std::cos(tool_alpha);
-  out.base_pitch = 2.0 * std::numbers::pi * out.pinion_base / out.pinion_teeth;
-  const double standard = out.module * (out.pinion_teeth + out.gear_teeth) / 2.0;
-  out.centre = in.optional(kCentreDistance).value_or(standard);
-  out.alpha = tool_alpha;
-  if (std::fabs(out.centre - standard) > 1e-6 * standard) {
-    const double touching = out.pinion_base + out.gear_base;
-    if (out.centre <= touching) {
-      fail_at(in.node(kCentreDistance),
-              fmt::format("centre_distance_mm = {} is not greater than the sum of the base radii, "
-                          "{:.6g} mm: there is no line of action (standard: {:.6g} mm)",
-                          out.centre, touching, standard));
-    }
-    out.alpha = std::acos(touching / out.centre);
-  }
-  return out;
-}
-
-// The path of contact on the line of action, in base pitches: from entry to the pitch point and on
-// to exit.
-struct Path {
-  double approach, recess;
-  double contact_ratio() const { return approach + recess; }
-};
-
-// Contact begins on the gear's addendum circle and ends on the pinion's.
-Path path_from_addenda(const Geometry& geometry, const std::vector<double>& addenda) {
-  const auto reach = [&](double teeth, double base, double addendum) {
-    const double tip = geometry.module * teeth / 2.0 + addendum;
-    return (std::sqrt(tip * tip - base * base) - base * std::tan(geometry.alpha)) /
-           geometry.base_pitch;
-  };
-  return {reach(geometry.gear_teeth, geometry.gear_base, addenda[1]),
-          reach(geometry.pinion_teeth, geometry.pinion_base, addenda[0])};
-}
-
-// Involutes meet only between the two points where the line of action touches the base circles.
-void refuse_interference(const GearReader& in, const Geometry& geometry, const Path& path) {
-  const auto check = [&](double share, double base, const char* whose) {
-    const double beyond = share * geometry.base_pitch - base * std::tan(geometry.alpha);
-    if (beyond > 1e-9 * base) {
-      const GearKey& origin = in.has(kContactRatio) ? kContactRatio : kAddendum;
-      fail_at(
-          in.node(origin),
-          fmt::format("the path of contact reaches {:.3g} mm beyond the point where the line of "
-                      "action touches the {}'s base circle (interference); a smaller "
-                      "addendum_mm or contact_ratio is needed",
-                      beyond, whose));
-    }
-  };
-  check(path.approach, geometry.pinion_base, "pinion");
-  check(path.recess, geometry.gear_base, "gear");
-}
-
-// Adds eps and approach; returns the path of contact in use.
-Path read_path(GearReader& in, const Geometry& geometry, Parameters* parameters,
-               std::vector<std::string>* notes) {
-  const std::vector<double> addenda =
-      in.has(kAddendum) ? in.list(kAddendum, 2) : std::vector<double>(2, geometry.module);
-  const GearKey& drawing = in.has(kAddendum) ? kAddendum : kCentreDistance;
-  const Path drawn = path_from_addenda(geometry, addenda);
-  if (!(drawn.approach > 0.0 && drawn.recess > 0.0)) {
-    fail_at(in.node(drawing),
-            fmt::format("the addenda ({:.6g} and {:.6g} mm) do not reach over the pitch point "
-                        "at centre_distance_mm = {:.6g}",
-                        addenda[0], addenda[1], geometry.centre));
-  }
-  const double from_geometry = drawn.contact_ratio();
-  const std::optional<double> given = in.optional(kContactRatio);
-  const double eps = given.value_or(from_geometry);
-  const double approach = drawn.approach / from_geometry;
-  const std::string formula =
-      fmt::format("addenda {:.6g} and {:.6g} mm: eps_a + eps_r = {:.6g} + {:.6g} = {:.6g}",
-                  addenda[0], addenda[1], drawn.approach, drawn.recess, from_geometry);
-  notes->push_back(given ? fmt::format("contact ratio {:.6g} as given ({})", eps, formula)
-                         : fmt::format("contact ratio {:.6g} from {}", eps, formula));
-  parameters->add("eps", eps, given ? kContactRatio : drawing,
-                  given ? "contact_ratio as given" : formula);
-  parameters->add(
-      "approach", approach, drawing,
-      fmt::format("eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}", drawn.approach, from_geometry));
-  const Path used{approach * eps, (1.0 - approach) * eps};
-  refuse_interference(in, geometry, used);
-  return used;
-}
-
 // Mean mesh stiffness k0 in N/m, as given or from the face width: ISO 6336-1, method B, for steel
-// spur gears without profile shift (theoretical single stiffness 1/q', model factor 0.8, basic rack
-// factor 0.975).
-double read_mesh_stiffness(GearReader& in, const Geometry& geometry, double contact_ratio,
-                           std::vector<std::string>* notes) {
-  if (in.has(kMeshStiffness) && in.has(kFaceWidth)) {
+// (theoretical single stiffness 1/q', model factor 0.8, basic rack factor 0.975, helix factor
+// cos(beta)). Without either, the mean of what was measured, if that is above 0.
+double read_mesh_stiffness(GearReader& in, const GearGeometry& geometry, double contact_ratio,
+                           double measured, std::vector<std::string>* notes) {
+  if (in.has(kMeshStiffness) && in.has(kFaceWidth) && geometry.helix == 0.0) {
     fail_at(in.node(kFaceWidth),
             "mesh_stiffness_N_per_m and face_width_mm both give the mesh stiffness; keep one");
   }
@@ -168,36 +28,35 @@ double read_mesh_stiffness(GearReader& in, const Geometry& geometry, double cont
     notes->push_back(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as given", k0));
     return k0;
   }
+  if (measured > 0.0) {
+    notes->push_back(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as measured", measured));
+    return measured;
+  }
   if (!in.has(kFaceWidth)) {
     fail_at(in.node(kFaceWidth),
             "[gear] needs 'mesh_stiffness_N_per_m' (mean mesh stiffness) or 'face_width_mm'");
   }
   const double width = in.required(kFaceWidth);
-  const double q = 0.04723 + 0.15551 / geometry.pinion_teeth + 0.25791 / geometry.gear_teeth;
-  const double single = 0.8 * 0.975 / q;
+  const double slant = std::cos(geometry.helix);
+  const double z1 = geometry.pinion_teeth / (slant * slant * slant);
+  const double z2 = geometry.gear_teeth / (slant * slant * slant);
+  const double x1 = geometry.shift[0], x2 = geometry.shift[1];
+  const double q = 0.04723 + 0.15551 / z1 + 0.25791 / z2 - 0.00635 * x1 - 0.11654 * x1 / z1 -
+                   0.00193 * x2 - 0.24188 * x2 / z2 + 0.00529 * x1 * x1 + 0.00182 * x2 * x2;
+  const double single = 0.8 * 0.975 / q * slant;
   const double mesh = single * (0.75 * contact_ratio + 0.25);
   const double k0 = mesh * width * 1e6;
   notes->push_back(fmt::format(
-      "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel, no profile shift): "
+      "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
       "q' = {:.6g} um mm/N, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), face width {:.6g} mm",
       k0, q, single, mesh, width));
   return k0;
 }
 
-// What the equations of motion are scaled by; SI units.
-struct Bases {
-  double pinion_mesh_mass, gear_mesh_mass;  // I/R^2, kg
-  double me;                                // kg
-  double k0;                                // N/m
-  double b_n;                               // m
-  double varpi;                             // rad/s
-  double pinion_base;                       // Rp, m
-};
-
-Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
-                 std::vector<std::string>* notes) {
+GearBases read_bases(GearReader& in, const GearGeometry& geometry, double contact_ratio,
+                     double measured_stiffness, std::vector<std::string>* notes) {
   const std::vector<double> inertia = in.list(kInertia, 2);
-  Bases out{};
+  GearBases out{};
   out.pinion_mesh_mass = inertia[0] / (geometry.pinion_base * geometry.pinion_base);
   out.gear_mesh_mass = inertia[1] / (geometry.gear_base * geometry.gear_base);
   out.me = out.pinion_mesh_mass * out.gear_mesh_mass / (out.pinion_mesh_mass + out.gear_mesh_mass);
@@ -205,7 +64,7 @@ Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
       fmt::format("me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
                   "Ig/Rg^2 = {:.6g} kg",
                   out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
-  out.k0 = read_mesh_stiffness(in, geometry, contact_ratio, notes);
+  out.k0 = read_mesh_stiffness(in, geometry, contact_ratio, measured_stiffness, notes);
   out.b_n = in.required(kHalfBacklash) * 1e-3;
   out.varpi = std::sqrt(out.k0 / out.me);
   out.pinion_base = geometry.pinion_base * 1e-3;
@@ -213,7 +72,7 @@ Bases read_bases(GearReader& in, const Geometry& geometry, double contact_ratio,
   return out;
 }
 
-void add_geometry(const GearReader& in, const Geometry& geometry, Parameters* parameters,
+void add_geometry(GearReader& in, const GearGeometry& geometry, GearParameters* parameters,
                   std::vector<std::string>* notes) {
   const double degrees = geometry.alpha * 180.0 / std::numbers::pi;
   notes->push_back(
@@ -225,12 +84,23 @@ void add_geometry(const GearReader& in, const Geometry& geometry, Parameters* pa
   parameters->add("zp", geometry.pinion_teeth, kTeeth, "teeth of the pinion as given");
   parameters->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth,
                   fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
+  if (geometry.helix > 0.0) {
+    const double width = in.required(kFaceWidth);
+    const double overlap = width * std::sin(geometry.helix) / (std::numbers::pi * geometry.module);
+    parameters->add(
+        "overlap", overlap, kHelix,
+        fmt::format("b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm", width * std::sin(geometry.helix),
+                    std::numbers::pi * geometry.module));
+    notes->push_back(
+        "helical teeth: radii, pressure angle, torque's force and backlash are those "
+        "of the transverse section; axial forces are left out");
+  }
   const GearKey& origin = in.has(kCentreDistance) ? kCentreDistance : kPressureAngle;
   parameters->add("alpha", degrees, origin,
                   fmt::format("working pressure angle at a = {:.6g} mm", geometry.centre));
 }
 
-void add_masses(GearReader& in, const Bases& bases, Parameters* parameters) {
+void add_masses(GearReader& in, const GearBases& bases, GearParameters* parameters) {
   const double sum = bases.pinion_mesh_mass + bases.gear_mesh_mass;
   parameters->add(
       "rho_p", bases.gear_mesh_mass / sum, kInertia,
@@ -245,7 +115,7 @@ void add_masses(GearReader& in, const Bases& bases, Parameters* parameters) {
                   fmt::format("me/mg = {:.6g} kg / {:.6g} kg", bases.me, mass[1]));
 }
 
-void add_springs_and_dampers(GearReader& in, const Bases& bases, Parameters* parameters) {
+void add_springs_and_dampers(GearReader& in, const GearBases& bases, GearParameters* parameters) {
   const double cm = in.required(kMeshDamping) * 1e3;
   parameters->add("zeta", cm / (2.0 * bases.varpi * bases.me), kMeshDamping,
                   fmt::format("cm/(2 varpi me) = {:.6g} N s/m / (2 {:.6g} rad/s {:.6g} kg)", cm,
@@ -269,8 +139,8 @@ void add_springs_and_dampers(GearReader& in, const Bases& bases, Parameters* par
   }
 }
 
-void add_lengths_and_loads(GearReader& in, const Geometry& geometry, const Bases& bases,
-                           Parameters* parameters) {
+void add_lengths_and_loads(GearReader& in, const GearGeometry& geometry, const GearBases& bases,
+                           GearParameters* parameters) {
   const double centre = geometry.centre * 1e-3;
   parameters->add("b", 1.0, kHalfBacklash, "the half backlash b_n is the unit of length");
   parameters->add("A", centre / bases.b_n, kHalfBacklash,
@@ -279,9 +149,6 @@ void add_lengths_and_loads(GearReader& in, const Geometry& geometry, const Bases
   parameters->add("F1", torque / (bases.pinion_base * bases.k0 * bases.b_n), kTorque,
                   fmt::format("T/(Rp k0 b_n) = {:.6g} N m / ({:.6g} m {:.6g} N/m {:.6g} m)", torque,
                               bases.pinion_base, bases.k0, bases.b_n));
-  const double error = in.required(kTransmissionError) * 1e-6;
-  parameters->add("e0", error / bases.b_n, kTransmissionError,
-                  fmt::format("e/b_n = {:.6g} m / {:.6g} m", error, bases.b_n));
 }
 
 }  // namespace
@@ -293,15 +160,26 @@ const Model& gear_table_model() {
 
 GearConversion convert_gear(const toml::table& gear, const GearValues& values) {
   GearReader in(gear, values);
-  Parameters parameters(in);
+  GearParameters parameters(in);
   GearConversion out;
-  const Geometry geometry = read_geometry(in);
+  const GearGeometry geometry = read_geometry(in);
   add_geometry(in, geometry, &parameters, &out.notes);
-  const Path path = read_path(in, geometry, &parameters, &out.notes);
-  const Bases bases = read_bases(in, geometry, path.contact_ratio(), &out.notes);
+  const ContactPath path = read_path(in, geometry, &parameters, &out.notes);
+  const Interpolation interpolation =
+      in.choice(kInterpolation) == "cubic" ? Interpolation::cubic : Interpolation::linear;
+  const auto stiffness = measured_curve(in, kStiffnessFile, interpolation);
+  if (stiffness && !(stiffness->mean > 0.0)) {
+    fail_at(in.node(kStiffnessFile), "the mean of the stiffness must be greater than 0");
+  }
+  const GearBases bases =
+      read_bases(in, geometry, path.contact_ratio(), stiffness ? stiffness->mean : 0.0, &out.notes);
   add_masses(in, bases, &parameters);
   add_springs_and_dampers(in, bases, &parameters);
   add_lengths_and_loads(in, geometry, bases, &parameters);
+  const bool is_sine = add_transmission_error(in, geometry, path, bases, &parameters, &out.notes);
+  const bool has_runout = add_faults(in, geometry, bases, &parameters, &out.curves);
+  add_stiffness(in, stiffness, interpolation, bases, &out);
+  if (!is_sine || has_runout) out.options.push_back({"error", "series"});
 
   const double turns_per_omega = bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth);
   out.scales = {bases.varpi, bases.b_n, bases.k0, 60.0 * turns_per_omega};

@@ -30,6 +30,7 @@ class TableReader {
   // `name` as in "[integrate]", for messages. Every key that is asked for becomes known.
   TableReader(const toml::table* table, std::string name);
 
+  bool has(const std::string& key) const { return table_ != nullptr && table_->contains(key); }
   // The node of a key, or nullptr.
   const toml::node* find(const std::string& key);
   // The table of a key, or nullptr when it is missing.

@@ -100,6 +100,7 @@ class History {
     Trace trace;
     trace.setting = setting_;
     trace.period = point_->period();
+    trace.mesh_periods = model_.mesh_periods(setting_);
     trace.channels = model_.states;
     trace.channels.insert(trace.channels.end(), model_.signals.begin(), model_.signals.end());
     for (const ContactInfo& contact : model_.contacts) {
