@@ -19,12 +19,13 @@ double common_range(const ResultMap& up, const ResultMap& down) {
   return max - min;
 }
 
-// From one place to its neighbour `leaper` goes most of the way to the other map, and that does
-// not.
+// From the last place inside of a stretch to the first one outside, `leaper` goes most of the way
+// to the other map, by more than twice what it changed before, and the other does not.
 bool is_jump(const std::vector<double>& leaper, const std::vector<double>& other,
-             std::size_t inside, std::size_t outside) {
+             std::size_t before, std::size_t inside, std::size_t outside) {
+  const double leap = std::abs(leaper[outside] - leaper[inside]);
   const double half = 0.5 * std::abs(leaper[inside] - other[inside]);
-  return std::abs(leaper[outside] - leaper[inside]) > half &&
+  return leap > half && leap > 2.0 * std::abs(leaper[inside] - leaper[before]) &&
          std::abs(other[outside] - other[inside]) < half;
 }
 
@@ -32,8 +33,8 @@ Hysteresis described(const ResultMap& up, const ResultMap& down, std::size_t fir
                      std::size_t last) {
   const std::vector<double>& x = up.axes.front().values;
   Hysteresis found{first, last, false, false, x[first], x[last]};
-  found.jumps_down = first > 0 && is_jump(down.values, up.values, first, first - 1);
-  found.jumps_up = last + 1 < x.size() && is_jump(up.values, down.values, last, last + 1);
+  found.jumps_down = first > 0 && is_jump(down.values, up.values, first + 1, first, first - 1);
+  found.jumps_up = last + 1 < x.size() && is_jump(up.values, down.values, last - 1, last, last + 1);
   if (found.jumps_down) found.from = 0.5 * (x[first - 1] + x[first]);
   if (found.jumps_up) found.to = 0.5 * (x[last] + x[last + 1]);
   return found;

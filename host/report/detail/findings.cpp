@@ -168,6 +168,7 @@ std::string ReportFindings::drawn(const std::string& picture, const std::vector<
 
 std::optional<ReportFindings> find_for_report(const Study& study, const ReportOptions& options) {
   ReportFindings findings;
+  findings.given = study;
   findings.speed = find_speed_axis(study);
   findings.quantities = report_quantities(*study.model);
   findings.force = findings.quantities.front();

@@ -19,7 +19,8 @@ namespace gearsweep {
 std::size_t find_speed_axis(const Study& study);
 
 struct ReportFindings {
-  Study study;  // as it was given, with the quantities of the report
+  Study given;  // as it was
+  Study study;  // the same, with the quantities of the report
   Study line;   // the same over the speed, its other axis at one value
   std::size_t speed = 0;
   std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other

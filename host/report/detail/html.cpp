@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -73,6 +75,13 @@ std::string html_text(std::string_view text) {
     }
   }
   return html;
+}
+
+std::string html_number(double number) {
+  const double size = std::abs(number);
+  constexpr double kWhole = 1e3, kLong = 1e7;
+  return size >= kWhole && size < kLong ? fmt::format("{:.0f}", number)
+                                        : fmt::format("{:.4g}", number);
 }
 
 std::string html_unit(const std::string& unit) {

@@ -11,6 +11,9 @@ namespace gearsweep {
 // that no XML may have.
 std::string html_text(std::string_view text);
 
+// Four digits, and no power of ten where a reader needs none.
+std::string html_number(double number);
+
 // A unit as in print: "k0 b_n" with its indices.
 std::string html_unit(const std::string& unit);
 
@@ -24,7 +27,7 @@ class HtmlPage {
   void list(const std::vector<std::string>& items);
   void table(const std::vector<std::string>& head,
              const std::vector<std::vector<std::string>>& rows);
-  // What is shown on demand, and on paper; until end_details().
+  // What is shown on demand; until end_details().
   void begin_details(const std::string& html);
   void end_details();
   // svg: a file. It becomes a part of the page, in which nothing can run.

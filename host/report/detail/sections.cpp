@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "model/names.hpp"
 #include "report/detail/speeds.hpp"
 #include "result/peaks.hpp"
+#include "result/si_units.hpp"
 
 namespace gearsweep {
 namespace {
@@ -39,6 +41,20 @@ std::pair<std::string, std::string> words_and_unit(const std::string& key) {
   return {words, unit};
 }
 
+// "[ 40, 40 ]" as "40, 40", "217400000.0" as "2.174e+08".
+std::string printed_value(std::string value) {
+  std::erase_if(value, [](char letter) { return letter == '[' || letter == ']'; });
+  std::vector<std::string> parts;
+  for (const std::string& part : split(value, ',')) {
+    const std::string word = split_words(part).empty() ? "" : split_words(part).front();
+    char* end = nullptr;
+    const double number = std::strtod(word.c_str(), &end);
+    const bool is_number = !word.empty() && *end == '\0';
+    parts.push_back(is_number ? fmt::format("{:.6g}", number) : part);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 // The lines "key = value" of the table [gear] in the study's text.
 std::vector<Row> gear_rows(const std::string& toml) {
   std::vector<Row> rows;
@@ -48,7 +64,8 @@ std::vector<Row> gear_rows(const std::string& toml) {
     const std::size_t equals = line.find(" = ");
     if (!is_inside || equals == std::string::npos) continue;
     const auto [words, unit] = words_and_unit(line.substr(0, equals));
-    rows.push_back({html_text(words), html_text(line.substr(equals + 3)), html_text(unit)});
+    rows.push_back(
+        {html_text(words), html_text(printed_value(line.substr(equals + 3))), html_text(unit)});
   }
   return rows;
 }
@@ -67,16 +84,23 @@ std::vector<Row> parameter_rows(const Study& study) {
   return rows;
 }
 
-std::string axis_text(const Axis& axis) {
-  return fmt::format("{} from {:g} to {:g}{}, {} values", html_text(axis.name), axis.values.front(),
-                     axis.values.back(), axis.unit == "1" ? "" : " " + html_unit(axis.unit),
-                     axis.values.size());
+std::string axis_text(const Axis& axis, const Scales& scales) {
+  const double from = axis.values.front(), to = axis.values.back();
+  const std::string unit = html_unit(axis.unit);
+  const SiUnit si = shown_unit(axis.unit, scales);
+  std::string text = fmt::format("{} from {:g} to {:g}{}", html_text(axis.name), from, to,
+                                 unit.empty() ? "" : " " + unit);
+  if (si.scale > 0.0) {
+    text += fmt::format(" ({} to {} {})", html_number(si.scale * from), html_number(si.scale * to),
+                        html_text(si.name));
+  }
+  return text + fmt::format(", {} values", axis.values.size());
 }
 
-// Where the report's curves are: "at mu = 0.05"; empty without another axis.
+// Where the report's curves are: " (mu = 0.05)"; empty without another axis.
 std::string place_html(const ReportFindings& findings) {
   if (!findings.at) return "";
-  return fmt::format(" at {} = {:.4g}", html_text(findings.at->first), findings.at->second);
+  return fmt::format(" ({} = {:.4g})", html_text(findings.at->first), findings.at->second);
 }
 
 std::string quantity_html(const ResultMap& map) {
@@ -87,12 +111,21 @@ std::string quantity_html(const ResultMap& map) {
 std::string value_html(const ResultMap& map, std::size_t point) {
   const double value = map.values[point];
   if (!std::isfinite(value)) return "–";
-  if (map.flags.empty()) return fmt::format("{:.4g}", value);
+  if (map.flags.empty()) return html_number(value);
   const auto flag = static_cast<std::size_t>(value);
   std::string name = flag < map.flags.size() ? map.flags[flag] : "";
   std::replace(name.begin(), name.end(), '_', ' ');
   return html_text(name);
 }
+
+// A jump of a run between neighbouring speeds.
+struct Jump {
+  std::string run;
+  const ResultMap* map = nullptr;
+  std::size_t from = 0, to = 0;  // points
+
+  double size() const { return std::abs(map->values[to] - map->values[from]); }
+};
 
 // What a picture of maps is of.
 std::string caption_of(const std::string& what, const ReportFindings& findings) {
@@ -121,10 +154,10 @@ void add_data(const ReportFindings& findings, HtmlPage* page) {
     page->list(notes);
   }
   std::vector<std::string> axes;
-  for (const Axis& axis : study.axes) axes.push_back(axis_text(axis));
+  for (const Axis& axis : study.axes) axes.push_back(axis_text(axis, study.scales));
   page->paragraph(fmt::format("Swept: {}.", fmt::join(axes, "; ")));
   page->begin_details("All parameters of the model, and where each comes from");
-  page->table({"parameter", "value", "unit", "meaning", "from"}, parameter_rows(study));
+  page->table({"parameter", "value", "unit", "meaning", "from"}, parameter_rows(findings.given));
   page->end_details();
 }
 
@@ -170,7 +203,8 @@ void add_forces(const ReportFindings& findings, HtmlPage* page) {
                         quantity == "dynamic_load_factor";
     if (!is_map) continue;
     page->picture(findings.drawn("map-" + quantity, {"map.nc"}, quantity, false),
-                  fmt::format("{} over both axes.", html_text(quantity)));
+                  fmt::format("{}: {}.", html_text(quantity),
+                              html_text(findings.over_speed("line.nc", quantity).meaning)));
   }
 }
 
@@ -223,23 +257,33 @@ void add_directions(const ReportFindings& findings, HtmlPage* page) {
                            findings));
   const ResultMap up = findings.over_speed("up.nc", findings.force);
   const ResultMap down = findings.over_speed("down.nc", findings.force);
-  std::vector<Row> rows;
-  const auto add = [&](const char* name, const ResultMap& map, std::size_t from, std::size_t to) {
-    const std::vector<double>& forcing = findings.orders.forcing;
-    rows.push_back({name,
-                    fmt::format("{} to {}", speed_html(findings, forcing[from]),
-                                speed_html(findings, forcing[to])),
-                    value_html(map, from), value_html(map, to)});
-  };
+  std::vector<Jump> jumps;
   for (const Hysteresis& part : find_hysteresis(up, down)) {
-    if (part.jumps_up) add("run-up", up, part.last, part.last + 1);
-    if (part.jumps_down) add("run-down", down, part.first, part.first - 1);
+    if (part.jumps_up) jumps.push_back({"run-up", &up, part.last, part.last + 1});
+    if (part.jumps_down) jumps.push_back({"run-down", &down, part.first, part.first - 1});
   }
-  if (rows.empty()) {
+  if (jumps.empty()) {
     page->paragraph("No jump was found.");
     return;
   }
+  std::sort(jumps.begin(), jumps.end(),
+            [](const Jump& a, const Jump& b) { return a.size() > b.size(); });
+  constexpr std::size_t kMost = 10;
+  std::vector<Row> rows;
+  for (const Jump& jump : jumps) {
+    if (rows.size() == kMost) break;
+    rows.push_back(
+        {jump.run,
+         fmt::format("{} to {}", speed_html(findings, findings.orders.forcing[jump.from]),
+                     speed_html(findings, findings.orders.forcing[jump.to])),
+         value_html(*jump.map, jump.from), value_html(*jump.map, jump.to)});
+  }
   page->table({"jump in", "between", quantity_html(up) + " before", "after"}, rows);
+  if (jumps.size() > kMost) {
+    page->paragraph(fmt::format(
+        "These are the largest of {}. Where the motion is chaotic, the two runs differ by chance.",
+        jumps.size()));
+  }
 }
 
 }  // namespace gearsweep
