@@ -28,7 +28,7 @@ std::size_t find_axis(const Study& study, const std::string& name) {
     names.push_back(study.axes[i].name);
     if (names.back() == name) return i;
   }
-  throw InputError(fmt::format("--over {}: the study has no such axis; it has {}{}", name,
+  throw InputError(fmt::format("the study has no axis '{}'; it has {}{}", name,
                                fmt::join(names, " and "), suggest_name(name, names)));
 }
 
@@ -61,7 +61,7 @@ ChannelInfo find_channel(const Model& model, const std::string& name) {
       names.push_back(channel.name);
     }
   }
-  throw InputError(fmt::format("-q {}: model '{}' has no such state or signal{}", name, model.name,
+  throw InputError(fmt::format("model '{}' has no state or signal '{}'{}", model.name, name,
                                suggest_name(name, names)));
 }
 
@@ -117,7 +117,7 @@ std::optional<OrderMap> map_orders(const Study& whole, const OrderRequest& reque
   const double step = 1.0 / (static_cast<double>(record) * of_forcing);
   if (2.0 * request.orders > static_cast<double>(request.samples_per_period)) {
     throw InputError(fmt::format(
-        "--orders {:g} takes more than {:g} samples in a period: --samples-per-period {:.0f}",
+        "order {:g} takes more than {:g} samples in a period: give {:.0f} samples per period",
         request.orders, 2.0 * request.orders, 4.0 * request.orders));
   }
   const auto bins = static_cast<std::size_t>(std::floor(request.orders / step + 1e-9)) + 1;

@@ -126,7 +126,7 @@ std::string orders_refusal(const std::string& more, const std::string& over,
 TEST(OrderMap, SaysWhatWouldBeRight) {
   EXPECT_THAT(orders_refusal("", "omga", ""), HasSubstr("did you mean 'omega'?"));
   EXPECT_THAT(orders_refusal("", "", "forc"), HasSubstr("did you mean 'force'?"));
-  EXPECT_THAT(orders_refusal("", "", "x", 9.0), HasSubstr("--samples-per-period 36"));
+  EXPECT_THAT(orders_refusal("", "", "x", 9.0), HasSubstr("give 36 samples per period"));
   EXPECT_THAT(orders_refusal("", "omega", "x", 4.0, {{"omega", 0.5}}),
               HasSubstr("the map goes over 'omega'"));
   EXPECT_THAT(orders_refusal("", "omega", "x", 4.0, {{"x", 0.5}}), HasSubstr("[initial]"));
