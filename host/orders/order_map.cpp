@@ -39,14 +39,18 @@ void refuse_states(const Place& place) {
       place.origin, "an initial state does not fit here: [initial] says where points start"));
 }
 
-// With the study's own value of each axis's parameter, where the place has none.
+// With the study's own value of each axis, where the place has none.
 Place completed(const Study& study, const std::vector<Axis>& axes, Place place) {
   for (const Axis& axis : axes) {
-    const bool is_given = !axis.columns.empty() || axis.is_state ||
+    const std::optional<double> own = own_value(study, axis);
+    const bool is_given = place.named.contains(axis.name) || axis.values.size() == 1 ||
                           std::any_of(place.values.begin(), place.values.end(),
                                       [&](const Placed& placed) { return is_swept(axis, placed); });
-    if (!is_given) {
-      place.values.push_back({false, axis.index, study.setting.parameters[axis.index]});
+    if (is_given || !own) continue;
+    if (axis.columns.empty()) {
+      place.values.push_back({false, axis.index, *own});
+    } else {
+      place.named[axis.name] = *own;
     }
   }
   return place;

@@ -36,7 +36,7 @@ double response(double omega) {
 }
 
 const OrderMap& linear_map() {
-  static const OrderMap map = [] {
+  static const OrderMap kMap = [] {
     const Study whole = read_study(linear_study(), "test");
     OrderRequest request;
     request.channel = "force";
@@ -44,7 +44,7 @@ const OrderMap& linear_map() {
     request.samples_per_period = 64;
     return *map_orders(whole, request, {});
   }();
-  return map;
+  return kMap;
 }
 
 double amplitude_at(const OrderMap& map, std::size_t point, double order) {

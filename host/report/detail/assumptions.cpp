@@ -9,14 +9,18 @@ namespace {
 
 // Of the equations of gear5 (see doc/models.md), which no option changes.
 std::vector<std::string> notes_of_gear5() {
-  return {
-      "Teeth are springs, gears are rigid bodies; shafts do not bend or twist.",
-      "Bearings are linear springs and dampers across and along the line of action.",
+  std::vector<std::string> notes;
+  notes.emplace_back("Teeth are springs, gears are rigid bodies; shafts do not bend or twist.");
+  notes.emplace_back(
+      "Bearings are linear springs and dampers across and along the line of action.");
+  notes.emplace_back(
       "Friction between teeth is Coulomb's, with a constant coefficient, in the direction of "
-      "nominal sliding.",
-      "The mesh damper acts for two tooth pairs at all times, out of contact, too.",
-      "The load is constant; the transmission error acts on the mesh alone.",
-      "The gears turn at a constant mean speed; each speed is held until the motion has settled."};
+      "nominal sliding.");
+  notes.emplace_back("The mesh damper acts for two tooth pairs at all times, out of contact, too.");
+  notes.emplace_back("The load is constant; the transmission error acts on the mesh alone.");
+  notes.emplace_back(
+      "The gears turn at a constant mean speed; each speed is held until the motion has settled.");
+  return notes;
 }
 
 }  // namespace

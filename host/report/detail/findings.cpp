@@ -44,16 +44,12 @@ Study changed(const Study& study, const std::vector<std::string>& overrides,
   return read_study(study.toml, "the study of the report", overrides, zooms);
 }
 
-// The value of an axis that the study has without it: of several parameters by the first of them.
-double own_value(const Study& study, const Axis& axis) {
-  const Swept& swept = axis.swept().front();
-  if (swept.is_state) return axis.values.front();
-  const double own = study.setting.parameters[swept.index];
-  if (axis.columns.empty()) return own;
-  const auto nearest =
-      std::min_element(swept.values.begin(), swept.values.end(),
-                       [&](double a, double b) { return std::abs(a - own) < std::abs(b - own); });
-  return axis.values[static_cast<std::size_t>(nearest - swept.values.begin())];
+// So many that the slowest speed has lines up to four times the fastest mesh frequency.
+double enough_orders(const Study& study) {
+  constexpr double kFewest = 10.0, kMost = 40.0, kShown = 4.0;
+  const Plan plan(study, study.points());
+  const double first = period_at(plan, 0), last = period_at(plan, study.points() - 1);
+  return std::clamp(std::ceil(kShown * std::max(first / last, last / first)), kFewest, kMost);
 }
 
 // The runs of a report.
@@ -85,6 +81,7 @@ class Runs {
     Study study = changed(out_.line, overrides, {});
     OrderRequest request;
     request.over = study.axes[out_.speed].name;
+    request.orders = enough_orders(study);
     std::optional<OrderMap> map = map_orders(study, request, sweep_);
     if (!map) return false;
     write_orders(*map, out_.file("orders.nc"), provenance());
@@ -176,7 +173,8 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   std::vector<std::string> zooms;
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     if (i == findings.speed) continue;
-    const double value = own_value(findings.study, findings.study.axes[i]);
+    const Axis& other = findings.study.axes[i];
+    const double value = own_value(findings.study, other).value_or(other.values.front());
     findings.at = {study.axes[i].name, value};
     zooms.push_back(fmt::format("{}={}:{}:1", study.axes[i].name, value, value));
   }
