@@ -14,7 +14,7 @@
 #include "plot/detail/text.hpp"
 #include "result/result_file.hpp"
 #include "result/si_units.hpp"
-#include "result/study_source.hpp"
+#include "study/initial_policy.hpp"
 
 namespace gearsweep {
 namespace {
@@ -187,9 +187,14 @@ std::optional<std::size_t> upwards_of(const PlotRequest& request, const std::str
   if (request.paths.size() != 2) return std::nullopt;
   std::vector<int> neighbours;
   for (const std::string& path : request.paths) {
-    const Study study = read_result_study(path);
-    const bool is_along = study.is_chained() && study.axes[study.initial.along].name == axis;
-    neighbours.push_back(is_along ? info_of(study.initial.policy).neighbour : 0);
+    const ResultFile file(path);
+    const std::string study = file.study_text();
+    std::string along = setting_in(study, "initial", "along");
+    if (along.empty()) along = file.axes().front().name;
+    const std::string policy = setting_in(study, "initial", "policy");
+    const auto info = std::ranges::find(initial_policies(), policy, &InitialPolicyInfo::name);
+    const bool is_along = info != initial_policies().end() && along == axis;
+    neighbours.push_back(is_along ? info->neighbour : 0);
   }
   if (neighbours[0] * neighbours[1] >= 0) return std::nullopt;
   return neighbours[0] < 0 ? 0 : 1;

@@ -280,11 +280,15 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
   double left = 0.0;
   for (Panel& panel : panels) left = std::max(left, left_room(page, panel.axis(), length));
 
+  // A long number may stand at the right end.
+  const double widest = tics_of(page, "x", x.range, page.width() - left, true).widest;
+  const double right = std::max(edge_room(page), 0.5 * widest + 0.2 * em);
+
   script.text = "set multiplot\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     Panel& panel = panels[i];
     const double top = script.height - head - static_cast<double>(i) * (length + gap);
-    const Frame frame{left, page.width() - edge_room(page), top - length, top};
+    const Frame frame{left, page.width() - right, top - length, top};
     ensure_room(frame, page);
     const bool is_last = i + 1 == panels.size();
     PanelAxis own_x = x;
