@@ -53,11 +53,11 @@ std::string orders_command_line(const OrderArguments& arguments) {
 
 Study load_lines(const OrderArguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
-  for (std::string& own :
-       trace_overrides(arguments.settle, arguments.record.value_or(kOrderPeriods))) {
+  for (std::string& own : trace_overrides(arguments.settle, arguments.record)) {
     overrides.push_back(std::move(own));
   }
   Study study = load_study(arguments.study, overrides);
+  if (!arguments.record) study.integrate.record = usual_order_record(study);
   settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &study);
   return study;
 }

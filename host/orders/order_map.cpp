@@ -83,6 +83,12 @@ double mesh_periods(const Model& model, const ModelSetting& setting) {
 
 }  // namespace
 
+std::size_t usual_order_record(const Study& study) {
+  const double of_forcing = mesh_periods(*study.model, study.setting);
+  return static_cast<std::size_t>(
+      std::max(1.0, std::round(static_cast<double>(kOrderPeriods) / of_forcing)));
+}
+
 Study study_over(const Study& whole, const std::string& over, const Place& place) {
   const std::size_t kept = find_axis(whole, over);
   refuse_states(place);

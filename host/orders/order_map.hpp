@@ -36,9 +36,12 @@ struct OrderMap {
   const Axis& axis() const { return study.axes.front(); }
 };
 
-// Periods that are recorded unless more or fewer are asked for: subharmonics of 2, 3, 4, 6 and 8
-// periods have whole bins.
+// The record of a spectrum, in mesh periods, unless another is asked for: subharmonics of 2, 3, 4,
+// 6 and 8 periods have whole bins.
 inline constexpr std::size_t kOrderPeriods = 48;
+
+// The same in periods of the study's forcing, at least one.
+std::size_t usual_order_record(const Study& study);
 
 // A study's points at one axis, the other axes at their places: where the place says nothing of a
 // parameter, at its value in the study without axes. Throws InputError.

@@ -16,8 +16,6 @@ from gearsweep._study import Study
 from gearsweep._study_source import study_of
 from gearsweep._value import text_of
 
-_WINDOWS = {None: False, "none": False, "hann": True}
-
 
 def orders(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
@@ -87,7 +85,7 @@ def orders(
     >>> lines.amplitude.dims, lines.amplitude.shape, lines.amplitude.units
     (('omega', 'order'), (4, 13), 'k0 b_n')
     """
-    if window not in _WINDOWS:
+    if window is not None and (not isinstance(window, str) or window not in ("none", "hann")):
         raise InputError(f"window: expected 'none' or 'hann', not {window!r}")
     _, pilot_step = map_of(study)
     samples = count_of(samples_per_period, "samples_per_period", 4, 1 << 16)
@@ -103,7 +101,7 @@ def orders(
         record=count_of(record, "record", 1, 100_000),
         highest=highest,
         samples_per_period=256 if samples is None else samples,
-        has_window=_WINDOWS[window],
+        has_window=window == "hann",
         pilot_step=pilot_step,
         device=device_text(device),
         call=call_text(

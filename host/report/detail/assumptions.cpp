@@ -42,7 +42,7 @@ void add_assumptions(const ReportFindings& findings, HtmlPage* page) {
   const Integrate& integrate = study.integrate;
   notes.push_back(
       fmt::format("Up to {} forcing periods settle, {} are recorded; the order map records {}.",
-                  integrate.settle, integrate.record, kOrderPeriods));
+                  integrate.settle, integrate.record, findings.orders.study.integrate.record));
   notes.push_back(
       fmt::format("Each point starts {}; run-up and run-down go on from their "
                   "neighbour.",

@@ -9,7 +9,6 @@
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "plan/plan.hpp"
-#include "point/point_trace.hpp"
 #include "result/order_dataset.hpp"
 #include "result/si_units.hpp"
 #include "sweep/sweep.hpp"
@@ -72,13 +71,13 @@ class Runs {
 
   bool map_orders_of_line() {
     if (options_.on_step) options_.on_step("order map");
-    std::vector<std::string> overrides = trace_overrides(std::nullopt, kOrderPeriods);
-    overrides.push_back("integrate.tolerance=0");
+    std::vector<std::string> overrides = {"integrate.tolerance=0"};
     if (out_.line.is_chained()) {
       overrides.push_back("initial.along=" + out_.line.axes[out_.speed].name);
     }
     if (pilot_step_) overrides.push_back(fmt::format("integrate.max_step={}", *pilot_step_));
     Study study = changed(out_.line, overrides, {});
+    study.integrate.record = usual_order_record(study);
     OrderRequest request;
     request.over = study.axes[out_.speed].name;
     request.orders = enough_orders(study);
