@@ -93,6 +93,12 @@ TEST(OrderMap, IsReadAsItWasWritten) {
   EXPECT_EQ(stored.channel.name, "force");
   EXPECT_EQ(stored.orders, map.orders);
   EXPECT_EQ(stored.amplitude, map.amplitude);
+  try {
+    ResultFile(folder / "orders.nc");
+    ADD_FAILURE() << "an order map was taken for maps";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("holds an order map"));
+  }
   ASSERT_EQ(stored.frequencies.size(), 1U);
   EXPECT_NEAR(stored.frequencies[0][2], 1.0, 1e-12);
 }
