@@ -152,8 +152,10 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->type_name(kNumberValue)
       ->check(whole_number(0));
   command
-      ->add_option("--record", arguments->record,
-                   "Forcing periods of each spectrum: its orders are 1/N apart (default: 48)")
+      ->add_option(
+          "--record", arguments->record,
+          "Forcing periods of each spectrum (default: those of 48 mesh periods, whose orders are "
+          "1/48 apart)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 100000));
   command
