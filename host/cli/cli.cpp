@@ -47,10 +47,12 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
   add_merge_command(app, status);
   add_status_command(app);
   add_trace_command(app, signals, status);
+  add_orders_command(app, signals, status);
   add_plot_command(app);
   add_export_command(app);
   add_top_command(app);
   add_floquet_command(app);
+  add_report_command(app, signals, status);
   add_reproduce_command(app, signals, status);
   add_studies_command(app);
   add_model_command(app);

@@ -97,7 +97,8 @@ void add_plot_command(CLI::App* app) {
           "over one axis several, NAME,NAME, stand above one another. Of traces: time (the "
           "default), phase, section, spectrum, force or portrait (four of them in one picture); "
           "time:v3, phase:x3, phase:x1:x3, spectrum:dmf, portrait:x3 pick channels (default: the "
-          "first state; force: dmf)")
+          "first state; force: dmf). Of an order map: frequency (the default) or order, over the "
+          "axis")
       ->type_name(kQuantityValue);
   command
       ->add_option("-o,--output", request->output_path,
@@ -125,6 +126,10 @@ void add_plot_command(CLI::App* app) {
                    "Hann's window, without the mean, and shows the amplitudes of sines")
       ->type_name(kNumberValue)
       ->check(positive_number());
+  command
+      ->add_option("--rays", request->rays,
+                   "Orders that an order map has as lines: 1,2,1/2, or none (default: 1,2,3,4)")
+      ->type_name("N,N/N,...");
   add_style_options(command, style.get(), style_file.get());
   command->footer(
       "Examples:\n"

@@ -13,6 +13,7 @@
 #include "plot/detail/gnuplot.hpp"
 #include "plot/detail/sources.hpp"
 #include "plot/detail/text.hpp"
+#include "result/order_dataset.hpp"
 #include "result/output_file.hpp"
 #include "result/result_file.hpp"
 #include "result/trace_file.hpp"
@@ -25,6 +26,10 @@ namespace fs = std::filesystem;
 constexpr std::string_view kScriptEnding = ".gp";
 
 PlotScript draw(const Page& page, const PlotRequest& request) {
+  if (std::any_of(request.paths.begin(), request.paths.end(), is_order_file)) {
+    return draw_orders(request);
+  }
+  if (!request.rays.empty()) throw InputError("--rays is for order maps");
   const auto traces = std::count_if(request.paths.begin(), request.paths.end(), is_trace_file);
   if (traces == 0) return draw_maps(page, request);
   if (traces == std::ssize(request.paths)) {

@@ -19,7 +19,8 @@ struct PlotRequest {
   // separated by commas, stand above one another. Of traces: `time` (the default), `phase`,
   // `section`, `spectrum` or `force`, and after a colon what of: "time:v3"; "phase:x3" is x3
   // against v3, "phase:x1:x3" two channels of choice. Without, it is of the model's first state,
-  // `force` of the channel dmf.
+  // `force` of the channel dmf. Of an order map: what stands upright, `frequency` (the default) or
+  // `order`.
   std::string quantity = {};
   std::string output_path = {};  // ends in .png, .svg, .pdf or .tex
   // Ends in .gp when not empty: the gnuplot script is kept there, and its data beside it under
@@ -30,7 +31,9 @@ struct PlotRequest {
   std::optional<std::pair<std::string, double>> at = {};
   // Only so many last forcing periods of traces; without, 10 in `time` and `force`, else all.
   std::optional<std::size_t> periods = {};
-  std::optional<double> orders = {};  // the highest of `spectrum`; without, 10
+  std::optional<double> orders = {};  // the highest of `spectrum`; without, 10; or of an order map
+  // Orders that an order map has as lines: "1,2,1/2", "none"; empty: 1 to 4.
+  std::string rays = {};
   PlotStyle style = {};
 };
 

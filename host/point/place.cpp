@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -138,6 +139,24 @@ Place find_place(const Study& study, const std::vector<NamedValue>& values,
     }
   }
   return place;
+}
+
+std::optional<double> own_value(const Study& study, const Axis& axis) {
+  if (axis.columns.empty()) {
+    if (axis.is_state) return std::nullopt;
+    return study.setting.parameters[axis.index];
+  }
+  bool is_gear = false;
+  for (const std::string& line : split(study.toml, '\n')) {
+    if (line.starts_with('[')) is_gear = line == "[gear]";
+    const std::string start = axis.name + " = ";
+    if (!is_gear || !line.starts_with(start)) continue;
+    const char* text = line.c_str() + start.size();
+    char* end = nullptr;
+    const double value = std::strtod(text, &end);
+    if (end != text && *end == '\0') return value;
+  }
+  return std::nullopt;
 }
 
 bool is_swept(const Axis& axis, const Placed& placed) {

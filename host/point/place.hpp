@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ void require_in_range(const ParameterInfo& info, double value, const std::string
 // Refuses names that neither the model nor an axis has, and values that they do not allow.
 Place find_place(const Study& study, const std::vector<NamedValue>& values,
                  const std::string& origin);
+
+// The value that the study has without the axis: of a parameter, or of a key of [gear]. Nothing of
+// an initial state, a list, and a key that the table does not have.
+std::optional<double> own_value(const Study& study, const Axis& axis);
 
 // Whether the axis sweeps what the value is of.
 bool is_swept(const Axis& axis, const Placed& placed);

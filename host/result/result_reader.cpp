@@ -15,6 +15,7 @@
 #include "model/observable.hpp"
 #include "result/dataset.hpp"
 #include "result/detail/netcdf_file.hpp"
+#include "result/order_dataset.hpp"
 #include "result/result_file.hpp"
 #include "result/si_units.hpp"
 #include "result/trace_file.hpp"
@@ -31,6 +32,12 @@ constexpr std::string_view kHdf5Mark = "\x89HDF\r\n\x1a\n";
   if (is_trace_file(path)) {
     throw InputError(fmt::format(
         "'{}' holds traces, not maps: 'gearsweep plot' draws it, and 'gearsweep trace -o OUT.csv' "
+        "writes a table; give a result of 'gearsweep run'",
+        path));
+  }
+  if (is_order_file(path)) {
+    throw InputError(fmt::format(
+        "'{}' holds an order map: 'gearsweep plot' draws it, and 'gearsweep orders -o OUT.csv' "
         "writes a table; give a result of 'gearsweep run'",
         path));
   }

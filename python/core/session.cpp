@@ -111,6 +111,7 @@ void add_session(py::module_* module) {
            py::arg("progress"))
       .def("devices", list_as_dicts);
   add_trace(&session);
+  add_orders(&session);
   add_floquet(&session);
   add_verify(&session);
 }

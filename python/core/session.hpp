@@ -32,6 +32,7 @@ using SessionClass = pybind11::class_<Session>;
 
 // What each file adds to the class.
 void add_trace(SessionClass* session);
+void add_orders(SessionClass* session);
 void add_floquet(SessionClass* session);
 void add_verify(SessionClass* session);
 

@@ -5,6 +5,7 @@ from gearsweep._accessor import Gear
 from gearsweep._errors import InputError, RunError
 from gearsweep._floquet import floquet
 from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, models
+from gearsweep._orders import orders
 from gearsweep._progress import Progress
 from gearsweep._run import run
 from gearsweep._session import Device, devices
@@ -33,6 +34,7 @@ __all__ = [
     "floquet",
     "model",
     "models",
+    "orders",
     "run",
     "studies",
     "trace",

@@ -95,7 +95,8 @@ class Gear:
         ----------
         quantity : str, optional
             A map of the result; ``"poincare:v1"`` is one of its states, ``"lyapunov_spectrum:1"``
-            one of its numbers. Without one the samples over one axis, else the first map.
+            one of its numbers. Without one the samples over one axis, else the first map. Of an
+            order map what stands upright: ``"frequency"``, as without one, or ``"order"``.
         over : str, optional
             Of a list of points: the column along the horizontal axis, in place of the number.
         ax : Axes, optional
@@ -118,8 +119,13 @@ class Gear:
         InputError
             The result has no such quantity.
         """
+        from gearsweep._order_plot import draw_orders, is_order_map
         from gearsweep._plot import draw
 
+        if is_order_map(self._maps):
+            return draw_orders(
+                self._maps, quantity, ax=ax, colormap=colormap, limits=range, title=title
+            )
         return draw(
             self._maps,
             quantity,

@@ -53,6 +53,21 @@ class Session:
         device: str,
         call: str,
     ) -> _Described: ...
+    def orders(
+        self,
+        study: Study,
+        over: str,
+        place: list[tuple[str, float]],
+        channel: str,
+        settle: int | None,
+        record: int | None,
+        highest: float,
+        samples_per_period: int,
+        has_window: bool,
+        pilot_step: float | None,
+        device: str,
+        call: str,
+    ) -> _Described: ...
     def floquet(
         self,
         study: Study,

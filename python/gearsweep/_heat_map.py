@@ -42,7 +42,7 @@ def draw_heat_map(
         values = shown.values
         least, most, clipped = _core.colour_range(values.ravel(), *limits, is_log)
         chosen = colormap or _core.usual_colormap(shown.name, least, most)
-        palette = _palette(chosen, least, most)
+        palette = palette_of(chosen, least, most)
         norm = colors.LogNorm(least, most) if is_log else colors.Normalize(least, most)
     palette.set_bad(_core.MISSING_COLOUR if classes is None else _core.MISSING_CLASS_COLOUR)
     y, x = (maps[name] for name in maps.status.dims)
@@ -70,7 +70,8 @@ def draw_heat_map(
     return key, "; the colours cover 99.8 % of the points" if clipped else ""
 
 
-def _palette(name: str, least: float, most: float) -> Any:
+def palette_of(name: str, least: float, most: float) -> Any:
+    """The colours of this name as matplotlib takes them."""
     from matplotlib.colors import LinearSegmentedColormap
 
     places, colours = zip(*_core.colour_anchors(name, least, most), strict=True)

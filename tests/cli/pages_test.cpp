@@ -175,7 +175,8 @@ TEST(Documentation, CommandsAndOptionsAreThere) {
     std::map<std::string, std::string> texts;
     for (const std::string command :
          {"run", "merge", "status", "trace", "plot", "export", "top", "floquet", "reproduce",
-          "studies", "model", "devices", "verify", "bench", "completion", "manual"}) {
+          "studies", "model", "orders", "report", "devices", "verify", "bench", "completion",
+          "manual"}) {
       texts[command] = gearsweep(folder, command + " --help").out;
     }
     return texts;

@@ -91,6 +91,24 @@ File good_traces() {
   return file;
 }
 
+File good_orders() {
+  File file;
+  file.dimensions = {{"omega", 3}, {"order", 5}, {"mode", 2}};
+  file.variables = {
+      {"",
+       NC_DOUBLE,
+       {},
+       {{"content", "order map of gearsweep"}, {"axis", "omega"}, {"channel", "dmf"}},
+       {},
+       ""},
+      {"omega", NC_DOUBLE, {0}, {{"units", "varpi"}}, {0.5, 1.0, 2.0}, ""},
+      {"order", NC_DOUBLE, {1}, {}, {}, ""},
+      {"forcing_frequency", NC_DOUBLE, {0}, {{"units", "varpi"}}, {0.5, 1.0, 2.0}, ""},
+      {"amplitude", NC_DOUBLE, {0, 1}, {{"units", "k0 b_n"}}, {}, ""},
+      {"natural_frequency", NC_DOUBLE, {0, 2}, {{"units", "varpi"}}, {}, ""}};
+  return file;
+}
+
 // The bytes as choices; zeros when they have run out.
 class Choices {
  public:
@@ -277,7 +295,9 @@ void write(const File& file, const std::string& path) {
 void read_hostile_result(const std::string& bytes) {
   constexpr std::size_t kMaxEdits = 24;
   Choices choices(bytes);
-  File file = choices.below(3) == 2 ? good_traces() : good_map();
+  constexpr std::size_t kBytes = 256, kOrders = 254;
+  const std::size_t kind = choices.below(kBytes);
+  File file = kind == kOrders ? good_orders() : kind % 3 == 2 ? good_traces() : good_map();
   for (std::size_t i = 0; i < kMaxEdits && !choices.empty(); ++i) edit(&choices, &file);
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "hostile.nc").string();

@@ -7,6 +7,7 @@
 #include "model/error.hpp"
 #include "plot/detail/sources.hpp"
 #include "result/export.hpp"
+#include "result/order_dataset.hpp"
 #include "result/peaks.hpp"
 #include "result/result_file.hpp"
 #include "result/trace_file.hpp"
@@ -74,6 +75,13 @@ void read_all_traces(const std::string& path) {
   }
 }
 
+void read_all_orders(const std::string& path) {
+  read_orders(path);
+  for (const char* upright : {"frequency", "order"}) {
+    attempt([&] { draw_orders(request_for(path, upright)); });
+  }
+}
+
 }  // namespace
 
 void read_all_of(const std::string& path) {
@@ -82,6 +90,9 @@ void read_all_of(const std::string& path) {
   attempt([&] { read_maps(path); });
   attempt([&] {
     if (is_trace_file(path)) read_all_traces(path);
+  });
+  attempt([&] {
+    if (is_order_file(path)) read_all_orders(path);
   });
 }
 

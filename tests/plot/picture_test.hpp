@@ -11,6 +11,12 @@
 
 namespace gearsweep::testing {
 
+inline std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
 class PictureTest : public IoTest {
  protected:
   // The first bytes of the picture that the request draws.

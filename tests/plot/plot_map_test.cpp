@@ -6,6 +6,7 @@
 namespace gearsweep {
 namespace {
 
+using gearsweep::testing::count_of;
 using gearsweep::testing::example_result;
 using gearsweep::testing::kNaN;
 using gearsweep::testing::PictureTest;
@@ -42,12 +43,6 @@ TEST_F(PlotMapTest, AnUnevenOrLogarithmicGridIsAnImageToo) {
   result.study.axes[0].logarithmic = true;
   EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("set logscale x"), HasSubstr("array=(4,3)")));
-}
-
-std::size_t count_of(const std::string& part, const std::string& text) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
-  return count;
 }
 
 // Where shapes of a vector format touch, viewers show seams; pixels of an image have none.

@@ -69,5 +69,20 @@ TEST(Place, OfAMapIsItsNearestPoint) {
   EXPECT_EQ(label(chain, false), "omega=0.8, b=0.6, zeta=0.03");
 }
 
+// Of [gear] the table's, though the axis stands in its place.
+TEST(Place, OfAnAxisIsTheStudysOwnWithoutIt) {
+  const Study study = read_study(
+      "[model]\nname = 'gear5'\n[gear]\nteeth = [40, 40]\nmodule_mm = 3.0\n"
+      "inertia_kg_mm2 = 2230.0\nmass_kg = 1.0\nbearing_stiffness_N_per_mm = 3e5\n"
+      "bearing_damping_N_s_per_mm = 1.4\nmesh_damping_N_s_per_mm = 0.7\n"
+      "mesh_stiffness_N_per_m = 2.174e8\nhalf_backlash_mm = 0.05\ntorque_N_m = 61.5\n"
+      "transmission_error_um = 30.0\n[parameters]\nmu = 0.07\n"
+      "[[axes]]\nname = 'torque_N_m'\nvalues = [10.0, 20.0]\n"
+      "[[axes]]\nname = 'mu'\nvalues = [0.1, 0.2]\n[observe]\nquantities = ['x1_rms']\n",
+      "test");
+  EXPECT_EQ(own_value(study, study.axes[0]), 61.5);
+  EXPECT_EQ(own_value(study, study.axes[1]), 0.07);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

@@ -147,8 +147,10 @@ struct Colours {
   std::string name_;
 };
 
-std::string bar_label(const Page& page, const ResultMap& map) {
+std::string bar_label(const Page& page, const Picture& picture) {
+  const ResultMap& map = picture.map;
   if (page.style().label) return literal(*page.style().label);
+  if (!picture.bar_label.empty()) return picture.bar_label;
   return quantity_label(map.name, map.unit);
 }
 
@@ -221,6 +223,33 @@ std::string add_contours(const Page& page, const Colours& colours, const ResultM
   return text;
 }
 
+// The label of a line stands where it leaves the picture, at the right or at the top.
+std::string line_label(const Page& page, const MapLine& line, const AxisRange& x,
+                       const AxisRange& y) {
+  const auto is_inside = [&](const std::pair<double, double>& point) {
+    return point.first >= x.min && point.first <= x.max && point.second >= y.min &&
+           point.second <= y.max;
+  };
+  const auto last = std::find_if(line.points.rbegin(), line.points.rend(), is_inside);
+  if (line.label.empty() || last == line.points.rend()) return "";
+  constexpr double kHigh = 0.94;  // above this share of the picture the label stands below its line
+  const bool is_high = last->second > y.min + kHigh * (y.max - y.min);
+  return fmt::format(
+      "set label {} at {:.10g}, {:.10g} right front offset -0.3,{} textcolor rgb '{}'\n",
+      page.text(line.label), last->first, last->second, is_high ? -0.6 : 0.5, line.colour);
+}
+
+std::string add_lines(const Picture& picture, PlotScript* script) {
+  std::string text;
+  for (const MapLine& line : picture.lines) {
+    text += fmt::format(
+        ", \\\n     {} using 1:2 with lines linewidth 1.6 dashtype {} linecolor rgb '{}' notitle",
+        next_records(*script, line.points.size(), 2), line.dashes, line.colour);
+    for (const auto& [x, y] : line.points) append_numbers({x, y}, &script->data);
+  }
+  return text;
+}
+
 std::vector<std::string> one_line(const std::optional<std::string>& given,
                                   const std::string& otherwise) {
   const std::string markup = given ? literal(*given) : otherwise;
@@ -240,7 +269,7 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
   }
   const std::vector<std::string> heading =
       heading_lines(page, picture.title, meaning, picture.remark);
-  std::vector<KeyEntry> key;
+  std::vector<KeyEntry> key = picture.key;
   if (!picture.missing.note.empty()) {
     key.push_back({KeyEntry::Kind::kBox, colours.classes ? kMissingClassColour : kMissingColour,
                    "1", literal(picture.missing.note)});
@@ -266,7 +295,8 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
   frame.bottom = key_height(page, key) + bottom_room(page, x);
   frame.top = script.height - head_room(page, heading);
   y.label = label_lines(page, y.label.empty() ? "" : y.label.front(), frame.height());
-  const std::vector<std::string> label = label_lines(page, bar_label(page, map), frame.height());
+  const std::vector<std::string> label =
+      label_lines(page, bar_label(page, picture), frame.height());
   frame.left = left_room(page, y, frame.height());
   const double bar_width = has_bar ? 1.1 * em : 0.0, gap = has_bar ? 0.9 * em : 0.0;
   const double beside = !has_bar ? edge_room(page)
@@ -282,10 +312,13 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
                 draw_heading(page, heading, frame, script.height) +
                 draw_key(page, key, script.height) + colours.palette();
   if (!picture.missing.note.empty()) script.text += missing_ground(colours);
+  for (const MapLine& line : picture.lines) {
+    script.text += line_label(page, line, x.range, y.range);
+  }
   std::vector<double> shades;
   for (const double value : map.values) shades.push_back(colours.shade(value));
   script.text += "plot " + add_image(raster_of(page, map, shades, x.range, y.range), &script);
-  script.text += add_contours(page, colours, map, &script) + "\n";
+  script.text += add_contours(page, colours, map, &script) + add_lines(picture, &script) + "\n";
   if (has_bar) {
     const Frame bar{frame.right + gap, frame.right + gap + bar_width, frame.bottom, frame.top};
     script.text += draw_bar(page, colours, bar, script.height, label, &script);

@@ -14,6 +14,7 @@
 #include "plot/detail/text.hpp"
 #include "result/result_file.hpp"
 #include "result/si_units.hpp"
+#include "study/initial_policy.hpp"
 
 namespace gearsweep {
 namespace {
@@ -180,6 +181,33 @@ std::vector<std::string> names_of(const std::vector<Picture>& layers, const Plot
       {each(titles, literal), settings, each(stems, literal), each(request.paths, literal)});
 }
 
+// The layer that goes upwards, of two studies of which one goes upwards along the axis that they
+// are drawn over, and the other downwards.
+std::optional<std::size_t> upwards_of(const PlotRequest& request, const std::string& axis) {
+  if (request.paths.size() != 2) return std::nullopt;
+  std::vector<int> neighbours;
+  for (const std::string& path : request.paths) {
+    const ResultFile file(path);
+    const std::string study = file.study_text();
+    std::string along = setting_in(study, "initial", "along");
+    if (along.empty()) along = file.axes().front().name;
+    const std::string policy = setting_in(study, "initial", "policy");
+    const auto info = std::ranges::find(initial_policies(), policy, &InitialPolicyInfo::name);
+    const bool is_along = info != initial_policies().end() && along == axis;
+    neighbours.push_back(is_along ? info->neighbour : 0);
+  }
+  if (neighbours[0] * neighbours[1] >= 0) return std::nullopt;
+  return neighbours[0] < 0 ? 0 : 1;
+}
+
+// What the two are called: of a speed as engineers do.
+std::vector<std::string> names_of_directions(std::size_t upwards, const ResultAxis& axis) {
+  const bool is_speed = axis.unit == "varpi" || axis.unit == "rpm";
+  const std::string up = is_speed ? "run-up" : "upwards",
+                    down = is_speed ? "run-down" : "downwards";
+  return upwards == 0 ? std::vector{up, down} : std::vector{down, up};
+}
+
 }  // namespace
 
 PlotScript draw_maps(const Page& page, const PlotRequest& request) {
@@ -211,7 +239,11 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
     ensure_one_axis(layers, request);
     stack.panels.push_back(std::move(layers));
   }
-  stack.names = names_of(stack.panels.front(), request);
+  const ResultAxis& axis = stack.panels.front().front().map.axes.front();
+  stack.upwards = upwards_of(request, axis.name);
+  stack.names = stack.upwards && request.style.legend.empty()
+                    ? names_of_directions(*stack.upwards, axis)
+                    : names_of(stack.panels.front(), request);
   return draw_stack(page, stack);
 }
 

@@ -29,6 +29,13 @@ std::map<std::string, std::string> settings_in(const std::string& toml) {
 
 }  // namespace
 
+std::string setting_in(const std::string& toml, const std::string& table, const std::string& key) {
+  std::map<std::string, std::string> settings = settings_in(toml);
+  std::string value = settings["[" + table + "]" + key];
+  std::erase_if(value, [](char letter) { return letter == '\'' || letter == '"'; });
+  return value;
+}
+
 std::vector<std::string> differing_settings(const std::vector<std::string>& toml,
                                             const std::string& axis) {
   std::vector<std::map<std::string, std::string>> settings;

@@ -9,6 +9,7 @@
 
 #include "plot/detail/dots.hpp"
 #include "plot/detail/text.hpp"
+#include "result/hysteresis.hpp"
 
 namespace gearsweep {
 namespace {
@@ -60,7 +61,15 @@ struct Panel {
   const std::vector<Picture>& layers;
   std::optional<ClassScale> classes;
   PanelAxis y;
-  std::string label;  // markup
+  std::string label;                   // markup
+  std::optional<std::size_t> upwards;  // as of the stack
+
+  // Where the run-up and the run-down part.
+  std::vector<Hysteresis> hystereses() const {
+    const bool is_curve = upwards && !classes && layers.front().map.part_count() == 1;
+    if (!is_curve || layers.front().map.is_poincare()) return {};
+    return find_hysteresis(layers[*upwards].map, layers[1 - *upwards].map);
+  }
 
   Panel(const Page& page, const std::vector<Picture>& pictures, bool is_first)
       : layers(pictures), classes(classes_of(pictures)) {
@@ -89,6 +98,13 @@ std::string append_rows(const ResultMap& map, const std::optional<ClassScale>& c
   return data;
 }
 
+// The curve of a run-up or a run-down: triangles, not too many, point where it goes.
+std::string directed_style(const ResultMap& map, bool is_upwards) {
+  constexpr std::size_t kTriangles = 40;
+  return fmt::format("linespoints pointtype {} pointsize dot*1.4 pointinterval {} linewidth 1.6",
+                     is_upwards ? 9 : 11, map.points() / kTriangles + 1);
+}
+
 // One study's values as a curve, or as dots at its classes.
 std::string layer_element(const Panel& panel, std::size_t index, PlotScript* script) {
   const ResultMap& map = panel.layers[index].map;
@@ -101,7 +117,8 @@ std::string layer_element(const Panel& panel, std::size_t index, PlotScript* scr
   }
   // So few points that each of them should be seen.
   constexpr std::size_t kFew = 60;
-  const std::string style = map.is_list() ? kListDots
+  const std::string style = map.is_list()   ? kListDots
+                            : panel.upwards ? directed_style(map, index == *panel.upwards)
                             : map.points() <= kFew
                                 ? "linespoints pointtype 7 pointsize dot*1.2 linewidth 2"
                                 : "lines linewidth 2";
@@ -120,6 +137,42 @@ std::vector<std::string> part_elements(const ResultMap& map, PlotScript* script)
                                    part == 1 ? kFirstPartColour : kOtherPartsColour));
   }
   return elements;
+}
+
+// A band where the run-up and the run-down part, and an arrow along each jump.
+std::string jump_marks(const Panel& panel) {
+  std::string text;
+  const auto add_arrow = [&](std::size_t layer, std::size_t from, std::size_t to) {
+    const ResultMap& map = panel.layers[layer].map;
+    const std::vector<double>& x = map.axes.front().values;
+    text += fmt::format(
+        "set arrow from first {:.10g}, first {:.10g} to first {:.10g}, first {:.10g} front head "
+        "filled size screen 0.015,18 linewidth 2 linecolor rgb '{}'\n",
+        x[from], map.values[from], x[to], map.values[to], layer_colour(layer));
+  };
+  for (const Hysteresis& part : panel.hystereses()) {
+    text += fmt::format(
+        "set object rectangle from first {:.10g}, graph 0 to first {:.10g}, graph 1 behind "
+        "fillstyle solid 1 noborder fillcolor rgb '#eeeeee'\n",
+        part.from, part.to);
+    if (part.jumps_up) add_arrow(*panel.upwards, part.last, part.last + 1);
+    if (part.jumps_down) add_arrow(1 - *panel.upwards, part.first, part.first - 1);
+  }
+  return text;
+}
+
+// Markup of where the jumps are: "run-up jumps at 0.43"; empty where there are none, or too many.
+std::string jump_remark(const Panel& panel, const std::vector<std::string>& names) {
+  std::vector<std::string> words;
+  constexpr std::size_t kMost = 4;
+  for (const Hysteresis& part : panel.hystereses()) {
+    const auto add = [&](std::size_t layer, double place) {
+      words.push_back(fmt::format("{} jumps at {:.4g}", names[layer], place));
+    };
+    if (part.jumps_up) add(*panel.upwards, part.to);
+    if (part.jumps_down) add(1 - *panel.upwards, part.from);
+  }
+  return words.size() > kMost ? "" : fmt::format("{}", fmt::join(words, "; "));
 }
 
 std::vector<std::string> elements_of(const Page& page, const Panel& panel, const AxisRange& x,
@@ -183,7 +236,8 @@ std::vector<KeyEntry> key_entries(const Stack& stack) {
   return entries;
 }
 
-std::vector<std::string> heading_of(const Page& page, const Stack& stack) {
+std::vector<std::string> heading_of(const Page& page, const Stack& stack,
+                                    const std::string& jumps) {
   const std::vector<Picture>& layers = stack.panels.front();
   const auto common = [&](const std::string Picture::*text) {
     const bool same = std::all_of(layers.begin(), layers.end(), [&](const Picture& layer) {
@@ -191,9 +245,10 @@ std::vector<std::string> heading_of(const Page& page, const Stack& stack) {
     });
     return same ? layers.front().*text : "";
   };
+  std::string remark = common(&Picture::remark);
+  if (!jumps.empty()) remark += (remark.empty() ? "" : "; ") + jumps;
   return heading_lines(page, common(&Picture::title),
-                       stack.panels.size() == 1 ? meaning_of(layers.front()) : "",
-                       common(&Picture::remark));
+                       stack.panels.size() == 1 ? meaning_of(layers.front()) : "", remark);
 }
 
 // Heights of panels, in widths of the page, where none is asked for.
@@ -204,7 +259,13 @@ double panel_height(std::size_t panels) { return panels == 1 ? 0.5 : panels == 2
 PlotScript draw_stack(const Page& page, const Stack& stack) {
   const double em = page.em(), gap = 0.8 * em;
   const auto count = static_cast<double>(stack.panels.size());
-  const std::vector<std::string> heading = heading_of(page, stack);
+  std::vector<Panel> panels;
+  for (const std::vector<Picture>& layers : stack.panels) {
+    panels.emplace_back(page, layers, panels.empty());
+    panels.back().upwards = stack.upwards;
+  }
+  const std::vector<std::string> heading =
+      heading_of(page, stack, jump_remark(panels.front(), stack.names));
   const std::vector<KeyEntry> key = key_entries(stack);
   const ResultAxis axis = whole_axis(stack.panels.front());
   const std::string x_markup =
@@ -218,19 +279,19 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
   script.height = page.height_or(foot + head + (count - 1.0) * gap +
                                  count * panel_height(stack.panels.size()) * page.width());
   const double length = (script.height - foot - head - (count - 1.0) * gap) / count;
-  std::vector<Panel> panels;
-  for (std::size_t i = 0; i < stack.panels.size(); ++i) {
-    panels.emplace_back(page, stack.panels[i], i == 0);
-    panels.back().y.label = label_lines(page, panels.back().label, length);
-  }
+  for (Panel& panel : panels) panel.y.label = label_lines(page, panel.label, length);
   double left = 0.0;
   for (Panel& panel : panels) left = std::max(left, left_room(page, panel.axis(), length));
+
+  // A long number may stand at the right end.
+  const double widest = tics_of(page, "x", x.range, page.width() - left, true).widest;
+  const double right = std::max(edge_room(page), 0.5 * widest + 0.2 * em);
 
   script.text = "set multiplot\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     Panel& panel = panels[i];
     const double top = script.height - head - static_cast<double>(i) * (length + gap);
-    const Frame frame{left, page.width() - edge_room(page), top - length, top};
+    const Frame frame{left, page.width() - right, top - length, top};
     ensure_room(frame, page);
     const bool is_last = i + 1 == panels.size();
     PanelAxis own_x = x;
@@ -245,6 +306,7 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
         !first.is_poincare()) {
       script.text += "set xzeroaxis linetype 1 linewidth 1 linecolor rgb '#777777'\n";
     }
+    script.text += jump_marks(panel);
     const std::vector<std::string> elements =
         elements_of(page, panel, x.range, frame, i + 1, &script);
     script.text += fmt::format("plot {}", fmt::join(elements, ", \\\n     "));

@@ -2,6 +2,8 @@
 // and several studies laid over one another.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,8 @@ namespace gearsweep {
 struct Stack {
   std::vector<std::vector<Picture>> panels;  // [quantity][study], all over an axis of one name
   std::vector<std::string> names;            // of the studies, for the key; markup
+  // Of two studies that differ in the direction they go along the axis: the one that goes upwards.
+  std::optional<std::size_t> upwards = {};
 };
 
 PlotScript draw_stack(const Page& page, const Stack& stack);

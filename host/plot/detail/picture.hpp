@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plot/detail/page.hpp"
@@ -17,6 +18,21 @@ struct MissingPoints {
   std::string note;        // "diverged at 12 of 100 points"; empty when there are none
 };
 
+// What a line, dot or box stands for, at the foot of a picture.
+struct KeyEntry {
+  enum class Kind { kLine, kDot, kTriangle, kBox };
+  Kind kind = Kind::kLine;
+  std::string colour, dashes = "1";
+  std::string text;  // markup
+};
+
+// A line over a map of two axes.
+struct MapLine {
+  std::vector<std::pair<double, double>> points;  // in the axes' units
+  std::string colour, dashes;
+  std::string label;  // markup, at the last point in the picture; may be empty
+};
+
 // A map with its axes sorted upwards, and what the labels say beside it.
 struct Picture {
   ResultMap map;
@@ -24,6 +40,11 @@ struct Picture {
   std::string title;
   std::string remark;    // such as "b = 0.7"; may be empty
   std::string settings;  // of the study, as TOML
+  // Of a map of two axes: what is drawn over it, what the key says of that, and markup in place of
+  // the usual label of the bar.
+  std::vector<MapLine> lines = {};
+  std::vector<KeyEntry> key = {};
+  std::string bar_label = {};
 };
 
 // A script without the lines that choose the terminal, and the binary files that it reads: `data`,
@@ -47,13 +68,7 @@ double head_room(const Page& page, const std::vector<std::string>& lines);
 std::string draw_heading(const Page& page, const std::vector<std::string>& lines,
                          const Frame& frame, double height);
 
-// What a line, dot or box stands for, at the foot of a picture.
-struct KeyEntry {
-  enum class Kind { kLine, kDot, kTriangle, kBox };
-  Kind kind = Kind::kLine;
-  std::string colour, dashes = "1";
-  std::string text;  // markup
-};
+// The key, at the foot of a picture.
 double key_height(const Page& page, const std::vector<KeyEntry>& entries);
 std::string draw_key(const Page& page, const std::vector<KeyEntry>& entries, double height);
 

@@ -10,6 +10,8 @@ namespace gearsweep {
 PlotScript draw_maps(const Page& page, const PlotRequest& request);
 // Of files of traces.
 PlotScript draw_traces(const Page& page, const PlotRequest& request);
+// Of one file of an order map.
+PlotScript draw_orders(const PlotRequest& request);
 // The width that this picture is made for without a size, in mm.
 double usual_width(const PlotRequest& request);
 

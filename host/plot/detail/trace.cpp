@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "orders/spectrum.hpp"
 #include "plot/detail/scale.hpp"
-#include "plot/detail/spectrum.hpp"
 #include "plot/detail/text.hpp"
 
 namespace gearsweep {

@@ -1,5 +1,5 @@
 // Spectra: known sines come back, no power is lost, and only whole periods are taken.
-#include "plot/detail/spectrum.hpp"
+#include "orders/spectrum.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "plot/detail/spectrum.hpp"
+#include "orders/spectrum.hpp"
 
 #include <fftw3.h>
 #include <fmt/format.h>
@@ -62,7 +62,8 @@ double samples_per_period(const Trace& trace) {
 
 double decibels(double amplitude) { return 20.0 * std::log10(amplitude); }
 
-Spectrum amplitude_spectrum(const std::vector<double>& samples, std::size_t periods) {
+Spectrum amplitude_spectrum(const std::vector<double>& samples, std::size_t periods,
+                            SpectrumWindow window) {
   // FFTW counts in int.
   constexpr std::size_t kFewest = 4, kMost = 1U << 30U;
   if (samples.size() < kFewest || samples.size() > kMost) {
@@ -76,16 +77,16 @@ Spectrum amplitude_spectrum(const std::vector<double>& samples, std::size_t peri
   std::vector<double> windowed;
   for (const double sample : samples) {
     const double turn = static_cast<double>(windowed.size()) / count;
-    const double window = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * turn);
-    windowed.push_back(window * (sample - spectrum.mean));
+    const double weight =
+        window == SpectrumWindow::hann ? 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * turn) : 1.0;
+    windowed.push_back(weight * (sample - spectrum.mean));
   }
-  constexpr double kMeanOfWindow = 0.5;
+  const double mean_weight = window == SpectrumWindow::hann ? 0.5 : 1.0;
   for (const double square : squared_transform(windowed)) {
     // All bins but the ends stand for a negative frequency, too.
     const std::size_t bin = spectrum.amplitude.size();
     const bool is_end = bin == 0 || 2 * bin == samples.size();
-    spectrum.amplitude.push_back((is_end ? 1.0 : 2.0) * std::sqrt(square) /
-                                 (count * kMeanOfWindow));
+    spectrum.amplitude.push_back((is_end ? 1.0 : 2.0) * std::sqrt(square) / (count * mean_weight));
   }
   return spectrum;
 }

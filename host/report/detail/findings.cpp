@@ -1,0 +1,188 @@
+#include "report/detail/findings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/error.hpp"
+#include "model/version.hpp"
+#include "plan/plan.hpp"
+#include "result/order_dataset.hpp"
+#include "result/si_units.hpp"
+#include "sweep/sweep.hpp"
+
+namespace gearsweep {
+namespace {
+
+double period_at(const Plan& plan, std::size_t point) {
+  return plan.study().model->period(plan.setting_of(point));
+}
+
+// Of what an engineer asks for, what the model has: the force first, which tells the worst speeds.
+std::vector<std::string> report_quantities(const Model& model) {
+  const std::string& first = model.states.front().name;
+  const ChannelInfo* force = model.contact_force();
+  std::vector<std::string> wanted = {(force != nullptr ? force->name : first) + "_max"};
+  for (const char* name : {"dynamic_load_factor", "contact_class", "dte_peak_to_peak",
+                           "bearing_p_max", "bearing_g_max"}) {
+    wanted.emplace_back(name);
+  }
+  wanted.push_back(first + "_rms");
+  const std::vector<Quantity> offered = offered_quantities(model);
+  std::erase_if(wanted, [&](const std::string& name) {
+    return std::none_of(offered.begin(), offered.end(),
+                        [&](const Quantity& quantity) { return quantity.name == name; });
+  });
+  return wanted;
+}
+
+Study changed(const Study& study, const std::vector<std::string>& overrides,
+              const std::vector<std::string>& zooms) {
+  return read_study(study.toml, "the study of the report", overrides, zooms);
+}
+
+// So many that the slowest speed has lines up to four times the fastest mesh frequency.
+double enough_orders(const Study& study) {
+  constexpr double kFewest = 10.0, kMost = 40.0, kShown = 4.0;
+  const Plan plan(study, study.points());
+  const double first = period_at(plan, 0), last = period_at(plan, study.points() - 1);
+  return std::clamp(std::ceil(kShown * std::max(first / last, last / first)), kFewest, kMost);
+}
+
+// The runs of a report.
+class Runs {
+ public:
+  Runs(const ReportOptions& options, ReportFindings* out) : options_(options), out_(*out) {
+    sweep_.devices = options.devices;
+    sweep_.stop = options.stop;
+  }
+
+  // False when stopped.
+  bool run(const Study& study, const std::string& file, const std::string& what) {
+    if (options_.on_step) options_.on_step(what);
+    const std::optional<SweepResult> result = run_sweep(study, sweep_);
+    if (!result) return false;
+    write_result(*result, out_.file(file), provenance());
+    if (result->pilot) pilot_step_ = result->pilot->step;
+    return true;
+  }
+
+  bool map_orders_of_line() {
+    if (options_.on_step) options_.on_step("order map");
+    std::vector<std::string> overrides = {"integrate.tolerance=0"};
+    if (out_.line.is_chained()) {
+      overrides.push_back("initial.along=" + out_.line.axes[out_.speed].name);
+    }
+    if (pilot_step_) overrides.push_back(fmt::format("integrate.max_step={}", *pilot_step_));
+    Study study = changed(out_.line, overrides, {});
+    study.integrate.record = usual_order_record(study);
+    OrderRequest request;
+    request.over = study.axes[out_.speed].name;
+    request.orders = enough_orders(study);
+    std::optional<OrderMap> map = map_orders(study, request, sweep_);
+    if (!map) return false;
+    write_orders(*map, out_.file("orders.nc"), provenance());
+    out_.orders = *std::move(map);
+    return true;
+  }
+
+  // Both directions, where the study can go along its speed.
+  bool run_directions() {
+    const std::string along = "initial.along=" + out_.line.axes[out_.speed].name;
+    for (const auto& [policy, file, what] : {std::tuple("forward", "up.nc", "run-up"),
+                                             std::tuple("backward", "down.nc", "run-down")}) {
+      Study study;
+      try {
+        study = changed(out_.line, {fmt::format("initial.policy={}", policy), along}, {});
+      } catch (const InputError& error) {
+        out_.no_directions = error.what();
+        return true;
+      }
+      if (!run(study, file, what)) return false;
+    }
+    out_.has_directions = true;
+    return true;
+  }
+
+ private:
+  Provenance provenance() const { return {options_.command_line, version(), source_hash()}; }
+
+  const ReportOptions& options_;
+  ReportFindings& out_;
+  SweepOptions sweep_;
+  std::optional<double> pilot_step_;
+};
+
+std::string list_override(const std::vector<std::string>& quantities) {
+  return fmt::format("observe.quantities=[\"{}\"]", fmt::join(quantities, "\", \""));
+}
+
+}  // namespace
+
+std::size_t find_speed_axis(const Study& study) {
+  const Plan plan(study, study.points());
+  std::size_t stride = 1;
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    const Axis& axis = study.axes[i];
+    const std::size_t last = (axis.values.size() - 1) * stride;
+    stride *= axis.values.size();
+    if (!axis.is_list && period_at(plan, 0) != period_at(plan, last)) return i;
+  }
+  std::vector<std::string> names;
+  for (const Axis& axis : study.axes) names.push_back(axis.name);
+  throw InputError(fmt::format(
+      "a report goes over a speed, and the study has no axis that changes the period of the "
+      "forcing{}{}: add one, as in\n  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n  "
+      "count = 100",
+      names.empty() ? "" : ", only ", fmt::join(names, " and ")));
+}
+
+ResultMap ReportFindings::over_speed(const std::string& name, const std::string& quantity) const {
+  const ResultFile result(file(name));
+  std::optional<Cut> cut;
+  if (at) cut = result.find_cut(at->first, at->second);
+  ResultMap map = result.read(quantity, cut);
+  if (is_si()) convert_to_si(study.scales, &map);
+  return map;
+}
+
+std::string ReportFindings::drawn(const std::string& picture, const std::vector<std::string>& files,
+                                  const std::string& quantity, bool is_cut) const {
+  PlotRequest request;
+  for (const std::string& name : files) request.paths.push_back(file(name));
+  request.quantity = quantity;
+  request.output_path = file(picture + ".svg");
+  if (is_cut) request.at = at;
+  request.style.is_si = is_si();
+  request.style.title = "";
+  request.style.size.width = 170.0;
+  plot_files(request);
+  return request.output_path;
+}
+
+std::optional<ReportFindings> find_for_report(const Study& study, const ReportOptions& options) {
+  ReportFindings findings;
+  findings.given = study;
+  findings.speed = find_speed_axis(study);
+  findings.quantities = report_quantities(*study.model);
+  findings.force = findings.quantities.front();
+  findings.study = changed(study, {list_override(findings.quantities)}, {});
+  std::vector<std::string> zooms;
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    if (i == findings.speed) continue;
+    const Axis& other = findings.study.axes[i];
+    const double value = own_value(findings.study, other).value_or(other.values.front());
+    findings.at = {study.axes[i].name, value};
+    zooms.push_back(fmt::format("{}={}:{}:1", study.axes[i].name, value, value));
+  }
+  findings.line = changed(findings.study, {}, zooms);
+  Runs runs(options, &findings);
+  if (findings.at && !runs.run(findings.study, "map.nc", "map over both axes")) return std::nullopt;
+  if (!runs.run(findings.line, "line.nc", "curves over speed")) return std::nullopt;
+  if (!runs.map_orders_of_line() || !runs.run_directions()) return std::nullopt;
+  return findings;
+}
+
+}  // namespace gearsweep

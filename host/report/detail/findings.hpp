@@ -1,0 +1,46 @@
+// What a report is made of.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orders/order_map.hpp"
+#include "plot/plot.hpp"
+#include "report/report.hpp"
+#include "result/hysteresis.hpp"
+#include "result/output_file.hpp"
+#include "result/result_file.hpp"
+
+namespace gearsweep {
+
+// The axis that changes the period of the forcing. Throws InputError when there is none.
+std::size_t find_speed_axis(const Study& study);
+
+struct ReportFindings {
+  Study given;  // as it was
+  Study study;  // the same, with the quantities of the report
+  Study line;   // the same over the speed, its other axis at one value
+  std::size_t speed = 0;
+  std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other
+  std::vector<std::string> quantities;               // those of the list below that the model has
+  std::string force;                                 // the quantity that tells the worst speeds
+  OrderMap orders;
+  bool has_directions = false;  // files of run-up and run-down
+  std::string no_directions;    // why there are none
+  std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
+
+  bool is_si() const { return study.scales.known(); }
+  std::string file(const std::string& name) const { return (folder->path() / name).string(); }
+  // A map over the speed, in SI units where these are known; from "line.nc", "up.nc", "down.nc".
+  ResultMap over_speed(const std::string& name, const std::string& quantity) const;
+  // An SVG of these files.
+  std::string drawn(const std::string& picture, const std::vector<std::string>& files,
+                    const std::string& quantity, bool is_cut) const;
+};
+
+// Nothing when stopped.
+std::optional<ReportFindings> find_for_report(const Study& study, const ReportOptions& options);
+
+}  // namespace gearsweep

@@ -1,0 +1,113 @@
+// The report of a gear: it has its sections, it is well-formed, and what is text in it stays text.
+#include "report/report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <stack>
+
+#include "model/error.hpp"
+#include "report/detail/html.hpp"
+#include "result/study_source.hpp"
+#include "support/folder.hpp"
+
+namespace gearsweep {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// What is wrong with a text as XML, as far as elements go; empty if nothing.
+std::string malformed(const std::string& xml) {
+  static const std::regex kTag("<(/?)([A-Za-z0-9]+)((?: [A-Za-z:-]+=\"[^\"<]*\")*) ?(/?)>");
+  std::stack<std::string> open;
+  std::size_t at = xml.find("<html");
+  while ((at = xml.find('<', at)) != std::string::npos) {
+    // The bytes of a picture are more than a regular expression takes.
+    const std::size_t end = xml.find('>', at);
+    std::string tag = xml.substr(at, end - at + 1);
+    const std::size_t bytes = tag.find("base64,");
+    if (bytes != std::string::npos) tag.erase(bytes, tag.find('"', bytes) - bytes);
+    std::smatch parts;
+    if (!std::regex_match(tag, parts, kTag)) return "no tag: " + tag;
+    if (parts[1] == "/") {
+      if (open.empty() || open.top() != parts[2]) return "nothing to close: " + tag;
+      open.pop();
+    } else if (parts[4] != "/") {
+      open.push(parts[2]);
+    }
+    at = end;
+  }
+  return open.empty() ? "" : "not closed: " + open.top();
+}
+
+std::string report_of(const Study& study) {
+  const testing::Folder folder;
+  ReportOptions options;
+  options.command_line = "gearsweep report";
+  EXPECT_TRUE(write_report(study, folder / "report.html", options));
+  EXPECT_EQ(folder.files(), std::set<std::string>{"report.html"});
+  return testing::read_all(folder / "report.html");
+}
+
+const std::vector<std::string>& small() {
+  static const std::vector<std::string> kSmall = {"axes.omega.count=12", "axes.mu.count=3",
+                                                  "integrate.settle=30", "integrate.record=10",
+                                                  "integrate.stop=never"};
+  return kSmall;
+}
+
+TEST(Report, OfAGearHasEachSection) {
+  const std::string html = report_of(find_study("table1-gear", small()));
+  EXPECT_EQ(malformed(html), "");
+  for (const char* section :
+       {"Data", "Natural frequencies and critical speeds", "Force and contact over speed",
+        "Worst speeds", "Order map", "Run-up and run-down", "What was assumed"}) {
+    EXPECT_THAT(html, HasSubstr(std::string("<h2>") + section + "</h2>"));
+  }
+  // The closed form of test_orders, in units of varpi = sqrt(k0/me) = 24896 rad/s.
+  for (const char* mode : {"1933 Hz", "2757 Hz", "5652 Hz"}) EXPECT_THAT(html, HasSubstr(mode));
+}
+
+TEST(Report, OfAModelWithoutScalesIsInItsOwnUnits) {
+  const Study study = read_study(
+      "title = 'a <b> & c'\n"
+      "[model]\nname = 'gear1'\n[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 1.1\ncount = 8\n"
+      "[integrate]\nsettle = 30\nrecord = 10\nstop = 'never'\n[observe]\nquantities = ['x_rms']\n",
+      "test");
+  const std::string html = report_of(study);
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, HasSubstr("<h1>a &lt;b&gt; &amp; c</h1>"));
+  EXPECT_THAT(html, Not(HasSubstr("rpm")));
+}
+
+std::string report_refusal(const std::string& axis, const std::string& path) {
+  const Study study = read_study("[model]\nname = 'gear1'\n[[axes]]\nname = '" + axis +
+                                     "'\nvalues = [0.6, 0.7]\n[observe]\nquantities = ['x_rms']\n",
+                                 "test");
+  try {
+    ensure_report(study, path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "it was taken";
+}
+
+TEST(Report, SaysWhatItNeeds) {
+  EXPECT_THAT(report_refusal("Fm", "/tmp/report.html"), HasSubstr("name = \"omega\""));
+  EXPECT_THAT(report_refusal("omega", "/tmp/report.txt"), HasSubstr(".html"));
+  EXPECT_THAT(report_refusal("omega", "/tmp/report.pdf"), HasSubstr("-o /tmp/report.html"));
+  EXPECT_THAT(report_refusal("omega", "/nowhere/report.html"), HasSubstr("/nowhere"));
+}
+
+TEST(HtmlPage, TakesTextForText) {
+  EXPECT_EQ(html_text("<script>\"a\" & 'b'\x01"), "&lt;script&gt;&quot;a&quot; &amp; &#39;b&#39; ");
+  EXPECT_EQ(html_unit("k0 b_n"), "k<sub>0</sub> b<sub>n</sub>");
+  HtmlPage page("</title><script>");
+  page.table({html_text("a<b")}, {{html_text("c>d")}});
+  EXPECT_EQ(malformed(page.text()), "");
+  EXPECT_THAT(page.text(), Not(HasSubstr("<script>")));
+}
+
+}  // namespace
+}  // namespace gearsweep
