@@ -163,7 +163,7 @@ Trace last_periods(const Trace& trace, std::size_t periods) {
 }
 
 PanelAxis time_axis(const Page& page, const TracePicture& picture) {
-  return {axis_text(page.style().xlabel, fmt::format("time ({} periods)", picture.forcing)),
+  return {axis_text(page.style().xlabel, fmt::format("time ({} periods)", picture.period)),
           shown_range({0.0, last_period(picture)}, page.style().xrange, "--xrange")};
 }
 

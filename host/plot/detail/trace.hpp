@@ -20,8 +20,9 @@ struct TracePicture {
   // What is drawn, of a phase portrait over `across`.
   ChannelInfo channel, across;
   std::string title;
-  std::string remark;    // markup
-  std::string forcing;   // what a forcing period is called: "mesh" or "forcing"
+  std::string remark;   // markup
+  std::string forcing;  // whose frequency orders are multiples of: "mesh" or "forcing"
+  std::string period;   // whose period time is counted in; a shaft's forcing is several of the mesh
   double orders = 10.0;  // the highest of a spectrum
   // Of a portrait, how many periods at most its histories show: less would be too little for the
   // other panels.

@@ -205,6 +205,7 @@ PlotScript draw_traces(const Page& page, const PlotRequest& request) {
   picture.title = common(sources, [](const Source& source) { return source.stored.title; });
   picture.remark = remark_of(sources, shown);
   picture.forcing = find_channel(first, "dmf") < 0 ? "forcing" : "mesh";
+  picture.period = first.mesh_periods == 1.0 ? picture.forcing : "forcing";
   picture.orders = request.orders.value_or(picture.orders);
   const std::vector<std::string> names = names_of(sources, request.style);
   for (std::size_t i = 0; i < sources.size(); ++i) {
