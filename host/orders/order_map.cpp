@@ -75,16 +75,10 @@ std::size_t index_of(const Trace& trace, const std::string& channel) {
   return static_cast<std::size_t>(found - trace.channels.begin());
 }
 
-// Mesh periods in a forcing period: more than one where shafts turn more slowly than teeth mesh.
-double mesh_periods(const Model& model, const ModelSetting& setting) {
-  const int cycle = model.name == "gear5" ? model.find_parameter("cycle") : -1;
-  return cycle < 0 ? 1.0 : setting.parameters[static_cast<std::size_t>(cycle)];
-}
-
 }  // namespace
 
 std::size_t usual_order_record(const Study& study) {
-  const double of_forcing = mesh_periods(*study.model, study.setting);
+  const double of_forcing = study.model->mesh_periods(study.setting);
   return static_cast<std::size_t>(
       std::max(1.0, std::round(static_cast<double>(kOrderPeriods) / of_forcing)));
 }
@@ -122,7 +116,7 @@ std::optional<OrderMap> map_orders(const Study& whole, const OrderRequest& reque
   map.samples_per_period = request.samples_per_period;
   const Plan plan(map.study, map.study.points());
   const ModelSetting first = plan.setting_of(0);
-  const double of_forcing = mesh_periods(model, first);
+  const double of_forcing = model.mesh_periods(first);
   const std::size_t record = map.study.integrate.record;
   const double step = 1.0 / (static_cast<double>(record) * of_forcing);
   if (2.0 * request.orders > static_cast<double>(request.samples_per_period)) {

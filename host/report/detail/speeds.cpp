@@ -44,9 +44,9 @@ std::string speed_html(const ReportFindings& findings, double forcing) {
 }
 
 const std::vector<ExcitationOrder>& excitation_orders() {
-  static const std::vector<ExcitationOrder> kOrders = {
+  static const std::vector<ExcitationOrder> kExcitationOrders = {
       {"1", 1.0}, {"2", 2.0}, {"3", 3.0}, {"1/2", 0.5}};
-  return kOrders;
+  return kExcitationOrders;
 }
 
 std::string resonance_html(const ReportFindings& findings, double forcing) {
