@@ -8,7 +8,7 @@ namespace gearsweep {
 namespace {
 
 std::string percentile_name(const std::string& quantity, double percentile) {
-  std::string number = fmt::format("{:g}", percentile);
+  std::string number = fmt::format("{}", percentile);  // all digits: no two have one name
   std::ranges::replace(number, '.', '_');
   return fmt::format("{}_p{}", quantity, number);
 }
@@ -21,7 +21,7 @@ class List {
     add_of_status();
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       const Quantity& quantity = study_.selection.quantities[i];
-      if (quantity.of_draws || quantity.of_census || quantity.width > 1) continue;
+      if (!has_draw_quantities(quantity)) continue;
       if (quantity.flags.empty()) {
         add_of_number(i, quantity);
       } else {
@@ -91,6 +91,10 @@ class List {
 };
 
 }  // namespace
+
+bool has_draw_quantities(const Quantity& quantity) {
+  return !quantity.of_draws && !quantity.of_census && quantity.width == 1;
+}
 
 std::vector<DrawQuantity> draw_quantities(const Study& study) { return List(study).make(); }
 

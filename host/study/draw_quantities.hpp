@@ -27,7 +27,10 @@ struct DrawQuantity {
   Quantity quantity;  // as the study's selection has it
 };
 
-// All that a study with uncertain parameters has, in order. A quantity of several numbers has none.
+// Whether a quantity has maps of the draws: one of several numbers or of attractors has none.
+bool has_draw_quantities(const Quantity& quantity);
+
+// All that a study with uncertain parameters has, in order.
 std::vector<DrawQuantity> draw_quantities(const Study& study);
 
 // Adds them to the study's selection.

@@ -8,6 +8,7 @@
 
 #include "attractors/attractor_census.hpp"
 #include "model/error.hpp"
+#include "study/draw_quantities.hpp"
 #include "sweep/detail/machine.hpp"
 
 namespace gearsweep {
@@ -34,9 +35,10 @@ double memory_of_maps(const Study& study, std::size_t tiles) {
   constexpr double kOfTrajectory = 32.0, kOfTile = 512.0;
   double bytes = points * (1.0 + 8.0 * numbers) + kOfTrajectory * trajectories +
                  kOfTile * static_cast<double>(tiles);
-  // Until all are there, the numbers of all draws.
+  // Until all are there, the numbers of all draws, of which their maps are made.
+  const auto kept = std::ranges::count_if(study.selection.quantities, has_draw_quantities);
   bytes += points * static_cast<double>(study.uncertain.draws()) *
-           (1.0 + 8.0 * static_cast<double>(study.selection.quantities.size()));
+           (1.0 + 8.0 * static_cast<double>(kept));
   // A box grows by doubling; telling the attractors apart takes a few indices more, and a set for
   // each point.
   if (study.selection.census) {

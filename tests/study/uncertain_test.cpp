@@ -49,6 +49,14 @@ TEST(Uncertain, EachQuantityHasMapsOfItsDraws) {
   EXPECT_EQ(study.trajectories(), 2U * 21U);
 }
 
+TEST(Uncertain, ClosePercentilesKeepNamesOfTheirOwn) {
+  const Study study = read_with(
+      "samples = 20\npercentiles = [99.99999, 99.999999, 100]\n"
+      "mu = {distribution = 'normal', std = 0.001}\n");
+  EXPECT_THAT(quantities_of(study),
+              IsSupersetOf({"dmf_max_p99_99999", "dmf_max_p99_999999", "dmf_max_p100"}));
+}
+
 TEST(Uncertain, TheTextOfAStudyGivesTheSameDraws) {
   const Study study = read_with(
       "samples = 20\nmu = {distribution = 'normal', std = 0.001}\n"
