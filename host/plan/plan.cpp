@@ -12,7 +12,8 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMaxSteps = 4194304;  // per period, which may be many mesh periods
+// Of a mesh period, and of a period of the forcing, which may be many of them.
+constexpr double kMaxMeshSteps = 65536, kMaxSteps = 4194304;
 // With fewer in a wave of an order Simpson's rule is off by more than (2 pi/8)^4/2880 = 1.3e-4 of
 // what it integrates.
 constexpr double kStepsOfWave = 8;
@@ -141,12 +142,13 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
   }
   const double wanted =
       std::max(study_.model->period(setting) / study_.integrate.max_step, for_orders);
-  if (!(wanted <= kMaxSteps)) {
+  const double possible = std::min(kMaxSteps, kMaxMeshSteps * study_.model->mesh_periods(setting));
+  if (!(wanted <= possible)) {
     throw InputError(
         fmt::format("a period would take {:.3g} steps of at most {}; at most {} are "
                     "possible: raise integrate.max_step, or give "
                     "integrate.steps_per_period",
-                    wanted, study_.integrate.max_step, kMaxSteps));
+                    wanted, study_.integrate.max_step, possible));
   }
   return longer(ladder_steps(wanted));
 }

@@ -34,6 +34,7 @@ bool write_report(const Study& study, const std::string& path, const ReportOptio
   add_natural_frequencies(*findings, &page);
   add_forces(*findings, &page);
   add_worst_speeds(*findings, &page);
+  add_tolerances(*findings, &page);
   add_order_map(*findings, &page);
   add_directions(*findings, &page);
   add_assumptions(*findings, &page);

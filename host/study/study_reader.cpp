@@ -281,10 +281,12 @@ StudyText take_in(const std::string& text, const std::string& source,
   take_in_gear_files(source, &study.root);
   study.points = take_in_points(source, given_points, &study.root);
   take_in_sample_files(source, &study.root);
-  // As axes=[] takes them away.
+  // As axes=[] takes them away, and uncertain={} the tolerances.
   if (const toml::array* axes = study.root["axes"].as_array(); axes != nullptr && axes->empty()) {
     study.root.erase("axes");
   }
+  const toml::table* uncertain = study.root["uncertain"].as_table();
+  if (uncertain != nullptr && uncertain->empty()) study.root.erase("uncertain");
   return study;
 }
 

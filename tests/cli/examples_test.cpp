@@ -71,7 +71,8 @@ TEST(Examples, BuiltInStudiesAreSensible) {
 }
 
 bool is_study(const std::string& text) {
-  return text.find("[[axes]]") != std::string::npos || text.find("[points]") != std::string::npos;
+  return text.find("[[axes]]") != std::string::npos || text.find("[points]") != std::string::npos ||
+         text.find("[uncertain]") != std::string::npos;
 }
 bool is_model(const std::string& text) { return text.find("[equations]") != std::string::npos; }
 

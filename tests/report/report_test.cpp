@@ -81,6 +81,19 @@ TEST(Report, OfAModelWithoutScalesIsInItsOwnUnits) {
   EXPECT_THAT(html, Not(HasSubstr("rpm")));
 }
 
+// The band is around the curve without tolerances; only its own run has draws.
+TEST(Report, OfAStudyWithTolerancesHasTheirBand) {
+  std::vector<std::string> changes = small();
+  for (const char* change : {"uncertain.samples=6", "uncertain.torque_N_m.distribution=\"normal\"",
+                             "uncertain.torque_N_m.std=2"}) {
+    changes.emplace_back(change);
+  }
+  const std::string html = report_of(find_study("table1-gear", changes));
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, HasSubstr("<h2>Tolerances</h2>"));
+  EXPECT_THAT(html, HasSubstr("over 6 draws of torque_N_m"));
+}
+
 std::string report_refusal(const std::string& axis, const std::string& path) {
   const Study study = read_study("[model]\nname = 'gear1'\n[[axes]]\nname = '" + axis +
                                      "'\nvalues = [0.6, 0.7]\n[observe]\nquantities = ['x_rms']\n",

@@ -29,6 +29,8 @@ const char* const kGear =
     "torque_N_m = 61.3\ntransmission_error_um = 30.0\n";
 const char* const kTwoPoints = "[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 0.7\ncount = 2\n";
 
+const char* const kTolerance = "mu = {distribution = 'normal', std = 0.001}\n";
+
 // A study with one key set beside what a study needs; the key's own line comes last in its table.
 std::string study_with(const StudyTable& table, const std::string& key, const std::string& value) {
   const std::string line = key + " = " + value + "\n";
@@ -40,6 +42,7 @@ std::string study_with(const StudyTable& table, const std::string& key, const st
   if (table.name.empty()) return line + (key == "axes" ? "" : kTwoPoints);
   if (table.name == "axes") return without(kTwoPoints) + line;
   if (table.name == "gear") return without(kGear) + line + kTwoPoints;
+  if (table.name == "uncertain") return table.heading + "\n" + kTolerance + line + kTwoPoints;
   return table.heading + "\n" + line + kTwoPoints;
 }
 
@@ -56,6 +59,10 @@ std::string described(const Study& study) {
   text += " " + std::to_string(static_cast<int>(integrate.engine));
   text += " " + std::to_string(study.selection.period_tolerance * 1e9);
   text += " " + std::to_string(study.axes.front().logarithmic);
+  for (const UncertainParameter& parameter : study.uncertain.parameters) {
+    text += fmt::format(" {}", fmt::join(parameter.draws.values, " "));
+  }
+  text += fmt::format(" {}", fmt::join(study.uncertain.percentiles, " "));
   return text;
 }
 
@@ -85,9 +92,13 @@ TEST(StudyKeys, ADefaultIsWhatAStudyHasWithoutTheKey) {
     for (const StudyKey& key : table.keys) {
       const bool is_value = !key.fallback.empty() && key.fallback.find(' ') == std::string::npos &&
                             key.fallback != "required" && key.fallback != "from";
-      if (!is_value || key.is_pattern || key.name == "seed" || key.name == "spread") continue;
-      const Study without =
-          read_study(table.name == "gear" ? std::string(kGear) + kTwoPoints : kTwoPoints, "");
+      const bool is_of_ensemble =
+          table.name == "initial" && (key.name == "seed" || key.name == "spread");
+      if (!is_value || key.is_pattern || is_of_ensemble) continue;
+      const std::string others = table.name == "gear"        ? kGear
+                                 : table.name == "uncertain" ? table.heading + "\n" + kTolerance
+                                                             : "";
+      const Study without = read_study(others + kTwoPoints, "");
       EXPECT_EQ(described(read_study(study_with(table, key.name, key.fallback), "")),
                 described(without))
           << key.name << " = " << key.fallback;
@@ -109,7 +120,8 @@ std::string study_with_number(const StudyTable& table, const StudyKey& key, doub
   const std::string text =
       is_whole ? fmt::format("{}", static_cast<long long>(value)) : fmt::format("{}", value);
   std::string study = study_with(table, key.name, text);
-  if (key.name == "seed") study = kTwoPoints + ("[initial]\nensemble = 4\nseed = " + text);
+  if (table.name == "initial" && key.name == "seed")
+    study = kTwoPoints + ("[initial]\nensemble = 4\nseed = " + text);
   if (key.name == "mesh_stiffness_N_per_m") study.erase(study.find("face_width_mm"), 21);
   return study;
 }

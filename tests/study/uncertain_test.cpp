@@ -146,8 +146,7 @@ TEST(Uncertain, KeysOfAGearAreDrawnInTheirUnits) {
 TEST(Uncertain, WhatIsWrongIsTold) {
   EXPECT_THAT(refusal("samples = 20\n"), HasSubstr("names no parameter"));
   EXPECT_THAT(refusal("mu = 3\n"), HasSubstr("mu must be a table"));
-  EXPECT_THAT(refusal("nu = {distribution = 'normal', std = 1}\n"),
-              HasSubstr("neither a parameter nor a state"));
+  EXPECT_THAT(refusal("nu = {distribution = 'normal', std = 1}\n"), HasSubstr("unknown key 'nu'"));
   EXPECT_THAT(refusal("x1 = {distribution = 'normal', std = 1}\n"), HasSubstr("ensemble"));
   EXPECT_THAT(refusal("mu = {std = 1}\n"), HasSubstr("needs a distribution"));
   EXPECT_THAT(refusal("mu = {distribution = 'normal'}\n"), HasSubstr("needs 'std'"));

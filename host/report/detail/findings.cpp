@@ -119,6 +119,14 @@ std::string list_override(const std::vector<std::string>& quantities) {
   return fmt::format("observe.quantities=[\"{}\"]", fmt::join(quantities, "\", \""));
 }
 
+// The force, which comes first, and the contact.
+std::vector<std::string> tolerated(const std::vector<std::string>& quantities) {
+  std::vector<std::string> chosen = {quantities.front()};
+  const std::string contact = "contact_class";
+  if (std::ranges::find(quantities, contact) != quantities.end()) chosen.push_back(contact);
+  return chosen;
+}
+
 }  // namespace
 
 std::size_t find_speed_axis(const Study& study) {
@@ -168,7 +176,9 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   findings.speed = find_speed_axis(study);
   findings.quantities = report_quantities(*study.model);
   findings.force = findings.quantities.front();
-  findings.study = changed(study, {list_override(findings.quantities)}, {});
+  std::vector<std::string> overrides = {list_override(findings.quantities)};
+  if (study.uncertain.draws() > 0) overrides.emplace_back("uncertain={}");
+  findings.study = changed(study, overrides, {});
   std::vector<std::string> zooms;
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     if (i == findings.speed) continue;
@@ -181,6 +191,13 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   Runs runs(options, &findings);
   if (findings.at && !runs.run(findings.study, "map.nc", "map over both axes")) return std::nullopt;
   if (!runs.run(findings.line, "line.nc", "curves over speed")) return std::nullopt;
+  if (study.uncertain.draws() > 0) {
+    findings.tolerances = changed(study, {list_override(tolerated(findings.quantities))}, zooms);
+    const bool is_run =
+        runs.run(*findings.tolerances, "tolerances.nc",
+                 fmt::format("{} draws of the tolerances", study.uncertain.draws()));
+    if (!is_run) return std::nullopt;
+  }
   if (!runs.map_orders_of_line() || !runs.run_directions()) return std::nullopt;
   return findings;
 }

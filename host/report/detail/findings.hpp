@@ -26,6 +26,9 @@ struct ReportFindings {
   std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other
   std::vector<std::string> quantities;               // those of the list below that the model has
   std::string force;                                 // the quantity that tells the worst speeds
+  // The same as `line` with the study's tolerances, of the force and the contact alone; nothing of
+  // a study without.
+  std::optional<Study> tolerances;
   OrderMap orders;
   bool has_directions = false;  // files of run-up and run-down
   std::string no_directions;    // why there are none
@@ -33,7 +36,8 @@ struct ReportFindings {
 
   bool is_si() const { return study.scales.known(); }
   std::string file(const std::string& name) const { return (folder->path() / name).string(); }
-  // A map over the speed, in SI units where these are known; from "line.nc", "up.nc", "down.nc".
+  // A map over the speed, in SI units where these are known; from "line.nc", "up.nc", "down.nc",
+  // "tolerances.nc".
   ResultMap over_speed(const std::string& name, const std::string& quantity) const;
   // An SVG of these files.
   std::string drawn(const std::string& picture, const std::vector<std::string>& files,

@@ -127,12 +127,11 @@ struct Jump {
   double size() const { return std::abs(map->values[to] - map->values[from]); }
 };
 
-// What a picture of maps is of.
+}  // namespace
+
 std::string caption_of(const std::string& what, const ReportFindings& findings) {
   return what + place_html(findings) + ".";
 }
-
-}  // namespace
 
 void add_data(const ReportFindings& findings, HtmlPage* page) {
   const Study& study = findings.study;

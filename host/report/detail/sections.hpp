@@ -6,10 +6,15 @@
 
 namespace gearsweep {
 
+// Words under a picture, with where the other axis of the study is.
+std::string caption_of(const std::string& what, const ReportFindings& findings);
+
 void add_data(const ReportFindings& findings, HtmlPage* page);
 void add_natural_frequencies(const ReportFindings& findings, HtmlPage* page);
 void add_forces(const ReportFindings& findings, HtmlPage* page);
 void add_worst_speeds(const ReportFindings& findings, HtmlPage* page);
+// Of a study without tolerances it adds nothing.
+void add_tolerances(const ReportFindings& findings, HtmlPage* page);
 void add_order_map(const ReportFindings& findings, HtmlPage* page);
 void add_directions(const ReportFindings& findings, HtmlPage* page);
 void add_assumptions(const ReportFindings& findings, HtmlPage* page);

@@ -249,6 +249,13 @@ void read_uncertain(const toml::table& root, Study* study) {
       fail_at(*percentiles, "percentiles must increase");
     }
   }
+  const Model& model = *study->model;
+  for (const ParameterInfo& info : model.parameters) reader.know(info.name);
+  for (const ChannelInfo& info : model.states) reader.know(info.name);
+  for (const GearKey& key : kGearKeys) {
+    if (find_swept_key(model, std::string(key.name)) != nullptr) reader.know(std::string(key.name));
+  }
+  reader.refuse_unknown();
   std::vector<std::pair<std::string, const toml::table*>> entries;
   for (const auto& [key, entry] : table) {
     const std::string name(key.str());
