@@ -44,8 +44,8 @@ period = "interval"
 )toml";
 }
 
-// A ship's propeller that two steam turbines drive, each over two rigid gear meshes. Chen and
-// Gunter, Introduction to Dynamics of Rotor-Bearing Systems, example 8.1. Twists of the five
+// A ship's propeller that two steam turbines drive, each over two rigid gear meshes. Gunter
+// and Chen, Introduction to Dynamics of Rotor-Bearing Systems, example 8.1. Twists of the five
 // shafts, then the speeds; lbf in times 10^6, and seconds. The propeller is shaken five times a
 // turn by a tenth of its torque. `damped` = 0 leaves out all dampers.
 inline std::string ship_drive() {

@@ -217,18 +217,19 @@ struct Balance {
 // first.
 TEST(PublishedGears, JumpsAreThoseThatHarmonicBalanceTendsTo) {
   double last_difference = 0.0;
-  for (const double P : {0.015, 0.02, 0.03}) {
-    const Example example("blankenship_kahraman",
-                          {{"omega", 1.3}, {"zeta", 0.05}, {"F", 0.1}, {"P", P}, {"kappa", 0.0}});
+  for (const double shaking : {0.015, 0.02, 0.03}) {
+    const Example example(
+        "blankenship_kahraman",
+        {{"omega", 1.3}, {"zeta", 0.05}, {"F", 0.1}, {"P", shaking}, {"kappa", 0.0}});
     const Branch branch = example.follow(example.orbit(400, 256), "omega", 0.5, 1.3, false, 256);
     std::vector<double> found;
     for (const LocatedBifurcation& one : branch.bifurcations) {
       if (one.kind == Bifurcation::fold) found.push_back(one.parameter);
     }
-    ASSERT_EQ(found.size(), 2U) << P;
-    fmt::print("P {}: run-up {:.5f}, run-down {:.5f}\n", P, found[1], found[0]);
+    ASSERT_EQ(found.size(), 2U) << shaking;
+    fmt::print("P {}: run-up {:.5f}, run-down {:.5f}\n", shaking, found[1], found[0]);
     for (const int harmonics : {1, 2, 3, 5}) {
-      const Balance::Folds by = Balance{.P = P, .harmonics = harmonics}.folds();
+      const Balance::Folds by = Balance{.P = shaking, .harmonics = harmonics}.folds();
       fmt::print("  {} harmonics: {:.5f} ({:+.2f} %), {:.5f} ({:+.2f} %)\n", harmonics, by.up,
                  100.0 * (by.up / found[1] - 1.0), by.down, 100.0 * (by.down / found[0] - 1.0));
       if (harmonics == 1) {
