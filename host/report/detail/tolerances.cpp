@@ -29,7 +29,7 @@ void add_tolerances(const ReportFindings& findings, HtmlPage* page) {
     }
   }
   page->picture(findings.drawn("tolerances", {"tolerances.nc"},
-                               fmt::format("{}", fmt::join(maps, ",")), false),
+                               fmt::format("{}", fmt::join(maps, ",")), true),
                 caption_of(fmt::format("{} over {} draws of {}: percentiles, and the share of the "
                                        "draws in which both flanks are hit",
                                        html_text(findings.force), uncertain.independent_draws(),
