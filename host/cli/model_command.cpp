@@ -53,10 +53,13 @@ Study study_of(const ModelArguments& arguments) {
   return study_of_preset(fmt::format("name = '{}'", model->name), *model, arguments.preset);
 }
 
-// Where a parameter's value comes from; swept ones say so.
+// Where a parameter's value comes from; swept and uncertain ones say so.
 std::string origin_of(const Study& study, std::size_t parameter) {
-  const Swept* swept = study.find_swept(false, parameter);
-  if (swept == nullptr) return study.parameter_origins[parameter];
+  const Swept* swept = study.find_on_axes(parameter);
+  if (swept == nullptr) {
+    const bool is_uncertain = study.find_swept(false, parameter) != nullptr;
+    return study.parameter_origins[parameter] + (is_uncertain ? ", [uncertain]" : "");
+  }
   const auto [min, max] = std::ranges::minmax(swept->values);
   return fmt::format("axis, {} .. {}, {} values", min, max, swept->values.size());
 }

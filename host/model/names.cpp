@@ -5,49 +5,56 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace gearsweep {
 namespace {
 
 // Smallest number of insertions, deletions, substitutions and swaps of neighbours (optimal string
 // alignment), case ignored.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return std::tolower(static_cast<unsigned char>(a[i])) ==
-           std::tolower(static_cast<unsigned char>(b[j]));
-  };
-  std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) cost[0][j] = j;
+// Names are shorter; the distance takes time by the product of the lengths.
+constexpr std::size_t kLongest = 100;
+
+std::string lowered(std::string_view name) {
+  std::string out(name.substr(0, kLongest));
+  for (char& letter : out) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return out;
+}
+
+// Row by row: `before` and `earlier` are the two before the row that is filled.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> earlier, before, row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
+    earlier = std::exchange(before, row);
+    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1,
-                             cost[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
-      if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
-        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+      row[j] =
+          std::min({before[j] + 1, row[j - 1] + 1, before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], earlier[j - 2] + 1);
       }
     }
   }
-  return cost[a.size()][b.size()];
+  return row.back();
 }
 
 }  // namespace
 
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known) {
   if (known.empty()) return "";
-  // The distance takes time and memory by the product of the lengths, and names are shorter.
-  constexpr std::size_t kLongest = 100;
-  const auto distance = [&](std::string_view candidate) {
-    return edit_distance(name.substr(0, kLongest), candidate.substr(0, kLongest));
-  };
-  const auto nearest =
-      std::min_element(known.begin(), known.end(),
-                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  const std::size_t tolerated = std::max<std::size_t>(1, std::min(kLongest, name.size()) / 3);
-  if (distance(*nearest) <= tolerated && nearest->size() > 1) {
-    return fmt::format("; did you mean '{}'?", *nearest);
+  std::vector<std::size_t> distances;
+  for (const std::string& candidate : known) {
+    distances.push_back(edit_distance(lowered(name), lowered(candidate)));
   }
+  const auto nearest = std::min_element(distances.begin(), distances.end());
+  const std::string& found = known[static_cast<std::size_t>(nearest - distances.begin())];
+  const std::size_t tolerated = std::max<std::size_t>(1, std::min(kLongest, name.size()) / 3);
+  if (*nearest <= tolerated && found.size() > 1) return fmt::format("; did you mean '{}'?", found);
   constexpr std::size_t kListed = 12;
   const auto end = known.begin() + static_cast<std::ptrdiff_t>(std::min(kListed, known.size()));
   return fmt::format("; known: {}{}", fmt::join(known.begin(), end, ", "),

@@ -28,17 +28,6 @@ const std::string& name_of(const Model& model, const Placed& placed) {
   return placed.is_state ? model.states[placed.index].name : model.parameters[placed.index].name;
 }
 
-// An axis that does not move, for a study without axes, whose only point is its own setting.
-Axis resting_axis(const Study& study) {
-  const ParameterInfo& info = study.model->parameters.front();
-  Axis axis;
-  axis.name = info.name;
-  axis.unit = info.unit;
-  axis.meaning = info.meaning;
-  axis.values = {study.setting.parameters.front()};
-  return axis;
-}
-
 [[noreturn]] void refuse_missing(const Axis& axis, const std::string& origin) {
   throw InputError(fmt::format("{} value for the study's axis '{}': add {}={}",
                                origin.empty() ? "there is no" : origin + " gives no", axis.name,

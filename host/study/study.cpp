@@ -35,6 +35,19 @@ Axis Axis::at(const std::vector<std::size_t>& places) const {
   return axis;
 }
 
+Axis resting_axis(const Study& study) {
+  std::size_t index = 0;
+  while (study.find_swept(false, index) != nullptr) ++index;
+  const ParameterInfo& info = study.model->parameters.at(index);
+  Axis axis;
+  axis.name = info.name;
+  axis.unit = info.unit;
+  axis.meaning = info.meaning;
+  axis.index = index;
+  axis.values = {study.setting.parameters[index]};
+  return axis;
+}
+
 std::size_t Study::points() const {
   std::size_t count = 1;
   for (const Axis& axis : axes) count *= axis.values.size();

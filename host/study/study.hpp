@@ -49,6 +49,12 @@ struct UncertainParameter {
   bool is_factor = false;
 };
 
+struct Study;
+
+// An axis of one value, which changes nothing: of the first parameter that is the same at all
+// points. For a study without axes, whose only point is its own setting.
+Axis resting_axis(const Study& study);
+
 // The name of the axis that a list of points makes.
 inline constexpr const char* kPointAxis = "point";
 

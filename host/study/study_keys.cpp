@@ -167,7 +167,6 @@ StudyTable initial_table() {
 }
 
 StudyTable uncertain_table() {
-  constexpr std::size_t kSamples = 200;
   StudyKey parameter{
       "PARAMETER", "table", "",
       "A parameter of the model, or a key of [gear], and its distribution: {distribution = "
@@ -182,8 +181,8 @@ StudyTable uncertain_table() {
           "Each point is integrated with many draws of these parameters, the same for all points. "
           "Beside the map of a quantity with the nominal parameters there are those of its mean, "
           "standard deviation and percentiles over the draws, and of the share of each class.",
-          {whole("samples", kSamples, 2, 1e5, "Draws of each point."),
-           whole("seed", 1, 0, 1e9, "Another seed, other draws."),
+          {whole("samples", kUsualSamples, 2, 1e5, "Draws of each point."),
+           whole("seed", Uncertain().seed, 0, 1e9, "Another seed, other draws."),
            {"percentiles", "list of numbers", "[5, 50, 95]",
             "Which percentiles become maps, increasing.", 0.0, 100.0},
            truth("sobol", false,

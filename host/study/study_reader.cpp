@@ -298,23 +298,6 @@ void refuse_without_axes(const StudyText& text) {
                   place_of(text.root)));
 }
 
-// A study of uncertain parameters needs no axes: it is that of its one point. The axis is one that
-// nothing else has a say in.
-void add_single_point(Study* study) {
-  for (std::size_t index = 0; index < study->model->parameters.size(); ++index) {
-    if (study->find_swept(false, index) != nullptr) continue;
-    const ParameterInfo& info = study->model->parameters[index];
-    Axis axis;
-    axis.name = info.name;
-    axis.unit = info.unit;
-    axis.meaning = info.meaning;
-    axis.index = index;
-    axis.values = {study->setting.parameters[index]};
-    study->axes.push_back(std::move(axis));
-    return;
-  }
-}
-
 // Axes may be missing.
 Study read_tables(const StudyText& text) {
   const toml::table& root = text.root;
@@ -338,7 +321,8 @@ Study read_tables(const StudyText& text) {
   read_observe(reader.table("observe"), root, &study);
   check_attractors(reader.table("observe"), study);
   read_uncertain(root, &study);
-  if (study.axes.empty() && study.uncertain.draws() > 0) add_single_point(&study);
+  // A study of uncertain parameters needs no axes: it is that of its one point.
+  if (study.axes.empty() && study.uncertain.draws() > 0) study.axes.push_back(resting_axis(study));
   check_size(root, study);
   note_what_wins(root, gear.parameters, &study);
   bind_curves(gear.curves, &study);

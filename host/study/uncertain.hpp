@@ -7,10 +7,10 @@
 
 namespace gearsweep {
 
-struct Axis;
-
-// One of them, with its draws.
+// One of them, with its draws (study.hpp).
 struct UncertainParameter;
+
+inline constexpr std::size_t kUsualSamples = 200;
 
 // What a study says of them. The draws are the same for all points (common random numbers), so that
 // neighbours differ by their own parameters alone.

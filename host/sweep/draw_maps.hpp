@@ -30,7 +30,7 @@ class DrawMaps {
   void reduce_source(std::size_t point, std::size_t source,
                      std::vector<std::vector<double>>* values) const;
 
-  const Study study_;
+  const Study& study_;
   std::vector<std::size_t> sources_;       // quantities of the selection that are kept
   std::vector<std::vector<double>> kept_;  // [source][point * draws + draw]; NaN: none
   std::vector<std::uint8_t> is_ok_;        // [point * draws + draw]

@@ -46,6 +46,7 @@ TEST(DrawStatistics, SobolIndicesOfIshigamisFunction) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(indices.first[i], first[i], 4.0 * indices.first_error[i]) << i;
     EXPECT_LT(indices.first_error[i], 0.02) << i;
+    // Of squares as large as their mean, 1 / sqrt(20000) is 0.007 of it.
     EXPECT_NEAR(indices.total[i], total[i], 0.02) << i;
   }
 }
@@ -95,6 +96,7 @@ TEST(UncertainSweep, AToleranceOfAnAxisIsRelativeToItsValue) {
     }
     const double deviation = std::sqrt(square - mean * mean);
     EXPECT_NEAR(map_of(result, "x_rms_sample_mean")[point], mean, 4.0 * deviation / 20.0);
+    // 1 / sqrt(2 n) is 0.035: more than four of these.
     EXPECT_NEAR(map_of(result, "x_rms_sample_std")[point], deviation, 0.2 * deviation);
   }
 }
@@ -127,6 +129,7 @@ TEST(UncertainSweep, SobolIndicesOfAProduct) {
   EXPECT_NEAR(first[amplitude], v1 / all, 4.0 * error[amplitude]);
   EXPECT_NEAR(first[omega], v2 / all, 4.0 * error[omega]);
   EXPECT_LT(std::max(error[0], error[1]), 0.08);
+  // Of squares as large as their mean, 1 / sqrt(500) is 0.045 of it, and the variance adds to it.
   EXPECT_NEAR(total[amplitude], 1.0 - v2 / all, 0.1);
   EXPECT_NEAR(total[omega], 1.0 - v1 / all, 0.1);
 }

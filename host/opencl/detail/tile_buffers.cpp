@@ -43,10 +43,9 @@ void append_orders(const std::vector<double>& orders, double mesh_periods, doubl
   for (const double angle : angles) row->push_back(std::sin(angle));
 }
 
-// The rows of a phase grid as the kernels have them.
+// The rows of a phase grid as the kernels have them where orders are asked for.
 std::vector<double> table_rows(const Plan& plan, std::size_t point, const PhaseGrid& grid) {
   const Study& study = plan.study();
-  if (study.selection.orders.empty()) return grid.coefs;
   const std::size_t width = study.model->phase_coefs.size();
   const ModelSetting setting = plan.setting_of(point);
   const std::vector<double> bounds = segment_bounds(*study.model, setting);
@@ -82,7 +81,11 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
     };
     append(grid.segment_steps, tables.segment_steps);
     append(grid.segment_fractions, tables.segment_fractions);
-    append(table_rows(plan, point, grid), tables.coefs);
+    if (plan.study().selection.orders.empty()) {
+      append(grid.coefs, tables.coefs);
+    } else {
+      append(table_rows(plan, point, grid), tables.coefs);
+    }
     tables.steps.push_back(grid.steps);
   }
   return tables;

@@ -76,7 +76,7 @@ std::vector<Row> parameter_rows(const Study& study) {
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
     const std::string origin = i < study.parameter_origins.size() ? study.parameter_origins[i] : "";
-    const bool is_swept = study.find_swept(false, i) != nullptr;
+    const bool is_swept = study.find_on_axes(i) != nullptr;
     rows.push_back({html_text(info.name),
                     is_swept ? "swept" : fmt::format("{:.6g}", study.setting.parameters[i]),
                     html_unit(info.unit), html_text(info.meaning), html_text(origin)});

@@ -239,9 +239,9 @@ void read_uncertain(const toml::table& root, Study* study) {
   const toml::table& table = *node->as_table();
   TableReader reader(&table, study_table(kUncertain));
   Uncertain& uncertain = study->uncertain;
-  uncertain.samples = reader.count("samples", 200);
-  uncertain.seed = reader.count("seed", 1);
-  uncertain.sobol = reader.boolean("sobol", false);
+  uncertain.samples = reader.count("samples", kUsualSamples);
+  uncertain.seed = reader.count("seed", uncertain.seed);
+  uncertain.sobol = reader.boolean("sobol", uncertain.sobol);
   uncertain.percentiles = {5.0, 50.0, 95.0};
   if (const toml::node* percentiles = reader.find("percentiles")) {
     uncertain.percentiles = reader.numbers("percentiles", 0.0, 100.0);
