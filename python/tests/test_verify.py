@@ -34,7 +34,6 @@ def test_passes_with_the_checks_of_the_command(verification):
     assert len({check.name for check in verification.checks}) >= 10
 
 
-@pytest.mark.binding
 def test_tells_each_check_in_its_order(verification, seen):
     assert tuple(seen) == verification.checks
 
