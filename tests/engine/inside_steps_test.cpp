@@ -11,6 +11,7 @@
 #include "model/model.hpp"
 #include "study/builtin_models.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 #include "support/text.hpp"
 
 namespace gearsweep::testing {
@@ -29,15 +30,8 @@ std::string any_study(const Model& model, std::mt19937* random) {
   }
   toml += "[[axes]]\nname = '" + first +
           "'\nfrom = -1.9\nto = 2.1\ncount = 16\n[integrate]\nsettle = 1\nrecord = 1\n"
-          "stop = 'never'\n[observe]\nquantities = [";
-  for (const auto& list : {model.states, model.signals}) {
-    for (const ChannelInfo& channel : list) {
-      for (const char* what : {"_min", "_max", "_mean", "_rms"}) {
-        toml += "'" + channel.name + what + "', ";
-      }
-    }
-  }
-  return toml + "]\n";
+          "stop = 'never'\n";
+  return toml + observe_all_of(model);
 }
 
 // The median error of all quantities and points, relative to the size of each quantity, with steps

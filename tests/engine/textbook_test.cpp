@@ -11,6 +11,7 @@
 #include "support/print_rows.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -173,14 +174,11 @@ TEST(EveryModel, JacobianIsTheDerivativeOfTheRightHandSide) {
 TEST(EveryModel, KernelAndReferenceEngineAgree) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
-    std::string sampled;
-    for (const ChannelInfo& state : model.states) sampled += "'" + state.name + "', ";
     const std::string study =
         "[model]\nname = '" + model.name + "'\n[[axes]]\nname = '" + model.states[0].name +
         "'\nfrom = 0.5\nto = 1.5\ncount = 16\n[integrate]\nsettle = 0\nrecord = 2\n"
-        "steps_per_period = 128\nstop = 'never'\n[observe]\nquantities = ['poincare']\n"
-        "poincare = [" +
-        sampled + "]\n";
+        "steps_per_period = 128\nstop = 'never'\n" +
+        observe_all_of(model);
     const SweepResult kernel = run(study);
     const SweepResult reference = run(study, {"integrate.engine=reference"});
     ASSERT_EQ(kernel.samples.size(), reference.samples.size());

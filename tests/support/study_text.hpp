@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "model/model.hpp"
+
 namespace gearsweep::testing {
 
 // The coarse gear over omega from 0.5 to 1.5 and, unless it has no values, e0 from 0.1 to 0.7.
@@ -17,6 +19,22 @@ inline std::string coarse_study(std::size_t omega_count, std::size_t e0_count,
   };
   return "[model]\npreset = 'coarse'\n" + axis("omega", 0.5, 1.5, omega_count) +
          (e0_count > 0 ? axis("e0", 0.1, 0.7, e0_count) : "") + rest;
+}
+
+// Extremes and averages of all channels of a model, and its sections. Tests that ask for the same
+// share the kernels, which take longer to build than to run.
+inline std::string observe_all_of(const Model& model) {
+  std::string quantities, sampled;
+  for (const auto& list : {model.states, model.signals}) {
+    for (const ChannelInfo& channel : list) {
+      for (const char* what : {"_min", "_max", "_mean", "_rms"}) {
+        quantities += "'" + channel.name + what + "', ";
+      }
+    }
+  }
+  for (const ChannelInfo& state : model.states) sampled += "'" + state.name + "', ";
+  return fmt::format("[observe]\nquantities = [{}'poincare']\npoincare = [{}]\n", quantities,
+                     sampled);
 }
 
 }  // namespace gearsweep::testing
