@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace gearsweep {
 namespace {
@@ -91,6 +92,19 @@ class List {
 };
 
 }  // namespace
+
+std::optional<double> percentile_in(const std::string& name, const std::string& quantity) {
+  const std::string before = quantity + "_p";
+  if (!name.starts_with(before)) return std::nullopt;
+  std::string number = name.substr(before.size());
+  std::ranges::replace(number, '_', '.');
+  double percentile = 0.0;
+  const char* end = number.data() + number.size();
+  const auto read = std::from_chars(number.data(), end, percentile);
+  const bool is_one = read.ec == std::errc() && read.ptr == end && percentile >= 0.0 &&
+                      percentile <= 100.0 && percentile_name(quantity, percentile) == name;
+  return is_one ? std::optional(percentile) : std::nullopt;
+}
 
 bool has_draw_quantities(const Quantity& quantity) {
   return !quantity.of_draws && !quantity.of_census && quantity.width == 1;

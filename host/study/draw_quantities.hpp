@@ -1,6 +1,7 @@
 // The maps that are made of all draws of uncertain parameters.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "study/study.hpp"
@@ -35,6 +36,10 @@ std::vector<DrawQuantity> draw_quantities(const Study& study);
 
 // Adds them to the study's selection.
 void add_draw_quantities(Study* study);
+
+// The percentile, in percent, that a map of this name is of the quantity: 2.5 of "x_rms_p2_5" and
+// "x_rms". Nothing of other names.
+std::optional<double> percentile_in(const std::string& name, const std::string& quantity);
 
 // The dimension of Sobol indices.
 inline constexpr const char* kUncertainDimension = "uncertain";
