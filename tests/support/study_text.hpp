@@ -19,4 +19,19 @@ inline std::string coarse_study(std::size_t omega_count, std::size_t e0_count,
          (e0_count > 0 ? axis("e0", 0.1, 0.7, e0_count) : "") + rest;
 }
 
+// Eight points with tolerances: 8 x (1 + 10 x 4) trajectories in tiles that cut through the draws
+// of each point.
+inline const std::string kTolerantStudy = coarse_study(4, 2, R"([integrate]
+settle = 60
+record = 16
+tile = 30
+[observe]
+quantities = ["dmf_max", "contact_class"]
+[uncertain]
+samples = 10
+sobol = true
+mu = {distribution = "normal", std = 0.005}
+omega = {distribution = "uniform", from = 0.98, to = 1.02, relative = true}
+)");
+
 }  // namespace gearsweep::testing
