@@ -28,6 +28,7 @@ class List {
       } else {
         add_of_class(i, quantity);
       }
+      if (study_.uncertain.keep) add_each_value(i, quantity);
     }
     return std::move(list_);
   }
@@ -85,6 +86,14 @@ class List {
           fmt::format("share of the draws whose {} is {}", quantity.name, quantity.flags[flag]));
       list_.back().flag = static_cast<int>(flag);
     }
+  }
+
+  void add_each_value(std::size_t source, const Quantity& quantity) {
+    Quantity& added = add(DrawStatistic::each_value, source, quantity.name + "_draws",
+                          quantity.unit, "in each draw: " + quantity.meaning);
+    added.flags = quantity.flags;
+    added.width = study_.uncertain.independent_draws();
+    added.dimension = kDrawDimension;
   }
 
   const Study& study_;

@@ -16,7 +16,8 @@ enum class DrawStatistic {
   share,        // of a class; of the status, too
   sobol_first,  // [uncertain parameter]
   sobol_first_error,
-  sobol_total
+  sobol_total,
+  each_value  // [draw] the values themselves
 };
 
 struct DrawQuantity {
@@ -43,5 +44,8 @@ std::optional<double> percentile_in(const std::string& name, const std::string& 
 
 // The dimension of Sobol indices.
 inline constexpr const char* kUncertainDimension = "uncertain";
+
+// The dimension of the values in each draw.
+inline constexpr const char* kDrawDimension = "draw";
 
 }  // namespace gearsweep

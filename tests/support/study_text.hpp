@@ -30,6 +30,7 @@ quantities = ["dmf_max", "contact_class"]
 [uncertain]
 samples = 10
 sobol = true
+keep = true
 mu = {distribution = "normal", std = 0.005}
 omega = {distribution = "uniform", from = 0.98, to = 1.02, relative = true}
 )");
