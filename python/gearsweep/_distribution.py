@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from gearsweep._errors import InputError
+from gearsweep._place import number_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -39,7 +40,9 @@ def normal(std: float, mean: float | None = None, relative: bool = False) -> dic
     >>> "std = 0.01" in study.toml
     True
     """
-    numbers = {"std": std} if mean is None else {"std": std, "mean": mean}
+    numbers = {"std": number_of(std, "std")}
+    if mean is not None:
+        numbers["mean"] = number_of(mean, "mean")
     return _table("normal", numbers, relative)
 
 
@@ -63,7 +66,8 @@ def uniform(from_: float, to: float, relative: bool = False) -> dict[str, Any]:
     >>> uniform(0.55, 0.65)
     {'distribution': 'uniform', 'from': 0.55, 'to': 0.65}
     """
-    return _table("uniform", {"from": from_, "to": to}, relative)
+    ends = {"from": number_of(from_, "from_"), "to": number_of(to, "to")}
+    return _table("uniform", ends, relative)
 
 
 def triangular(from_: float, mode: float, to: float, relative: bool = False) -> dict[str, Any]:
@@ -86,7 +90,9 @@ def triangular(from_: float, mode: float, to: float, relative: bool = False) -> 
     >>> triangular(0.08, 0.1, 0.12)
     {'distribution': 'triangular', 'from': 0.08, 'mode': 0.1, 'to': 0.12}
     """
-    return _table("triangular", {"from": from_, "mode": mode, "to": to}, relative)
+    given = {"from": from_, "mode": mode, "to": to}
+    numbers = {name: number_of(value, name) for name, value in given.items()}
+    return _table("triangular", numbers, relative)
 
 
 def values(numbers: ArrayLike, relative: bool = False) -> dict[str, Any]:
@@ -126,5 +132,7 @@ def values(numbers: ArrayLike, relative: bool = False) -> dict[str, Any]:
 
 
 def _table(distribution: str, numbers: dict[str, Any], relative: bool) -> dict[str, Any]:
+    if not isinstance(relative, bool):
+        raise InputError(f"relative: expected True or False, not {relative!r}")
     table = {"distribution": distribution, **numbers}
     return table | {"relative": True} if relative else table
