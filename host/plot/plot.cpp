@@ -27,6 +27,7 @@ constexpr std::string_view kScriptEnding = ".gp";
 
 PlotScript draw(const Page& page, const PlotRequest& request) {
   if (std::any_of(request.paths.begin(), request.paths.end(), is_order_file)) {
+    request.style.refuse_band();
     return draw_orders(request);
   }
   if (!request.rays.empty()) throw InputError("--rays is for order maps");
@@ -34,6 +35,7 @@ PlotScript draw(const Page& page, const PlotRequest& request) {
   if (traces == 0) return draw_maps(page, request);
   if (traces == std::ssize(request.paths)) {
     request.style.refuse("contours", "it is for maps, not for traces");
+    request.style.refuse_band();
     return draw_traces(page, request);
   }
   // What is neither says so itself.

@@ -161,6 +161,13 @@ bool flag_in(const std::string& text) {
   return text == "true";
 }
 
+bool is_yes(const std::string& text) {
+  if (text != "yes" && text != "no") {
+    throw InputError(fmt::format("'{}' is no answer; give yes or no", text));
+  }
+  return text == "yes";
+}
+
 bool is_si(const std::string& text) {
   if (text != "SI" && text != "model") {
     throw InputError(fmt::format("'{}' are no units; give SI or model", text));
@@ -224,6 +231,13 @@ void PlotStyle::refuse(const std::string& option, const std::string& why) const 
   if (demanded.contains(option)) throw InputError(fmt::format("--{}: {}", option, why));
 }
 
+void PlotStyle::refuse_band() const {
+  if (!has_band) return;
+  refuse("band",
+         "nothing drawn here has a band; a curve of one file over one axis has it, where the "
+         "study's [uncertain] gives two percentiles");
+}
+
 const std::vector<StyleOption>& style_options() {
   static const std::vector<StyleOption> kOptions = {
       one("size", "WxH", "Width and height: 85x64mm (also cm, in; px for .png and .svg)", set_size),
@@ -253,6 +267,9 @@ const std::vector<StyleOption>& style_options() {
           [](const std::string& text, PlotStyle* style) { style->is_log = flag_in(text); }),
       {"contours", "LEVELS", "Contour lines in a map: how many, or their levels: 0.5,1,1.5", true,
        set_contours, true},
+      one("band", "yes|no",
+          "The band of tolerances around a curve whose study has [uncertain] (default: yes)",
+          [](const std::string& text, PlotStyle* style) { style->has_band = is_yes(text); }),
       one("units", "SI|model", "SI: rpm, N, um where the study has a [gear] table",
           [](const std::string& text, PlotStyle* style) { style->is_si = is_si(text); })};
   return kOptions;

@@ -40,11 +40,14 @@ struct PlotStyle {
   bool is_log = false;
   Contours contours;
   bool is_si = false;
+  bool has_band = true;            // of tolerances, where there is one
   std::set<std::string> demanded;  // options of the command line: they must concern the picture
 
   // Throws InputError when the option was given for a picture that it does not concern. why: "'x'
   // is a map of classes".
   void refuse(const std::string& option, const std::string& why) const;
+  // The same where a band was asked for, in a picture without.
+  void refuse_band() const;
 };
 
 // An option of the command line, which is a key of style files too.

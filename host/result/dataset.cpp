@@ -64,6 +64,7 @@ class Description {
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       add_quantity(study_.selection.quantities[i], result_.values[i]);
     }
+    if (study_.uncertain.keep) add_draws();
     if (study_.selection.census) add_attractors();
     if (!study_.selection.poincare.empty()) add_poincare();
     return std::move(out_);
@@ -243,6 +244,36 @@ class Description {
     add_texts(kComponents + std::string("_state"), "state of each component", name,
               names_of(states), &out_);
     notes_.add_channels(states, kComponents, name, &out_);
+  }
+
+  // What the uncertain parameters are in each draw; the values of quantities stand along the same
+  // dimension.
+  void add_draws() {
+    const Uncertain& uncertain = study_.uncertain;
+    const std::size_t draws = uncertain.independent_draws();
+    add_numbered(kUncertainDimension, uncertain.parameters.size());
+    add_numbered(kDrawDimension, draws);
+    std::vector<ChannelInfo> shown;
+    std::vector<double> values;
+    for (const UncertainParameter& parameter : uncertain.parameters) {
+      const Axis& axis = parameter.draws;
+      shown.push_back(parameter.is_factor
+                          ? ChannelInfo{axis.name, "1", "factor of the point's own " + axis.name}
+                          : ChannelInfo{axis.name, axis.unit, axis.meaning});
+    }
+    for (std::size_t draw = 0; draw < draws; ++draw) {
+      for (const UncertainParameter& parameter : uncertain.parameters) {
+        values.push_back(parameter.draws.values[draw]);
+      }
+    }
+    const std::string name = "uncertain_value";
+    out_.variables.push_back(
+        {.name = name,
+         .stored = Stored::real,
+         .dimensions = {kDrawDimension, kUncertainDimension},
+         .attributes = notes_.describe("", "each uncertain parameter in each draw"),
+         .elements = values});
+    notes_.add_channels(shown, name, kUncertainDimension, &out_);
   }
 
   void add_orders() {

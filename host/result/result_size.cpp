@@ -128,6 +128,16 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
       sum.add_channels(study.model->states);
     }
   }
+  if (study.uncertain.keep) {
+    const std::vector<UncertainParameter>& parameters = study.uncertain.parameters;
+    sum.add(8.0 * static_cast<double>(study.uncertain.independent_draws() * parameters.size()));
+    std::vector<ChannelInfo> shown;
+    for (const UncertainParameter& parameter : parameters) {
+      const Axis& draws = parameter.draws;
+      shown.push_back({draws.name, draws.unit, "factor of the point's own " + draws.meaning});
+    }
+    sum.add_channels(shown);
+  }
   if (study.selection.census) {
     // Each trajectory may reach an attractor of its own.
     constexpr int kNumbers = 6;

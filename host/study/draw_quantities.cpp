@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace gearsweep {
 namespace {
@@ -27,6 +28,7 @@ class List {
       } else {
         add_of_class(i, quantity);
       }
+      if (study_.uncertain.keep) add_each_value(i, quantity);
     }
     return std::move(list_);
   }
@@ -86,11 +88,32 @@ class List {
     }
   }
 
+  void add_each_value(std::size_t source, const Quantity& quantity) {
+    Quantity& added = add(DrawStatistic::each_value, source, quantity.name + "_draws",
+                          quantity.unit, "in each draw: " + quantity.meaning);
+    added.flags = quantity.flags;
+    added.width = study_.uncertain.independent_draws();
+    added.dimension = kDrawDimension;
+  }
+
   const Study& study_;
   std::vector<DrawQuantity> list_;
 };
 
 }  // namespace
+
+std::optional<double> percentile_in(const std::string& name, const std::string& quantity) {
+  const std::string before = quantity + "_p";
+  if (!name.starts_with(before)) return std::nullopt;
+  std::string number = name.substr(before.size());
+  std::ranges::replace(number, '_', '.');
+  double percentile = 0.0;
+  const char* end = number.data() + number.size();
+  const auto read = std::from_chars(number.data(), end, percentile);
+  const bool is_one = read.ec == std::errc() && read.ptr == end && percentile >= 0.0 &&
+                      percentile <= 100.0 && percentile_name(quantity, percentile) == name;
+  return is_one ? std::optional(percentile) : std::nullopt;
+}
 
 bool has_draw_quantities(const Quantity& quantity) {
   return !quantity.of_draws && !quantity.of_census && quantity.width == 1;

@@ -1,6 +1,7 @@
 // The maps that are made of all draws of uncertain parameters.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "study/study.hpp"
@@ -15,7 +16,8 @@ enum class DrawStatistic {
   share,        // of a class; of the status, too
   sobol_first,  // [uncertain parameter]
   sobol_first_error,
-  sobol_total
+  sobol_total,
+  each_value  // [draw] the values themselves
 };
 
 struct DrawQuantity {
@@ -36,7 +38,14 @@ std::vector<DrawQuantity> draw_quantities(const Study& study);
 // Adds them to the study's selection.
 void add_draw_quantities(Study* study);
 
+// The percentile, in percent, that a map of this name is of the quantity: 2.5 of "x_rms_p2_5" and
+// "x_rms". Nothing of other names.
+std::optional<double> percentile_in(const std::string& name, const std::string& quantity);
+
 // The dimension of Sobol indices.
 inline constexpr const char* kUncertainDimension = "uncertain";
+
+// The dimension of the values in each draw.
+inline constexpr const char* kDrawDimension = "draw";
 
 }  // namespace gearsweep

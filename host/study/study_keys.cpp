@@ -190,6 +190,9 @@ StudyTable uncertain_table() {
                  "makes, alone (first) and with all others (total). It takes samples times two "
                  "more than the number of uncertain parameters, trajectories. A study without axes "
                  "is that of its one point."),
+           truth("keep", Uncertain().keep,
+                 "Keep each quantity in each draw as well (QUANTITY_draws, along the dimension "
+                 "draw), and what the parameters are there (uncertain_value)."),
            parameter}};
 }
 

@@ -21,6 +21,7 @@ struct Uncertain {
   std::size_t seed = 1;
   std::vector<double> percentiles;  // in percent, increasing
   bool sobol = false;               // indices of first order and total ones are asked for
+  bool keep = false;                // the values in each draw are part of the result
   std::vector<UncertainParameter> parameters;
 
   // Trajectories of a point beside that of the nominal parameters. With Sobol indices the rows of

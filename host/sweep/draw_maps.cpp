@@ -107,8 +107,9 @@ void DrawMaps::reduce_source(std::size_t point, std::size_t source,
   const std::size_t draws = uncertain.draws();
   const auto begin = kept_[source].begin() + static_cast<std::ptrdiff_t>(point * draws);
   const std::vector<double> all(begin, begin + static_cast<std::ptrdiff_t>(draws));
-  std::vector<double> sorted = numbers_among(
-      {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(uncertain.independent_draws())});
+  const std::vector<double> independent(
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(uncertain.independent_draws()));
+  std::vector<double> sorted = numbers_among(independent);
   std::ranges::sort(sorted);
   const auto count = static_cast<double>(sorted.size());
   const Moments moments = sorted.empty() ? Moments{kNone, kNone} : moments_of(sorted);
@@ -133,9 +134,11 @@ void DrawMaps::reduce_source(std::size_t point, std::size_t source,
       case DrawStatistic::sobol_first_error:
         return indices.first_error;
       case DrawStatistic::sobol_total:
+        return indices.total;
+      case DrawStatistic::each_value:
         break;
     }
-    return indices.total;
+    return independent;
   };
   for (std::size_t i = 0; i < quantities_.size(); ++i) {
     const DrawQuantity& quantity = quantities_[i];

@@ -8,6 +8,7 @@
 
 #include "core/parts.hpp"
 #include "model/names.hpp"
+#include "plot/band.hpp"
 #include "plot/classes.hpp"
 #include "plot/colours.hpp"
 #include "plot/labels.hpp"
@@ -78,6 +79,14 @@ py::object classes_of(const std::string& name, const std::vector<std::string>& f
   return py::make_tuple(indices, classes->names, classes->colours);
 }
 
+// (low, median, high, meaning): names of maps, of which the second may be empty; None of a quantity
+// without percentiles.
+py::object band_of(const std::string& quantity, const std::vector<std::string>& names) {
+  const std::optional<BandMaps> maps = band_maps(quantity, names);
+  if (!maps) return py::none();
+  return py::make_tuple(maps->low, maps->median, maps->high, maps->meaning);
+}
+
 py::list anchors_of(const std::string& name, double min, double max) {
   ensure_colormap(name);
   py::list anchors;
@@ -114,6 +123,7 @@ void add_picture(py::module_* module) {
   module->def("scales_in", scales_in);
   module->def("shown_unit", shown);
   module->def("classes_of", classes_of);
+  module->def("band_of", band_of);
   module->def("usual_colormap", &usual_colormap);
   module->def("colour_anchors", anchors_of);
   module->def("colour_range", colour_range_of);
@@ -130,6 +140,10 @@ void add_picture(py::module_* module) {
   module->attr("MISSING_CLASS_COLOUR") = kMissingClassColour;
   module->attr("FIRST_PART_COLOUR") = kFirstPartColour;
   module->attr("OTHER_PARTS_COLOUR") = kOtherPartsColour;
+  module->attr("BAND_COLOUR") = kBandColour;
+  module->attr("MEDIAN_COLOUR") = kMedianColour;
+  module->attr("NOMINAL_MEANING") = kNominalMeaning;
+  module->attr("MEDIAN_MEANING") = kMedianMeaning;
   module->attr("DOT_COLOUR") = dot_colour(0, 1);
   module->attr("CURVE_COLOUR") = layer_colour(0);
 }

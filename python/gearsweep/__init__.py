@@ -2,6 +2,7 @@
 
 from gearsweep import _core
 from gearsweep._accessor import Gear
+from gearsweep._distribution import normal, triangular, uniform, values
 from gearsweep._errors import InputError, RunError
 from gearsweep._floquet import floquet
 from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, models
@@ -34,9 +35,13 @@ __all__ = [
     "floquet",
     "model",
     "models",
+    "normal",
     "orders",
     "run",
     "studies",
     "trace",
+    "triangular",
+    "uniform",
+    "values",
     "verify",
 ]

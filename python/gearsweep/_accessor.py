@@ -84,6 +84,7 @@ class Gear:
         colormap: str | None = None,
         range: tuple[float | None, float | None] = (None, None),
         log: bool = False,
+        band: bool = True,
         title: str | None = None,
     ) -> matplotlib.axes.Axes:
         """Draw a quantity, in the colours and with the labels of ``gearsweep plot``.
@@ -107,6 +108,9 @@ class Gear:
             Ends of the colours, or of the vertical axis; None follows the values.
         log : bool, optional
             Logarithmic colours, or a logarithmic vertical axis.
+        band : bool, optional
+            Around a curve whose study has tolerances, the band between its lowest and highest
+            percentile, and the median as a thin line.
         title : str, optional
             In place of the study's; an empty one leaves out all that stands above the picture.
 
@@ -134,6 +138,7 @@ class Gear:
             colormap=colormap,
             limits=range,
             is_log=log,
+            has_band=band,
             title=title,
         )
 

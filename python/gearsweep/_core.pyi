@@ -112,6 +112,10 @@ FIRST_PART_COLOUR: str
 OTHER_PARTS_COLOUR: str
 DOT_COLOUR: str
 CURVE_COLOUR: str
+BAND_COLOUR: str
+MEDIAN_COLOUR: str
+NOMINAL_MEANING: str
+MEDIAN_MEANING: str
 
 def classes_of(
     name: str,
@@ -121,6 +125,7 @@ def classes_of(
     contact: _Companion,
     /,
 ) -> tuple[_Numbers, list[str], list[str]] | None: ...
+def band_of(quantity: str, names: list[str], /) -> tuple[str, str, str, str] | None: ...
 def usual_colormap(quantity: str, least: float, most: float, /) -> str: ...
 def colour_anchors(name: str, least: float, most: float, /) -> list[tuple[float, str]]: ...
 def colour_range(

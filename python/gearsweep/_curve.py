@@ -9,8 +9,9 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._flags import flags_of
+from gearsweep._frame import box
 from gearsweep._points import is_column
-from gearsweep._shown import Limits, Missing, Shown, classes_of
+from gearsweep._shown import Band, Limits, Missing, Shown, classes_of
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -32,11 +33,13 @@ def draw_curve(
     across: xarray.DataArray,
     shown: Shown,
     missing: Missing,
+    band: Band | None,
     ax: matplotlib.axes.Axes,
     limits: Limits,
     is_log: bool,
 ) -> list[Any]:
     """Draws it; returns its key."""
+    key: list[Any] = []
     x = across.values
     # The neighbours of a point in a list have nothing in common with it.
     is_list = any(is_column(coordinate) for coordinate in maps.coords.values())
@@ -56,14 +59,19 @@ def draw_curve(
         _draw_parts(ax, x, shown, "o" if is_list else "-", size)
     else:
         line = "o" if is_list else "o-" if len(x) <= _FEW_POINTS else "-"
-        ax.plot(x, shown.values, line, color=_core.CURVE_COLOUR, markersize=size)
+        curve = ax.plot(x, shown.values, line, color=_core.CURVE_COLOUR, markersize=size)
+        if band is not None:
+            curve[0].set_label(_core.NOMINAL_MEANING)
+            key = [*curve, *_draw_band(ax, x, band, is_list or len(x) == 1)]
     if classes is None:
-        _limit_values(ax, shown, limits, is_log)
+        ends = (shown.values,) if band is None else (shown.values, band.low, band.high)
+        values = numpy.concatenate([one.ravel() for one in ends])
+        _limit_values(ax, values, shown.dimension == "sample", limits, is_log)
     ax.set_axisbelow(True)
     if shown.dimension != "sample":
         ax.grid(color=_GRID, linewidth=0.6)
     ax.set_ylabel(_core.quantity_label(shown.name, shown.unit))
-    key = ax.get_legend_handles_labels()[0][::-1]
+    key = key or ax.get_legend_handles_labels()[0][::-1]
     if missing.note:
         feet = numpy.full(int(missing.mask.sum()), 0.015)
         key += ax.plot(
@@ -78,15 +86,36 @@ def draw_curve(
     return list(key)
 
 
+def _draw_band(
+    ax: matplotlib.axes.Axes, x: NDArray[Any], band: Band, has_bars: bool
+) -> list[Any]:
+    """Behind the curve, with bars where neighbours have nothing in common; returns its key."""
+    look = {"color": _core.BAND_COLOUR, "zorder": 1.5}
+    if has_bars:
+        ax.vlines(x, band.low, band.high, linewidth=4, **look)
+    else:
+        ax.fill_between(x, band.low, band.high, linewidth=0, **look)
+    key = [box(_core.BAND_COLOUR, band.meaning)]
+    if band.median is not None:
+        line = "." if has_bars else "-"
+        look = {"color": _core.MEDIAN_COLOUR, "linewidth": 0.8, "zorder": 1.8}
+        key += ax.plot(x, band.median, line, label=_core.MEDIAN_MEANING, **look)
+    return key
+
+
 def _limit_values(
-    ax: matplotlib.axes.Axes, shown: Shown, limits: Limits, is_log: bool
+    ax: matplotlib.axes.Axes,
+    values: NDArray[Any],
+    is_samples: bool,
+    limits: Limits,
+    is_log: bool,
 ) -> None:
-    least, most, _ = _core.padded_range(shown.values.ravel())
+    least, most, _ = _core.padded_range(values)
     if is_log:
         ax.set_yscale("log")
     else:
         ax.set_ylim(least, most)
-        if least < 0.0 < most and shown.dimension != "sample":
+        if least < 0.0 < most and not is_samples:
             ax.axhline(0.0, color=_ZERO, linewidth=1.0, zorder=1)
     ax.set_ylim(*limits)
 

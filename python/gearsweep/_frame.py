@@ -67,7 +67,8 @@ def draw_key(ax: matplotlib.axes.Axes, handles: list[Any]) -> None:
         return
     from matplotlib.transforms import ScaledTranslation
 
-    widest = max(len(handle.get_label()) for handle in handles)
+    widths = [len(handle.get_label()) + 8 for handle in handles]
+    in_one_row = sum(widths) <= 80
     # Below numbers and label of the axis, however high the picture is.
     below = ScaledTranslation(0, -_BELOW_AXIS / 72, ax.figure.dpi_scale_trans)
     ax.legend(
@@ -75,7 +76,7 @@ def draw_key(ax: matplotlib.axes.Axes, handles: list[Any]) -> None:
         loc="upper center",
         bbox_to_anchor=(0.5, 0.0),
         bbox_transform=ax.transAxes + below,
-        ncol=max(1, min(len(handles), 80 // (widest + 8))),
+        ncol=len(handles) if in_one_row else max(1, min(len(handles), 80 // max(widths))),
         frameon=False,
         fontsize="small",
     )

@@ -10,7 +10,7 @@ from gearsweep._curve import draw_curve
 from gearsweep._errors import InputError
 from gearsweep._frame import draw_heading, draw_key, label_axis
 from gearsweep._heat_map import draw_heat_map
-from gearsweep._shown import Limits, across_of, axes_of, find_shown, missing_in
+from gearsweep._shown import Limits, across_of, axes_of, find_band, find_shown, missing_in
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -25,6 +25,7 @@ def draw(
     colormap: str | None,
     limits: Limits,
     is_log: bool,
+    has_band: bool,
     title: str | None,
 ) -> matplotlib.axes.Axes:
     """Draw a quantity; `gearsweep.Gear.plot` says how."""
@@ -42,7 +43,8 @@ def draw(
     elif colormap is not None:
         raise InputError("colormap: a curve has none; it is for maps over two axes")
     else:
-        key = draw_curve(maps, across, shown, missing, ax, limits, is_log)
+        band = find_band(maps, shown) if has_band else None
+        key = draw_curve(maps, across, shown, missing, band, ax, limits, is_log)
     label_axis(ax.xaxis, across)
     draw_key(ax, key)
     draw_heading(ax, maps, shown.meaning + remark, title)

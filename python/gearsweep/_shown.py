@@ -35,6 +35,15 @@ class Shown(NamedTuple):
     parts: tuple[str, ...] = ()
 
 
+class Band(NamedTuple):
+    """Tolerances around a curve: its lowest and highest percentile, and the median if known."""
+
+    low: NDArray[Any]
+    high: NDArray[Any]
+    median: NDArray[Any] | None
+    meaning: str
+
+
 class Missing(NamedTuple):
     """Points without a value: where, and what is said of them."""
 
@@ -111,6 +120,22 @@ def find_shown(maps: xarray.Dataset, quantity: str | None, axes: list[str]) -> S
     if name != _SAMPLES:
         return one._replace(meaning=f"{variable.attrs.get('long_name', '')}, {extra[0]} {part}")
     return one._replace(meaning=f"{one.meaning}, at phase 0 of each recorded period")
+
+
+def find_band(maps: xarray.Dataset, shown: Shown) -> Band | None:
+    """Of a quantity that has percentiles in the result."""
+    if shown.dimension or shown.name not in maps:
+        return None
+    found = _core.band_of(shown.name, [str(name) for name in maps.data_vars])
+    if found is None:
+        return None
+    low, median, high, meaning = found
+    return Band(
+        low=maps[low].values.astype(float),
+        high=maps[high].values.astype(float),
+        median=maps[median].values.astype(float) if median else None,
+        meaning=meaning,
+    )
 
 
 def _label(part: Any) -> str:

@@ -340,9 +340,10 @@ class Study:
         Parameters
         ----------
         **keys : mapping, number or bool
-            Parameters with their distributions, as ``mu={"distribution": "normal", "std": 0.01}``,
-            and other keys of ``[uncertain]``: ``samples``, ``seed``, ``percentiles``, ``sobol``.
-            The page on tolerances has them all.
+            Parameters with their distributions, as `gearsweep.normal`, `gearsweep.uniform`,
+            `gearsweep.triangular` and `gearsweep.values` make them, or as a mapping of the keys:
+            ``mu={"distribution": "normal", "std": 0.01}``; and other keys of ``[uncertain]``:
+            ``samples``, ``seed``, ``percentiles``, ``sobol``, ``keep``.
 
         Returns
         -------
@@ -351,7 +352,8 @@ class Study:
         Examples
         --------
         >>> study = Study.gear5().sweep(omega=(0.4, 2.0, 64)).observe("dmf_max")
-        >>> study = study.uncertain(samples=50, b={"distribution": "normal", "std": 0.01})
+        >>> from gearsweep import normal
+        >>> study = study.uncertain(samples=50, b=normal(0.01))
         >>> "std = 0.01" in study.toml
         True
         """

@@ -291,3 +291,19 @@ def test_what_is_no_map_says_how_it_is_drawn(gear):
     trace = gearsweep.trace(gear, record=2, **place)
     assert "this is a trace" in refusal(lambda: trace.gear.plot("x1"))
     assert "maps.gear.at" in refusal(lambda: gear.gear.si().gear.at(**place))
+
+
+def test_plot_has_the_band_of_tolerances():
+    study = gearsweep.Study.gear5("coarse").sweep(omega=(0.6, 0.9, 4)).observe("x1_rms")
+    study = study.integrate(settle=20, record=8)
+    mass = {"distribution": "uniform", "from": 0.3, "to": 0.4}
+    maps = study.uncertain(samples=5, m1=mass, percentiles=[10, 90]).run()
+    ax = maps.gear.plot("x1_rms")
+    names = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert names == ["nominal", "percentiles 10 to 90"]
+    low, high = ax.get_ylim()
+    assert low < float(maps.x1_rms_p10.min())
+    assert high > float(maps.x1_rms_p90.max())
+    bare = maps.gear.plot("x1_rms", band=False)
+    assert bare.get_legend() is None
+    assert not bare.collections

@@ -222,3 +222,38 @@ def test_who_drops_axes_is_told():
     swept = Study.gear5().sweep(omega=(0.5, 1.0, 3))
     with pytest.warns(RuntimeWarning, match="take the place of the axes omega"):
         assert swept.points({"mu": [0.0, 0.1]}).axes == {"point": 2}
+
+
+def test_distributions_are_the_keys_of_a_study():
+    built = Study.gear5("coarse").uncertain(
+        samples=20,
+        mu=gearsweep.normal(0.005, mean=0.1),
+        omega=gearsweep.normal(0.01, relative=True),
+        e0=gearsweep.uniform(0.55, 0.65),
+        F1=gearsweep.triangular(0.08, 0.1, 0.12),
+        b=gearsweep.values(numpy.array([0.9, 1.1]), relative=True),
+    )
+    read = Study("""
+[model]
+name = "gear5"
+preset = "coarse"
+[uncertain]
+samples = 20
+mu = {distribution = "normal", std = 0.005, mean = 0.1}
+omega = {distribution = "normal", std = 0.01, relative = true}
+e0 = {distribution = "uniform", from = 0.55, to = 0.65}
+F1 = {distribution = "triangular", from = 0.08, mode = 0.1, to = 0.12}
+b = {distribution = "values", values = [0.9, 1.1], relative = true}
+""")
+    assert built == read
+
+
+@pytest.mark.parametrize("numbers", ["0.1 0.2", [[0.1], [0.2]], 0.1, ["a"]])
+def test_values_are_numbers_in_one_row(numbers):
+    with pytest.raises(InputError, match="values: expected numbers"):
+        gearsweep.values(numbers)
+
+
+def test_a_distribution_that_cannot_be_is_refused():
+    with pytest.raises(InputError, match=r"uncertain\(mu\)"):
+        Study.gear5("coarse").uncertain(mu=gearsweep.uniform(0.2, 0.1))

@@ -9,6 +9,7 @@ import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
+import numpy
 import pytest
 from conftest import MAP
 
@@ -140,3 +141,23 @@ def test_a_child_that_was_forked_before_can_compute():
         "if child: raise SystemExit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
     )
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
+
+
+def test_draws_that_are_kept_make_the_statistics_of_the_run():
+    study = gearsweep.Study.gear5("coarse").sweep(omega=(0.6, 0.9, 3)).integrate(settle=30, record=8)
+    study = study.observe("x1_rms", "contact_class", poincare=["x1"])
+    tolerances = {"m1": gearsweep.uniform(0.3, 0.4), "omega": gearsweep.normal(0.01, relative=True)}
+    maps = study.uncertain(samples=9, keep=True, **tolerances).run()
+    draws = maps.x1_rms_draws
+    assert draws.dims == ("omega", "draw")
+    assert maps.uncertain_value.dims == ("draw", "uncertain")
+    numpy.testing.assert_allclose(draws.mean("draw"), maps.x1_rms_sample_mean, rtol=1e-12)
+    numpy.testing.assert_allclose(draws.quantile(0.95, "draw"), maps.x1_rms_p95, rtol=1e-12)
+    share = (maps.contact_class_draws == 1).mean("draw")
+    numpy.testing.assert_allclose(share, maps.contact_class_single_sided_share, rtol=1e-12)
+    names = maps.uncertain_parameter.values.tolist()
+    # The point of the very parameters of a draw has its value.
+    mass, factor = (maps.uncertain_value[4, names.index(name)].item() for name in ("m1", "omega"))
+    alone = gearsweep.Study.gear5("coarse", m1=mass).sweep(omega=maps.omega.values * factor)
+    alone = alone.integrate(settle=30, record=8).observe("x1_rms")
+    numpy.testing.assert_array_equal(alone.run().x1_rms, draws[:, 4])

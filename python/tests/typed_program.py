@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import assert_type
+from typing import Any, assert_type
 
 import numpy
 import xarray
@@ -27,6 +27,12 @@ def strongest(folder: Path, frictions: list[float]) -> list[float]:
         assert_type(maps, xarray.Dataset)
         found.append(float(maps.dmf_max.max()))
     return found
+
+
+def tolerant(study: gs.Study, loads: list[float]) -> gs.Study:
+    mass = gs.triangular(0.3, 0.35, 0.4)
+    assert_type(mass, dict[str, Any])
+    return study.uncertain(m1=mass, b=gs.normal(0.01, mean=1.0), F1=gs.values(loads))
 
 
 def describe() -> str:

@@ -53,6 +53,15 @@ TEST_F(DevicesTest, PartsOfADeviceGiveTheMapsOfTheWhole) {
   }
 }
 
+TEST_F(DevicesTest, PartsOfADeviceShareTheDrawsOfAPoint) {
+  folder_.write("study.toml", kTolerantStudy);
+  ASSERT_EQ(run("whole.nc", "--quiet").status, 0);
+  for (const char* devices : {"0/2", "0,0/2"}) {
+    ASSERT_EQ(run("out.nc", std::string("--quiet --device ") + devices).status, 0) << devices;
+    EXPECT_EQ(difference("out.nc", "whole.nc"), "") << devices;
+  }
+}
+
 TEST_F(DevicesTest, ADeviceThatFailsHandsItsTileBackAndTheOthersGoOn) {
   ASSERT_EQ(run("whole.nc", "--quiet").status, 0);
   struct Failure {

@@ -51,6 +51,18 @@ TEST_F(ShardTest, MergedTheyAreTheMapsOfOneRun) {
   EXPECT_EQ(difference("merged.nc", "map.nc"), "");
 }
 
+// The draws of a point lie in tiles of all three, and Sobol indices take every one of them.
+TEST_F(ShardTest, DrawsOfUncertainParametersComeTogether) {
+  folder_.write("study.toml", kTolerantStudy);
+  ASSERT_EQ(run("").status, 0);
+  for (const char* shard : {"3/3", "1/3", "2/3"}) {
+    ASSERT_EQ(run(std::string("--shard ") + shard).status, 0) << shard;
+  }
+  const Outcome merged = merge("map.nc.shard-*.journal");
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(difference("merged.nc", "map.nc"), "");
+}
+
 TEST_F(ShardTest, AMissingOrForeignShardIsNamed) {
   ASSERT_EQ(run("--shard 1/3").status, 0);
   ASSERT_EQ(run("--shard 2/3").status, 0);

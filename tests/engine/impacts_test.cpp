@@ -32,7 +32,7 @@ std::string free_flight(double b, double omega, int record, double max_step) {
          "]\n[initial]\npolicy = 'fixed'\nstate = {x = 0.1, v = 1.0}\n[integrate]\nsettle = 0\n"
          "record = " +
          std::to_string(record) + "\nstop = 'never'\nmax_step = " + digits(max_step) +
-         "\n[observe]\nquantities = ['contact_losses', " + kImpacts + "]\n";
+         "\n[observe]\nquantities = ['contact_losses', 'dmf_max', 'dmf_min', " + kImpacts + "]\n";
 }
 
 TEST(Impacts, OfAFreeFlightBetweenTheFlanksAreCountedAndMeasured) {
@@ -43,6 +43,9 @@ TEST(Impacts, OfAFreeFlightBetweenTheFlanksAreCountedAndMeasured) {
   EXPECT_EQ(impact_value(result, "back"), 1.0);
   EXPECT_NEAR(impact_value(result, "speed"), 1.0, 1e-4);
   EXPECT_NEAR(impact_value(result, "depth"), 1.0, 1e-7);
+  // Each contact begins with an impact, so the largest force on either flank follows one.
+  EXPECT_NEAR(map_of(result, "dmf_max")[0], 1.0, 1e-7);
+  EXPECT_NEAR(map_of(result, "dmf_min")[0], -1.0, 1e-7);
 }
 
 // No impact without a loss: never more than one apart in a record, and none in steady contact. The

@@ -111,6 +111,39 @@ TEST(OrderMap, HasHertzThatAreTeethTimesTurnsInASecond) {
   EXPECT_NEAR(hertz_per_unit(scales) * omega, kTeeth * scales.rpm_per_omega * omega / 60.0, 1e-12);
 }
 
+// The slow error of an eccentric pinion of z teeth, times the stiffness of mesh order n, makes
+// lines at n +- 1/z.
+TEST(OrderMap, AnEccentricPinionHasSidebandsBesideTheMeshOrders) {
+  constexpr double kTeeth = 5.0;
+  const auto map_with = [](const std::string& runout) {
+    const Study study = read_study(
+        "[model]\npreset = 'coarse'\nerror = 'series'\n[parameters]\nzp = 5\ncycle = 5\n"
+        "e0 = [0.02]\nrunout_p = " +
+            runout +
+            "\n[[axes]]\nname = 'omega'\n"
+            "values = [0.35, 0.5, 0.6]\n[integrate]\nsettle = 60\nrecord = 2\n"
+            "max_step = 0.1\ntolerance = 0\n[observe]\nquantities = ['x1_rms']\n",
+        "test");
+    OrderRequest request;
+    request.orders = 3.0;
+    request.samples_per_period = 64;
+    return *map_orders(study, request, {});
+  };
+  const OrderMap sound = map_with("0.0"), eccentric = map_with("0.2");
+  for (std::size_t point = 0; point < 3; ++point) {
+    for (const double mesh : {1.0, 2.0}) {
+      for (const double side : {-1.0, 1.0}) {
+        const double line = amplitude_at(eccentric, point, mesh + side / kTeeth);
+        EXPECT_GT(line, 1e-3 * amplitude_at(eccentric, point, mesh)) << point << mesh << side;
+        EXPECT_LT(amplitude_at(sound, point, mesh + side / kTeeth), 1e-6 * line);
+        EXPECT_LT(amplitude_at(eccentric, point, mesh + 0.5 * side / kTeeth), 1e-6 * line);
+        // While the teeth stay together the equations are linear, so no wave is squared.
+        EXPECT_LT(amplitude_at(eccentric, point, mesh + 2.0 * side / kTeeth), 1e-6 * line);
+      }
+    }
+  }
+}
+
 std::string orders_refusal(const std::string& more, const std::string& over,
                            const std::string& channel, double orders = 4.0,
                            const std::vector<NamedValue>& at = {}) {

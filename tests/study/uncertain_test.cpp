@@ -12,8 +12,10 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 const std::string kAxis = "[[axes]]\nname = 'omega'\nvalues = [0.6, 0.7]\n";
@@ -47,6 +49,18 @@ TEST(Uncertain, EachQuantityHasMapsOfItsDraws) {
               IsSupersetOf({"dmf_max", "dmf_max_sample_mean", "dmf_max_sample_std", "dmf_max_p2_5",
                             "dmf_max_p50", "diverged_share", "contact_class_double_sided_share"}));
   EXPECT_EQ(study.trajectories(), 2U * 21U);
+}
+
+TEST(Uncertain, TheValuesInEachDrawAreKeptWhereTheyAreAskedFor) {
+  const std::string uncertain =
+      "samples = 20\nsobol = true\nmu = {distribution = 'normal', std = 0.001}\n";
+  EXPECT_THAT(quantities_of(read_with(uncertain)), Not(Contains("dmf_max_draws")));
+  const Study study = read_with("keep = true\n" + uncertain);
+  EXPECT_THAT(quantities_of(study), IsSupersetOf({"dmf_max_draws", "contact_class_draws"}));
+  const Quantity& kept = study.selection.quantities.back();
+  EXPECT_EQ(kept.name, "contact_class_draws");
+  EXPECT_EQ(kept.flags.size(), 4U);
+  EXPECT_EQ(kept.width, 40U);  // of both of Saltelli's matrices, whose rows are draws
 }
 
 TEST(Uncertain, ClosePercentilesKeepNamesOfTheirOwn) {

@@ -37,4 +37,20 @@ inline std::string observe_all_of(const Model& model) {
                      sampled);
 }
 
+// Eight points with tolerances: 8 x (1 + 10 x 4) trajectories in tiles that cut through the draws
+// of each point.
+inline const std::string kTolerantStudy = coarse_study(4, 2, R"([integrate]
+settle = 60
+record = 16
+tile = 30
+[observe]
+quantities = ["dmf_max", "contact_class"]
+[uncertain]
+samples = 10
+sobol = true
+keep = true
+mu = {distribution = "normal", std = 0.005}
+omega = {distribution = "uniform", from = 0.98, to = 1.02, relative = true}
+)");
+
 }  // namespace gearsweep::testing

@@ -151,7 +151,7 @@ TEST(UncertainSweep, MapsDoNotDependOnTheCutIntoTiles) {
 
 // Each draw is the point that a study of these very parameters has; the gears are unlike there.
 TEST(UncertainSweep, DrawsAreWhatAListOfTheirParametersGives) {
-  const SweepResult result = run(kGearDraws);
+  const SweepResult result = run(kGearDraws, {"uncertain.keep=true"});
   const auto values_of = [&](const std::string& name) {
     return std::ranges::find(result.study.uncertain.parameters, name,
                              [](const auto& parameter) { return parameter.draws.name; })
@@ -168,9 +168,14 @@ TEST(UncertainSweep, DrawsAreWhatAListOfTheirParametersGives) {
   const std::vector<double>& classes = map_of(list, "contact_class");
   for (std::size_t point = 0; point < 3; ++point) {
     std::vector<double> of_point;
+    const auto kept = [&](const std::string& name, std::size_t draw) {
+      return map_of(result, name + "_draws")[point * mass.size() + draw];
+    };
     double double_sided = 0.0;
     for (std::size_t draw = 0; draw < mass.size(); ++draw) {
       of_point.push_back(force[draw * 3 + point]);
+      EXPECT_EQ(kept("dmf_max", draw), of_point.back());
+      EXPECT_EQ(kept("contact_class", draw), classes[draw * 3 + point]);
       double_sided += classes[draw * 3 + point] == 2.0 ? 1.0 : 0.0;
     }
     const auto [smallest, largest] = std::ranges::minmax(of_point);

@@ -48,6 +48,7 @@ std::string describe_tolerances(const SweepResult& result) {
         break;
       case DrawStatistic::sobol_first:
       case DrawStatistic::sobol_first_error:
+      case DrawStatistic::each_value:
         break;
       case DrawStatistic::sobol_total:
         text += describe_indices(result, source);

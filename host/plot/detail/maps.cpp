@@ -8,6 +8,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "plot/band.hpp"
 #include "plot/detail/names.hpp"
 #include "plot/detail/panels.hpp"
 #include "plot/detail/sources.hpp"
@@ -98,6 +99,22 @@ std::string cut_remark(const ResultFile& file, const Cut& cut, bool is_si) {
                      shown);
 }
 
+// Of a curve whose quantity has percentiles in the file.
+std::optional<CurveBand> read_band(const ResultFile& file, const std::optional<Cut>& cut,
+                                   const ResultMap& map, bool is_si) {
+  if (!map.flags.empty() || map.part_count() > 1) return std::nullopt;
+  const std::optional<BandMaps> maps = band_maps(map.name, file.quantities());
+  if (!maps) return std::nullopt;
+  const auto read = [&](const std::string& name) {
+    ResultMap one = file.read(name, cut);
+    if (is_si) convert_to_si(file.scales(), &one);
+    return one;
+  };
+  CurveBand band = {read(maps->low), read(maps->high), std::nullopt, maps->meaning};
+  if (!maps->median.empty()) band.median = read(maps->median);
+  return band;
+}
+
 // `request` names the cut.
 Picture read_picture(const std::string& path, const std::string& quantity,
                      const PlotRequest& request) {
@@ -126,6 +143,9 @@ Picture read_picture(const std::string& path, const std::string& quantity,
   if (request.style.is_si) {
     ensure_scales(file.scales(), path);
     convert_to_si(file.scales(), &picture.map);
+  }
+  if (one_axis && !is_layer && request.style.has_band) {
+    picture.band = read_band(file, cut, picture.map, request.style.is_si);
   }
   if (cut) picture.remark = cut_remark(file, *cut, request.style.is_si);
   return picture;
@@ -200,6 +220,12 @@ std::optional<std::size_t> upwards_of(const PlotRequest& request, const std::str
   return neighbours[0] < 0 ? 0 : 1;
 }
 
+void ensure_band(const std::vector<std::vector<Picture>>& panels, const PlotStyle& style) {
+  const bool has_one = std::ranges::any_of(
+      panels, [](const auto& layers) { return layers.front().band.has_value(); });
+  if (!has_one) style.refuse_band();
+}
+
 // What the two are called: of a speed as engineers do.
 std::vector<std::string> names_of_directions(std::size_t upwards, const ResultAxis& axis) {
   const bool is_speed = axis.unit == "varpi" || axis.unit == "rpm";
@@ -221,8 +247,13 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
   }
   if (is_one) {
     Picture picture = read_picture(request.paths.front(), request.quantity, request);
-    if (picture.map.axes.size() == 2) return draw_heat_map(page, picture);
-    return draw_stack(page, {{{std::move(picture)}}, {""}});
+    if (picture.map.axes.size() == 2) {
+      request.style.refuse_band();
+      return draw_heat_map(page, picture);
+    }
+    const Stack stack = {{{std::move(picture)}}, {""}};
+    ensure_band(stack.panels, request.style);
+    return draw_stack(page, stack);
   }
   ensure_tellable(request.paths.size());
   constexpr std::size_t kMaxPanels = 8;
@@ -239,6 +270,7 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
     ensure_one_axis(layers, request);
     stack.panels.push_back(std::move(layers));
   }
+  ensure_band(stack.panels, request.style);
   const ResultAxis& axis = stack.panels.front().front().map.axes.front();
   stack.upwards = upwards_of(request, axis.name);
   stack.names = stack.upwards && request.style.legend.empty()

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "plot/band.hpp"
 #include "plot/detail/dots.hpp"
 #include "plot/detail/text.hpp"
 #include "result/hysteresis.hpp"
@@ -33,6 +34,10 @@ std::vector<double> all_values(const std::vector<Picture>& layers) {
   std::vector<double> values;
   for (const Picture& layer : layers) {
     values.insert(values.end(), layer.map.values.begin(), layer.map.values.end());
+    if (!layer.band) continue;
+    for (const ResultMap* end : {&layer.band->low, &layer.band->high}) {
+      values.insert(values.end(), end->values.begin(), end->values.end());
+    }
   }
   return values;
 }
@@ -139,6 +144,33 @@ std::vector<std::string> part_elements(const ResultMap& map, PlotScript* script)
   return elements;
 }
 
+// Behind a curve: a filled band, and the median as a thin line. Of a list of points, whose
+// neighbours have nothing in common, and of a single one, a bar.
+std::vector<std::string> band_elements(const CurveBand& band, const AxisRange& y,
+                                       PlotScript* script) {
+  const std::vector<double>& x = band.low.axes.front().values;
+  const std::string data = next_records(*script, x.size(), 4);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    // A logarithmic axis has no place for what is below its end.
+    const double low = y.logarithmic ? std::max(band.low.values[i], y.min) : band.low.values[i];
+    const double median = band.median ? band.median->values[i] : std::nan("");
+    append_numbers({x[i], low, band.high.values[i], median}, &script->data);
+  }
+  const bool has_bars = band.low.is_list() || x.size() == 1;
+  std::vector<std::string> elements = {
+      has_bars ? fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead linewidth 6 linecolor "
+                             "rgb '{}' notitle",
+                             data, kBandColour)
+               : fmt::format("{} using 1:2:3 with filledcurves fillstyle solid 1 noborder "
+                             "linecolor rgb '{}' notitle",
+                             data, kBandColour)};
+  if (band.median) {
+    elements.push_back(fmt::format("{} using 1:4 with {} linecolor rgb '{}' notitle", data,
+                                   has_bars ? kListDots : "lines linewidth 1", kMedianColour));
+  }
+  return elements;
+}
+
 // A band where the run-up and the run-down part, and an arrow along each jump.
 std::string jump_marks(const Panel& panel) {
   std::string text;
@@ -183,6 +215,9 @@ std::vector<std::string> elements_of(const Page& page, const Panel& panel, const
   }
   if (panel.layers.size() == 1 && first.part_count() > 1) return part_elements(first, script);
   std::vector<std::string> elements;
+  if (panel.layers.front().band) {
+    elements = band_elements(*panel.layers.front().band, panel.y.range, script);
+  }
   for (std::size_t i = 0; i < panel.layers.size(); ++i) {
     elements.push_back(layer_element(panel, i, script));
   }
@@ -207,6 +242,22 @@ std::vector<KeyEntry> missing_entries(const Stack& stack) {
   return entries;
 }
 
+// What a band has in it; all panels have the same percentiles.
+std::vector<KeyEntry> band_entries(const Stack& stack) {
+  for (const std::vector<Picture>& panel : stack.panels) {
+    const std::optional<CurveBand>& band = panel.front().band;
+    if (!band) continue;
+    std::vector<KeyEntry> entries = {
+        {KeyEntry::Kind::kLine, layer_colour(0), "1", kNominalMeaning},
+        {KeyEntry::Kind::kBox, kBandColour, "1", literal(band->meaning)}};
+    if (band->median) {
+      entries.push_back({KeyEntry::Kind::kThinLine, kMedianColour, "1", kMedianMeaning});
+    }
+    return entries;
+  }
+  return {};
+}
+
 std::vector<KeyEntry> key_entries(const Stack& stack) {
   std::vector<KeyEntry> entries;
   const auto is_dotted = [](const std::vector<Picture>& panel) {
@@ -218,6 +269,8 @@ std::vector<KeyEntry> key_entries(const Stack& stack) {
     entries.push_back({all_dotted ? KeyEntry::Kind::kDot : KeyEntry::Kind::kLine, layer_colour(i),
                        layer_dashes(i), stack.names[i]});
   }
+  const std::vector<KeyEntry> of_band = band_entries(stack);
+  entries.insert(entries.end(), of_band.begin(), of_band.end());
   if (stack.names.size() == 1) {
     for (const std::vector<Picture>& panel : stack.panels) {
       const ResultMap& map = panel.front().map;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/error.hpp"
 #include "plot/detail/text.hpp"
@@ -66,17 +67,30 @@ namespace {
 
 struct KeyGrid {
   std::size_t columns = 1, rows = 0;
-  double column = 0.0;  // width
+  std::vector<double> lefts;  // of the columns, from the first
+  double width = 0.0;         // of all
 };
 
 KeyGrid grid_of(const Page& page, const std::vector<KeyEntry>& entries) {
-  double widest = 0.0;
-  for (const KeyEntry& entry : entries) widest = std::max(widest, page.width_of(entry.text));
+  const double room = page.width() - page.em(), gap = page.em() * kKeyGap;
+  std::vector<double> widths;
+  for (const KeyEntry& entry : entries) {
+    widths.push_back(page.width_of(entry.text) + page.em() * (kSymbol + kSymbolGap) + gap);
+  }
+  const double widest = *std::ranges::max_element(widths);
+  const double most = std::max(1.0, std::floor(room / widest));
   KeyGrid grid;
-  grid.column = widest + page.em() * (kSymbol + kSymbolGap + kKeyGap);
-  const double most = std::max(1.0, std::floor((page.width() - page.em()) / grid.column));
   grid.columns = std::min(entries.size(), static_cast<std::size_t>(most));
-  if (grid.columns > 0) grid.rows = (entries.size() + grid.columns - 1) / grid.columns;
+  // In one row where that can be done, with columns of different widths.
+  const bool is_row = std::accumulate(widths.begin(), widths.end(), 0.0) - gap <= room;
+  if (is_row) grid.columns = entries.size();
+  grid.rows = (entries.size() + grid.columns - 1) / grid.columns;
+  const bool is_even = static_cast<double>(grid.columns) <= most;
+  for (std::size_t i = 0; i < grid.columns; ++i) {
+    grid.lefts.push_back(grid.width);
+    grid.width += is_even ? widest : widths[i];
+  }
+  grid.width -= gap;
   return grid;
 }
 
@@ -91,26 +105,26 @@ std::string draw_key(const Page& page, const std::vector<KeyEntry>& entries, dou
   if (entries.empty()) return "";
   const KeyGrid grid = grid_of(page, entries);
   const double em = page.em();
-  const double whole = static_cast<double>(grid.columns) * grid.column - em * kKeyGap;
-  const double left = std::max(0.3 * em, 0.5 * (page.width() - whole));
+  const double left = std::max(0.3 * em, 0.5 * (page.width() - grid.width));
   const auto at = [&](double x, double y) {
     return fmt::format("screen {:.5f}, screen {:.5f}", x / page.width(), y / height);
   };
   std::string text;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const KeyEntry& entry = entries[i];
-    const auto column = static_cast<double>(i % grid.columns);
     const std::size_t above = grid.rows - 1 - i / grid.columns;
     const auto row = static_cast<double>(above);
-    const double x = left + column * grid.column;
+    const double x = left + grid.lefts[i % grid.columns];
     const double y = em * (0.2 + kKeyLine * (row + 0.5));
     const double right = x + em * kSymbol;
     const double middle = 0.5 * (x + right);
     switch (entry.kind) {
       case KeyEntry::Kind::kLine:
+      case KeyEntry::Kind::kThinLine:
         text += fmt::format(
-            "set arrow from {} to {} nohead linewidth 2 linecolor rgb '{}' dashtype {}\n", at(x, y),
-            at(right, y), entry.colour, entry.dashes);
+            "set arrow from {} to {} nohead linewidth {} linecolor rgb '{}' dashtype {}\n",
+            at(x, y), at(right, y), entry.kind == KeyEntry::Kind::kLine ? 2 : 1, entry.colour,
+            entry.dashes);
         break;
       case KeyEntry::Kind::kDot:
       case KeyEntry::Kind::kTriangle:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ struct MissingPoints {
 
 // What a line, dot or box stands for, at the foot of a picture.
 struct KeyEntry {
-  enum class Kind { kLine, kDot, kTriangle, kBox };
+  enum class Kind { kLine, kThinLine, kDot, kTriangle, kBox };
   Kind kind = Kind::kLine;
   std::string colour, dashes = "1";
   std::string text;  // markup
@@ -33,13 +34,21 @@ struct MapLine {
   std::string label;  // markup, at the last point in the picture; may be empty
 };
 
+// Of tolerances, around a curve.
+struct CurveBand {
+  ResultMap low, high;
+  std::optional<ResultMap> median;
+  std::string meaning;  // "percentiles 5 to 95"
+};
+
 // A map with its axes sorted upwards, and what the labels say beside it.
 struct Picture {
   ResultMap map;
   MissingPoints missing;
   std::string title;
-  std::string remark;    // such as "b = 0.7"; may be empty
-  std::string settings;  // of the study, as TOML
+  std::string remark;                  // such as "b = 0.7"; may be empty
+  std::string settings;                // of the study, as TOML
+  std::optional<CurveBand> band = {};  // of a curve alone
   // Of a map of two axes: what is drawn over it, what the key says of that, and markup in place of
   // the usual label of the bar.
   std::vector<MapLine> lines = {};

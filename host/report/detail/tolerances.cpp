@@ -11,14 +11,13 @@ void add_tolerances(const ReportFindings& findings, HtmlPage* page) {
   if (!findings.tolerances) return;
   const Uncertain& uncertain = findings.tolerances->uncertain;
   page->heading("Tolerances");
-  std::vector<std::string> names, maps;
+  std::vector<std::string> names, maps = {findings.force};
   for (const UncertainParameter& parameter : uncertain.parameters) {
     names.push_back(html_text(parameter.draws.name));
   }
   double worst_share = 0.0, worst_forcing = 0.0;
   for (const DrawQuantity& quantity : draw_quantities(*findings.tolerances)) {
     const std::string& name = quantity.quantity.name;
-    if (quantity.statistic == DrawStatistic::percentile) maps.push_back(name);
     if (name != "contact_class_double_sided_share") continue;
     maps.push_back(name);
     const ResultMap share = findings.over_speed("tolerances.nc", name);
@@ -30,8 +29,8 @@ void add_tolerances(const ReportFindings& findings, HtmlPage* page) {
   }
   page->picture(findings.drawn("tolerances", {"tolerances.nc"},
                                fmt::format("{}", fmt::join(maps, ",")), true),
-                caption_of(fmt::format("{} over {} draws of {}: percentiles, and the share of the "
-                                       "draws in which both flanks are hit",
+                caption_of(fmt::format("{} over {} draws of {}, and the share of the draws in "
+                                       "which both flanks are hit",
                                        html_text(findings.force), uncertain.independent_draws(),
                                        fmt::join(names, ", ")),
                            findings));

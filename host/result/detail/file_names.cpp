@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "study/draw_quantities.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -12,6 +14,8 @@ bool is_taken_in_result(const std::string& name, const Study& study) {
   const std::vector<Quantity>& quantities = study.selection.quantities;
   return name == "status" || name == kPointAxis || name == "poincare" || name == "sample" ||
          name.starts_with("state") || name.starts_with("attractor_") ||
+         (study.uncertain.keep &&
+          (name.starts_with(kUncertainDimension) || name.starts_with(kDrawDimension))) ||
          std::any_of(quantities.begin(), quantities.end(), [&](const Quantity& quantity) {
            const std::string& dimension = quantity.dimension;
            return name == quantity.name || (!dimension.empty() && name.starts_with(dimension));

@@ -242,6 +242,7 @@ void read_uncertain(const toml::table& root, Study* study) {
   uncertain.samples = reader.count("samples", kUsualSamples);
   uncertain.seed = reader.count("seed", uncertain.seed);
   uncertain.sobol = reader.boolean("sobol", uncertain.sobol);
+  uncertain.keep = reader.boolean("keep", uncertain.keep);
   uncertain.percentiles = {5.0, 50.0, 95.0};
   if (const toml::node* percentiles = reader.find("percentiles")) {
     uncertain.percentiles = reader.numbers("percentiles", 0.0, 100.0);
