@@ -65,6 +65,10 @@ inline constexpr GearKey kMeshStiffness{
     "mean mesh stiffness",    "number", "by ISO 6336-1 method B from face_width_mm"};
 inline constexpr GearKey kFaceWidth{
     "face_width_mm", 1e-3, 1e5, "face width", "number", "needed without mesh_stiffness_N_per_m"};
+inline constexpr GearKey kDedendum{
+    "dedendum_mm", 0.0,
+    1e4,           "dedendum of the basic rack, for the stiffness by face_width_mm",
+    "number",      "1.25 modules"};
 inline constexpr GearKey kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
 inline constexpr GearKey kTransmissionError{"transmission_error_um",
                                             0.0,
@@ -137,6 +141,21 @@ inline constexpr GearKey kHelix{"helix_angle_deg", 0.0, 45.0, "helix angle, with
                                 "number",          "0"};
 inline constexpr GearKey kSpeed{"pinion_speed_rpm",    1e-6,     1e9,
                                 "speed of the pinion", "number", "omega stays as it is"};
+inline constexpr GearKey kPitchDeviation{"pitch_deviation_um",
+                                         0.0,
+                                         1e4,
+                                         "deviation f_pb of the base pitch, for K_v in a report",
+                                         "number",
+                                         "no K_v"};
+inline constexpr GearKey kProfileDeviation{"profile_form_deviation_um",
+                                           0.0,
+                                           1e4,
+                                           "with it: form deviation f_falpha of the profile",
+                                           "number",
+                                           "no K_v"};
+inline constexpr GearKey kTipRelief{
+    "tip_relief_um", 0.0,      1e4, "with both: tip relief C_a, of accuracy grade 5 and better",
+    "number",        "B_k = 1"};
 
 inline constexpr std::array kGearKeys = {kTeeth,
                                          kModule,
@@ -152,6 +171,7 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kHalfBacklash,
                                          kMeshStiffness,
                                          kFaceWidth,
+                                         kDedendum,
                                          kTorque,
                                          kTransmissionError,
                                          kErrorPhase,
@@ -169,7 +189,10 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kProfileShift,
                                          kTipDiameter,
                                          kHelix,
-                                         kSpeed};
+                                         kSpeed,
+                                         kPitchDeviation,
+                                         kProfileDeviation,
+                                         kTipRelief};
 
 // Numbers that stand in place of those of the table, by the names of keys.
 using GearValues = std::map<std::string, double>;
