@@ -154,7 +154,7 @@ bool add_transmission_error(GearReader& in, const GearGeometry& geometry, const 
   const std::optional<MeasuredCurve> measured =
       measured_curve(in, kErrorFile, Interpolation::cubic);
   std::vector<Harmonic> series = measured ? measured_error(in, *measured, notes) : given_error(in);
-  const std::optional<std::vector<TablePoint>> removed = deviations_of(in, kProfileFile);
+  const std::optional<std::vector<TablePoint>> removed = curve_over_path(in, kProfileFile);
   if (removed) {
     if (geometry.helix > 0.0) {
       fail_at(in.node(kProfileFile), "profile_deviation_file is for spur gears");

@@ -8,12 +8,14 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/names.hpp"
 #include "study/detail/toml_access.hpp"
+#include "study/value_units.hpp"
 
 namespace gearsweep {
 
@@ -33,7 +35,8 @@ struct GearKey {
   double min, max;
   std::string_view meaning;
   std::string_view type = "number", fallback = "required";
-  std::string_view choices = "";  // of a word, with blanks between
+  std::string_view choices = "";          // of a word, with blanks between
+  std::span<const ValueUnit> units = {};  // of a file that names one in its heading
 
   constexpr bool is_file() const {
     return type == kFile || type == kFilePerTooth || type == kFileOverPath;
@@ -89,28 +92,48 @@ inline constexpr GearKey kErrorFile{
     "transmission_error_file",
     0.0,
     0.0,
-    "measured transmission error in um over a mesh period, instead of amplitudes; its first 8 "
-    "harmonics are taken",
+    "measured transmission error over a mesh period, in um or the unit of its heading, instead of "
+    "amplitudes; its first 8 harmonics are taken",
     kFile,
-    ""};
+    "",
+    "",
+    kLengthUnits};
 inline constexpr GearKey kProfileFile{
     "profile_deviation_file",
     0.0,
     0.0,
-    "what corrections and wear take away from a pair of flanks, in um",
+    "what corrections and wear take away from a pair of flanks, in um or the unit of its heading",
     kFileOverPath,
-    ""};
-inline constexpr GearKey kPinionPitch{"pinion_pitch_error_file",
-                                      0.0,
-                                      0.0,
-                                      "pitch errors of the pinion in um, where each tooth enters",
-                                      kFilePerTooth,
-                                      ""};
+    "",
+    "",
+    kLengthUnits};
+inline constexpr GearKey kPinionPitch{
+    "pinion_pitch_error_file",
+    0.0,
+    0.0,
+    "pitch errors of the pinion where each tooth enters, in um or the unit of its heading",
+    kFilePerTooth,
+    "",
+    "",
+    kLengthUnits};
 inline constexpr GearKey kGearPitch{
-    "gear_pitch_error_file", 0.0, 0.0, "pitch errors of the gear in um, where each tooth enters",
-    kFilePerTooth,           ""};
+    "gear_pitch_error_file",
+    0.0,
+    0.0,
+    "pitch errors of the gear where each tooth enters, in um or the unit of its heading",
+    kFilePerTooth,
+    "",
+    "",
+    kLengthUnits};
 inline constexpr GearKey kStiffnessFile{
-    "stiffness_file", 0.0, 0.0, "measured mesh stiffness in N/m over a mesh period", kFile, ""};
+    "stiffness_file",
+    0.0,
+    0.0,
+    "measured mesh stiffness over a mesh period, in N/m or the unit of its heading",
+    kFile,
+    "",
+    "",
+    kStiffnessUnits};
 inline constexpr GearKey kLoadShareFile{"load_share_file",
                                         0.0,
                                         0.0,
