@@ -88,6 +88,15 @@ inline constexpr GearKey kRunoutPhase{
     "runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", kPair, "0"};
 inline constexpr GearKey kDamage{
     "damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair", kPair, "0"};
+inline constexpr GearKey kPinionDamage{
+    "pinion_damage_file",
+    0.0,
+    0.0,
+    "instead of damage: the share, 0 to 1, by which the pinion's tooth 0 weakens its pair",
+    kFileOverPath,
+    ""};
+inline constexpr GearKey kGearDamage{"gear_damage_file", 0.0, 0.0, "the same of the gear's tooth 0",
+                                     kFileOverPath,      ""};
 inline constexpr GearKey kErrorFile{
     "transmission_error_file",
     0.0,
@@ -201,6 +210,8 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kRunout,
                                          kRunoutPhase,
                                          kDamage,
+                                         kPinionDamage,
+                                         kGearDamage,
                                          kErrorFile,
                                          kProfileFile,
                                          kPinionPitch,
