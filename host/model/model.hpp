@@ -48,7 +48,7 @@ struct ModelSetting {
 // [0, 1]. At a jump it has the value of the side on which `toward` lies.
 struct Curve {
   std::function<double(double phase, double toward)> at;  // empty where nothing is measured
-  std::vector<double> jumps;                              // phases
+  std::vector<double> jumps;                              // phases; of damage where it bends
 };
 
 // By the names that a model gives them.

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "model/model.hpp"
+#include "study/dynamic_factor.hpp"
 #include "study/initial_policy.hpp"
 #include "study/point_table.hpp"
 #include "study/selection.hpp"
@@ -126,7 +128,8 @@ struct Study {
   std::vector<std::string> option_origins;
   std::vector<std::string> gear_notes;  // how each number of a [gear] table came about
   Scales scales;
-  std::vector<Axis> axes;  // one or two; the first is x, the fastest
+  std::optional<DynamicFactorInput> dynamic_factor;  // of a [gear] table with what K_v takes
+  std::vector<Axis> axes;                            // one or two; the first is x, the fastest
   Initial initial;
   Uncertain uncertain;
   Integrate integrate;

@@ -59,6 +59,7 @@ GearConversion read_gear(const toml::table* gear, const toml::table* own, Study*
   }
   GearConversion conversion = convert_gear(*gear, first_values(*study->model, study->axes));
   study->scales = conversion.scales;
+  study->dynamic_factor = conversion.dynamic_factor;
   study->gear_notes = conversion.notes;
   for (const GearParameter& parameter : conversion.parameters) {
     const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));

@@ -37,8 +37,9 @@ constexpr const char* kTable = "a table";
 
 class TableFileReader {
  public:
-  TableFileReader(std::string_view text, const std::string& source)
-      : lines_(text, kMaxBytes, kTable, source), source_(source) {}
+  TableFileReader(std::string_view text, const std::string& source,
+                  std::span<const ValueUnit> units)
+      : lines_(text, kMaxBytes, kTable, source), source_(source), units_(units) {}
 
   std::vector<TablePoint> run() {
     std::vector<std::string_view> fields;
@@ -60,6 +61,7 @@ class TableFileReader {
     has_content_ = true;
     if (is_header) {
       read_header(fields[0]);
+      scale_ = scale_in_heading(units_, std::span(fields).subspan(1), lines_);
       return;
     }
     if (fields.size() != 2) {
@@ -111,7 +113,7 @@ class TableFileReader {
     if (points_.size() == kMaxTablePoints) {
       fail(fmt::format("more than {} points; leave some out", kMaxTablePoints));
     }
-    points_.push_back({phase, value});
+    points_.push_back({phase, value * scale_});
   }
 
   void refuse_close(double given, double phase) {
@@ -172,14 +174,17 @@ class TableFileReader {
   const std::string& source_;
   bool has_content_ = false;
   std::size_t jumps_ = 0;
+  std::span<const ValueUnit> units_;
   Unit unit_ = kUnits[0];
+  double scale_ = 1.0;  // of the values
   std::vector<TablePoint> points_;
 };
 
 }  // namespace
 
-std::vector<TablePoint> parse_table(std::string_view text, const std::string& source) {
-  return TableFileReader(text, source).run();
+std::vector<TablePoint> parse_table(std::string_view text, const std::string& source,
+                                    std::span<const ValueUnit> units) {
+  return TableFileReader(text, source, units).run();
 }
 
 std::string table_text(const std::vector<TablePoint>& points) {
@@ -188,11 +193,12 @@ std::string table_text(const std::vector<TablePoint>& points) {
   return text;
 }
 
-TablePoints tables_beside(const std::string& model_file) {
-  return [folder = std::filesystem::path(model_file).parent_path()](const std::string& name) {
-    const std::string path = (folder / name).string();
-    return parse_table(number_file_text(path, kMaxBytes, kTable), path);
-  };
+TablePoints tables_beside(const std::string& model_file, std::span<const ValueUnit> units) {
+  return
+      [folder = std::filesystem::path(model_file).parent_path(), units](const std::string& name) {
+        const std::string path = (folder / name).string();
+        return parse_table(number_file_text(path, kMaxBytes, kTable), path, units);
+      };
 }
 
 }  // namespace gearsweep

@@ -116,7 +116,9 @@ enum { ERROR_SINE, ERROR_SERIES };
   X(pitch_p, "of error series, over a turn of the pinion: pitch errors in b_n")      \
   X(pitch_g, "over a turn of the gear")                                              \
   X(pitch_bend_p, "minus the second derivative of pitch_p by the angle of the turn") \
-  X(pitch_bend_g, "of pitch_g")
+  X(pitch_bend_g, "of pitch_g")                                                      \
+  X(damage_p, "over the path of contact, 0 to 1: what the pinion's tooth 0 loses")   \
+  X(damage_g, "over the path of contact: what the gear's tooth 0 loses")
 
 // X(name, meaning, TOML of what differs from the defaults above)
 #define MODEL_PRESETS(X)                                                                      \
@@ -550,10 +552,14 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
       if (sine.amplitude != 0.0) return "e0_2 .. e0_8 and runout need the option error = 'series'";
     }
   }
+  if (p.overlap > 0.0 && (curves.damage_p.at || curves.damage_g.at)) {
+    return "damage over the path of contact is for spur gears: overlap must be 0";
+  }
   std::string wrong;
-  if (p.runout_p > 0.0 || p.damage_p > 0.0 || curves.pitch_p.at)
+  if (p.runout_p > 0.0 || p.damage_p > 0.0 || curves.pitch_p.at || curves.damage_p.at)
     wrong = gear5_check_turn(p, "pinion", p.zp);
-  if (wrong.empty() && (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at)) {
+  if (!wrong.empty()) return wrong;
+  if (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at || curves.damage_g.at) {
     wrong = gear5_check_turn(p, "gear", p.zp * p.teeth_ratio);
   }
   return wrong;
@@ -561,7 +567,7 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
 
 // Phases in [0, 1) at which the right-hand side jumps or bends (0 is always one): in each mesh
 // period a pair enters, a pair leaves, a pair passes the pitch point; of helical teeth, both ends
-// of the face width do.
+// of the face width do. Once per turn, a damaged tooth passes a bend of its curve.
 inline std::vector<double> model_break_phases(const ModelParameters& p, const ModelOptions& options,
                                               const ModelCurves& curves = {}) {
   const double pitch = p.approach * p.eps;
@@ -580,16 +586,41 @@ inline std::vector<double> model_break_phases(const ModelParameters& p, const Mo
   for (double begin = 0.0; begin < p.cycle; begin += 1.0) {
     for (const double phase : breaks) phases.push_back((begin + phase) / p.cycle);
   }
+  const auto add_bends = [&](const Curve& damage, double teeth) {
+    for (double begin = 0.0; begin < p.cycle; begin += std::round(teeth)) {
+      for (const double place : damage.jumps) {
+        const double phase = (begin + place * p.eps) / p.cycle;
+        phases.push_back(phase - std::floor(phase));
+      }
+    }
+  };
+  if (!curves.damage_p.jumps.empty()) add_bends(curves.damage_p, p.zp);
+  if (!curves.damage_g.jumps.empty()) add_bends(curves.damage_g, p.zp * p.teeth_ratio);
   return phases;
 }
 
 // What is left of the stiffness of a pair whose teeth may be damaged. The pair that enters at the
 // beginning of the forcing period has both gears' teeth 0; `pair` counts on from there.
+inline bool gear5_is_tooth_0(double pair, double teeth) {
+  return std::fmod(pair, std::round(teeth)) == 0.0;
+}
 inline double gear5_sound_share(const ModelParameters& p, double pair) {
-  const auto is_tooth_0 = [&](double teeth) { return std::fmod(pair, std::round(teeth)) == 0.0; };
   double share = 1.0;
-  if (p.damage_p > 0.0 && is_tooth_0(p.zp)) share *= 1.0 - p.damage_p;
-  if (p.damage_g > 0.0 && is_tooth_0(p.zp * p.teeth_ratio)) share *= 1.0 - p.damage_g;
+  if (p.damage_p > 0.0 && gear5_is_tooth_0(pair, p.zp)) share *= 1.0 - p.damage_p;
+  if (p.damage_g > 0.0 && gear5_is_tooth_0(pair, p.zp * p.teeth_ratio)) share *= 1.0 - p.damage_g;
+  return share;
+}
+
+// Likewise where the damage is a curve; place: on the path of contact, 0 to 1.
+inline double gear5_sound_share_at(const ModelParameters& p, const ModelCurves& curves, double pair,
+                                   double place) {
+  double share = 1.0;
+  if (curves.damage_p.at && gear5_is_tooth_0(pair, p.zp)) {
+    share *= 1.0 - curves.damage_p.at(place, place);
+  }
+  if (curves.damage_g.at && gear5_is_tooth_0(pair, p.zp * p.teeth_ratio)) {
+    share *= 1.0 - curves.damage_g.at(place, place);
+  }
   return share;
 }
 
@@ -649,8 +680,8 @@ inline void gear5_add_pair(const ModelParameters& p, bool printed, double s, dou
 
 // Spur teeth: two pairs at most, each at one position.
 inline void gear5_add_spur(const ModelParameters& p, const ModelOptions& options,
-                           const ModelCurves& curves, double period, double psi, double inside,
-                           PhaseCoefs* out) {
+                           const ModelCurves& curves, bool is_sound, double period, double psi,
+                           double inside, PhaseCoefs* out) {
   const bool printed = options.formulation == FORMULATION_PRINTED;
   const bool is_shared = options.stiffness == STIFFNESS_TABLE && curves.load_share.at;
   for (int pair = 0; pair < 2; ++pair) {
@@ -665,20 +696,23 @@ inline void gear5_add_spur(const ModelParameters& p, const ModelOptions& options
     } else if (in_contact) {
       kappa = gear5_pair_stiffness(p, options.stiffness, psi + pair);
     }
-    kappa *= gear5_sound_share(p, period - pair);
+    if (!is_sound) {
+      kappa *= gear5_sound_share(p, period - pair);
+      kappa *= gear5_sound_share_at(p, curves, period - pair, (psi + pair) / p.eps);
+    }
     gear5_add_pair(p, printed, psi + pair, lambda, kappa, 1.0, out);
   }
 }
 
 // Helical teeth: the slices of a pair are spread over positions from s - overlap to s, and a pair
 // has the mean of what they have. Gauss's two points are right for the cubics that are summed.
-inline void gear5_add_helical(const ModelParameters& p, const ModelOptions& options, double period,
-                              double psi, PhaseCoefs* out) {
+inline void gear5_add_helical(const ModelParameters& p, const ModelOptions& options, bool is_sound,
+                              double period, double psi, PhaseCoefs* out) {
   const bool printed = options.formulation == FORMULATION_PRINTED;
   const double pitch = p.approach * p.eps;
   const double ends[] = {0.0, pitch, p.eps};
   for (double pair = 0.0; pair < p.eps + p.overlap; pair += 1.0) {
-    const double sound = gear5_sound_share(p, period - pair);
+    const double sound = is_sound ? 1.0 : gear5_sound_share(p, period - pair);
     for (int side = 0; side < 2; ++side) {
       const double from = std::fmax(ends[side], psi + pair - p.overlap);
       const double to = std::fmin(ends[side + 1], psi + pair);
@@ -693,14 +727,14 @@ inline void gear5_add_helical(const ModelParameters& p, const ModelOptions& opti
   }
 }
 
-// All pairs.
+// All pairs, with their damage or as if they were sound.
 inline void gear5_add_pairs(const ModelParameters& p, const ModelOptions& options,
-                            const ModelCurves& curves, double period, double psi, double inside,
-                            PhaseCoefs* out) {
+                            const ModelCurves& curves, bool is_sound, double period, double psi,
+                            double inside, PhaseCoefs* out) {
   if (p.overlap > 0.0) {
-    gear5_add_helical(p, options, period, psi, out);
+    gear5_add_helical(p, options, is_sound, period, psi, out);
   } else {
-    gear5_add_spur(p, options, curves, period, psi, inside, out);
+    gear5_add_spur(p, options, curves, is_sound, period, psi, inside, out);
   }
 }
 
@@ -708,10 +742,8 @@ inline void gear5_add_pairs(const ModelParameters& p, const ModelOptions& option
 inline void gear5_share_total(const ModelParameters& p, const ModelOptions& options,
                               const ModelCurves& curves, double period, double psi, double inside,
                               double total, PhaseCoefs* out) {
-  ModelParameters sound = p;
-  sound.damage_p = sound.damage_g = 0.0;
   PhaseCoefs shares = {};
-  gear5_add_pairs(sound, options, curves, period, psi, inside, &shares);
+  gear5_add_pairs(p, options, curves, true, period, psi, inside, &shares);
   const double factor = total / shares.stiffness;
   out->stiffness *= factor;
   out->lever *= factor;
@@ -735,7 +767,7 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
   if (options.error == ERROR_SERIES) {
     gear5_add_errors(p, curves, period + psi, period + inside, &out);
   }
-  gear5_add_pairs(p, options, curves, period, psi, inside, &out);
+  gear5_add_pairs(p, options, curves, false, period, psi, inside, &out);
   const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
   // A table without its curve is what model_check() refuses.
   const bool is_table = options.stiffness == STIFFNESS_TABLE && curves.stiffness.at;

@@ -332,5 +332,70 @@ TEST(MeasuredGear, StiffnessTableNeedsItsFile) {
   }
 }
 
+// So the motion has its bits, too.
+TEST(MeasuredGear, ALevelCurveOfDamageIsTheDamage) {
+  for (const bool is_pinion : {true, false}) {
+    const std::string key = is_pinion ? "pinion_damage_file" : "gear_damage_file";
+    const std::string damage = is_pinion ? "damage = [0.4, 0]\n" : "damage = [0, 0.4]\n";
+    const std::string level = "0.2, 0.4\n0.7, 0.4\n";
+    for (const bool is_measured : {true, false}) {
+      const std::string stiffness = is_measured ? "stiffness_file = 'k.csv'\n" : "";
+      const std::string table = is_measured ? held("k.csv", "0 1e8\n2 3e8\n4 2e8\n") : "";
+      const std::string tables =
+          is_measured ? table + "'d.csv' = '''\n" + level + "'''\n" : held("d.csv", level);
+      const Study factor = study_of(kOneSine + stiffness + damage, table);
+      const Study curve = study_of(kOneSine + stiffness + key + " = 'd.csv'\n", tables);
+      const std::vector<double> bounds = segment_bounds(*factor.model, factor.setting);
+      EXPECT_EQ(segment_bounds(*curve.model, curve.setting), bounds);
+      for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const double inside = 0.5 * (bounds[i] + bounds[i + 1]);
+        for (const double psi : {bounds[i], inside, bounds[i + 1]}) {
+          for (const char* name : {"stiffness", "lever", "slide"}) {
+            EXPECT_EQ(coef(curve, name, psi, inside), coef(factor, name, psi, inside)) << name;
+          }
+        }
+      }
+    }
+  }
+}
+
+// By hand: tooth 0 of 20 enters at 0 and leaves at 1.3; its pair is alone from 0.3 to 1.
+TEST(MeasuredGear, DamageGoesOverThePathOfContact) {
+  const Study sound = study_of(kOneSine);
+  const Study study = study_of(kOneSine + "pinion_damage_file = 'd.csv'\n",
+                               held("d.csv", "share, lost\n0, 0\n0.5, 0.2\n1, 0.6\n"));
+  EXPECT_EQ(parameter_of(study.setting, "cycle"), 20.0);
+  const auto left = [&](double mesh_periods) {
+    return coef(study, "stiffness", mesh_periods / 20.0) / coef(sound, "stiffness", mesh_periods);
+  };
+  EXPECT_NEAR(left(0.325), 0.9, 1e-12);
+  EXPECT_NEAR(left(0.65), 0.8, 1e-12);
+  EXPECT_NEAR(left(0.975), 0.6, 1e-12);
+  EXPECT_NEAR(coef(study, "stiffness", 1.5 / 20.0), coef(sound, "stiffness", 0.5), 1e-12);
+  const std::vector<double> bounds = segment_bounds(*study.model, study.setting);
+  EXPECT_TRUE(std::ranges::any_of(
+      bounds, [](double bound) { return std::fabs(bound - 0.65 / 20.0) < 1e-12; }));
+}
+
+TEST(MeasuredGear, DamageThatCannotBeIsRefused) {
+  const auto refusal = [](const std::string& keys, const std::string& numbers) {
+    try {
+      study_of(kOneSine + keys + "gear_damage_file = 'd.csv'\n", held("d.csv", numbers));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal("damage = [0.3, 0]\n", "0, 0.2\n1, 0.4\n"), "accepted");
+  EXPECT_THAT(refusal("damage = 0.3\n", "0, 0.2\n1, 0.4\n"), HasSubstr("keep one"));
+  EXPECT_THAT(refusal("", "0, 0.2\n1, 1.5\n"), HasSubstr("has 1.5 at 1; a share"));
+  EXPECT_THAT(refusal("", "0, -0.2\n1, 0.5\n"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(refusal("helix_angle_deg = 10\nface_width_mm = 10\n", "0, 0.2\n"),
+              HasSubstr("is for spur gears"));
+  std::string many;
+  for (int i = 0; i <= 100; ++i) many += fmt::format("{}, 0.1\n", i / 100.0);
+  EXPECT_THAT(refusal("", many), HasSubstr("101 points; at most 100"));
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

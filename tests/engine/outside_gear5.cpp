@@ -64,13 +64,22 @@ OutsideGear::OutsideGear(const ModelSetting& setting) {
 
 double OutsideGear::period() const { return cycle_ * kTurn / omega_; }
 
-double OutsideGear::left_by_damage(long entered) const {
+void OutsideGear::damage_pinion(std::function<double(double)> lost,
+                                const std::vector<double>& bends) {
+  lost_ = std::move(lost);
+  for (double turn = 0.0; turn < cycle_; turn += zp_) {
+    for (const double bend : bends) breaks_.push_back((turn + bend * eps_) / cycle_);
+  }
+  std::sort(breaks_.begin(), breaks_.end());
+}
+
+double OutsideGear::left_by_damage(long entered, double place) const {
   const auto tooth = [&](double teeth) {
     const long count = std::lround(teeth);
     return (entered % count + count) % count;
   };
   double left = 1.0;
-  if (tooth(zp_) == 0) left -= damage_p_ * left;
+  if (tooth(zp_) == 0) left -= (lost_ ? lost_(place) : damage_p_) * left;
   if (tooth(zp_ * ratio_) == 0) left -= damage_g_ * left;
   return left;
 }
@@ -112,7 +121,7 @@ MeshSums OutsideGear::sums(double phase, double phase_inside) const {
     const double arm_p = tan_alpha + (position - pitch_point_) * base_pitch;
     const double arm_g = ((1.0 + ratio_) * tan_alpha - arm_p) / ratio_;
     kappa[i] = pair_stiffness(i, psi, in_contact) *
-               left_by_damage(std::lround(begun) - static_cast<long>(i));
+               left_by_damage(std::lround(begun) - static_cast<long>(i), position / eps_);
     if (formulation_ == "printed") {
       const double sigma = -lambda;
       g[i] = 1.0 + mu_ * sigma * arm_g;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,10 @@ class OutsideGear {
 
   double period() const;
 
+  // The pinion's tooth 0 loses the share `lost` of its pair's stiffness at a place on the path of
+  // contact, 0 to 1; steps end where the curve bends.
+  void damage_pinion(std::function<double(double)> lost, const std::vector<double>& bends);
+
   // At a phase of the forcing; the one inside is strictly between the break phases around it and
   // tells on which side of a break it is meant.
   MeshSums sums(double phase, double phase_inside) const;
@@ -51,8 +56,9 @@ class OutsideGear {
   void watch(const OutsideState& before, const OutsideState& after, double h,
              OutsideRange* range) const;
   double pair_stiffness(std::size_t pair, double psi, bool in_contact) const;
-  // What is left of it of the pair that entered with a mesh period, by the numbers of its teeth.
-  double left_by_damage(long entered) const;
+  // What is left of it, at a place, of the pair that entered with a mesh period, by the numbers of
+  // its teeth.
+  double left_by_damage(long entered, double place) const;
   // The transmission error and its second derivative by the angle omega tau.
   struct Error {
     double value = 0.0, second = 0.0;
@@ -70,6 +76,7 @@ class OutsideGear {
   };
   std::vector<Line> lines_;  // of the transmission error; orders by the mesh
   double damage_p_, damage_g_;
+  std::function<double(double)> lost_;
   std::vector<double> breaks_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "engine/outside_gear5.hpp"
@@ -26,8 +27,9 @@ struct Regimes {
   std::size_t with_impacts, wedged;  // points
 };
 
-// cycle: mesh periods in a period.
-Regimes expect_same_sections(const std::string& toml, std::size_t cycle = 1) {
+// cycle: mesh periods in a period. change: what the parameters do not say.
+Regimes expect_same_sections(const std::string& toml, std::size_t cycle = 1,
+                             const std::function<void(OutsideGear*)>& change = {}) {
   const std::size_t periods = std::max<std::size_t>(2, kPeriods / cycle);
   const std::string integrate =
       "\n[integrate]\nsteps_per_period = " + std::to_string(2048 * cycle) +
@@ -38,7 +40,8 @@ Regimes expect_same_sections(const std::string& toml, std::size_t cycle = 1) {
   const Plan plan(result.study, 1);
   for (std::size_t point = 0; point < result.study.points(); ++point) {
     EXPECT_EQ(result.status[point], 0);
-    const OutsideGear gear(plan.setting_of(point));
+    OutsideGear gear(plan.setting_of(point));
+    if (change) change(&gear);
     OutsideState x = outside_state(plan.own_initial_state(point));
     for (std::size_t period = 0; period < periods; ++period) {
       gear.advance_period(1e-12, &x);
@@ -121,6 +124,28 @@ TEST(OutsideOpinion, FaultsOfBothGears) {
       kFewTeeth + "cycle = 35\nrunout_p = 1.5\nrunout_g = 2.0\nrunout_phase_g = 1.1\n" +
           "damage_p = 0.4\ndamage_g = 0.7\n[[axes]]\nname = 'omega'\nvalues = [0.7]\n",
       35);
+}
+
+// A tooth with a crack at its root and a spall in the middle, by the lines of a file.
+TEST(OutsideOpinion, ADamagedToothByACurve) {
+  const Regimes regimes = expect_same_sections(
+      "[gear]\nteeth = [17, 23]\nmodule_mm = 3\ncontact_ratio = 1.5\ninertia_kg_mm2 = 700\n"
+      "mass_kg = 1\nbearing_stiffness_N_per_mm = 3e5\nbearing_damping_N_s_per_mm = 1.4\n"
+      "mesh_damping_N_s_per_mm = 0.7\nmesh_stiffness_N_per_m = 2.2e8\nhalf_backlash_mm = 0.05\n"
+      "torque_N_m = 25\ntransmission_error_um = 20\npinion_damage_file = 'crack.csv'\n"
+      "[gear.tables]\n'crack.csv' = '''\n0.1, 0.05\n0.35, 0.1\n0.5, 0.8\n0.6, 0.1\n1, 0.5\n'''\n"
+      "[[axes]]\nname = 'omega'\nvalues = [0.45, 0.7]\n",
+      17, [](OutsideGear* gear) {
+        const auto lost = [](double place) {
+          if (place < 0.1) return 0.05;
+          if (place < 0.35) return 0.05 + 0.2 * (place - 0.1);
+          if (place < 0.5) return 0.1 + 0.7 * (place - 0.35) / 0.15;
+          if (place < 0.6) return 0.8 - 7.0 * (place - 0.5);
+          return 0.1 + (place - 0.6);
+        };
+        gear->damage_pinion(lost, {0.1, 0.35, 0.5, 0.6});
+      });
+  EXPECT_GE(regimes.with_impacts, 1U);
 }
 
 TEST(OutsideOpinion, PrintedConstantBacklash) {

@@ -81,6 +81,24 @@ TEST(Report, OfAModelWithoutScalesIsInItsOwnUnits) {
   EXPECT_THAT(html, Not(HasSubstr("rpm")));
 }
 
+// Only of a pair whose deviations are known.
+TEST(Report, OfAPairWithDeviationsHasTheDynamicFactorOfTheStandard) {
+  std::vector<std::string> changes = small();
+  changes.insert(changes.end(), {"gear.face_width_mm=20", "gear.pitch_deviation_um=8",
+                                 "gear.profile_form_deviation_um=9"});
+  const Study study = find_study("table1-gear", changes);
+  const std::string html = report_of(study);
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, HasSubstr("<th>K<sub>v</sub>, ISO 6336-1 method B</th>"));
+  EXPECT_THAT(html, Not(HasSubstr("<code>pitch_deviation_um</code>")));
+  // In the main resonance it does not depend on the speed: 61.3 N m at 60 mm over 20 mm are 51
+  // N/mm, c_gamma = 10.87 and c' = 10.87/(0.75 1.718 + 0.25) N/(mm um), and so
+  // 1 + 0.32 c' 7.4/F + 0.34 c' 8.325/F + 0.9.
+  EXPECT_THAT(html, HasSubstr("<td>2.619</td>"));
+  EXPECT_THAT(report_of(find_study("table1-gear", small())),
+              HasSubstr("<code>pitch_deviation_um</code>"));
+}
+
 // The band is around the curve without tolerances; only its own run has draws.
 TEST(Report, OfAStudyWithTolerancesHasTheirBand) {
   std::vector<std::string> changes = small();

@@ -25,7 +25,7 @@ std::vector<std::string> report_quantities(const Model& model) {
   const std::string& first = model.states.front().name;
   const ChannelInfo* force = model.contact_force();
   std::vector<std::string> wanted = {(force != nullptr ? force->name : first) + "_max"};
-  for (const char* name : {"dynamic_load_factor", "contact_class", "dte_peak_to_peak",
+  for (const char* name : {ReportFindings::kLoadFactor, "contact_class", "dte_peak_to_peak",
                            "bearing_p_max", "bearing_g_max"}) {
     wanted.emplace_back(name);
   }
@@ -51,6 +51,21 @@ double enough_orders(const Study& study) {
   return std::clamp(std::ceil(kShown * std::max(first / last, last / first)), kFewest, kMost);
 }
 
+// K_v at each point. The mesh frequency in varpi = sqrt(k0/me) is the standard's resonance ratio.
+std::vector<double> dynamic_factors_of(const Study& study) {
+  const Plan plan(study, study.points());
+  const auto omega = static_cast<std::size_t>(study.model->find_parameter("omega"));
+  const auto load = static_cast<std::size_t>(study.model->find_parameter("F1"));
+  std::vector<double> factors;
+  for (std::size_t point = 0; point < study.points(); ++point) {
+    const std::vector<double> parameters = plan.setting_of(point).parameters;
+    factors.push_back(dynamic_factor(*study.dynamic_factor,
+                                     study.dynamic_factor->line_load_per_load * parameters[load],
+                                     parameters[omega]));
+  }
+  return factors;
+}
+
 // The runs of a report.
 class Runs {
  public:
@@ -61,11 +76,21 @@ class Runs {
 
   // False when stopped.
   bool run(const Study& study, const std::string& file, const std::string& what) {
-    if (options_.on_step) options_.on_step(what);
-    const std::optional<SweepResult> result = run_sweep(study, sweep_);
+    return sweep(study, file, what).has_value();
+  }
+
+  // The curves over the speed, and K_v beside them.
+  bool run_line() {
+    std::optional<SweepResult> result = sweep(out_.line, "line.nc", "curves over speed");
     if (!result) return false;
-    write_result(*result, out_.file(file), provenance());
-    if (result->pilot) pilot_step_ = result->pilot->step;
+    if (!out_.line.dynamic_factor) return true;
+    out_.dynamic_factors = dynamic_factors_of(out_.line);
+    const std::vector<Quantity>& quantities = result->study.selection.quantities;
+    const auto load_factor =
+        std::ranges::find(quantities, std::string(ReportFindings::kLoadFactor), &Quantity::name);
+    result->values[static_cast<std::size_t>(load_factor - quantities.begin())] =
+        out_.dynamic_factors;
+    write_result(*result, out_.file("factor.nc"), provenance());
     return true;
   }
 
@@ -107,6 +132,17 @@ class Runs {
   }
 
  private:
+  // Nothing when stopped.
+  std::optional<SweepResult> sweep(const Study& study, const std::string& file,
+                                   const std::string& what) {
+    if (options_.on_step) options_.on_step(what);
+    std::optional<SweepResult> result = run_sweep(study, sweep_);
+    if (!result) return result;
+    write_result(*result, out_.file(file), provenance());
+    if (result->pilot) pilot_step_ = result->pilot->step;
+    return result;
+  }
+
   Provenance provenance() const { return {options_.command_line, version(), source_hash()}; }
 
   const ReportOptions& options_;
@@ -157,7 +193,8 @@ ResultMap ReportFindings::over_speed(const std::string& name, const std::string&
 }
 
 std::string ReportFindings::drawn(const std::string& picture, const std::vector<std::string>& files,
-                                  const std::string& quantity, bool is_cut) const {
+                                  const std::string& quantity, bool is_cut,
+                                  const std::vector<std::string>& legend) const {
   PlotRequest request;
   for (const std::string& name : files) request.paths.push_back(file(name));
   request.quantity = quantity;
@@ -165,6 +202,7 @@ std::string ReportFindings::drawn(const std::string& picture, const std::vector<
   if (is_cut) request.at = at;
   request.style.is_si = is_si();
   request.style.title = "";
+  request.style.legend = legend;
   request.style.size.width = 170.0;
   plot_files(request);
   return request.output_path;
@@ -190,7 +228,7 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   findings.line = changed(findings.study, {}, zooms);
   Runs runs(options, &findings);
   if (findings.at && !runs.run(findings.study, "map.nc", "map over both axes")) return std::nullopt;
-  if (!runs.run(findings.line, "line.nc", "curves over speed")) return std::nullopt;
+  if (!runs.run_line()) return std::nullopt;
   if (study.uncertain.draws() > 0) {
     findings.tolerances = changed(study, {list_override(tolerated(findings.quantities))}, zooms);
     const bool is_run =

@@ -29,6 +29,9 @@ struct ReportFindings {
   // The same as `line` with the study's tolerances, of the force and the contact alone; nothing of
   // a study without.
   std::optional<Study> tolerances;
+  // K_v at each speed of `line`, where the study has what it takes; then "factor.nc" is "line.nc"
+  // with K_v in the place of the load factor.
+  std::vector<double> dynamic_factors;
   OrderMap orders;
   bool has_directions = false;  // files of run-up and run-down
   std::string no_directions;    // why there are none
@@ -36,12 +39,15 @@ struct ReportFindings {
 
   bool is_si() const { return study.scales.known(); }
   std::string file(const std::string& name) const { return (folder->path() / name).string(); }
+  // Of these quantities one that several sections speak of.
+  static constexpr const char* kLoadFactor = "dynamic_load_factor";
   // A map over the speed, in SI units where these are known; from "line.nc", "up.nc", "down.nc",
   // "tolerances.nc".
   ResultMap over_speed(const std::string& name, const std::string& quantity) const;
-  // An SVG of these files.
+  // An SVG of these files; legend: what several are called.
   std::string drawn(const std::string& picture, const std::vector<std::string>& files,
-                    const std::string& quantity, bool is_cut) const;
+                    const std::string& quantity, bool is_cut,
+                    const std::vector<std::string>& legend = {}) const;
 };
 
 // Nothing when stopped.

@@ -89,6 +89,10 @@ void add_parameters(const GearKey& key, const toml::table& gear, const GearValue
     column.meaning = model.parameters[column.index].meaning;
     axis->columns.push_back(std::move(column));
   }
+  if (axis->columns.empty()) {
+    fail_at(place, fmt::format("{} changes nothing in the equations of this study ({})", key.name,
+                               key.meaning));
+  }
 }
 
 GearValues first_values(const Model& model, const std::vector<Axis>& axes) {

@@ -80,21 +80,13 @@ std::vector<Harmonic> profile_error(const std::vector<TablePoint>& removed, doub
   const Model& model = gear_table_model();
   const double fall =
       model.parameters[static_cast<std::size_t>(model.find_parameter("q"))].default_value;
-  const auto at = [&](double place) {
-    const auto after = std::ranges::upper_bound(removed, place, {}, &TablePoint::phase);
-    if (after == removed.begin()) return removed.front().value;
-    if (after == removed.end()) return removed.back().value;
-    const TablePoint &left = *(after - 1), &right = *after;
-    return left.value +
-           (right.value - left.value) * (place - left.phase) / (right.phase - left.phase);
-  };
   return harmonics_of(
       [&](double angle) {
         double sum = 0.0, load = 0.0;
         for (double s = angle / (2.0 * std::numbers::pi); s < eps; s += 1.0) {
           const double offset = 2.0 * s / eps - 1.0;
           const double share = 1.0 - fall * offset * offset;
-          sum += share * at(s / eps);
+          sum += share * value_over_path(removed, s / eps);
           load += share;
         }
         return sum / load;
@@ -133,6 +125,49 @@ void add_pitch_errors(const std::string& gear, const std::vector<double>& errors
                                      {}};
 }
 
+// Where neighbouring lines of a curve over the path of contact meet at an angle.
+std::vector<double> bends_of(const std::vector<TablePoint>& points) {
+  std::vector<double> bends;
+  double slope = 0.0;  // before the first point and behind the last
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_last = i + 1 == points.size();
+    const double next =
+        is_last ? 0.0
+                : (points[i + 1].value - points[i].value) / (points[i + 1].phase - points[i].phase);
+    const double place = points[i].phase;
+    if (next != slope && place > 0.0 && place < 1.0) bends.push_back(place);
+    slope = next;
+  }
+  return bends;
+}
+
+// The damage of tooth 0 over the path of contact; whether there is one.
+bool add_damage_curve(GearReader& in, const GearGeometry& geometry, std::size_t gear, double factor,
+                      Curves* curves) {
+  const GearKey& key = gear == 0 ? kPinionDamage : kGearDamage;
+  const std::optional<std::vector<TablePoint>> points = curve_over_path(in, key);
+  if (!points) return false;
+  if (in.is_swept(kDamage) || factor > 0.0) {
+    fail_at(in.node(key),
+            fmt::format("{} and damage both give the damage of one tooth; keep one", key.name));
+  }
+  if (geometry.helix > 0.0) fail_at(in.node(key), fmt::format("{} is for spur gears", key.name));
+  constexpr std::size_t kMost = 100;  // the phase grid has a segment for each
+  if (points->size() > kMost) {
+    fail_at(in.node(key), fmt::format("{} has {} points; at most {} are possible", key.name,
+                                      points->size(), kMost));
+  }
+  for (const TablePoint& point : *points) {
+    if (point.value >= 0.0 && point.value <= 1.0) continue;
+    fail_at(in.node(key), fmt::format("{} has {} at {}; a share of the stiffness is from 0 to 1",
+                                      key.name, point.value, point.phase));
+  }
+  (*curves)[gear == 0 ? "damage_p" : "damage_g"] = {
+      [points = *points](double place, double) { return value_over_path(points, place); },
+      bends_of(*points)};
+  return true;
+}
+
 // The curve divided by `unit`; phases in turns.
 Curve curve_of(const MeasuredCurve& measured, double unit) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -154,7 +189,7 @@ bool add_transmission_error(GearReader& in, const GearGeometry& geometry, const 
   const std::optional<MeasuredCurve> measured =
       measured_curve(in, kErrorFile, Interpolation::cubic);
   std::vector<Harmonic> series = measured ? measured_error(in, *measured, notes) : given_error(in);
-  const std::optional<std::vector<TablePoint>> removed = deviations_of(in, kProfileFile);
+  const std::optional<std::vector<TablePoint>> removed = curve_over_path(in, kProfileFile);
   if (removed) {
     if (geometry.helix > 0.0) {
       fail_at(in.node(kProfileFile), "profile_deviation_file is for spur gears");
@@ -201,8 +236,9 @@ bool add_faults(GearReader& in, const GearGeometry& geometry, const GearBases& b
     const auto pitch = errors_of_teeth(in, i == 0 ? kPinionPitch : kGearPitch, teeth[i]);
     if (pitch) add_pitch_errors(gear, *pitch, bases, curves);
     has_pitch = has_pitch || pitch;
+    const bool is_damaged = add_damage_curve(in, geometry, i, damage[i], curves) || damage[i] > 0.0;
     const bool turns =
-        in.is_swept(kRunout) || in.is_swept(kDamage) || runout[i] > 0.0 || damage[i] > 0.0 || pitch;
+        in.is_swept(kRunout) || in.is_swept(kDamage) || runout[i] > 0.0 || is_damaged || pitch;
     if (turns) cycle = std::lcm(cycle, static_cast<std::size_t>(teeth[i]));
     is_faulty = is_faulty || turns;
   }

@@ -21,17 +21,22 @@ constexpr const char* kTeethFile = "a list of errors";
 constexpr std::size_t kMaxTeethBytes = 1U << 16U;
 
 // One number to the line; a first line that has none is a heading.
-std::vector<double> parse_teeth(std::string_view text, const std::string& source) {
+std::vector<double> parse_teeth(std::string_view text, const std::string& source,
+                                std::span<const ValueUnit> units) {
   NumberLines lines(text, kMaxTeethBytes, kTeethFile, source);
   std::vector<double> errors;
   std::vector<std::string_view> fields;
+  double scale = 1.0;
   for (bool is_first = true; lines.next(&fields); is_first = false) {
     const std::optional<double> number = number_in(fields.front());
-    if (!number && is_first) continue;
+    if (!number && is_first) {
+      scale = scale_in_heading(units, fields, lines);
+      continue;
+    }
     if (!number || !std::isfinite(*number) || fields.size() != 1) {
       lines.fail("a line has one number, the error of a tooth in um: 2.5");
     }
-    errors.push_back(*number);
+    errors.push_back(*number * scale);
   }
   return errors;
 }
@@ -42,20 +47,26 @@ std::string text_of_teeth(const std::vector<double>& errors) {
   return text;
 }
 
-// Two numbers to the line: a place on the path of contact, and what is taken away there in um.
-std::vector<TablePoint> parse_deviations(std::string_view text, const std::string& source) {
+// Two numbers to the line: a place on the path of contact, and the value there.
+std::vector<TablePoint> parse_over_path(std::string_view text, const std::string& source,
+                                        std::span<const ValueUnit> units) {
   NumberLines lines(text, kMaxTeethBytes, kTeethFile, source);
   std::vector<TablePoint> points;
   std::vector<std::string_view> fields;
+  double scale = 1.0;
   for (bool is_first = true; lines.next(&fields); is_first = false) {
     const std::optional<double> place = number_in(fields.front());
-    if (!place && is_first) continue;
+    if (!place && is_first) {
+      scale = scale_in_heading(units, std::span(fields).subspan(1), lines);
+      continue;
+    }
     const std::optional<double> value = fields.size() == 2 ? number_in(fields[1]) : std::nullopt;
     if (!place || !value || !std::isfinite(*value) || !(*place >= 0.0 && *place <= 1.0)) {
-      lines.fail("a line has two numbers: the share of the path of contact, 0 to 1, and um");
+      lines.fail(
+          "a line has two numbers: the share of the path of contact, 0 to 1, and the value there");
     }
     if (!points.empty() && !(*place > points.back().phase)) lines.fail("shares must rise");
-    points.push_back({*place, *value});
+    points.push_back({*place, *value * scale});
   }
   if (points.empty()) lines.fail("there are no points");
   return points;
@@ -64,11 +75,13 @@ std::vector<TablePoint> parse_deviations(std::string_view text, const std::strin
 // As it stands in [gear.tables].
 std::string read_beside(const std::string& source, const std::string& name, const GearKey& key) {
   const std::string path = (std::filesystem::path(source).parent_path() / name).string();
-  if (key.type == kFile) return table_text(tables_beside(source)(name));
+  if (key.type == kFile) return table_text(tables_beside(source, key.units)(name));
   if (key.type == kFileOverPath) {
-    return table_text(parse_deviations(number_file_text(path, kMaxTeethBytes, kTeethFile), path));
+    return table_text(
+        parse_over_path(number_file_text(path, kMaxTeethBytes, kTeethFile), path, key.units));
   }
-  return text_of_teeth(parse_teeth(number_file_text(path, kMaxTeethBytes, kTeethFile), path));
+  return text_of_teeth(
+      parse_teeth(number_file_text(path, kMaxTeethBytes, kTeethFile), path, key.units));
 }
 
 std::string text_in_tables(GearReader& in, const GearKey& key, const std::string& name) {
@@ -138,7 +151,7 @@ std::optional<MeasuredCurve> measured_curve(GearReader& in, const GearKey& key,
   if (!name) return std::nullopt;
   const std::string text = text_in_tables(in, key, *name);
   try {
-    const std::vector<TablePoint> points = parse_table(text, place_in_tables(*name));
+    const std::vector<TablePoint> points = parse_table(text, place_in_tables(*name), key.units);
     MeasuredCurve curve{std::make_shared<const PeriodicTable>(*name, points, interpolation), 0.0};
     curve.mean = mean_of(*curve.table, points);
     return curve;
@@ -154,7 +167,7 @@ std::optional<std::vector<double>> errors_of_teeth(GearReader& in, const GearKey
   const std::string text = text_in_tables(in, key, *name);
   std::vector<double> errors;
   try {
-    errors = parse_teeth(text, place_in_tables(*name));
+    errors = parse_teeth(text, place_in_tables(*name), key.units);
   } catch (const InputError& error) {
     fail_at(in.node(key), error.what());
   }
@@ -165,15 +178,24 @@ std::optional<std::vector<double>> errors_of_teeth(GearReader& in, const GearKey
   return errors;
 }
 
-std::optional<std::vector<TablePoint>> deviations_of(GearReader& in, const GearKey& key) {
+std::optional<std::vector<TablePoint>> curve_over_path(GearReader& in, const GearKey& key) {
   const std::optional<std::string> name = in.text(key);
   if (!name) return std::nullopt;
   const std::string text = text_in_tables(in, key, *name);
   try {
-    return parse_deviations(text, place_in_tables(*name));
+    return parse_over_path(text, place_in_tables(*name), key.units);
   } catch (const InputError& error) {
     fail_at(in.node(key), error.what());
   }
+}
+
+double value_over_path(const std::vector<TablePoint>& points, double place) {
+  const auto after = std::ranges::upper_bound(points, place, {}, &TablePoint::phase);
+  if (after == points.begin()) return points.front().value;
+  if (after == points.end()) return points.back().value;
+  const TablePoint &left = *(after - 1), &right = *after;
+  return left.value +
+         (right.value - left.value) * (place - left.phase) / (right.phase - left.phase);
 }
 
 std::vector<Harmonic> harmonics_of(const std::function<double(double)>& value, std::size_t count) {

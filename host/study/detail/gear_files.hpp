@@ -32,9 +32,12 @@ std::optional<MeasuredCurve> measured_curve(GearReader& in, const GearKey& key,
 std::optional<std::vector<double>> errors_of_teeth(GearReader& in, const GearKey& key,
                                                    double teeth);
 
-// Deviations over the path of contact, as points from its entry, 0, to its exit, 1; nothing where
-// the table has no such key.
-std::optional<std::vector<TablePoint>> deviations_of(GearReader& in, const GearKey& key);
+// A curve over the path of contact, as points from its entry, 0, to its exit, 1; nothing where the
+// table has no such key.
+std::optional<std::vector<TablePoint>> curve_over_path(GearReader& in, const GearKey& key);
+
+// The curve there: straight between its points, level before the first and behind the last.
+double value_over_path(const std::vector<TablePoint>& points, double place);
 
 // A line amplitude sin(order angle + phase) of the series of a curve.
 struct Harmonic {

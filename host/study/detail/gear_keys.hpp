@@ -8,12 +8,14 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/names.hpp"
 #include "study/detail/toml_access.hpp"
+#include "study/value_units.hpp"
 
 namespace gearsweep {
 
@@ -33,7 +35,8 @@ struct GearKey {
   double min, max;
   std::string_view meaning;
   std::string_view type = "number", fallback = "required";
-  std::string_view choices = "";  // of a word, with blanks between
+  std::string_view choices = "";          // of a word, with blanks between
+  std::span<const ValueUnit> units = {};  // of a file that names one in its heading
 
   constexpr bool is_file() const {
     return type == kFile || type == kFilePerTooth || type == kFileOverPath;
@@ -65,6 +68,10 @@ inline constexpr GearKey kMeshStiffness{
     "mean mesh stiffness",    "number", "by ISO 6336-1 method B from face_width_mm"};
 inline constexpr GearKey kFaceWidth{
     "face_width_mm", 1e-3, 1e5, "face width", "number", "needed without mesh_stiffness_N_per_m"};
+inline constexpr GearKey kDedendum{
+    "dedendum_mm", 0.0,
+    1e4,           "dedendum of the basic rack, for the stiffness by face_width_mm",
+    "number",      "1.25 modules"};
 inline constexpr GearKey kTorque{"torque_N_m", 0.0, 1e12, "torque on the pinion"};
 inline constexpr GearKey kTransmissionError{"transmission_error_um",
                                             0.0,
@@ -81,32 +88,61 @@ inline constexpr GearKey kRunoutPhase{
     "runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", kPair, "0"};
 inline constexpr GearKey kDamage{
     "damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair", kPair, "0"};
+inline constexpr GearKey kPinionDamage{
+    "pinion_damage_file",
+    0.0,
+    0.0,
+    "instead of damage: the share, 0 to 1, by which the pinion's tooth 0 weakens its pair",
+    kFileOverPath,
+    ""};
+inline constexpr GearKey kGearDamage{"gear_damage_file", 0.0, 0.0, "the same of the gear's tooth 0",
+                                     kFileOverPath,      ""};
 inline constexpr GearKey kErrorFile{
     "transmission_error_file",
     0.0,
     0.0,
-    "measured transmission error in um over a mesh period, instead of amplitudes; its first 8 "
-    "harmonics are taken",
+    "measured transmission error over a mesh period, in um or the unit of its heading, instead of "
+    "amplitudes; its first 8 harmonics are taken",
     kFile,
-    ""};
+    "",
+    "",
+    kLengthUnits};
 inline constexpr GearKey kProfileFile{
     "profile_deviation_file",
     0.0,
     0.0,
-    "what corrections and wear take away from a pair of flanks, in um",
+    "what corrections and wear take away from a pair of flanks, in um or the unit of its heading",
     kFileOverPath,
-    ""};
-inline constexpr GearKey kPinionPitch{"pinion_pitch_error_file",
-                                      0.0,
-                                      0.0,
-                                      "pitch errors of the pinion in um, where each tooth enters",
-                                      kFilePerTooth,
-                                      ""};
+    "",
+    "",
+    kLengthUnits};
+inline constexpr GearKey kPinionPitch{
+    "pinion_pitch_error_file",
+    0.0,
+    0.0,
+    "pitch errors of the pinion where each tooth enters, in um or the unit of its heading",
+    kFilePerTooth,
+    "",
+    "",
+    kLengthUnits};
 inline constexpr GearKey kGearPitch{
-    "gear_pitch_error_file", 0.0, 0.0, "pitch errors of the gear in um, where each tooth enters",
-    kFilePerTooth,           ""};
+    "gear_pitch_error_file",
+    0.0,
+    0.0,
+    "pitch errors of the gear where each tooth enters, in um or the unit of its heading",
+    kFilePerTooth,
+    "",
+    "",
+    kLengthUnits};
 inline constexpr GearKey kStiffnessFile{
-    "stiffness_file", 0.0, 0.0, "measured mesh stiffness in N/m over a mesh period", kFile, ""};
+    "stiffness_file",
+    0.0,
+    0.0,
+    "measured mesh stiffness over a mesh period, in N/m or the unit of its heading",
+    kFile,
+    "",
+    "",
+    kStiffnessUnits};
 inline constexpr GearKey kLoadShareFile{"load_share_file",
                                         0.0,
                                         0.0,
@@ -137,6 +173,21 @@ inline constexpr GearKey kHelix{"helix_angle_deg", 0.0, 45.0, "helix angle, with
                                 "number",          "0"};
 inline constexpr GearKey kSpeed{"pinion_speed_rpm",    1e-6,     1e9,
                                 "speed of the pinion", "number", "omega stays as it is"};
+inline constexpr GearKey kPitchDeviation{"pitch_deviation_um",
+                                         0.0,
+                                         1e4,
+                                         "deviation f_pb of the base pitch, for K_v in a report",
+                                         "number",
+                                         "no K_v"};
+inline constexpr GearKey kProfileDeviation{"profile_form_deviation_um",
+                                           0.0,
+                                           1e4,
+                                           "with it: form deviation f_falpha of the profile",
+                                           "number",
+                                           "no K_v"};
+inline constexpr GearKey kTipRelief{
+    "tip_relief_um", 0.0,      1e4, "with both: tip relief C_a, of accuracy grade 5 and better",
+    "number",        "B_k = 1"};
 
 inline constexpr std::array kGearKeys = {kTeeth,
                                          kModule,
@@ -152,12 +203,15 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kHalfBacklash,
                                          kMeshStiffness,
                                          kFaceWidth,
+                                         kDedendum,
                                          kTorque,
                                          kTransmissionError,
                                          kErrorPhase,
                                          kRunout,
                                          kRunoutPhase,
                                          kDamage,
+                                         kPinionDamage,
+                                         kGearDamage,
                                          kErrorFile,
                                          kProfileFile,
                                          kPinionPitch,
@@ -169,7 +223,10 @@ inline constexpr std::array kGearKeys = {kTeeth,
                                          kProfileShift,
                                          kTipDiameter,
                                          kHelix,
-                                         kSpeed};
+                                         kSpeed,
+                                         kPitchDeviation,
+                                         kProfileDeviation,
+                                         kTipRelief};
 
 // Numbers that stand in place of those of the table, by the names of keys.
 using GearValues = std::map<std::string, double>;

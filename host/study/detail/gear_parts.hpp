@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,7 +56,15 @@ struct GearGeometry {
   std::vector<double> shift;      // profile shift coefficients
   // Reference radii.
   double reference(double teeth) const { return module / std::cos(helix) * teeth / 2.0; }
+  // The overlap ratio of a face width in mm.
+  double overlap(double width) const {
+    return width * std::sin(helix) / (std::numbers::pi * module);
+  }
 };
+
+// By ISO 6336-1, how many times as stiff as one pair of teeth the mesh is in the mean, of a
+// transverse contact ratio.
+inline double pairs_in_mean(double contact_ratio) { return 0.75 * contact_ratio + 0.25; }
 
 // The path of contact on the line of action, in base pitches: from entry to the pitch point and on
 // to exit.
@@ -87,6 +96,12 @@ ContactPath read_path(GearReader& in, const GearGeometry& geometry, GearParamete
 bool add_transmission_error(GearReader& in, const GearGeometry& geometry, const ContactPath& path,
                             const GearBases& bases, GearParameters* parameters,
                             std::vector<std::string>* notes);
+
+// What the dynamic factor of ISO 6336-1 takes; nothing where the table has no deviations.
+std::optional<DynamicFactorInput> read_dynamic_factor(GearReader& in, const GearGeometry& geometry,
+                                                      const ContactPath& path,
+                                                      const GearBases& bases,
+                                                      std::vector<std::string>* notes);
 
 // What comes back once per turn of a gear. Returns whether there is any runout or pitch error.
 bool add_faults(GearReader& in, const GearGeometry& geometry, const GearBases& bases,

@@ -14,14 +14,33 @@
 namespace gearsweep {
 namespace {
 
+// C_B of ISO 6336-1 at a pressure angle of 20 degrees.
+double read_rack_factor(GearReader& in, const GearGeometry& geometry) {
+  const std::optional<double> dedendum = in.optional(kDedendum);
+  if (!dedendum) return 0.975;
+  const double in_modules = *dedendum / geometry.module;
+  if (!(in_modules >= 1.0 && in_modules <= 2.0)) {
+    fail_at(in.node(kDedendum),
+            fmt::format("dedendum_mm = {:.6g} is {:.4g} modules; 1 to 2 modules "
+                        "are possible",
+                        *dedendum, in_modules));
+  }
+  return 1.0 + 0.5 * (1.2 - in_modules);
+}
+
 // Mean mesh stiffness k0 in N/m, as given or from the face width: ISO 6336-1, method B, for steel
-// (theoretical single stiffness 1/q', model factor 0.8, basic rack factor 0.975, helix factor
+// (theoretical single stiffness 1/q', model factor 0.8, basic rack factor C_B, helix factor
 // cos(beta)). Without either, the mean of what was measured, if that is above 0.
 double read_mesh_stiffness(GearReader& in, const GearGeometry& geometry, double contact_ratio,
                            double measured, std::vector<std::string>* notes) {
-  if (in.has(kMeshStiffness) && in.has(kFaceWidth) && geometry.helix == 0.0) {
+  const bool needs_width = geometry.helix > 0.0 || in.has(kPitchDeviation);
+  if (in.has(kMeshStiffness) && in.has(kFaceWidth) && !needs_width) {
     fail_at(in.node(kFaceWidth),
             "mesh_stiffness_N_per_m and face_width_mm both give the mesh stiffness; keep one");
+  }
+  if (in.has(kDedendum) && (in.has(kMeshStiffness) || measured > 0.0)) {
+    fail_at(in.node(kDedendum),
+            "dedendum_mm goes into the stiffness by face_width_mm, and another stiffness is given");
   }
   if (in.has(kMeshStiffness)) {
     const double k0 = in.required(kMeshStiffness);
@@ -43,8 +62,8 @@ double read_mesh_stiffness(GearReader& in, const GearGeometry& geometry, double 
   const double x1 = geometry.shift[0], x2 = geometry.shift[1];
   const double q = 0.04723 + 0.15551 / z1 + 0.25791 / z2 - 0.00635 * x1 - 0.11654 * x1 / z1 -
                    0.00193 * x2 - 0.24188 * x2 / z2 + 0.00529 * x1 * x1 + 0.00182 * x2 * x2;
-  const double single = 0.8 * 0.975 / q * slant;
-  const double mesh = single * (0.75 * contact_ratio + 0.25);
+  const double single = 0.8 * read_rack_factor(in, geometry) / q * slant;
+  const double mesh = single * pairs_in_mean(contact_ratio);
   const double k0 = mesh * width * 1e6;
   notes->push_back(fmt::format(
       "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
@@ -86,9 +105,8 @@ void add_geometry(GearReader& in, const GearGeometry& geometry, GearParameters* 
                   fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
   if (geometry.helix > 0.0) {
     const double width = in.required(kFaceWidth);
-    const double overlap = width * std::sin(geometry.helix) / (std::numbers::pi * geometry.module);
     parameters->add(
-        "overlap", overlap, kHelix,
+        "overlap", geometry.overlap(width), kHelix,
         fmt::format("b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm", width * std::sin(geometry.helix),
                     std::numbers::pi * geometry.module));
     notes->push_back(
@@ -179,6 +197,7 @@ GearConversion convert_gear(const toml::table& gear, const GearValues& values) {
   const bool is_sine = add_transmission_error(in, geometry, path, bases, &parameters, &out.notes);
   const bool has_runout = add_faults(in, geometry, bases, &parameters, &out.curves);
   add_stiffness(in, stiffness, interpolation, bases, &out);
+  out.dynamic_factor = read_dynamic_factor(in, geometry, path, bases, &out.notes);
   if (!is_sine || has_runout) out.options.push_back({"error", "series"});
 
   const double turns_per_omega = bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth);

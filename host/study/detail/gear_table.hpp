@@ -4,10 +4,12 @@
 
 #include <toml++/toml.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "study/detail/gear_keys.hpp"
+#include "study/dynamic_factor.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -35,6 +37,7 @@ struct GearConversion {
   Curves curves;
   std::vector<std::string> notes;  // intermediate results, one line each
   Scales scales;
+  std::optional<DynamicFactorInput> dynamic_factor;  // where the table has what K_v takes
 };
 
 // The keys are those of gear_keys.hpp and doc/gear.md; y is along the line of action, and the

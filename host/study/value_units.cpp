@@ -1,0 +1,65 @@
+#include "study/value_units.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "study/detail/number_lines.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Other units of lengths.
+constexpr std::string_view kForeignUnits[] = {"nm",  "cm",   "dm",   "in",     "inch",   "inches",
+                                              "mil", "mils", "thou", "micron", "microns"};
+
+// In small letters, with the micro sign, which UTF-8 has twice, as u.
+std::string plain_word(std::string_view word) {
+  std::string text(word);
+  for (const std::string_view sign : {"\xC2\xB5", "\xCE\xBC"}) {
+    const std::size_t at = text.find(sign);
+    if (at != std::string::npos) text.replace(at, sign.size(), "u");
+  }
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+std::optional<double> scale_of(std::span<const ValueUnit> units, const std::string& word) {
+  for (const ValueUnit& unit : units) {
+    if (plain_word(unit.name) == word) return unit.scale;
+  }
+  return std::nullopt;
+}
+
+bool is_any_unit(const std::string& word) {
+  return word.find('/') != std::string::npos || scale_of(kStiffnessUnits, word) ||
+         scale_of(kLengthUnits, word) ||
+         std::ranges::find(kForeignUnits, word) != std::end(kForeignUnits);
+}
+
+}  // namespace
+
+double scale_in_heading(std::span<const ValueUnit> units, std::span<const std::string_view> heading,
+                        const NumberLines& lines) {
+  if (units.empty() || heading.empty()) return 1.0;
+  std::string word = plain_word(heading.back());
+  const bool is_bracketed = word.size() > 2 && ((word.front() == '(' && word.back() == ')') ||
+                                                (word.front() == '[' && word.back() == ']'));
+  if (is_bracketed) word = word.substr(1, word.size() - 2);
+  if (const std::optional<double> scale = scale_of(units, word)) return *scale;
+  // "error_mm": what is not taken for a unit must not be one.
+  const std::string ending = word.substr(word.rfind('_') + 1);
+  if (scale_of(units, ending) == 1.0) return 1.0;
+  if (!is_bracketed && !is_any_unit(ending)) return 1.0;
+  std::vector<std::string_view> names;
+  for (const ValueUnit& unit : units) names.push_back(unit.name);
+  lines.fail(
+      fmt::format("'{}' is no unit that these values may have; the last word of the heading "
+                  "is one of {}",
+                  shown_field(heading.back()), fmt::join(names, ", ")));
+}
+
+}  // namespace gearsweep
