@@ -1,6 +1,7 @@
 // Statistics over draws: of numbers whose answers are known, and of a linear oscillator.
 #include "sweep/draw_maps.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
