@@ -341,10 +341,11 @@ TEST(MeasuredGear, ALevelCurveOfDamageIsTheDamage) {
     for (const bool is_measured : {true, false}) {
       const std::string stiffness = is_measured ? "stiffness_file = 'k.csv'\n" : "";
       const std::string table = is_measured ? held("k.csv", "0 1e8\n2 3e8\n4 2e8\n") : "";
-      const std::string tables =
-          is_measured ? table + "'d.csv' = '''\n" + level + "'''\n" : held("d.csv", level);
-      const Study factor = study_of(kOneSine + stiffness + damage, table);
-      const Study curve = study_of(kOneSine + stiffness + key + " = 'd.csv'\n", tables);
+      const std::string tables = is_measured ? fmt::format("{}'d.csv' = '''\n{}'''\n", table, level)
+                                             : held("d.csv", level);
+      const std::string keys = kOneSine + stiffness;
+      const Study factor = study_of(keys + damage, table);
+      const Study curve = study_of(fmt::format("{}{} = 'd.csv'\n", keys, key), tables);
       const std::vector<double> bounds = segment_bounds(*factor.model, factor.setting);
       EXPECT_EQ(segment_bounds(*curve.model, curve.setting), bounds);
       for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {

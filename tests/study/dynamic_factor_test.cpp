@@ -15,7 +15,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 // ISO/TR 6336-30, example 1, as gfsReboucas/Drivetrain quotes it (MATISO_6336.m): module 8 mm,
 // 17/103 teeth, helix 15.8 degrees, face width 100 mm, a rack with a dedendum of 1.4 modules,
