@@ -17,7 +17,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 // ISO/TR 6336-30, example 1, as gfsReboucas/Drivetrain quotes it (MATISO_6336.m): module 8 mm,
-// 17/103 teeth, helix 15.8 degrees, face width 100 mm, a rack with a dedendum of 1.4 modules,
+// 17/103 teeth, helix 15.8 degrees, face width 100 mm, rack D of ISO 53 (dedendum 1.4 modules),
 // 9000 N m, 360 rpm, grade 5, a tip relief of 70 um.
 struct Example {
   double module = 8.0, helix = 15.8 * std::numbers::pi / 180.0, width = 100.0;

@@ -221,8 +221,7 @@ void add_forces(const ReportFindings& findings, HtmlPage* page) {
     page->paragraph(
         "With <code>pitch_deviation_um</code>, <code>profile_form_deviation_um</code> and "
         "<code>face_width_mm</code> in [gear] the dynamic factor K<sub>v</sub> of ISO 6336-1 "
-        "stands "
-        "beside the dynamic load factor.");
+        "stands beside the dynamic load factor.");
   }
   if (!findings.at) return;
   for (const std::string& quantity : findings.quantities) {
