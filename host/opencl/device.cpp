@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 #include "model/error.hpp"
@@ -14,10 +17,27 @@
 namespace gearsweep {
 namespace {
 
+constexpr std::size_t kMaxLanes = 16;  // the widest vector of OpenCL C
+
 // OpenCL strings may carry a terminating zero.
 std::string trimmed(std::string text) {
   while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
   return text;
+}
+
+// What GEARSWEEP_LANES says, for a CPU whose driver knows its vectors wrong, or to try another
+// machine's; 0 where it says nothing.
+std::size_t lanes_asked_for() {
+  const char* value = std::getenv("GEARSWEEP_LANES");
+  if (value == nullptr || *value == '\0') return 0;
+  std::size_t lanes = 0;
+  const char* end = value + std::strlen(value);
+  const auto [last, error] = std::from_chars(value, end, lanes);
+  if (error != std::errc() || last != end || std::popcount(lanes) != 1 || lanes > kMaxLanes) {
+    throw InputError(
+        fmt::format("GEARSWEEP_LANES = '{}': it must be 1, 2, 4, 8 or {}", value, kMaxLanes));
+  }
+  return lanes;
 }
 
 DeviceInfo describe(const cl::Device& device) {
@@ -35,8 +55,9 @@ DeviceInfo describe(const cl::Device& device) {
   info.largest_buffer = static_cast<double>(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>());
   info.shares_host_memory = info.is_cpu || device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() != 0;
   if (info.is_cpu) {
-    const auto lanes = [](cl_uint width) {
-      return static_cast<std::size_t>(std::clamp<cl_uint>(width, 1, 16));
+    const std::size_t asked = lanes_asked_for();
+    const auto lanes = [asked](cl_uint width) {
+      return asked > 0 ? asked : std::clamp<std::size_t>(width, 1, kMaxLanes);
     };
     info.lanes_fp64 = lanes(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>());
     info.lanes_fp32 = lanes(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());

@@ -1,6 +1,6 @@
 // Stands before the OpenCL library (LD_PRELOAD) and lets one device fail: the one that is used
-// first. FAILING_CALL names the call, FAILING_AFTER how often it still works there; FAILED_FILE is
-// made when it fails. Launches of a process with AWAITED_FILE wait until there is such a file.
+// first, with all its queues. FAILING_CALL names the call, FAILING_AFTER how often it still works
+// there; FAILED_FILE is made when it fails. Launches of a process with AWAITED_FILE wait until there is such a file.
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
@@ -11,17 +11,17 @@
 #include <string.h>
 #include <unistd.h>
 
-// Whether this call on this device's context or queue is to fail.
-static int fails(const char* call, const void* handle) {
+// Whether this call is to fail in this context, which is one device's.
+static int fails(const char* call, cl_context context) {
   static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
-  static const void* failing = NULL;
+  static cl_context failing = NULL;
   static long calls = 0;
   const char* chosen = getenv("FAILING_CALL");
   const char* after = getenv("FAILING_AFTER");
   if (chosen == NULL || after == NULL || strcmp(chosen, call) != 0) return 0;
   pthread_mutex_lock(&mutex);
-  if (failing == NULL) failing = handle;
-  const int result = failing == handle && calls++ >= atol(after);
+  if (failing == NULL) failing = context;
+  const int result = failing == context && calls++ >= atol(after);
   pthread_mutex_unlock(&mutex);
   const char* file = getenv("FAILED_FILE");
   if (result && file != NULL) close(open(file, O_WRONLY | O_CREAT, 0600));
@@ -39,7 +39,10 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
   cl_int (*next)(cl_command_queue, cl_kernel, cl_uint, const size_t*, const size_t*, const size_t*,
                  cl_uint, const cl_event*, cl_event*) = dlsym(RTLD_NEXT, "clEnqueueNDRangeKernel");
   wait_for_file();
-  if (fails("launch", queue)) return CL_OUT_OF_RESOURCES;
+  // How many queues a device has, and so how many launches a queue, follows from its lanes.
+  cl_context context = NULL;
+  clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof context, &context, NULL);
+  if (fails("launch", context)) return CL_OUT_OF_RESOURCES;
   return next(queue, kernel, dimensions, offset, global, local, waits, wait_list, event);
 }
 

@@ -71,6 +71,9 @@ constexpr Item kFiles[] = {
 constexpr Item kEnvironment[] = {
     {"GEARSWEEP_CACHE_DIR",
      "Another folder for built kernels, for every driver; empty: they are not kept."},
+    {"GEARSWEEP_LANES",
+     "How many points a work-item of a CPU integrates at once: 1, 2, 4, 8 or 16. Default: what the "
+     "driver says of the processor's vectors."},
     {"XDG_CACHE_HOME", "What stands for ~/.cache."},
     {"TMPDIR", "Where temporary files go while pictures are drawn. Default: /tmp."},
 };
