@@ -53,6 +53,13 @@ Study study_of(const ModelArguments& arguments) {
   return study_of_preset(fmt::format("name = '{}'", model->name), *model, arguments.preset);
 }
 
+// What a parameter or signal means, and what it is to the tool.
+template <class Info>
+std::string meaning_of(const Info& info) {
+  const std::string role = name_of(info.role);
+  return role.empty() ? info.meaning : fmt::format("{} (role {})", info.meaning, role);
+}
+
 // Where a parameter's value comes from; swept and uncertain ones say so.
 std::string origin_of(const Study& study, std::size_t parameter) {
   const Swept* swept = study.find_on_axes(parameter);
@@ -78,7 +85,7 @@ void print_parameters(const Study& study) {
     const ParameterInfo& info = model.parameters[i];
     parameters.add({info.name, fmt::format("{:.10g}", study.setting.parameters[i]), info.unit,
                     fmt::format("{:g} .. {:g}", info.min, info.max),
-                    fmt::format("{}; {}", info.meaning, origin_of(study, i))});
+                    fmt::format("{}; {}", meaning_of(info), origin_of(study, i))});
   }
   answer("{}\noptions\n", parameters.text());
   TextTable options;
@@ -96,7 +103,7 @@ void print_channels(const Model& model) {
   for (const auto& [title, channels] :
        {std::pair("states", &model.states), std::pair("signals", &model.signals)}) {
     TextTable rows;
-    for (const ChannelInfo& info : *channels) rows.add({info.name, info.unit, info.meaning});
+    for (const ChannelInfo& info : *channels) rows.add({info.name, info.unit, meaning_of(info)});
     answer("\n{}\n{}", title, rows.text());
   }
 }

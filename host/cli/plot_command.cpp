@@ -97,7 +97,8 @@ void add_plot_command(CLI::App* app) {
           "over one axis several, NAME,NAME, stand above one another. Of traces: time (the "
           "default), phase, section, spectrum, force or portrait (four of them in one picture); "
           "time:v3, phase:x3, phase:x1:x3, spectrum:dmf, portrait:x3 pick channels (default: the "
-          "first state; force: dmf). Of an order map: frequency (the default) or order, over the "
+          "first state; force: that between the teeth). Of an order map: frequency (the default) "
+          "or order, over the "
           "axis")
       ->type_name(kQuantityValue);
   command

@@ -22,8 +22,8 @@ struct EngineInfo {
 struct Attractor {
   std::size_t motion = 0;  // class of motion_class, of most of its trajectories
   double period = 0.0;     // in forcing periods, of most of its trajectories; 0: none
-  // Over its trajectories: mean rms of the model's first state, largest dmf_max (NaN when the
-  // model has none), mean lyapunov_max.
+  // Over its trajectories: mean rms of the model's first state, largest value of its
+  // Model::contact_force() (NaN when it has none), mean lyapunov_max.
   double rms = 0.0, peak = 0.0, exponent = 0.0;
   std::size_t trajectories = 0;  // that reached it
   // Impacts of most of its trajectories, as n-m-k: in a motion of n forcing periods, m on the drive

@@ -30,6 +30,7 @@ struct NamedExpression {
 
 struct ModelDefinition {
   std::string name, summary;
+  std::vector<std::string> assumptions;  // of Model
   std::vector<ChannelInfo> states, signals;
   std::vector<bool> are_angles;           // [state]
   std::vector<ParameterInfo> parameters;  // shapes_phase: found by make_model()

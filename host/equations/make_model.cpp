@@ -176,6 +176,7 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
                Model* model) {
   model->name = definition.name;
   model->summary = definition.summary;
+  model->assumptions = definition.assumptions;
   model->states = definition.states;
   model->signals = definition.signals;
   model->parameters = definition.parameters;

@@ -1,6 +1,8 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <stdexcept>
 
 namespace gearsweep {
 namespace {
@@ -31,22 +33,38 @@ std::vector<ContactLimit> Model::contact_limits() const {
   return limits;
 }
 
-const ChannelInfo* Model::contact_force() const {
-  const int signal = contacts.empty() ? -1 : find_signal("dmf");
-  return signal < 0 ? nullptr : &signals[static_cast<std::size_t>(signal)];
+std::optional<std::size_t> Model::parameter_of(Role role) const {
+  const auto found = std::ranges::find(parameters, role, &ParameterInfo::role);
+  if (found == parameters.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - parameters.begin());
 }
 
-std::optional<std::size_t> Model::mean_load() const {
-  if (contact_force() == nullptr) return std::nullopt;
-  for (const char* const load : {"F1", "Fm"}) {
-    const int index = find_parameter(load);
-    if (index >= 0) return static_cast<std::size_t>(index);
+std::vector<ChannelInfo> Model::signals_of(Role role) const {
+  std::vector<ChannelInfo> found;
+  std::ranges::copy_if(signals, std::back_inserter(found),
+                       [&](const ChannelInfo& signal) { return signal.role == role; });
+  return found;
+}
+
+const ChannelInfo* Model::contact_force() const {
+  const auto found = std::ranges::find(signals, Role::mesh_force, &ChannelInfo::role);
+  return found == signals.end() ? nullptr : &*found;
+}
+
+void Model::set_role(std::string_view name_of_it, Role role) {
+  const int parameter = find_parameter(name_of_it), signal = find_signal(name_of_it);
+  if (parameter >= 0) {
+    parameters[static_cast<std::size_t>(parameter)].role = role;
+  } else if (signal >= 0) {
+    signals[static_cast<std::size_t>(signal)].role = role;
+  } else {
+    throw std::out_of_range("no such parameter or signal");
   }
-  return std::nullopt;
 }
 
 double Model::mesh_periods(const ModelSetting& setting) const {
-  return cycle ? setting.parameters[*cycle] : 1.0;
+  const std::optional<std::size_t> periods = parameter_of(Role::mesh_periods);
+  return periods ? setting.parameters[*periods] : 1.0;
 }
 
 ModelSetting Model::default_setting() const {

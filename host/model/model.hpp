@@ -12,11 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "model/role.hpp"
+
 namespace gearsweep {
 
 // A state or a signal: `unit` in the model's dimensionless units.
 struct ChannelInfo {
   std::string name, unit, meaning;
+  Role role = Role::none;
 };
 
 struct ParameterInfo {
@@ -25,6 +28,7 @@ struct ParameterInfo {
   double min = 0.0, max = 0.0;  // allowed range, both ends included
   bool shapes_phase = false;    // changes break phases or phase coefficients
   std::string meaning;
+  Role role = Role::none;
 };
 
 struct OptionInfo {
@@ -113,6 +117,7 @@ struct Reduction {
 
 struct Model {
   std::string name, summary;
+  std::vector<std::string> assumptions;  // that its equations make, a sentence each
   std::vector<ChannelInfo> states, signals;
   std::vector<ParameterInfo> parameters;
   std::vector<OptionInfo> options;
@@ -121,8 +126,6 @@ struct Model {
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
-  // The parameter that says how many mesh periods one period of the forcing has, if there is one.
-  std::optional<std::size_t> cycle;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
   // take and give the states of the whole model.
   const Model* whole = nullptr;
@@ -163,12 +166,15 @@ struct Model {
   std::vector<std::string> state_names() const;
   // Of all contacts, in their order; the drive flank's first.
   std::vector<ContactLimit> contact_limits() const;
-  // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.
+  // Index of the parameter of a role.
+  std::optional<std::size_t> parameter_of(Role role) const;
+  // In their order.
+  std::vector<ChannelInfo> signals_of(Role role) const;
+  // The force between the teeth, of several the first; nullptr of a model that has none.
   const ChannelInfo* contact_force() const;
-  // The parameter that is the mean of that force where nothing moves: `F1`, or `Fm`. Nothing of a
-  // model that has no such force.
-  std::optional<std::size_t> mean_load() const;
-  // Mesh periods in a forcing period: the parameter `cycle`, and 1 of a model without it.
+  // Gives a role to the parameter or signal of this name. Throws std::out_of_range.
+  void set_role(std::string_view name_of_it, Role role);
+  // Mesh periods in a forcing period: the parameter of that role, and 1 of a model without it.
   double mesh_periods(const ModelSetting& setting) const;
 
   ModelSetting default_setting() const;

@@ -19,8 +19,8 @@ struct PlotRequest {
   // separated by commas, stand above one another. Of traces: `time` (the default), `phase`,
   // `section`, `spectrum` or `force`, and after a colon what of: "time:v3"; "phase:x3" is x3
   // against v3, "phase:x1:x3" two channels of choice. Without, it is of the model's first state,
-  // `force` of the channel dmf. Of an order map: what stands upright, `frequency` (the default) or
-  // `order`.
+  // `force` of the force between the teeth. Of an order map: what stands upright, `frequency` (the
+  // default) or `order`.
   std::string quantity = {};
   std::string output_path = {};  // ends in .png, .svg, .pdf or .tex
   // Ends in .gp when not empty: the gnuplot script is kept there, and its data beside it under

@@ -95,6 +95,7 @@ class TraceDescription {
                              .dimensions = {kTraces, kMoments},
                              .attributes = notes_.describe(info.unit, info.meaning),
                              .is_compressed = true};
+    if (info.role != Role::none) variable.attributes.push_back({kRole, name_of(info.role)});
     variable.attributes.push_back({"_FillValue", kMissing});
     if (traces_.size() == 1) {
       variable.elements = std::span<const double>(values_of(traces_.front()));

@@ -14,7 +14,7 @@ struct DynamicFactorInput {
   double pitch_deviation = 0.0;      // f_pb of the base pitch, um
   double profile_deviation = 0.0;    // f_falpha of the profile's form, um
   std::optional<double> tip_relief;  // C_a, um; none: the standard's value of grade 6 and worse
-  double line_load_per_load = 0.0;   // line load in N/mm where the mean load F1 is 1
+  double line_load_per_load = 0.0;   // line load in N/mm where the mean load is 1
 };
 
 // The part of a deviation that running-in leaves, both in um.

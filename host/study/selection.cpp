@@ -1,6 +1,7 @@
 #include "study/selection.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -104,18 +105,47 @@ std::vector<Quantity> census_quantities() {
   return {attractor, count};
 }
 
-// The largest force between the teeth over the mean one; nothing of a model without a load.
-std::optional<Quantity> load_factor(const Model& model) {
-  const std::optional<std::size_t> load = model.mean_load();
-  if (!load) return std::nullopt;
-  const std::string& force = model.contact_force()->name;
+constexpr const char* kLoadFactor = "dynamic_load_factor";
+
+// The largest force between teeth over the load.
+struct LoadFactor {
   Quantity quantity;
-  quantity.name = "dynamic_load_factor";
-  quantity.unit = "1";
-  quantity.meaning = fmt::format("largest {} over the recorded periods, divided by {}", force,
-                                 model.parameters[*load].name);
-  quantity.divided_by = load;
-  return quantity;
+  std::string force;
+};
+
+// One for each such force: with several, each name begins with that of the signal. None of a model
+// without a load.
+std::vector<LoadFactor> load_factors(const Model& model) {
+  const std::optional<std::size_t> load = model.parameter_of(Role::load);
+  if (!load) return {};
+  const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
+  std::vector<LoadFactor> factors;
+  for (const ChannelInfo& force : forces) {
+    Quantity quantity;
+    quantity.name = forces.size() == 1 ? kLoadFactor : force.name + "_" + kLoadFactor;
+    quantity.unit = "1";
+    quantity.meaning = fmt::format("largest {} over the recorded periods, divided by {}",
+                                   force.name, model.parameters[*load].name);
+    quantity.divided_by = load;
+    factors.push_back({quantity, force.name});
+  }
+  return factors;
+}
+
+// Why a model has no load factor, and what its file must say; empty of one that has.
+std::string lack_of_load(const Model& model) {
+  std::vector<std::string> lines;
+  if (!model.parameter_of(Role::load)) {
+    lines.emplace_back("a parameter is its load, as in\n  F = { value = 0.1, role = \"load\" }");
+  }
+  if (model.contact_force() == nullptr) {
+    lines.emplace_back(
+        "a signal is its force between teeth, as in\n"
+        "  force = { expression = \"k*x\", role = \"mesh_force\" }");
+  }
+  if (lines.empty()) return "";
+  return fmt::format("model '{}' has no {}: its file must say that {}", model.name, kLoadFactor,
+                     fmt::join(lines, "\nand that "));
 }
 
 // Index of the first output of an observer, which is added when the selection has it not yet.
@@ -226,7 +256,7 @@ std::vector<Quantity> offered_quantities(const Model& model) {
   const Sizes sizes = {model.states.size(), kDefaultOrders.size()};
   std::vector<Quantity> out;
   for (const Offer& offer : offers_of(model, sizes)) out.push_back(offer.quantity);
-  if (const std::optional<Quantity> factor = load_factor(model)) out.push_back(*factor);
+  for (const LoadFactor& factor : load_factors(model)) out.push_back(factor.quantity);
   for (const Quantity& quantity : census_quantities()) out.push_back(quantity);
   Quantity status;
   status.name = "status";
@@ -258,6 +288,8 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       return candidate.name == name;
     });
     if (found == known.end()) {
+      const std::string lack = name == kLoadFactor ? lack_of_load(model) : "";
+      if (!lack.empty()) throw InputError(lack);
       std::vector<std::string> known_names;
       for (const Quantity& candidate : known) known_names.push_back(candidate.name);
       throw InputError(fmt::format("unknown quantity '{}' of model '{}'{}", name, model.name,
@@ -274,8 +306,10 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       continue;
     }
     if (quantity.divided_by) {
-      const std::string& force = model.contact_force()->name;
-      quantity.output = add_role(offers, OutputRole::peak, force, sizes, &selection);
+      const std::vector<LoadFactor> factors = load_factors(model);
+      const auto factor = std::ranges::find_if(
+          factors, [&](const LoadFactor& candidate) { return candidate.quantity.name == name; });
+      quantity.output = add_role(offers, OutputRole::peak, factor->force, sizes, &selection);
       selection.quantities.push_back(quantity);
       continue;
     }

@@ -86,8 +86,9 @@ void bind_curves(const Curves& curves, Study* study) {
 
 // Mesh periods in a period of the study: the fewest of its points.
 double mesh_periods_of(const Study& study) {
-  if (!study.model->cycle) return 1.0;
-  const Swept* swept = study.find_swept(false, *study.model->cycle);
+  const std::optional<std::size_t> periods = study.model->parameter_of(Role::mesh_periods);
+  if (!periods) return 1.0;
+  const Swept* swept = study.find_swept(false, *periods);
   return swept == nullptr ? study.model->mesh_periods(study.setting)
                           : std::ranges::min(swept->values);
 }

@@ -105,9 +105,28 @@ enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
 enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER, STIFFNESS_TABLE };
 enum { ERROR_SINE, ERROR_SERIES };
 
-// One period of the forcing may be several mesh periods, so that what comes back once per turn of a
-// shaft does. The parameter with their number:
-#define MODEL_CYCLE cycle
+// X(name, role): what parameters and signals are to the tool. One period of the forcing may be
+// several mesh periods, so that what comes back once per turn of a shaft does.
+#define MODEL_ROLES(X)        \
+  X(F1, load)                 \
+  X(zeta, mesh_damping)       \
+  X(zp, pinion_teeth)         \
+  X(teeth_ratio, teeth_ratio) \
+  X(cycle, mesh_periods)      \
+  X(dmf, mesh_force)          \
+  X(dte, transmission_error)  \
+  X(bearing_p, bearing_force) \
+  X(bearing_g, bearing_force)
+
+// X(sentence): what no option changes.
+#define MODEL_ASSUMPTIONS(X)                                                                 \
+  X("Teeth are springs, gears are rigid bodies; shafts do not bend or twist.")               \
+  X("Bearings are linear springs and dampers across and along the line of action.")          \
+  X("Friction between teeth is Coulomb's, with a constant coefficient, in the direction of " \
+    "nominal sliding.")                                                                      \
+  X("The mesh damper acts for two tooth pairs at all times, out of contact, too.")           \
+  X("The load is constant; the transmission error acts on the mesh alone.")                  \
+  X("The gears turn at a constant mean speed; each speed is held until the motion has settled.")
 
 // X(name, meaning): what may be measured.
 #define MODEL_CURVES(X)                                                              \

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._model_text import lack_of_period, model_text, table_texts
+from gearsweep._model_text import model_text, table_texts
 from gearsweep._value import path_of, text_of
 
 if TYPE_CHECKING:
@@ -64,12 +64,12 @@ class Model:
         The states in their order, each with its derivative.
     parameters : mapping of str to number or mapping
         The default of each; or a mapping of ``value`` and, if you like, ``min``, ``max``,
-        ``unit``, ``meaning``.
+        ``unit``, ``meaning``, ``role``.
     constants : mapping of str to str, optional
         Names for parts that the other expressions use.
     signals : mapping of str to str or mapping, optional
         What else can be observed: an expression, or a mapping of ``expression``, ``unit``,
-        ``meaning``.
+        ``meaning``, ``role``.
     options : mapping of str to list of str, optional
         Choices by name, the default first: ``law=["linear", "cubic"]`` makes ``law.cubic`` a
         condition.
@@ -79,9 +79,9 @@ class Model:
         The equilibrium, where points start: an expression of the parameters; 0 without one.
     units, meanings : mapping of str to str, optional
         Of states, parameters and signals; the unit is ``"1"`` without one.
-    period : str or number, optional
-        The forcing period. ``2*pi/omega`` where there is a parameter ``omega`` and the equations
-        use the phase. Of a model without forcing it is the time from section to section.
+    period : str or number
+        The forcing period, as ``"2*pi/omega"``. Of a model without forcing it is the time from
+        section to section.
     jumps : list of str or number, optional
         Phases, in radians, at which an equation jumps.
     max_step : float, optional
@@ -103,6 +103,7 @@ class Model:
     ...     states=dict(x="v", v="-2*zeta*v - backlash(x, b) + F*cos(phase)"),
     ...     parameters=dict(omega=1.0, zeta=0.05, b=1.0, F=0.1),
     ...     start=dict(x="b"),
+    ...     period="2*pi/omega",
     ... )
     >>> oscillator
     <gearsweep.Model 'own': states x, v; parameters omega, zeta, b, F>
@@ -150,8 +151,6 @@ class Model:
             summary=summary,
         )
         read = _core.read_model(text, f"model {name}", table_texts(tables))
-        if lack := lack_of_period(period, states, constants, parameters):
-            raise InputError(lack)
         self._take(read)
 
     @classmethod

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -10,10 +9,6 @@ import numpy
 
 from gearsweep._errors import InputError
 from gearsweep._value import toml_key, toml_value
-
-# The phase as an expression names it.
-_PHASE = re.compile(r"\bphase\b")
-
 
 def model_text(
     *, name: str, summary: str, max_step: Any, period: Any, jumps: Any, **tables: Any
@@ -24,7 +19,17 @@ def model_text(
     -------
     str
         What a model's file has.
+
+    Raises
+    ------
+    InputError
+        There is no period, or a table is no mapping.
     """
+    if period is None:
+        raise InputError(
+            "the period is not known: give it, as in period='2*pi/omega' (of a model without "
+            "forcing the time from section to section)"
+        )
     given = {key: _mapping(value, key) for key, value in tables.items()}
     states, parameters, signals = given["states"], given["parameters"], given["signals"]
     notes = {"unit": given["units"], "meaning": given["meanings"], "start": given["start"]}
@@ -42,7 +47,7 @@ def model_text(
         _table("options", {key: _option(value) for key, value in given["options"].items()}),
         _table("constants", given["constants"]),
         _table("equations", states),
-        _table("forcing", {"period": _period(period, given), "jumps": jumps}),
+        _table("forcing", {"period": period, "jumps": jumps}),
         _table("signals", noted(signals, "expression")),
     ]
     for preset, values in given["presets"].items():
@@ -104,28 +109,6 @@ def _noted(value: Any, name: str, notes: dict[str, dict[str, Any]], own: str) ->
 
 def _option(value: Any) -> Any:
     return value if isinstance(value, Mapping) else {"choices": value}
-
-
-def lack_of_period(period: Any, states: Any, constants: Any, parameters: Any) -> str:
-    """Why the period is not known; empty where it is."""
-    if period is not None:
-        return ""
-    expressions = [*_mapping(states, "states").values(), *_mapping(constants, "constants").values()]
-    has_phase = any(_PHASE.search(str(expression)) for expression in expressions)
-    if has_phase and "omega" in _mapping(parameters, "parameters"):
-        return ""
-    lack = "the parameters have no 'omega'" if has_phase else "no equation uses the phase"
-    return (
-        f"{lack}, so the period is not known: give it, as in period='2*pi/Omega' (of a model "
-        "without forcing the time from section to section)"
-    )
-
-
-def _period(period: Any, tables: dict[str, dict[str, Any]]) -> Any:
-    """The period, or one in its place where it is not known, so that all else can be checked."""
-    if period is not None:
-        return period
-    return "2*pi/omega" if "omega" in tables["parameters"] else 1
 
 
 def _table(name: str, entries: Mapping[str, Any]) -> str:

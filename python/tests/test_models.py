@@ -14,6 +14,7 @@ from gearsweep import InputError, Model, Study
 
 STATES = {"x": "v", "v": "-2*zeta*v - backlash(x, b) + F*cos(phase)"}
 PARAMETERS = {"omega": 1.0, "zeta": 0.05, "b": 1.0, "F": 0.1}
+PERIOD = "2*pi/omega"
 
 SWEEPS_THE_FILE = """
 [model]
@@ -43,7 +44,7 @@ period = "2*pi/omega"
 
 @pytest.fixture
 def oscillator() -> Model:
-    return Model(STATES, PARAMETERS, start={"x": "b"})
+    return Model(STATES, PARAMETERS, start={"x": "b"}, period=PERIOD)
 
 
 def refusal(call) -> str:
@@ -74,8 +75,8 @@ def test_its_text_is_a_file_of_the_command(oscillator, tmp_path, by_command):
 
 
 def test_is_a_value(oscillator):
-    same = Model(STATES, PARAMETERS, start={"x": "b"})
-    other = Model(STATES, {**PARAMETERS, "F": 0.2}, start={"x": "b"})
+    same = Model(STATES, PARAMETERS, start={"x": "b"}, period=PERIOD)
+    other = Model(STATES, {**PARAMETERS, "F": 0.2}, start={"x": "b"}, period=PERIOD)
     assert hash(same) == hash(oscillator)
     assert len({oscillator, same, other}) == 2
     assert oscillator != oscillator.text
@@ -94,6 +95,7 @@ def test_tells_what_it_has():
         presets={"wide": {"b": 3.0}, "strong": {"F": 1.0, "meaning": "more force"}},
         units={"x": "mm", "F": "N", "force": "N"},
         meanings={"x": "position"},
+        period=PERIOD,
         name="gap",
         summary="a mass in a gap",
     )
@@ -114,6 +116,7 @@ def test_an_option_chooses_between_expressions():
         {"x": "v", "v": "-0.2*v - if(law.cubic, x^3, x) + cos(phase)"},
         {"omega": 1.3},
         options={"law": ["linear", "cubic"]},
+        period=PERIOD,
     )
     study = Study(model).sweep(omega=[1.3]).integrate(settle=300, record=5)
     linear = float(study.run().x_rms)
@@ -131,6 +134,7 @@ def test_tables_are_those_of_files(tmp_path):
         {"x": "v", "v": "F - 0.1*v - table('mesh.csv', phase)*backlash(x, b)"},
         {"omega": 1.0, "b": 1.0, "F": 0.1},
         start={"x": "b + F"},
+        period=PERIOD,
         tables={"mesh.csv": numpy.array([[0, 1.2], [2, 0.8], [4, 1.1]])},
     )
     assert read.tables == own.tables
@@ -161,12 +165,10 @@ def test_a_built_in_model_can_be_changed_as_text():
     assert study.model == "mine"
 
 
-def test_the_period_is_that_of_omega_where_the_phase_is_used():
-    assert 'period = "2*pi/omega"' in Model(STATES, PARAMETERS).text
+def test_the_period_is_said():
+    assert 'period = "2*pi/omega"' in Model(STATES, PARAMETERS, period=PERIOD).text
+    assert "give it, as in period='2*pi/omega'" in refusal(lambda: Model(STATES, PARAMETERS))
     free = {"x": "v", "v": "-w*x"}
-    assert "no equation uses the phase" in refusal(lambda: Model(free, {"w": 1.0, "omega": 1.0}))
-    forced = {"x": "v", "v": "cos(phase) - w*x"}
-    assert "no 'omega'" in refusal(lambda: Model(forced, {"w": 1.0}))
     assert 'period = "1/w"' in Model(free, {"w": 1.0}, period="1/w").text
     assert "period = 2" in Model(free, {"w": 1.0}, period=2).text
 
@@ -174,37 +176,73 @@ def test_the_period_is_that_of_omega_where_the_phase_is_used():
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: Model({"x": "v", "v": "-zet*v + cos(phase)"}, PARAMETERS), "'zet'; did you mean"),
-        (lambda: Model({"x": "v", "v": "-zeta*(v + cos(phase)"}, PARAMETERS), "')' is missing"),
+        (
+            lambda: Model({"x": "v", "v": "-zet*v + cos(phase)"}, PARAMETERS, period=PERIOD),
+            "'zet'; did you mean",
+        ),
+        (
+            lambda: Model({"x": "v", "v": "-zeta*(v + cos(phase)"}, PARAMETERS, period=PERIOD),
+            "')' is missing",
+        ),
         (lambda: Model({"x": "v", "v": None}, PARAMETERS, period=1), "'v' has no equation"),
         (lambda: Model({"x": "v", "v": "__import__('os')"}, PARAMETERS, period=1), "__import__"),
         (lambda: Model({}, PARAMETERS, period=1), "no [states]"),
         (lambda: Model(STATES, {}, period=1), "no [parameters]"),
-        (lambda: Model(["x"], PARAMETERS), "states: expected a dict"),
-        (lambda: Model(STATES, {**PARAMETERS, "b": "wide"}), "'b' must be a table"),
-        (lambda: Model(STATES, {**PARAMETERS, "b": numpy.nan}), "must be finite"),
-        (lambda: Model(STATES, {**PARAMETERS, "b": {"min": 0.0}}), "has no value"),
-        (lambda: Model(STATES, {**PARAMETERS, "x": 1.0}), "'x' is defined twice"),
-        (lambda: Model({"a b": "1", **STATES}, PARAMETERS), "'a b' cannot be a name"),
-        (lambda: Model(STATES, PARAMETERS, start={"y": 1}), "start: the model has no 'y'"),
-        (lambda: Model(STATES, PARAMETERS, units={"y": "m"}), "units: the model has no 'y'"),
-        (lambda: Model(STATES, PARAMETERS, name="no name"), "needs a name"),
-        (lambda: Model(STATES, PARAMETERS, jumps=3), "jumps must be a list"),
-        (lambda: Model(STATES, PARAMETERS, options={"law": ["a"]}), "needs from 2"),
-        (lambda: Model(STATES, PARAMETERS, presets={"p": 3}), "presets: expected a dict"),
-        (lambda: Model(STATES, PARAMETERS, presets={"p": {"k": 3}}), "'k'"),
-        (lambda: Model(STATES, PARAMETERS, tables={"k": [[0, 1], [2, 3]]}), "is read by no"),
-        (lambda: Model({"x": "-table('k', phase)"}, PARAMETERS), "reads the table 'k'"),
-        (lambda: Model(STATES, PARAMETERS, tables={"k": [1, 2]}), "expected the shape"),
-        (lambda: Model(STATES, PARAMETERS, tables={"k": "mesh.csv"}), "an array of numbers"),
+        (lambda: Model(["x"], PARAMETERS, period=PERIOD), "states: expected a dict"),
+        (lambda: Model(STATES, {**PARAMETERS, "b": "wide"}, period=PERIOD), "'b' must be a table"),
+        (lambda: Model(STATES, {**PARAMETERS, "b": numpy.nan}, period=PERIOD), "must be finite"),
+        (lambda: Model(STATES, {**PARAMETERS, "b": {"min": 0.0}}, period=PERIOD), "has no value"),
+        (lambda: Model(STATES, {**PARAMETERS, "x": 1.0}, period=PERIOD), "'x' is defined twice"),
+        (
+            lambda: Model({"a b": "1", **STATES}, PARAMETERS, period=PERIOD),
+            "'a b' cannot be a name",
+        ),
+        (
+            lambda: Model(STATES, PARAMETERS, start={"y": 1}, period=PERIOD),
+            "start: the model has no 'y'",
+        ),
+        (
+            lambda: Model(STATES, PARAMETERS, units={"y": "m"}, period=PERIOD),
+            "units: the model has no 'y'",
+        ),
+        (lambda: Model(STATES, PARAMETERS, name="no name", period=PERIOD), "needs a name"),
+        (lambda: Model(STATES, PARAMETERS, jumps=3, period=PERIOD), "jumps must be a list"),
+        (lambda: Model(STATES, PARAMETERS, options={"law": ["a"]}, period=PERIOD), "needs from 2"),
+        (
+            lambda: Model(STATES, PARAMETERS, presets={"p": 3}, period=PERIOD),
+            "presets: expected a dict",
+        ),
+        (lambda: Model(STATES, PARAMETERS, presets={"p": {"k": 3}}, period=PERIOD), "'k'"),
+        (
+            lambda: Model(STATES, PARAMETERS, tables={"k": [[0, 1], [2, 3]]}, period=PERIOD),
+            "is read by no",
+        ),
+        (
+            lambda: Model({"x": "-table('k', phase)"}, PARAMETERS, period=PERIOD),
+            "reads the table 'k'",
+        ),
+        (
+            lambda: Model(STATES, PARAMETERS, tables={"k": [1, 2]}, period=PERIOD),
+            "expected the shape",
+        ),
+        (
+            lambda: Model(STATES, PARAMETERS, tables={"k": "mesh.csv"}, period=PERIOD),
+            "an array of numbers",
+        ),
         (
             lambda: Model(
-                {"x": "-table('k', phase)"}, {"omega": 1}, tables={"k": [[0, 1], [-1, 2]]}
+                {"x": "-table('k', phase)"},
+                {"omega": 1},
+                tables={"k": [[0, 1], [-1, 2]]},
+                period=PERIOD,
             ),
             "table 'k':2",
         ),
-        (lambda: Model({"x": "-x + F*cos(omega*t)"}, {"omega": 1, "F": 1}), "as in cos(phase)"),
-        (lambda: Model({"x": "-bcklash(x, b)"}, {"b": 1}), "did you mean 'backlash'"),
+        (
+            lambda: Model({"x": "-x + F*cos(omega*t)"}, {"omega": 1, "F": 1}, period=PERIOD),
+            "as in cos(phase)",
+        ),
+        (lambda: Model({"x": "-bcklash(x, b)"}, {"b": 1}, period=1), "did you mean 'backlash'"),
         (lambda: Model.read("nowhere.toml"), "nowhere.toml"),
         (lambda: gearsweep.model("dufing"), "did you mean 'duffing'?"),
         (lambda: gearsweep.model(3), "expected the name of a model"),
@@ -215,6 +253,7 @@ def test_what_is_wrong_is_told(call, said):
 
 
 def test_an_error_shows_the_place_in_the_expression():
-    said = refusal(lambda: Model({"x": "v", "v": "-2*zet*v + cos(phase)"}, PARAMETERS))
+    states = {"x": "v", "v": "-2*zet*v + cos(phase)"}
+    said = refusal(lambda: Model(states, PARAMETERS, period=PERIOD))
     expression, caret = said.splitlines()[1:]
     assert expression[caret.index("^") :].startswith("zet*v")

@@ -60,20 +60,31 @@ class PlotTraceTest : public gearsweep::testing::PictureTest {
 };
 
 TEST_F(PlotTraceTest, ForceSaysWhatAModelOfOnesOwnLacks) {
-  const auto refusal_with = [&](const std::string& force, const std::string& contact) {
+  const auto refusal_with = [&](Role role, const std::string& contact) {
     Trace trace = made_trace(study_, 20, 16);
-    trace.channels[2].name = force;
+    trace.channels[2].role = role;
     trace.channels[3].name = contact;
     return refused({write("own.nc", {trace}, {"omega=0.5"})}, "force");
   };
-  EXPECT_THAT(refusal_with("push", "contact"), HasSubstr("name a channel: -q force:NAME"));
-  EXPECT_THAT(refusal_with("dmf", "left_contact"), HasSubstr("-q time:left_contact draws one"));
-  EXPECT_THAT(refusal_with("dmf", "depth"), HasSubstr("neither backlash nor stop"));
+  EXPECT_THAT(refusal_with(Role::none, "contact"), AllOf(HasSubstr("name a channel: -q force:NAME"),
+                                                         HasSubstr("role = \"mesh_force\"")));
+  EXPECT_THAT(refusal_with(Role::mesh_force, "left_contact"),
+              HasSubstr("-q time:left_contact draws one"));
+  EXPECT_THAT(refusal_with(Role::mesh_force, "depth"), HasSubstr("neither backlash nor stop"));
+}
+
+TEST_F(PlotTraceTest, TheForceMayHaveAnyName) {
+  Trace trace = made_trace(study_, 20, 16);
+  trace.channels[2].name = "push";
+  const std::string path = write("own.nc", {trace}, {"omega=0.5"});
+  EXPECT_THAT(script_of({path}, "force"),
+              AllOf(HasSubstr("\"push ("), HasSubstr("time (mesh periods)")));
+  EXPECT_THAT(script_of({path}, "portrait"), HasSubstr("force and flanks"));
 }
 
 TEST_F(PlotTraceTest, OnlyGearsHaveMeshPeriods) {
   Trace trace = made_trace(study_, 20, 16);
-  trace.channels[2].name = "force";
+  trace.channels[2].role = Role::none;
   EXPECT_THAT(script_of({write("own.nc", {trace}, {"omega=0.5"})}, ""),
               HasSubstr("time (forcing periods)"));
 }

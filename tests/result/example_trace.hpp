@@ -18,7 +18,7 @@ inline Trace made_trace(const Study& study, std::size_t periods, std::size_t per
   trace.period = 2.5;
   trace.channels = {{"x1", "b_n", "a position"},
                     {"v1", "b_n varpi", "velocity of x1"},
-                    {"dmf", "k0 b_n", "a force"},
+                    {"dmf", "k0 b_n", "a force", Role::mesh_force},
                     {"contact", "1", "flank"}};
   trace.values.resize(4);
   for (std::size_t i = 0; i < periods * per_period; ++i) {

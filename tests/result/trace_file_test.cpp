@@ -19,7 +19,7 @@ Trace made_trace(const Study& study, std::size_t moments) {
   trace.setting = study.setting;
   trace.period = 2.5;
   trace.settled = 40;
-  trace.channels = {{"x1", "b_n", "a state"}, {"dmf", "k0 b_n", "a force"}};
+  trace.channels = {{"x1", "b_n", "a state"}, {"dmf", "k0 b_n", "a force", Role::mesh_force}};
   trace.values.resize(2);
   for (std::size_t i = 0; i < moments; ++i) {
     trace.tau.push_back(0.1 * static_cast<double>(i));
@@ -65,6 +65,8 @@ TEST_F(TraceFile, GivesBackWhatWasWritten) {
     EXPECT_EQ(back[i].trace.period, 2.5);
     ASSERT_EQ(back[i].trace.channels.size(), 2U);
     EXPECT_EQ(back[i].trace.channels[1].name, "dmf");
+    EXPECT_EQ(back[i].trace.channels[0].role, Role::none);
+    EXPECT_EQ(back[i].trace.channels[1].role, Role::mesh_force);
     EXPECT_EQ(back[i].trace.channels[1].unit, "k0 b_n");
   }
 }

@@ -6,6 +6,7 @@
 
 #include "model/error.hpp"
 #include "study/builtin_models.hpp"
+#include "study/model_file.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -109,6 +110,70 @@ TEST(Quantities, LoadFactorsAndImpactsAreOfModelsThatHaveThem) {
       EXPECT_EQ(quantity.unit, "1");
     }
   }
+}
+
+template <class Act>
+std::string told(const Act& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal_of(const Model& model, const std::string& quantity) {
+  return told([&] { select_quantities(model, {quantity}, {}); });
+}
+
+// gear1 with other names. load, force: what the file says beside them.
+std::string model_with_roles(const std::string& load, const std::string& force) {
+  return "[model]\nname = 'own'\n[states]\nx = {}\nv = {}\n[parameters]\n"
+         "F1 = { value = 0.2, meaning = 'stiffness of a spring' }\n"
+         "push = { value = 1.0" +
+         load +
+         " }\n[equations]\nx = 'v'\n"
+         "v = 'push - 0.1*v - F1*backlash(x, 1)'\n[forcing]\nperiod = 1\n[signals]\n"
+         "dmf = 'v'\nteeth = { expression = 'F1*backlash(x, 1)'" +
+         force + " }\n";
+}
+
+// A parameter F1 and a signal dmf may be anything.
+TEST(Quantities, TheLoadAndTheForceAreWhatTheModelSays) {
+  const std::string load = ", role = 'load'", force = ", role = 'mesh_force'";
+  const auto model = [](const std::string& text) { return read_model_text(text, "own.toml"); };
+  const auto none = model(model_with_roles("", ""));
+  EXPECT_FALSE(offered(*none).contains("dynamic_load_factor"));
+  EXPECT_EQ(none->contact_force(), nullptr);
+  EXPECT_THAT(refusal_of(*none, "dynamic_load_factor"),
+              ::testing::AllOf(::testing::HasSubstr("role = \"load\""),
+                               ::testing::HasSubstr("role = \"mesh_force\"")));
+  EXPECT_THAT(refusal_of(*model(model_with_roles("", force)), "dynamic_load_factor"),
+              ::testing::Not(::testing::HasSubstr("mesh_force")));
+  const auto both = model(model_with_roles(load, force));
+  EXPECT_EQ(both->contact_force()->name, "teeth");
+  const Selection factor = select_quantities(*both, {"dynamic_load_factor"}, {});
+  EXPECT_EQ(factor.quantities[0].divided_by, 1U);
+  EXPECT_EQ(factor.observers[0].part, "teeth");
+
+  const auto refused = [&](const std::string& of_load, const std::string& of_force) {
+    return told([&] { model(model_with_roles(of_load, of_force)); });
+  };
+  EXPECT_THAT(refused(", role = 'laod'", ""), ::testing::HasSubstr("did you mean 'load'?"));
+  EXPECT_THAT(refused(force, ""), ::testing::HasSubstr("unknown role 'mesh_force'"));
+  EXPECT_THAT(refused(load + " }\npull = { value = 1.0" + load, ""),
+              ::testing::AllOf(::testing::HasSubstr("own.toml:9"),
+                               ::testing::HasSubstr("one parameter of the role 'load'")));
+}
+
+// Each mesh of a train of gears has its own.
+TEST(Quantities, SeveralForcesHaveALoadFactorEach) {
+  const Model& idler = *find_model("idler");
+  EXPECT_TRUE(offered(idler).contains("dmf1_dynamic_load_factor"));
+  const Selection second = select_quantities(idler, {"dmf2_dynamic_load_factor"}, {});
+  EXPECT_EQ(second.observers[0].part, "dmf2");
+  EXPECT_THAT(refusal_of(idler, "dynamic_load_factor"),
+              ::testing::HasSubstr("dmf1_dynamic_load_factor"));
 }
 
 // A spectrum has an output for each state, and is told of once.

@@ -16,7 +16,7 @@ inline std::string pair_model() {
          "omega = { value = 0.8, min = 1e-4, max = 100 }\n"
          "b = { value = 1.0, min = 0 }\n"
          "z = 0.05\n"
-         "Fm = 0.1\n"
+         "Fm = { value = 0.1, role = \"load\" }\n"
          "Fte = 0.01\n"
          "Fte_2 = 0.004\n"
          "Fte_3 = 0.002\n"
@@ -33,7 +33,8 @@ inline std::string pair_model() {
          "[forcing]\n"
          "period = \"2*pi/omega\"\n"
          "[signals]\n"
-         "dmf = { expression = \"stiffness*f\", unit = \"k0 b_n\", meaning = \"force\" }\n";
+         "dmf = { expression = \"stiffness*f\", unit = \"k0 b_n\", meaning = \"force\", "
+         "role = \"mesh_force\" }\n";
 }
 
 }  // namespace gearsweep::testing

@@ -10,10 +10,6 @@
 namespace gearsweep {
 namespace {
 
-ChannelInfo channel_of(const Trace& trace, const std::string& name) {
-  return trace.channels.at(static_cast<std::size_t>(find_channel(trace, name)));
-}
-
 // Names of the layers, where they are several, then what the panels add to them.
 std::vector<KeyEntry> key_of(const TracePicture& picture, const std::vector<TracePanel>& panels) {
   std::vector<KeyEntry> key;
@@ -68,11 +64,13 @@ std::vector<TracePanel> portrait_panels(const Page& page, const TracePicture& pi
 
   std::vector<TracePanel> panels = {time_panel(page, history, script),
                                     phase_panel(other, picture, script)};
-  const auto has_force = [](const TraceLayer& layer) {
-    return find_channel(layer.trace, "dmf") >= 0 && find_channel(layer.trace, "contact") >= 0;
+  const ChannelInfo* force = force_of(picture.layers.front().trace);
+  const auto has_force = [&](const TraceLayer& layer) {
+    return force != nullptr && find_channel(layer.trace, force->name) >= 0 &&
+           find_channel(layer.trace, "contact") >= 0;
   };
   if (std::all_of(picture.layers.begin(), picture.layers.end(), has_force)) {
-    history.channel = channel_of(picture.layers.front().trace, "dmf");
+    history.channel = *force;
     panels.push_back(force_panel(page.with_other_axes(false, true), history, script));
   } else {
     panels.push_back(section_panel(other, picture, script));

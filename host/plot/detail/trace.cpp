@@ -112,6 +112,11 @@ int find_channel(const Trace& trace, const std::string& name) {
   return found == trace.channels.end() ? -1 : static_cast<int>(found - trace.channels.begin());
 }
 
+const ChannelInfo* force_of(const Trace& trace) {
+  const auto found = std::ranges::find(trace.channels, Role::mesh_force, &ChannelInfo::role);
+  return found == trace.channels.end() ? nullptr : &*found;
+}
+
 const std::vector<double>& values_of(const Trace& trace, const std::string& name) {
   return trace.values.at(static_cast<std::size_t>(find_channel(trace, name)));
 }

@@ -62,6 +62,8 @@ void lay_out(const Page& page, const TracePicture& picture, const std::vector<Tr
 
 // -1 when the trace has no such channel.
 int find_channel(const Trace& trace, const std::string& name);
+// The channel that is the force between the teeth, of several the first; nullptr: there is none.
+const ChannelInfo* force_of(const Trace& trace);
 // Of a channel that the trace has.
 const std::vector<double>& values_of(const Trace& trace, const std::string& name);
 // All layers' values of a channel.

@@ -93,11 +93,14 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
   std::vector<std::string> names(words.begin() + 1, words.end());
   if (kind.name == "force") {
     refuse_without_flanks(trace);
-    if (names.empty() && find_channel(trace, "dmf") < 0) {
+    const ChannelInfo* force = force_of(trace);
+    if (names.empty() && force == nullptr) {
       throw InputError(
-          "this model has no 'dmf', which 'force' shows; name a channel: -q force:NAME");
+          "the file does not say which signal is the force between the teeth; name a channel: -q "
+          "force:NAME, or give that signal role = \"mesh_force\" in the model's file, and trace "
+          "again");
     }
-    if (names.empty()) return {"dmf"};
+    if (names.empty()) return {force->name};
   }
   const bool is_chosen = !names.empty();
   if (!is_chosen) names.push_back(trace.channels.front().name);
@@ -204,7 +207,7 @@ PlotScript draw_traces(const Page& page, const PlotRequest& request) {
   picture.channel = find_in(sources.front().stored, channels.back());
   picture.title = common(sources, [](const Source& source) { return source.stored.title; });
   picture.remark = remark_of(sources, shown);
-  picture.forcing = find_channel(first, "dmf") < 0 ? "forcing" : "mesh";
+  picture.forcing = force_of(first) == nullptr ? "forcing" : "mesh";
   picture.period = first.mesh_periods == 1.0 ? picture.forcing : "forcing";
   picture.orders = request.orders.value_or(picture.orders);
   const std::vector<std::string> names = names_of(sources, request.style);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "model/error.hpp"
 #include "model/version.hpp"
@@ -23,14 +24,20 @@ double period_at(const Plan& plan, std::size_t point) {
 // Of what an engineer asks for, what the model has: the force first, which tells the worst speeds.
 std::vector<std::string> report_quantities(const Model& model) {
   const std::string& first = model.states.front().name;
-  const ChannelInfo* force = model.contact_force();
-  std::vector<std::string> wanted = {(force != nullptr ? force->name : first) + "_max"};
-  for (const char* name : {ReportFindings::kLoadFactor, "contact_class", "dte_peak_to_peak",
-                           "bearing_p_max", "bearing_g_max"}) {
-    wanted.emplace_back(name);
-  }
-  wanted.push_back(first + "_rms");
   const std::vector<Quantity> offered = offered_quantities(model);
+  std::vector<std::string> wanted;
+  const auto add_signals = [&](Role role, const std::string& ending) {
+    for (const ChannelInfo& signal : model.signals_of(role)) wanted.push_back(signal.name + ending);
+  };
+  add_signals(Role::mesh_force, "_max");
+  if (wanted.empty()) wanted.push_back(first + "_max");
+  for (const Quantity& quantity : offered) {
+    if (quantity.divided_by) wanted.push_back(quantity.name);
+  }
+  wanted.emplace_back("contact_class");
+  add_signals(Role::transmission_error, "_peak_to_peak");
+  add_signals(Role::bearing_force, "_max");
+  wanted.push_back(first + "_rms");
   std::erase_if(wanted, [&](const std::string& name) {
     return std::none_of(offered.begin(), offered.end(),
                         [&](const Quantity& quantity) { return quantity.name == name; });
@@ -52,16 +59,19 @@ double enough_orders(const Study& study) {
 }
 
 // K_v at each point. The mesh frequency in varpi = sqrt(k0/me) is the standard's resonance ratio.
+// What a drawing gives has a load.
 std::vector<double> dynamic_factors_of(const Study& study) {
   const Plan plan(study, study.points());
-  const auto omega = static_cast<std::size_t>(study.model->find_parameter("omega"));
-  const auto load = static_cast<std::size_t>(study.model->find_parameter("F1"));
+  const Model& model = *study.model;
+  const std::size_t load = model.parameter_of(Role::load).value();
   std::vector<double> factors;
   for (std::size_t point = 0; point < study.points(); ++point) {
-    const std::vector<double> parameters = plan.setting_of(point).parameters;
-    factors.push_back(dynamic_factor(*study.dynamic_factor,
-                                     study.dynamic_factor->line_load_per_load * parameters[load],
-                                     parameters[omega]));
+    const ModelSetting setting = plan.setting_of(point);
+    const double mesh_frequency =
+        2.0 * std::numbers::pi * model.mesh_periods(setting) / model.period(setting);
+    factors.push_back(dynamic_factor(
+        *study.dynamic_factor, study.dynamic_factor->line_load_per_load * setting.parameters[load],
+        mesh_frequency));
   }
   return factors;
 }

@@ -16,23 +16,25 @@ namespace {
 
 // cm = 2 zeta varpi me, with varpi^2 = k0/me.
 double unit_of_damping(const Study& study, const std::vector<std::string>& varied) {
-  const int zeta = study.model->find_parameter("zeta");
-  if (!study.scales.known() || zeta < 0) return 0.0;
-  if (std::find(varied.begin(), varied.end(), "zeta") != varied.end()) return 0.0;
-  const double ratio = study.setting.parameters[static_cast<std::size_t>(zeta)];
-  return 2.0 * ratio * study.scales.k0 / study.scales.varpi;
+  const std::optional<std::size_t> zeta = study.model->parameter_of(Role::mesh_damping);
+  if (!study.scales.known() || !zeta) return 0.0;
+  const std::string& name = study.model->parameters[*zeta].name;
+  if (std::find(varied.begin(), varied.end(), name) != varied.end()) return 0.0;
+  return 2.0 * study.setting.parameters[*zeta] * study.scales.k0 / study.scales.varpi;
 }
 
 // How long a period is, where it is more than one of the mesh and the same at all points.
 std::vector<Attribute> turns_of(const Study& study) {
   const Model& model = *study.model;
   const double periods = model.mesh_periods(study.setting);
-  if (periods == 1.0 || study.find_swept(false, *model.cycle) != nullptr) return {};
+  const std::optional<std::size_t> swept = model.parameter_of(Role::mesh_periods);
+  if (periods == 1.0 || study.find_swept(false, *swept) != nullptr) return {};
   std::vector<Attribute> notes = {{kMeshPeriods, periods}};
-  const int zp = model.find_parameter("zp"), ratio = model.find_parameter("teeth_ratio");
-  if (zp < 0 || ratio < 0) return notes;
-  const double pinion = study.setting.parameters[static_cast<std::size_t>(zp)];
-  const double gear = pinion * study.setting.parameters[static_cast<std::size_t>(ratio)];
+  const std::optional<std::size_t> teeth = model.parameter_of(Role::pinion_teeth);
+  const std::optional<std::size_t> ratio = model.parameter_of(Role::teeth_ratio);
+  if (!teeth || !ratio) return notes;
+  const double pinion = study.setting.parameters[*teeth];
+  const double gear = pinion * study.setting.parameters[*ratio];
   notes.push_back({"pinion_turns_per_period", periods / pinion});
   notes.push_back({"gear_turns_per_period", periods / gear});
   return notes;

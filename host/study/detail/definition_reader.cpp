@@ -114,6 +114,7 @@ class DefinitionReader {
       definition_.summary += fmt::format("{}({})", definition_.summary.empty() ? "" : " ", source);
     }
     definition_.max_step = reader.number("max_step", definition_.max_step, 1e-9, kMaxMaxStep);
+    definition_.assumptions = reader.texts("assumptions");
     reader.refuse_unknown();
   }
 
@@ -181,7 +182,21 @@ class DefinitionReader {
     }
     info->default_value = reader.number("value", 0.0, info->min, info->max);
     info->meaning = reader.text("meaning", entry.name);
+    info->role = read_role(&reader, roles_of_parameters());
+    const auto is_same = [&](const ParameterInfo& other) { return other.role == info->role; };
+    if (info->role != Role::none && std::ranges::any_of(definition_.parameters, is_same)) {
+      fail_at(*row.get("role"), fmt::format("a model has one parameter of the role '{}'; '{}' is a "
+                                            "second one",
+                                            name_of(info->role), entry.name));
+    }
     reader.refuse_unknown();
+  }
+
+  static Role read_role(TableReader* reader, const std::vector<Role>& known) {
+    std::vector<std::string> names;
+    for (const Role role : known) names.push_back(name_of(role));
+    if (reader->find("role") == nullptr) return Role::none;
+    return known[reader->choice("role", 0, names)];
   }
 
   void read_options(const toml::table* table) {
@@ -265,6 +280,7 @@ class DefinitionReader {
         definition_.signal_values.push_back(expression_of(*value, entry.name));
         info.unit = reader.text("unit", "1");
         info.meaning = reader.text("meaning", entry.name);
+        info.role = read_role(&reader, roles_of_signals());
         reader.refuse_unknown();
       }
       definition_.signals.push_back(std::move(info));
