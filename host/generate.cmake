@@ -30,6 +30,22 @@ endforeach()
 configure_file(model/registry.cpp.in ${GENERATED}/registry.cpp @ONLY)
 list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/registry.cpp)
 
+# The headers of models once more, as graphs.
+set(TRACE_DECLARATIONS "")
+set(TRACES "")
+file(GLOB headers CONFIGURE_DEPENDS ${KERNELS}/models/*.h)
+foreach(header ${headers})
+  get_filename_component(NAME ${header} NAME_WE)
+  set(HEADER models/${NAME}.h)
+  configure_file(equations/trace_model.cpp.in ${GENERATED}/trace_${NAME}.cpp @ONLY)
+  list(APPEND GEARSWEEP_TRACE_SOURCES ${GENERATED}/trace_${NAME}.cpp)
+  string(APPEND TRACE_DECLARATIONS
+         "namespace traced_${NAME} {\nFieldGraph trace(const std::vector<int>& options);\n}\n")
+  string(APPEND TRACES "{\"${NAME}\", traced_${NAME}::trace}, ")
+endforeach()
+configure_file(equations/traced_models.cpp.in ${GENERATED}/traced_models.cpp @ONLY)
+list(APPEND GEARSWEEP_TRACE_SOURCES ${GENERATED}/traced_models.cpp)
+
 # gearsweep_embed(OUTPUT FUNCTION HEADER FILES...): a C++ file that defines
 # FUNCTION() -> map from relative path to text, declared in HEADER.
 function(gearsweep_embed output function header base)
@@ -65,5 +81,5 @@ add_custom_command(OUTPUT ${GENERATED}/version.cpp
   DEPENDS ${hashed_files} ${PROJECT_SOURCE_DIR}/host/hash.cmake VERBATIM)
 list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/version.cpp)
 # The lists of two models have the same names, and clang-tidy has nothing to say of what is generated.
-set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} ${GEARSWEEP_KERNEL_SOURCES}
-                            ${GEARSWEEP_STUDY_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} ${GEARSWEEP_TRACE_SOURCES}
+                            ${GEARSWEEP_KERNEL_SOURCES} ${GEARSWEEP_STUDY_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -127,10 +127,27 @@ void print_quantities(const Model& model) {
   answer("{}CHANNEL is a state or a signal, as in {}_rms\n", rows.text(), first);
 }
 
+// Where a point starts that no axis moves: of states, what the policy gives them.
+std::vector<double> start_of(const Study& study) {
+  if (study.initial.policy == InitialPolicy::fixed) return study.initial.state;
+  return study.model->equilibrium(study.setting);
+}
+
+std::string describe_start(const Study& study) {
+  const InitialPolicyInfo& policy = info_of(study.initial.policy);
+  std::vector<std::string> states;
+  const std::vector<double> start = start_of(study);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    states.push_back(fmt::format("{} = {:.10g}", study.model->states[i].name, start[i]));
+  }
+  return fmt::format("a point starts {} (policy {}): {}", policy.meaning, policy.name,
+                     fmt::join(states, ", "));
+}
+
 void print_model(const Study& study) {
   const Model& model = *study.model;
-  answer("{}: {}\npreset {}\nits own step is {}; large studies find theirs\n", model.name,
-         model.summary, study.preset, model.max_step);
+  answer("{}: {}\npreset {}\n{}\nits own step is {}; large studies find theirs\n", model.name,
+         model.summary, study.preset, describe_start(study), model.max_step);
   print_parameters(study);
   if (!study.gear_notes.empty()) {
     answer("\nfrom the [gear] table\n");
@@ -166,6 +183,7 @@ void print_model_as_json(const Study& study) {
   const Model& model = *study.model;
   nlohmann::json json = {
       {"name", model.name}, {"preset", study.preset}, {"max_step", model.max_step}};
+  json["start"] = {{"policy", info_of(study.initial.policy).name}, {"state", start_of(study)}};
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
     json["parameters"].push_back({{"name", info.name},

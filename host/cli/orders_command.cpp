@@ -8,6 +8,7 @@
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/place_text.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -92,8 +93,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   if (!arguments.picture.empty()) ensure_plottable(arguments.picture);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals->interrupted();
-  signals->set(OnSignal::stop);
+  stop_on_signals(signals, arguments.quiet, &options);
   const std::optional<OrderMap> map = map_orders(whole, request, options);
   if (!map) {
     tell("gearsweep: interrupted\n");

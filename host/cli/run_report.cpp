@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/detail/forecast_report.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/summary.hpp"
 #include "cli/standard_streams.hpp"
 #include "workers/cluster.hpp"
@@ -16,8 +17,7 @@ RunReport::RunReport(const RunRequest& request, const RunOutput& output)
 
 void RunReport::watch(SweepOptions* options) {
   options->on_trouble = warn;
-  options->stop = &request_.signals->interrupted();
-  request_.signals->set(OnSignal::stop);
+  stop_on_signals(request_.signals, request_.quiet, options);
   options->on_pilot = [this](std::size_t points) {
     if (!request_.quiet) tell("finding the step by a pilot run of {} points\n", points);
   };

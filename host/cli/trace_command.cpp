@@ -7,6 +7,7 @@
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/place_text.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -58,8 +59,7 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
   ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals->interrupted();
-  signals->set(OnSignal::stop);
+  stop_on_signals(signals, arguments.quiet, &options);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
   PointTraces found;

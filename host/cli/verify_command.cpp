@@ -9,6 +9,7 @@
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/version.hpp"
 #include "opencl/device.hpp"
@@ -52,9 +53,8 @@ int run(const VerifyArguments& arguments, SignalWatch* signals) {
       fmt::format("{} ({}, driver {})", device.name, device.platform, device.driver);
   SweepOptions options;
   options.devices = chosen;
-  options.stop = &signals->interrupted();
+  stop_on_signals(signals, arguments.as_json, &options);
   const Subject subject = make_subject(device, options);
-  signals->set(OnSignal::stop);
   if (!arguments.as_json) answer("gearsweep {} on {}\n", version(), title);
   flush_answers();
   std::vector<CheckReport> all;

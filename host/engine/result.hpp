@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/study.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 
@@ -42,7 +43,11 @@ struct PilotFindings {
   std::map<std::string, double> errors;
 };
 
-// Point (ix, iy) has index iy * nx + ix. A point that did not end `ok` has NaN in every map.
+// Whether a point that ended so has values, a code of kernels/sweep_types.h; otherwise it has NaN in
+// every map.
+inline bool has_values(std::uint8_t status) { return status != STATUS_diverged; }
+
+// Point (ix, iy) has index iy * nx + ix.
 struct SweepResult {
   Study study;
   EngineInfo engine;

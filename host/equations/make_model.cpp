@@ -6,8 +6,10 @@
 #include <numbers>
 
 #include "equations/definition.hpp"
+#include "equations/detail/kernel_size.hpp"
 #include "equations/detail/kernel_writer.hpp"
 #include "equations/detail/lowering.hpp"
+#include "equations/field_graph.hpp"
 #include "expression/differentiate.hpp"
 #include "expression/print.hpp"
 #include "expression/tape.hpp"
@@ -269,6 +271,25 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
   return lines;
 }
 
+// The signals of contacts are lowered ones: back to what these are made of.
+std::shared_ptr<const FieldGraph> field_graph_of(const Formula& formula, const Lowered& lowered) {
+  auto field =
+      std::make_shared<FieldGraph>(FieldGraph{formula.graph, formula.states, formula.parameters,
+                                              formula.choices, formula.equations, formula.signals});
+  std::map<NodeId, NodeId> values;
+  for (std::size_t i = 0; i < lowered.point.size(); ++i) {
+    values[lowered.point[i]] = lowered.point_values[i];
+  }
+  for (std::size_t i = 0; i < lowered.coefs.size(); ++i) {
+    values[lowered.coefs[i]] = lowered.coef_values[i];
+  }
+  Rewriter raised(&field->graph, std::move(values));
+  for (std::size_t i = formula.signals.size(); i < lowered.signals.size(); ++i) {
+    field->signals.push_back(raised(lowered.signals[i]));
+  }
+  return field;
+}
+
 }  // namespace
 
 Model make_model(const ModelDefinition& given) {
@@ -285,7 +306,9 @@ Model make_model(const ModelDefinition& given) {
   set_lists(definition, formula, lowered, &model);
   model.contacts = contacts;
   model.findings = findings_of(definition, formula, lowered);
+  model.field = field_graph_of(formula, lowered);
   model.kernel = kernel_of(definition, &formula, lowered);
+  refuse_large_kernel(definition, formula, lowered, model.kernel);
   const std::size_t jumps = formula.jumps.size();
   model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };
   model.break_phases = [tapes, jumps](const ModelSetting& setting) {

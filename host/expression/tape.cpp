@@ -72,4 +72,10 @@ double Tape::run(const std::vector<double>& inputs) const {
   return output;
 }
 
+std::vector<double> Tape::run_all(const std::vector<double>& inputs) const {
+  std::vector<double> outputs(outputs_.size());
+  run(inputs.data(), outputs.data());
+  return outputs;
+}
+
 }  // namespace gearsweep

@@ -22,6 +22,8 @@ class Tape {
   void run(const double* inputs, double* outputs) const;
   // The same for what has one output.
   double run(const std::vector<double>& inputs) const;
+  // All outputs.
+  std::vector<double> run_all(const std::vector<double>& inputs) const;
 
  private:
   struct Step {

@@ -97,8 +97,8 @@ class PreparedPoint {
                                     double* out) const = 0;
 };
 
-// Pairs of states that may mirror each other: while parameters come in equal pairs, a motion that
-// once has x[second] = -x[first] keeps it, pair by pair.
+// Pairs of states that may mirror each other: while parameters come in equal pairs, the equilibrium
+// has x[second] = -x[first], pair by pair, and a motion that once has it keeps it.
 struct MirrorPairs {
   struct Pair {
     std::size_t first = 0, second = 0;
@@ -113,7 +113,12 @@ struct Reduction {
   std::vector<std::size_t> kept;
   std::vector<std::size_t> passive;        // drive nothing that is kept
   std::vector<MirrorPairs::Pair> mirrors;  // x[second] = -x[first], where the first one is kept
+  // The matrix, in column-major order, by which what is left out changes: the passive states, then
+  // the sums x[first] + x[second] of mirrored ones.
+  std::function<std::vector<double>(const ModelSetting&)> block;
 };
+
+struct FieldGraph;  // equations/field_graph.hpp
 
 struct Model {
   std::string name, summary;
@@ -140,6 +145,7 @@ struct Model {
   // has the header.
   std::string text, kernel;
   std::vector<std::string> findings;
+  std::shared_ptr<const FieldGraph> field;  // of its equations; see field_of()
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
   std::function<std::string(const ModelSetting&)> check;

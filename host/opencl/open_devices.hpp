@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "engine/device_choice.hpp"
+#include "opencl/compile_watch.hpp"
 
 namespace gearsweep {
 
@@ -20,8 +21,11 @@ class OpenDevices {
   // Opens the device at the first call. Throws InputError when there is none of this number, or
   // RunError when it cannot be opened or cut.
   std::shared_ptr<OpenDevice> open(const DeviceChoice& choice);
+  // Of all of them.
+  CompileWatch& compile_watch() { return *compile_watch_; }
 
  private:
+  const std::shared_ptr<CompileWatch> compile_watch_ = std::make_shared<CompileWatch>();
   const std::shared_ptr<std::shared_mutex> launches_ = std::make_shared<std::shared_mutex>();
   std::mutex mutex_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::shared_ptr<OpenDevice>> open_;

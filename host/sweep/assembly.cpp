@@ -82,7 +82,7 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   initial.reserve(tile.points.size() * states);
   for (const std::size_t point : tile.points) {
     const std::optional<std::size_t> before = plan.predecessor(point);
-    if (before && result_.status[*before] == STATUS_ok) {
+    if (before && has_values(result_.status[*before])) {
       append(Array2(final_states_, states)[*before], &initial);
     } else {
       append(plan.own_initial_state(point), &initial);
@@ -95,7 +95,7 @@ void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std
   const CensusOutputs& census = *result_.study.selection.census;
   const auto output = [&](std::size_t index) { return result.output_table()[index][position]; };
   TrajectorySummary& summary = summaries_[trajectory];
-  if (result.status[position] != STATUS_ok || output(census.motion) == double{MOTION_undecided})
+  if (!has_values(result.status[position]) || output(census.motion) == double{MOTION_undecided})
     return;
   summary.is_known = true;
   summary.motion = static_cast<std::size_t>(output(census.motion));
@@ -122,7 +122,7 @@ void Assembly::take_census() {
     for (std::size_t point = 0; point < result_.status.size(); ++point) {
       const std::size_t value =
           quantity.name == "attractor" ? list.number[point] : list.count[point];
-      result_.values[j][point] = result_.status[point] == STATUS_ok
+      result_.values[j][point] = has_values(result_.status[point])
                                      ? static_cast<double>(value)
                                      : std::numeric_limits<double>::quiet_NaN();
     }

@@ -81,7 +81,7 @@ DrawMaps::DrawMaps(const Study& study) : study_(study), quantities_(draw_quantit
 
 void DrawMaps::add(const Plan& plan, std::size_t trajectory, const TileResult& result,
                    std::size_t position) {
-  if (result.status[position] != STATUS_ok) return;
+  if (!has_values(result.status[position])) return;
   const std::size_t point = trajectory % study_.points();
   const std::size_t draw = trajectory / study_.points() - 1;
   const std::size_t place = point * study_.uncertain.draws() + draw;

@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "plan/unstable_start.hpp"
 #include "sweep_types.h"
 #include "tile/detail/exponent_error.hpp"
 #include "tile/detail/left_out.hpp"
@@ -50,6 +51,7 @@ class TileRun {
                                               callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
     add_left_out_exponents(plan_, tile_, &result_);
+    mark_unstable_starts(initial);
     result_.effort.stopped =
         static_cast<double>(std::count(has_stopped_.begin(), has_stopped_.end(), 1));
     result_.on_orbit = std::move(has_stopped_);
@@ -57,6 +59,17 @@ class TileRun {
   }
 
  private:
+  void mark_unstable_starts(const std::vector<double>& initial) {
+    UnstableStarts starts(plan_);
+    const std::size_t states = study_.model->states.size();
+    for (std::size_t i = 0; i < tile_.points.size(); ++i) {
+      const auto start = initial.begin() + static_cast<std::ptrdiff_t>(i * states);
+      const std::vector<double> x(start, start + static_cast<std::ptrdiff_t>(states));
+      if (result_.status[i] != STATUS_ok || !starts.has(tile_.points[i], x)) continue;
+      result_.status[i] = STATUS_unstable_start;
+    }
+  }
+
   // The functions below that return a bool return false when the callback asked to stop.
 
   bool search_for_orbits(const std::vector<double>& initial) {

@@ -103,15 +103,17 @@ def _shown(points: Any) -> str | None:
 
 def _warn_of_failures(status: xarray.DataArray) -> None:
     points = status.size
-    failures = [
-        f"{name} at {count} of {points} points"
-        for code, name in flags_of(status).items()
-        if code != 0 and (count := int((status.values == code).sum()))
-    ]
-    if not failures:
+    counts = {name: int((status.values == code).sum()) for code, name in flags_of(status).items()}
+    if unstable := counts.pop("unstable_start", 0):
+        warn(
+            f"unstable_start at {unstable} of {points} points: they show an unstable equilibrium, or "
+            "what rounding makes of it"
+        )
+    counts.pop("ok")
+    said = ", ".join(f"{name} at {count} of {points} points" for name, count in counts.items() if count)
+    if not said:
         return
-    said = ", ".join(failures)
-    if status.values.all():
+    if sum(counts.values()) == points:
         warn(f"every point failed; the maps are empty ({said})")
     else:
         warn(f"{said}: these have no values, and 'status' tells which they are")

@@ -16,6 +16,7 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const char* const kSignalsStudy =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8]\n"
@@ -92,6 +93,28 @@ TEST_F(SignalsTest, EndACommandWhoseDriverDoesNotAnswer) {
     EXPECT_EQ(folder_.files().count("out.nc"), 0U);
     folder_.remove("asked");
   }
+}
+
+// One signal is enough, and it leaves nothing behind that a further run would mind.
+TEST_F(SignalsTest, TheFirstOneEndsARunWhoseKernelsAreCompiled) {
+  for (const char* command :
+       {"run study.toml -o out.nc", "trace study.toml --at omega=0.6 -o out.csv"}) {
+    const pid_t process =
+        spawn("exec env WAITING_IN_BUILD=1 WAITING_FILE=asked LD_PRELOAD=" WAITING_OPENCL
+              " TMPDIR=tmp " GEARSWEEP_BINARY " " +
+              std::string(command) + " 2>err");
+    wait_for("asked", process);
+    kill(process, SIGINT);
+    std::optional<int> status;
+    for (int i = 0; i < 6000 && !(status = status_if_ended(process)); ++i) pause_briefly();
+    EXPECT_EQ(status.value_or(-1), 130) << command;
+    if (!status) status_after(process, SIGKILL);
+    EXPECT_THAT(said(), HasSubstr("gearsweep: interrupted\n")) << command;
+    EXPECT_THAT(said(), Not(HasSubstr("finishing"))) << command;
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "tmp")) << command;
+    folder_.remove("asked");
+  }
+  EXPECT_EQ(gearsweep(folder_, "run study.toml -o out.nc --quiet").status, 0);
 }
 
 TEST_F(SignalsTest, ComeFromTheFirstMomentOn) {

@@ -65,7 +65,7 @@ void SignalWatch::watch(const std::stop_token& stop) {
     if (what == OnSignal::nothing) continue;
     const bool is_first = !interrupted_.exchange(true);
     if (is_first) first = Clock::now();
-    if (what == OnSignal::end) end(signal_number);
+    if (what == OnSignal::end || (cannot_stop_ && cannot_stop_())) end(signal_number);
     if (is_first) {
       tell_now("\ngearsweep: finishing the running round; once more to stop at once\n");
     } else if (Clock::now() - first > std::chrono::seconds(1)) {

@@ -24,6 +24,8 @@ class SignalWatch {
   SignalWatch& operator=(const SignalWatch&) = delete;
 
   void set(OnSignal what) { on_signal_ = what; }
+  // Before set(OnSignal::stop): while this says so, the first signal ends the program, too.
+  void end_while(std::function<bool()> cannot_stop) { cannot_stop_ = std::move(cannot_stop); }
   // Whether the command is to stop.
   const std::atomic<bool>& interrupted() const { return interrupted_; }
 
@@ -32,6 +34,7 @@ class SignalWatch {
   [[noreturn]] void end(int signal_number);
 
   std::function<void()> on_end_;
+  std::function<bool()> cannot_stop_;
   std::atomic<OnSignal> on_signal_ = OnSignal::end;
   std::atomic<bool> interrupted_ = false;
   std::jthread watcher_;

@@ -15,6 +15,7 @@
 #include "cli/detail/progress_bar.hpp"
 #include "cli/detail/tolerance_report.hpp"
 #include "cli/standard_streams.hpp"
+#include "plan/failed_start.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -143,7 +144,7 @@ std::string describe_agreement(const SweepResult& result) {
     for (const Group& column : columns) {
       std::size_t count = 0;
       for (std::size_t point = 0; point < result.status.size(); ++point) {
-        const bool counts = result.status[point] == STATUS_ok;
+        const bool counts = has_values(result.status[point]);
         count += counts && row.has(point) && column.has(point) ? 1 : 0;
       }
       text += fmt::format("  {:>14}", count);
@@ -151,6 +152,15 @@ std::string describe_agreement(const SweepResult& result) {
     text += '\n';
   }
   return text;
+}
+
+std::string describe_unstable_starts(const SweepResult& result) {
+  const auto count = std::ranges::count(result.status, std::uint8_t{STATUS_unstable_start});
+  if (count == 0) return "";
+  return fmt::format(
+      "{} of {} points start at an unstable equilibrium: they show it, or what rounding makes of it; "
+      "[initial] state = {{...}} starts them elsewhere\n",
+      count, result.status.size());
 }
 
 nlohmann::json counts_as_json(const std::vector<Count>& counts) {
@@ -184,6 +194,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
+  text += describe_unstable_starts(result);
   text += describe_integrated(result.integrated, result.study.model->states.size());
   if (result.pilot) text += "steps of " + describe_pilot(*result.pilot);
   text += describe_attractors(result);
@@ -229,10 +240,10 @@ std::string shard_as_json(const std::string& shard, const std::string& journal,
 }
 
 int status_of(const SweepResult& result) {
-  const bool any_is_ok = std::any_of(result.status.begin(), result.status.end(),
-                                     [](std::uint8_t status) { return status == STATUS_ok; });
-  if (any_is_ok) return kDone;
+  if (std::ranges::any_of(result.status, has_values)) return kDone;
   tell("gearsweep: every point failed; the maps are empty\n");
+  const std::string failure = failure_at_start(Plan(result.study, result.study.points()), 0);
+  if (!failure.empty()) tell("gearsweep: the first one, {}\n", failure);
   return kFailed;
 }
 

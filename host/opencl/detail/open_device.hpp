@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "opencl/busy_clock.hpp"
+#include "opencl/compile_watch.hpp"
 #include "opencl/detail/cl.hpp"
 #include "opencl/device.hpp"
 
@@ -21,9 +22,9 @@ namespace gearsweep {
 // Engines may use it from threads of their own.
 class OpenDevice {
  public:
-  // launches: what all devices of the process share.
-  OpenDevice(const cl::Device& device, DeviceInfo info,
-             std::shared_ptr<std::shared_mutex> launches);
+  // launches, compile_watch: what all devices of the process share.
+  OpenDevice(const cl::Device& device, DeviceInfo info, std::shared_ptr<std::shared_mutex> launches,
+             std::shared_ptr<CompileWatch> compile_watch);
 
   const DeviceInfo& info() const { return info_; }
   const cl::Device& device() const { return device_; }
@@ -37,8 +38,8 @@ class OpenDevice {
   // up to a multiple of the local size and perhaps more, which have nothing to do.
   //
   // Any number of launches run at once, but on a CPU one that is wider than all before it runs
-  // alone: PoCL 3.1 loads a kernel anew for a wider launch, and counts as user of the new one
-  // whoever still runs the old one. It aborts when both have ended.
+  // alone: PoCL 3.1 compiles or loads a kernel anew for a wider launch, and counts as user of the
+  // new one whoever still runs the old one. It aborts when both have ended.
   template <class Launch>
   void run(const cl::Kernel& kernel, std::size_t local_size, std::size_t items,
            const Launch& launch) {
@@ -49,6 +50,7 @@ class OpenDevice {
       return launch(width);
     }
     const std::lock_guard alone(*launches_);
+    const CompileWatch::Work compiling(compile_watch_.get());
     // Few launches are to run alone.
     const std::size_t wider = local_size * std::bit_ceil(width / local_size);
     launch(wider);
@@ -68,6 +70,7 @@ class OpenDevice {
   const cl::Context context_;
   BusyClock clock_;
   const std::shared_ptr<std::shared_mutex> launches_;  // held by all that run
+  const std::shared_ptr<CompileWatch> compile_watch_;
   std::mutex mutex_;
   std::map<Launched, std::size_t> widest_;
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;  // by source and options

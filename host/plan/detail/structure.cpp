@@ -1,138 +1,99 @@
 #include "plan/detail/structure.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <random>
+#include <array>
+#include <map>
+#include <utility>
 
-#include "model/array.hpp"
+#include "plan/detail/linear_forms.hpp"
 
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kSamples = 12;  // of each setting
+// Operations that are finite wherever their arguments are.
+constexpr std::array kFiniteOperations = {Operation::number,
+                                          Operation::symbol,
+                                          Operation::negate,
+                                          Operation::add,
+                                          Operation::subtract,
+                                          Operation::multiply,
+                                          Operation::sine,
+                                          Operation::cosine,
+                                          Operation::arctangent,
+                                          Operation::arctangent_of_two,
+                                          Operation::hyperbolic_tangent,
+                                          Operation::absolute,
+                                          Operation::sign,
+                                          Operation::floor,
+                                          Operation::min,
+                                          Operation::max,
+                                          Operation::backlash,
+                                          Operation::stop,
+                                          Operation::select,
+                                          Operation::table};
 
-// A state and a phase, the same on all machines.
-struct Sample {
-  std::vector<double> x, coefs;
-};
-
-std::vector<Sample> samples_of(const Model& model, const ModelSetting& setting) {
-  std::mt19937_64 random(1);
-  const auto unit = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
-  const std::vector<double> rest = model.equilibrium(setting);
-  std::vector<Sample> samples;
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    // From a tenth of the distances that the model itself has to a hundred times them.
-    const double size = std::pow(10.0, static_cast<double>(i % 4) - 1.0);
-    Sample sample{rest, std::vector<double>(model.phase_coefs.size())};
-    for (double& x : sample.x) x += (1.0 + std::abs(x)) * size * (2.0 * unit() - 1.0);
-    const double phase = unit();
-    model.phase_coefs_at(setting, phase, phase, sample.coefs.data());
-    samples.push_back(std::move(sample));
-  }
-  return samples;
+bool is_always_finite(Operation operation) {
+  return is_condition(operation) ||
+         std::ranges::find(kFiniteOperations, operation) != kFiniteOperations.end();
 }
 
-// J of the left-out block, see left_out_block(); jacobian: [row][column] of the whole model.
-std::vector<double> block_of(const Reduction& reduction, const std::vector<double>& jacobian,
-                             std::size_t states) {
-  const Array2 rows(jacobian, states);
-  const std::size_t passive = reduction.passive.size();
-  const std::size_t size = passive + reduction.mirrors.size();
-  std::vector<double> block(size * size);
-  const Array2 columns(block, size);
-  for (std::size_t j = 0; j < passive; ++j) {
-    for (std::size_t i = 0; i < passive; ++i) {
-      columns[j][i] = rows[reduction.passive[i]][reduction.passive[j]];
-    }
+// The value that all points share; nothing where they differ.
+std::optional<double> common_value(const Study& study, std::size_t parameter) {
+  const Swept* const swept = study.find_swept(false, parameter);
+  if (swept == nullptr) return study.setting.parameters[parameter];
+  const auto is_first = [&](double value) { return value == swept->values.front(); };
+  if (!std::ranges::all_of(swept->values, is_first)) return std::nullopt;
+  for (const UncertainParameter& uncertain : study.uncertain.parameters) {
+    const auto is_it = [&](const Swept& one) { return one.index == parameter; };
+    if (std::ranges::any_of(uncertain.draws.swept(), is_it)) return std::nullopt;
   }
-  // A passive state may be driven by the sums, but that changes no eigenvalue.
-  for (std::size_t j = 0; j < reduction.mirrors.size(); ++j) {
-    const auto [from, from_mirrored] = reduction.mirrors[j];
-    for (std::size_t i = 0; i < reduction.mirrors.size(); ++i) {
-      const auto [to, to_mirrored] = reduction.mirrors[i];
-      columns[passive + j][passive + i] =
-          0.5 * ((rows[to][from] + rows[to_mirrored][from]) +
-                 (rows[to][from_mirrored] + rows[to_mirrored][from_mirrored]));
-    }
-  }
-  return block;
+  return swept->values.front();
 }
 
-// Within rounding of the jacobian's entries.
-bool are_alike(const std::vector<double>& a, const std::vector<double>& b, double scale) {
-  constexpr double kRounding = 1e-12;
-  return std::ranges::equal(
-      a, b, [&](double one, double other) { return std::abs(one - other) <= kRounding * scale; });
+bool is_in(const std::vector<NodeId>& symbols, NodeId id) {
+  return std::ranges::find(symbols, id) != symbols.end();
 }
 
-double max_size(const std::vector<double>& values) {
-  double max = 0.0;
-  for (const double value : values) max = std::max(max, std::abs(value));
-  return max;
+void rewrite(Rewriter* rewriter, std::vector<NodeId>* nodes) {
+  for (NodeId& node : *nodes) node = (*rewriter)(node);
 }
 
 }  // namespace
 
-Structure::Structure(const Model& model, const std::vector<ModelSetting>& settings)
-    : model_(model),
-      settings_(settings),
-      drivers_(model.states.size()),
-      signal_drivers_(model.signals.size()) {
-  for (const ModelSetting& setting : settings) {
-    const std::unique_ptr<PreparedPoint> point = model.prepare(setting);
-    for (const Sample& sample : samples_of(model, setting)) {
-      look(*point, sample.coefs, sample.x);
-      look_at_contact(*point, sample.coefs, sample.x);
-    }
+Structure::Structure(const Study& study) : field_(field_of(*study.model, study.setting.options)) {
+  ExpressionGraph* const graph = &field_.graph;
+  Rewriter simplified(graph, {});
+  rewrite(&simplified, &field_.rates);
+  rewrite(&simplified, &field_.signals);
+  symbolic_rates_ = field_.rates;
+  symbolic_signals_ = field_.signals;
+  std::map<NodeId, NodeId> numbers;
+  for (std::size_t i = 0; i < field_.parameters.size(); ++i) {
+    const std::optional<double> value = common_value(study, i);
+    if (value) numbers[field_.parameters[i]] = graph->number(*value);
   }
+  Rewriter with_numbers(graph, std::move(numbers));
+  rewrite(&with_numbers, &field_.rates);
+  rewrite(&with_numbers, &field_.signals);
+  for (const NodeId rate : field_.rates) drivers_.push_back(states_in(rate));
 }
 
-// A state drives whatever changes with it.
-void Structure::look(const PreparedPoint& point, const std::vector<double>& coefs,
-                     const std::vector<double>& x) {
-  const std::size_t states = x.size();
-  std::vector<double> dx(states), moved_dx(states);
-  std::vector<double> signals(signal_drivers_.size()), moved_signals(signals.size());
-  point.rhs(coefs.data(), x.data(), dx.data());
-  point.signals(coefs.data(), x.data(), signals.data());
-  for (std::size_t j = 0; j < states; ++j) {
-    constexpr double kMove = 0.37;
-    std::vector<double> moved = x;
-    moved[j] += kMove * (1.0 + std::abs(x[j]));
-    point.rhs(coefs.data(), moved.data(), moved_dx.data());
-    point.signals(coefs.data(), moved.data(), moved_signals.data());
-    for (std::size_t i = 0; i < states; ++i) {
-      if (moved_dx[i] != dx[i]) drivers_[i].insert(j);
-    }
-    for (std::size_t i = 0; i < signals.size(); ++i) {
-      if (moved_signals[i] != signals[i]) signal_drivers_[i].insert(j);
-    }
-  }
+bool Structure::is_autonomous() const {
+  return std::ranges::all_of(parts_of(field_.graph, field_.rates), [&](NodeId id) {
+    const Operation operation = field_.graph[id].operation;
+    if (operation == Operation::table) return false;
+    return operation != Operation::symbol || is_in(field_.states, id) ||
+           is_in(field_.parameters, id);
+  });
 }
 
-// What changes the force's direction is seen by look() where a flank touches, and counts here
-// wherever the direction itself does.
-void Structure::look_at_contact(const PreparedPoint& point, const std::vector<double>& coefs,
-                                const std::vector<double>& x) {
-  std::vector<double> direction(x.size()), gradient(x.size());
-  for (const ContactLimit& limit : model_.contact_limits()) {
-    point.force_direction(limit.contact, coefs.data(), x.data(), direction.data());
-    point.penetration_gradient(limit, coefs.data(), x.data(), gradient.data());
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      if (gradient[j] == 0.0) continue;
-      contact_drivers_.insert(j);
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        if (direction[i] != 0.0) drivers_[i].insert(j);
-      }
-    }
-  }
+std::set<std::size_t> Structure::states_in(NodeId id) const {
+  const std::vector<std::size_t> states = symbols_in(field_.graph, {id}, field_.states);
+  return {states.begin(), states.end()};
 }
 
 std::set<std::size_t> Structure::drivers_of_signal(std::size_t signal) const {
-  std::set<std::size_t> drivers = signal_drivers_[signal];
-  drivers.insert(contact_drivers_.begin(), contact_drivers_.end());
-  return drivers;
+  return states_in(field_.signals[signal]);
 }
 
 std::set<std::size_t> Structure::closure(std::set<std::size_t> states) const {
@@ -147,36 +108,89 @@ std::set<std::size_t> Structure::closure(std::set<std::size_t> states) const {
   return states;
 }
 
-bool Structure::leaves_constant_block(const Reduction& reduction) const {
-  const std::size_t states = model_.states.size();
-  std::vector<double> jacobian(states * states), dx(states);
-  for (const ModelSetting& setting : settings_) {
-    const std::unique_ptr<PreparedPoint> point = model_.prepare(setting);
-    std::vector<double> first;
-    for (Sample& sample : samples_of(model_, setting)) {
-      for (const auto [kept, mirrored] : reduction.mirrors) sample.x[mirrored] = -sample.x[kept];
-      point->jacobian(sample.coefs.data(), sample.x.data(), jacobian.data());
-      const std::vector<double> block = block_of(reduction, jacobian, states);
-      if (first.empty()) first = block;
-      if (!are_alike(block, first, max_size(jacobian))) return false;
-      point->rhs(sample.coefs.data(), sample.x.data(), dx.data());
-      for (const auto [kept, mirrored] : reduction.mirrors) {
-        if (!are_alike({dx[kept]}, {-dx[mirrored]}, max_size(dx))) return false;
-      }
-    }
+bool Structure::is_finite_whatever(const std::vector<std::size_t>& states,
+                                   const std::set<std::size_t>& signals) const {
+  const ExpressionGraph& graph = field_.graph;
+  std::set<NodeId> depending;
+  for (const std::size_t state : states) depending.insert(field_.states[state]);
+  std::vector<NodeId> others;
+  for (std::size_t i = 0; i < symbolic_rates_.size(); ++i) {
+    if (std::ranges::find(states, i) == states.end()) others.push_back(symbolic_rates_[i]);
+  }
+  for (const std::size_t signal : signals) others.push_back(symbolic_signals_[signal]);
+  for (const NodeId id : parts_of(graph, others)) {
+    const Node& node = graph[id];
+    const auto depends = [&](NodeId argument) { return depending.contains(argument); };
+    if (std::ranges::none_of(node.arguments, depends)) continue;
+    depending.insert(id);
+    const bool divides = node.operation == Operation::divide && !depends(node.arguments[1]);
+    if (!divides && !is_always_finite(node.operation)) return false;
   }
   return true;
 }
 
-std::vector<double> left_out_block(const Model& reduced, const ModelSetting& setting) {
-  const Model& whole = *reduced.whole;
-  const std::size_t states = whole.states.size();
-  std::vector<double> jacobian(states * states), coefs(whole.phase_coefs.size());
-  std::vector<double> x = whole.equilibrium(setting);
-  for (const auto [kept, mirrored] : reduced.reduction.mirrors) x[mirrored] = -x[kept];
-  whole.phase_coefs_at(setting, 0.0, 1e-9, coefs.data());
-  whole.prepare(setting)->jacobian(coefs.data(), x.data(), jacobian.data());
-  return block_of(reduced.reduction, jacobian, states);
+bool Structure::keeps_mirrored(const std::vector<MirrorPairs::Pair>& mirrors) {
+  ExpressionGraph* const graph = &field_.graph;
+  std::map<NodeId, NodeId> mirrored;
+  for (const auto [first, second] : mirrors) {
+    mirrored[field_.states[second]] = graph->make(Operation::negate, {field_.states[first]});
+  }
+  Rewriter mirror(graph, std::move(mirrored));
+  return std::ranges::all_of(mirrors, [&](const MirrorPairs::Pair& pair) {
+    const NodeId sum = graph->make(
+        Operation::add, {mirror(field_.rates[pair.first]), mirror(field_.rates[pair.second])});
+    return is_zero_sum(*graph, sum);
+  });
+}
+
+std::optional<LinearBlock> Structure::left_out(const Reduction& reduction) {
+  ExpressionGraph* const graph = &field_.graph;
+  // x[first] = m + s/2 and x[second] = s/2 - m, where s is their sum.
+  std::map<NodeId, NodeId> apart;
+  std::vector<NodeId> symbols, rates, sums;
+  for (const auto [first, second] : reduction.mirrors) {
+    const NodeId mirrored = field_.states[first];
+    sums.push_back(graph->symbol("sum->" + std::to_string(first)));
+    const NodeId half = graph->make(Operation::multiply, {graph->number(0.5), sums.back()});
+    apart[field_.states[first]] = graph->make(Operation::add, {mirrored, half});
+    apart[field_.states[second]] = graph->make(Operation::subtract, {half, mirrored});
+  }
+  Rewriter with_sums(graph, std::move(apart));
+  for (const std::size_t state : reduction.passive) {
+    symbols.push_back(field_.states[state]);
+    rates.push_back(field_.rates[state]);
+  }
+  const std::size_t passive = rates.size();
+  for (const auto [first, second] : reduction.mirrors) {
+    rates.push_back(graph->make(Operation::add,
+                                {with_sums(field_.rates[first]), with_sums(field_.rates[second])}));
+  }
+  // The sums stay 0, and a passive state may be driven by what is 0: each of the two kinds by
+  // itself.
+  const auto own_forms = linear_forms(graph, {rates.begin(), rates.begin() + passive}, symbols);
+  const auto sum_forms = linear_forms(graph, {rates.begin() + passive, rates.end()}, sums);
+  LinearBlock block;
+  const std::size_t size = rates.size();
+  block.entries.assign(size * size, graph->number(0.0));
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool is_own = i < passive;
+    const auto& form = is_own ? own_forms[i] : sum_forms[i - passive];
+    if (!form) return std::nullopt;
+    const std::vector<NodeId>& of = is_own ? symbols : sums;
+    for (std::size_t j = 0; j < of.size(); ++j) {
+      const auto found = form->find(of[j]);
+      if (found != form->end())
+        block.entries[((is_own ? 0 : passive) + j) * size + i] = found->second;
+    }
+  }
+  block.parameters = symbols_in(*graph, block.entries, field_.parameters);
+  const std::vector<NodeId> parts = parts_of(*graph, block.entries);
+  const auto changes = [&](NodeId id) {
+    return (*graph)[id].operation == Operation::symbol && !is_in(field_.parameters, id);
+  };
+  if (std::ranges::any_of(parts, changes)) return std::nullopt;
+  block.values = Tape(*graph, field_.parameters, block.entries);
+  return block;
 }
 
 }  // namespace gearsweep

@@ -1,6 +1,7 @@
 #include "study/detail/definition_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -11,6 +12,7 @@
 #include "study/detail/model_names.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/initial_policy.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -298,6 +300,15 @@ class DefinitionReader {
         const std::size_t policy = reader.choice("policy", 0, policy_names());
         preset.toml += fmt::format("policy = '{}'\n", policy_names()[policy]);
       }
+      if (const toml::table* state = reader.table("state")) {
+        const auto fixed = fmt::format("policy = '{}'\n", info_of(InitialPolicy::fixed).name);
+        if (reader.find("policy") == nullptr) preset.toml += fixed;
+        if (!preset.toml.ends_with(fixed)) {
+          fail_at(*state,
+                  fmt::format("preset '{}' has a state, so its policy is 'fixed'", preset.name));
+        }
+        preset.toml += fmt::format("state = {{{}}}\n", state_values(state));
+      }
       const std::string values = preset_values(row, &reader);
       reader.refuse_unknown();
       if (is_first && !values.empty()) {
@@ -310,6 +321,21 @@ class DefinitionReader {
     if (is_first) {
       definition_.presets.push_back({"default", "the values of the model's file", ""});
     }
+  }
+
+  // Where it starts, as TOML.
+  std::string state_values(const toml::table* table) const {
+    TableReader reader(table, "state");
+    std::vector<std::string> values;
+    for (const ChannelInfo& info : definition_.states) {
+      const toml::node* node = reader.find(info.name);
+      if (node == nullptr) continue;
+      values.push_back(fmt::format(
+          "{} = {}", info.name,
+          read_toml_number(*node, info.name, -SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND)));
+    }
+    reader.refuse_unknown();
+    return fmt::format("{}", fmt::join(values, ", "));
   }
 
   // What it gives to options and parameters, as TOML.

@@ -62,15 +62,15 @@ void read_initial(const toml::table* table, Study* study) {
   Initial& initial = study->initial;
   initial.policy =
       static_cast<InitialPolicy>(reader.choice("policy", static_cast<std::size_t>(initial.policy)));
-  initial.state.assign(model.states.size(), 0.0);
   const toml::table* state = reader.table("state");
+  if (state != nullptr && reader.find("policy") == nullptr) initial.policy = InitialPolicy::fixed;
   if (state != nullptr && initial.policy != InitialPolicy::fixed) {
     fail_at(*state,
             fmt::format("state belongs to {}", choice_of({info_of(InitialPolicy::fixed).name})));
   }
   TableReader state_reader(state, "initial.state");
   for (std::size_t i = 0; i < model.states.size(); ++i) {
-    initial.state[i] = state_reader.number(model.states[i].name, 0.0, -SWEEP_DIVERGED_BEYOND,
+    initial.state[i] = state_reader.number(model.states[i].name, initial.state[i], -SWEEP_DIVERGED_BEYOND,
                                            SWEEP_DIVERGED_BEYOND);
   }
   state_reader.refuse_unknown();

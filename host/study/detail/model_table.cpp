@@ -12,6 +12,7 @@
 #include "study/detail/toml_access.hpp"
 #include "study/model_file.hpp"
 #include "study/table_file.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -63,7 +64,7 @@ void set_parameter_or_list(const toml::node& node, const std::string& name,
   }
 }
 
-// What a preset assigns: options, the initial policy, parameters.
+// What a preset assigns: options, where points start, parameters.
 void apply_preset(const PresetInfo& preset, Study* study) {
   const std::string origin = "preset " + preset.name;
   const toml::table table = toml::parse(preset.toml, origin);
@@ -72,6 +73,12 @@ void apply_preset(const PresetInfo& preset, Study* study) {
     if (name == "policy") {
       TableReader reader(&table, "[preset]");
       study->initial.policy = static_cast<InitialPolicy>(reader.choice(name, 0, policy_names()));
+    } else if (const toml::table* state = node.as_table(); name == "state" && state != nullptr) {
+      TableReader reader(state, "[preset.state]");
+      for (std::size_t i = 0; i < study->model->states.size(); ++i) {
+        study->initial.state[i] = reader.number(study->model->states[i].name, 0.0,
+                                                -SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND);
+      }
     } else if (const int option = study->model->find_option(name); option >= 0) {
       const auto index = static_cast<std::size_t>(option);
       TableReader reader(&table, "[preset]");
@@ -158,8 +165,12 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
   study->setting = model.default_setting();
   study->parameter_origins.assign(model.parameters.size(), "default");
   study->option_origins.assign(model.options.size(), "default");
+  study->initial.state.assign(model.states.size(), 0.0);
   study->preset = model.presets.empty() ? "" : model.presets.front().name;
-  if (const toml::node* node = reader.find("preset")) {
+  const toml::node* const node = reader.find("preset");
+  // The first one holds wherever none is named.
+  if (node == nullptr && !model.presets.empty()) apply_preset(model.presets.front(), study);
+  if (node != nullptr) {
     study->preset = reader.text("preset", "");
     const auto preset =
         std::find_if(model.presets.begin(), model.presets.end(),
@@ -174,10 +185,10 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
   }
   for (std::size_t i = 0; i < model.options.size(); ++i) {
     const OptionInfo& option = model.options[i];
-    const toml::node* node = reader.find(option.name);
-    if (node == nullptr) continue;
+    const toml::node* chosen = reader.find(option.name);
+    if (chosen == nullptr) continue;
     study->setting.options[i] = static_cast<int>(reader.choice(option.name, 0, option.choices));
-    study->option_origins[i] = place_of(*node);
+    study->option_origins[i] = place_of(*chosen);
   }
   reader.refuse_unknown();
 }
