@@ -9,7 +9,7 @@
 namespace gearsweep {
 
 // The part of an equation that is no finite number where the point starts, with the states there:
-// "at its start, x = 0 and y = 0, x/sqrt(x*x + y*y) in the equation of 'x' is 0/0". Empty where all
+// "at its start, x = 0, y = 0, x/sqrt(x*x + y*y) is 0/0 in the equation of 'x'". Empty where all
 // equations are finite, and for a model that is no file of equations.
 std::string failure_at_start(const Plan& plan, std::size_t point);
 

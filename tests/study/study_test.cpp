@@ -156,7 +156,8 @@ TEST(Study, QuantitiesOfOneChannelShareAnObserver) {
 
 TEST(Study, ContradictionsInTheInitialPolicyAreRefused) {
   const std::string text(kAxis);
-  EXPECT_THAT(refusal(text + "[initial]\nstate = {x1 = 1.0}\n"), HasSubstr("policy = \"fixed\""));
+  EXPECT_THAT(refusal(text + "[initial]\npolicy = 'shifted'\nstate = {x1 = 1.0}\n"),
+              HasSubstr("policy = \"fixed\""));
   EXPECT_THAT(refusal(text + "[initial]\nalong = 'omega'\n"), HasSubstr("forward"));
   EXPECT_THAT(refusal(text + "[initial]\npolicy = 'forward'\nalong = 'b'\n"),
               HasSubstr("unknown along 'b'"));

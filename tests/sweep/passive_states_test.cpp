@@ -50,6 +50,25 @@ TEST(PassiveStates, AStateThatDrivesAtOnePointOfAListIsKept) {
   EXPECT_EQ(map_of(driving, "x_rms"), map_of(all, "x_rms"));
 }
 
+// Of a model that is none of ours: w follows the others and drives nothing.
+TEST(PassiveStates, AStateThatDrivesNothingChangesNoBit) {
+  const std::string study =
+      "[model]\ntext = '''\n[model]\nname = \"spring\"\n[states]\nx = { start = \"0.1\" }\nv = {}\n"
+      "w = {}\n[parameters]\nomega = { value = 1.2, min = 1e-4, max = 100 }\nF = 0.3\n"
+      "c = 0.4\n[equations]\nx = \"v\"\nv = \"F*cos(phase) - 0.2*v + x - x^3\"\n"
+      "w = \"x*v + sin(phase) - c*w\"\n[forcing]\nperiod = \"2*pi/omega\"\n'''\n"
+      "[[axes]]\nname = 'F'\nfrom = 0.1\nto = 0.5\ncount = 16\n[integrate]\nsettle = 60\n"
+      "record = 20\nstop = 'never'\ncontract = false\n[observe]\n"
+      "quantities = ['x_rms', 'x_max', 'v_min', 'poincare']\npoincare = ['x', 'v']\n";
+  const SweepResult driving = run(study);
+  const SweepResult all = run(study, {kStates + "all"});
+  EXPECT_THAT(driving.integrated, ElementsAre("x", "v"));
+  EXPECT_EQ(driving.samples, all.samples);
+  for (const char* name : {"x_rms", "x_max", "v_min"}) {
+    EXPECT_EQ(map_of(driving, name), map_of(all, name)) << name;
+  }
+}
+
 TEST(PassiveStates, ThePeriodIsFoundWithoutThem) {
   const std::string study = kGears + "[observe]\nquantities = ['period', 'motion_class']\n";
   const SweepResult driving = run(study, {kStates + "driving"});
