@@ -307,6 +307,7 @@ Model make_model(const ModelDefinition& given) {
   model.contacts = contacts;
   model.findings = findings_of(definition, formula, lowered);
   model.field = field_graph_of(formula, lowered);
+  model.unused = formula.unused;
   model.kernel = kernel_of(definition, &formula, lowered);
   refuse_large_kernel(definition, formula, lowered, model.kernel);
   const std::size_t jumps = formula.jumps.size();

@@ -30,6 +30,7 @@ std::vector<std::string> report_quantities(const Model& model) {
     for (const ChannelInfo& signal : model.signals_of(role)) wanted.push_back(signal.name + ending);
   };
   add_signals(Role::mesh_force, "_max");
+  add_signals(Role::mesh_force, "_std");
   if (wanted.empty()) wanted.push_back(first + "_max");
   for (const Quantity& quantity : offered) {
     if (quantity.divided_by) wanted.push_back(quantity.name);
@@ -224,6 +225,8 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   findings.speed = find_speed_axis(study);
   findings.quantities = report_quantities(*study.model);
   findings.force = findings.quantities.front();
+  const ChannelInfo* const force = study.model->contact_force();
+  findings.vibration = force == nullptr ? findings.force : force->name + "_std";
   std::vector<std::string> overrides = {list_override(findings.quantities)};
   if (study.uncertain.draws() > 0) overrides.emplace_back("uncertain={}");
   findings.study = changed(study, overrides, {});
