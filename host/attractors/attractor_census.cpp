@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "attractors/detail/moment_groups.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -16,43 +17,51 @@ namespace {
 
 constexpr double kSameOrbit = 1e-3;
 constexpr double kSameOrbitFp32 = 1e-2;
-constexpr double kSameExtent = 0.25;
 constexpr double kSameBranch = 0.05;
 constexpr double kMinScale = 1e-3;
+// Moments are known so badly that smaller differences say nothing of an order.
+constexpr double kGrain = 0.02;
+// What numbers of one state differ by through rounding, in terms of the largest of any state.
+constexpr double kRounding = 1e-13;
+constexpr double kRoundingFp32 = 1e-5;
 
 bool is_periodic(const TrajectorySummary& summary) { return summary.motion == MOTION_periodic; }
 
+// Of any state, as far out as motion with these moments mostly goes.
 double max_magnitude(const TrajectorySummary& summary) {
+  constexpr double kFarOut = 2.0;  // standard deviations
+  const std::vector<double>& place = summary.place;
+  const std::size_t states = place.size() / 2;
   double max = 0.0;
-  for (const double value : summary.box) max = std::max(max, std::abs(value));
-  return max;
-}
-
-double max_difference(const TrajectorySummary& a, const TrajectorySummary& b) {
-  double max = 0.0;
-  for (std::size_t i = 0; i < a.box.size(); ++i) {
-    max = std::max(max, std::abs(a.box[i] - b.box[i]));
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    double size = std::abs(place[i]);
+    if (!summary.errors.empty() && i < states) size += kFarOut * place[states + i];
+    max = std::max(max, size);
   }
   return max;
 }
 
-// Whether two trajectories with the same parameters reached the same attractor: `min` is what
-// boxes may always differ by.
-bool same_attractor(const TrajectorySummary& a, const TrajectorySummary& b, double min) {
-  if (is_periodic(a) != is_periodic(b)) return false;
-  const std::size_t states = a.box.size() / 2;
-  for (std::size_t i = 0; i < a.box.size(); ++i) {
-    const std::size_t state = i % states;
-    double allowed = min;
-    if (!is_periodic(a)) {
-      const double extent =
-          std::max(a.box[states + state] - a.box[state], b.box[states + state] - b.box[state]);
-      allowed = std::max(allowed, kSameExtent * extent);
-    }
-    // Written so that a number that is none never agrees.
-    if (!(std::abs(a.box[i] - b.box[i]) <= allowed)) return false;
+double max_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double max = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) max = std::max(max, std::abs(a[i] - b[i]));
+  return max;
+}
+
+// A number that is none never agrees.
+bool agree(const std::vector<double>& a, const std::vector<double>& b, double allowed) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!(std::abs(a[i] - b[i]) <= allowed)) return false;
   }
   return true;
+}
+
+// Whether the place is known but for rounding and what is left of the way there.
+bool has_exact_place(const TrajectorySummary& summary, double tolerance) {
+  if (summary.errors.empty()) return true;
+  const auto states = static_cast<std::ptrdiff_t>(summary.place.size() / 2);
+  return is_periodic(summary) &&
+         std::all_of(summary.place.begin() + states, summary.place.end(),
+                     [&](double deviation) { return deviation <= tolerance; });
 }
 
 // Sets that grow together (disjoint sets with path halving).
@@ -116,13 +125,48 @@ class Sites {
   std::size_t columns_ = 1, rows_ = 1;
 };
 
-// Clusters of trajectories: each is known by the first trajectory that came to it.
+// Clusters of trajectories. Of what is told of a kind of motion, the first one speaks for all.
 struct Clusters {
   std::vector<std::size_t> first;                 // [cluster] trajectory
+  std::vector<std::vector<double>> place;         // [cluster]
+  std::vector<std::vector<double>> rank;          // [cluster] by what they are listed
   std::vector<std::vector<std::size_t>> of_site;  // [site] clusters
   std::vector<std::size_t> of_trajectory;         // cluster, or npos
+  std::size_t uncertain = 0;                      // trajectories
+
+  // grain: what two numbers of a place must differ by to be listed in that order.
+  std::size_t add(std::size_t trajectory, std::size_t site, std::vector<double> its_place,
+                  double grain = 0.0) {
+    of_site[site].push_back(first.size());
+    first.push_back(trajectory);
+    place.push_back(std::move(its_place));
+    rank.push_back(place.back());
+    for (double& number : rank.back()) {
+      if (grain > 0.0) number = grain * std::round(number / grain);
+    }
+    return first.size() - 1;
+  }
 };
 constexpr std::size_t npos = static_cast<std::size_t>(-1);
+
+// Those whose places have errors, at one site.
+void add_groups(const std::vector<TrajectorySummary>& summaries,
+                const std::vector<std::size_t>& members, std::size_t site, double rounding,
+                double grain, Clusters* clusters) {
+  if (members.empty()) return;
+  const MomentGroups groups = group_by_moments(summaries, members, rounding);
+  clusters->uncertain += groups.uncertain.size();
+  for (const std::vector<std::size_t>& group : groups.members) {
+    std::vector<double> mean(summaries[group.front()].place.size());
+    for (const std::size_t member : group) {
+      for (std::size_t i = 0; i < mean.size(); ++i) {
+        mean[i] += summaries[member].place[i] / static_cast<double>(group.size());
+      }
+    }
+    const std::size_t added = clusters->add(group.front(), site, std::move(mean), grain);
+    for (const std::size_t member : group) clusters->of_trajectory[member] = added;
+  }
+}
 
 Clusters cluster(const Study& study, const Sites& sites,
                  const std::vector<TrajectorySummary>& summaries) {
@@ -135,21 +179,26 @@ Clusters cluster(const Study& study, const Sites& sites,
     max = std::max(max, max_magnitude(summaries[i]));
   }
   const double tolerance = study.integrate.fp64 ? kSameOrbit : kSameOrbitFp32;
+  std::vector<std::vector<std::size_t>> inexact(sites.count());
   for (std::size_t i = 0; i < summaries.size(); ++i) {
-    if (!summaries[i].is_known) continue;
+    const TrajectorySummary& summary = summaries[i];
+    if (!summary.is_known) continue;
     const std::size_t site = sites.of_point(i % study.points());
-    std::vector<std::size_t>& here = clusters.of_site[site];
-    const auto known = std::find_if(here.begin(), here.end(), [&](std::size_t other) {
-      return same_attractor(summaries[clusters.first[other]], summaries[i],
-                            tolerance * scale[site]);
-    });
-    if (known != here.end()) {
-      clusters.of_trajectory[i] = *known;
+    const double allowed = tolerance * scale[site];
+    if (!has_exact_place(summary, allowed)) {
+      inexact[site].push_back(i);
       continue;
     }
-    here.push_back(clusters.first.size());
-    clusters.of_trajectory[i] = clusters.first.size();
-    clusters.first.push_back(i);
+    const std::vector<std::size_t>& here = clusters.of_site[site];
+    const auto known = std::find_if(here.begin(), here.end(), [&](std::size_t other) {
+      return agree(clusters.place[other], summary.place, allowed);
+    });
+    clusters.of_trajectory[i] = known != here.end() ? *known : clusters.add(i, site, summary.place);
+  }
+  const double rounding = study.integrate.fp64 ? kRounding : kRoundingFp32;
+  for (std::size_t site = 0; site < sites.count(); ++site) {
+    add_groups(summaries, inexact[site], site, rounding * scale[site], kGrain * scale[site],
+               &clusters);
   }
   return clusters;
 }
@@ -164,7 +213,7 @@ std::size_t nearest(const std::vector<TrajectorySummary>& summaries, const Clust
     const TrajectorySummary& candidate = summaries[clusters.first[other]];
     if (is_periodic(own) != is_periodic(candidate)) continue;
     if (is_periodic(own) && own.period != candidate.period) continue;
-    const double difference = max_difference(own, candidate);
+    const double difference = max_difference(clusters.place[cluster], clusters.place[other]);
     if (difference < min) {
       min = difference;
       best = other;
@@ -185,8 +234,7 @@ Sets follow(const Sites& sites, const std::vector<TrajectorySummary>& summaries,
         const std::size_t other = nearest(summaries, clusters, own, clusters.of_site[next]);
         if (other == npos) continue;
         if (nearest(summaries, clusters, other, clusters.of_site[site]) != own) continue;
-        const double difference =
-            max_difference(summaries[clusters.first[own]], summaries[clusters.first[other]]);
+        const double difference = max_difference(clusters.place[own], clusters.place[other]);
         if (difference <= kSameBranch * scale) branches.join(own, other);
       }
     }
@@ -258,18 +306,21 @@ AttractorList find_attractors(const Study& study, const std::vector<TrajectorySu
   for (const auto& [first, trajectories] : members) {
     order.push_back({first, describe(summaries, trajectories)});
   }
-  const auto box = [&](const Branch& branch) -> const std::vector<double>& {
-    return summaries[clusters.first[branch.cluster]].box;
+  const auto place = [&](const Branch& branch) -> const std::vector<double>& {
+    return clusters.place[branch.cluster];
   };
   std::stable_sort(order.begin(), order.end(), [&](const Branch& a, const Branch& b) {
     const auto kind = [](const Attractor& attractor) {
       return std::make_pair(attractor.motion != MOTION_periodic, attractor.period);
     };
     if (kind(a.attractor) != kind(b.attractor)) return kind(a.attractor) < kind(b.attractor);
-    return box(a) < box(b);
+    const std::vector<double>&rank_of_a = clusters.rank[a.cluster],
+          &rank_of_b = clusters.rank[b.cluster];
+    return rank_of_a != rank_of_b ? rank_of_a < rank_of_b : place(a) < place(b);
   });
 
   AttractorList list;
+  list.uncertain = clusters.uncertain;
   std::map<std::size_t, std::size_t> numbers;  // of each branch
   for (const Branch& branch : order) {
     list.attractors.push_back(branch.attractor);

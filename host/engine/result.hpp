@@ -59,6 +59,7 @@ struct SweepResult {
   std::vector<std::string> integrated;  // the states that were (plan/passive_states.hpp)
   std::optional<PilotFindings> pilot;   // of a study with a tolerance
   std::vector<Attractor> attractors;    // empty unless the study has a census
+  std::size_t uncertain = 0;            // trajectories that may be of either of two attractors
   std::vector<double> samples;          // [point][chosen state][sample]; empty without poincare
   // Of all tiles, those of an interrupted run that this one continued included.
   double steps = 0.0;           // integration steps in all

@@ -197,7 +197,8 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
         {fmt::format("w{}", i), "", to_short_text(formula.graph, lowered.coef_values[i])});
   }
   // As a header without any has (kernels/model_types.h).
-  if (lowered.coefs.empty()) {
+  model->is_autonomous = lowered.coefs.empty();
+  if (model->is_autonomous) {
     model->phase_coefs.push_back({"one", "", "1: nothing depends on the phase"});
   }
 }

@@ -137,6 +137,7 @@ struct Model {
   std::vector<PresetInfo> presets;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
+  bool is_autonomous = false;       // no equation depends on the phase
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below

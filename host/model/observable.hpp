@@ -29,9 +29,10 @@ constexpr const char* kOrders = "order";
 
 // What an observable is for.
 enum class ObservableRole {
-  measure,  // measures the steps of the recorded window
-  verdict,  // judges the motion from its sections: where a longer window follows, that one counts
-  samples,  // keeps values of each section, and has no outputs
+  measure,    // measures the steps of the recorded window
+  verdict,    // judges the motion from its sections: where a longer window follows, that one counts
+  statistic,  // measures the steps, too, but of the longer window where one follows
+  samples,    // keeps values of each section, and has no outputs
 };
 
 // What the host makes of an output, beside a map.
@@ -46,6 +47,10 @@ enum class OutputRole {
   exponent_error,  // its error, to which the host adds
   section_min,     // the box around the sections
   section_max,
+  state_mean,  // of each state (kernels/observables/state_moments.h)
+  state_std,
+  state_mean_error,
+  state_std_error,
   rms,            // of a channel
   peak,           // the largest value of a channel
   impacts_drive,  // on each flank of a contact, per forcing period

@@ -190,6 +190,10 @@ void add_census(const Model& model, const std::vector<Offer>& offers, const Size
   census.period = output(OutputRole::period);
   census.section_min = output(OutputRole::section_min);
   census.section_max = output(OutputRole::section_max);
+  census.mean = output(OutputRole::state_mean);
+  census.std = output(OutputRole::state_std);
+  census.mean_error = output(OutputRole::state_mean_error);
+  census.std_error = output(OutputRole::state_std_error);
   census.rms = output(OutputRole::rms, model.states.front().name);
   census.exponent = output(OutputRole::exponent);
   if (const ChannelInfo* force = model.contact_force()) {

@@ -35,13 +35,16 @@ struct Quantity {
 };
 
 // What the list of attractors is made of: outputs of observers that run for it. Of the attractor's
-// own look there are the box around its section and what is told of it in the list.
+// own look there are the box around its section, the moments of its states and what is told of it
+// in the list.
 struct CensusOutputs {
-  std::size_t motion = 0, period = 0;            // motion_class, period
-  std::size_t section_min = 0, section_max = 0;  // the first of one output per state each
-  std::size_t rms = 0;                           // of the model's first state
-  std::size_t exponent = 0;                      // lyapunov_max
-  std::optional<std::size_t> peak;               // of Model::contact_force(), where there is one
+  std::size_t motion = 0, period = 0;  // motion_class, period
+  // The first of one output per state each.
+  std::size_t section_min = 0, section_max = 0;
+  std::size_t mean = 0, std = 0, mean_error = 0, std_error = 0;  // state_moments
+  std::size_t rms = 0;                                           // of the model's first state
+  std::size_t exponent = 0;                                      // lyapunov_max
+  std::optional<std::size_t> peak;  // of Model::contact_force(), where there is one
   // Of the model's only contact, where the study asks for them anyway.
   std::optional<std::size_t> impacts_drive, impacts_back;
 };

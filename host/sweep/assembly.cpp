@@ -107,9 +107,20 @@ void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std
     summary.impacts_drive = output(*census.impacts_drive);
     summary.impacts_back = output(*census.impacts_back);
   }
-  const std::size_t states = result_.study.model->states.size();
-  for (const std::size_t first : {census.section_min, census.section_max}) {
-    for (std::size_t i = 0; i < states; ++i) summary.box.push_back(output(first + i));
+  const Model& model = *result_.study.model;
+  const auto numbers = [&](std::size_t first, std::size_t second) {
+    std::vector<double> out;
+    out.reserve(2 * model.states.size());
+    for (const std::size_t from : {first, second}) {
+      for (std::size_t i = 0; i < model.states.size(); ++i) out.push_back(output(from + i));
+    }
+    return out;
+  };
+  if (summary.motion == MOTION_periodic && !model.is_autonomous) {
+    summary.place = numbers(census.section_min, census.section_max);
+  } else {
+    summary.place = numbers(census.mean, census.std);
+    summary.errors = numbers(census.mean_error, census.std_error);
   }
 }
 
@@ -128,6 +139,7 @@ void Assembly::take_census() {
     }
   }
   result_.attractors = std::move(list.attractors);
+  result_.uncertain = list.uncertain;
 }
 
 SweepResult Assembly::take() {

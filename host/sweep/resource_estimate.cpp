@@ -39,10 +39,10 @@ double memory_of_maps(const Study& study, std::size_t tiles) {
   const auto kept = std::ranges::count_if(study.selection.quantities, has_draw_quantities);
   bytes += points * static_cast<double>(study.uncertain.draws()) *
            (1.0 + 8.0 * static_cast<double>(kept));
-  // A box grows by doubling; telling the attractors apart takes a few indices more, and a set for
-  // each point.
+  // The place of a trajectory, and the errors of that; telling the attractors apart takes a few
+  // indices more, and a set for each point.
   if (study.selection.census) {
-    bytes += trajectories * (sizeof(TrajectorySummary) + 2.0 * block(4 * sizeof(double) * states));
+    bytes += trajectories * (sizeof(TrajectorySummary) + 4.0 * block(2 * sizeof(double) * states));
   }
   return bytes;
 }

@@ -226,7 +226,7 @@ class TileRun {
       callbacks_.on_work(subset.work);
       longer = engine_->compute(plan_, subset, states, windows_[i], callbacks_.after_round);
       if (!longer) return false;
-      adopt_verdicts(study_, open, *longer, &result_);
+      adopt_longer_window(study_, open, *longer, &result_);
     }
     return true;
   }

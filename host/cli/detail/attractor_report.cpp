@@ -54,6 +54,13 @@ std::string describe_attractors(const SweepResult& result) {
   if (order.size() > kMaxRows) {
     text += fmt::format("... and {} more; the file lists them all\n", order.size() - kMaxRows);
   }
+  if (result.uncertain > 0) {
+    text += fmt::format(
+        "{} trajectories lie between two attractors and may be of either: a longer settle or "
+        "record "
+        "tells\n",
+        result.uncertain);
+  }
   return text;
 }
 

@@ -20,6 +20,10 @@ bool is_verdict(const Observer& observer) {
   return observer.observable->role == ObservableRole::verdict;
 }
 
+bool has_many_sums(const Observer& observer) {
+  return is_verdict(observer) || observer.observable->role == ObservableRole::statistic;
+}
+
 // Its accumulators; null where it has none.
 std::string sums_of(const Observer& observer) {
   if (observer.accumulators == 0) return "0";
@@ -161,8 +165,8 @@ class ObserverSource {
     out_ << "}\n";
   }
 
-  // Accumulators stand in the order of the observers, [accumulator][item]. Verdicts have many, and
-  // the loop over them is not unrolled.
+  // Accumulators stand in the order of the observers, [accumulator][item]. Verdicts and
+  // statistics have many, and the loop over them is not unrolled.
   void write_move(const std::string& verb, const char* buffer) {
     out_ << fmt::format(
         "\nSHARED_FN void observers_{}(const Observers* observers, {},\n"
@@ -172,7 +176,7 @@ class ObserverSource {
     for (const Observer& observer : observers_) {
       if (observer.accumulators == 0) continue;
       out_ << wrapped(fmt::format("{}_{}(accumulators, items, item, {}, {}_accumulators, {});",
-                                  verb, is_verdict(observer) ? "many" : "components", first,
+                                  verb, has_many_sums(observer) ? "many" : "components", first,
                                   observer.observable->name, sums_of(observer)));
       first += observer.accumulators;
     }

@@ -14,6 +14,7 @@
 #include "reference/detail/contact_observables.hpp"
 #include "reference/detail/lyapunov_observables.hpp"
 #include "reference/detail/orbit_observables.hpp"
+#include "reference/detail/state_moments.hpp"
 #include "reference/detail/zero_one_observable.hpp"
 
 namespace gearsweep {
@@ -138,6 +139,7 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
   if (kind == "settled") return make_settled(period_tolerance, state_kinds(model));
   if (kind == "motion") return make_motion(period_tolerance, state_kinds(model));
   if (kind == "section") return make_section();
+  if (kind == "state_moments") return make_state_moments(model);
   if (kind == "zero_one") return make_zero_one(period_tolerance, state_kinds(model));
   throw RunError(fmt::format("the reference engine does not compute observable '{}'", kind));
 }

@@ -1,5 +1,7 @@
 #include "tile/detail/longer_window.hpp"
 
+#include <set>
+
 #include "sweep_types.h"
 
 namespace gearsweep {
@@ -14,12 +16,14 @@ std::vector<std::size_t> undecided_positions(const Study& study, const TileResul
   return positions;
 }
 
-void adopt_verdicts(const Study& study, const std::vector<std::size_t>& positions,
-                    const TileResult& subset, TileResult* whole) {
+namespace {
+
+void adopt(const Study& study, const std::set<ObservableRole>& roles,
+           const std::vector<std::size_t>& positions, const TileResult& subset, TileResult* whole) {
   std::size_t first = 0;
   for (const Observer& observer : study.selection.observers) {
-    const bool is_verdict = observer.observable->role == ObservableRole::verdict;
-    for (std::size_t output = first; is_verdict && output < first + observer.outputs; ++output) {
+    const bool is_adopted = roles.contains(observer.observable->role);
+    for (std::size_t output = first; is_adopted && output < first + observer.outputs; ++output) {
       for (std::size_t i = 0; i < positions.size(); ++i) {
         whole->output_table()[output][positions[i]] = subset.output_table()[output][i];
       }
@@ -31,6 +35,18 @@ void adopt_verdicts(const Study& study, const std::vector<std::size_t>& position
     whole->status[positions[i]] = subset.status[i];
     blank_point(positions[i], whole);
   }
+}
+
+}  // namespace
+
+void adopt_verdicts(const Study& study, const std::vector<std::size_t>& positions,
+                    const TileResult& subset, TileResult* whole) {
+  adopt(study, {ObservableRole::verdict}, positions, subset, whole);
+}
+
+void adopt_longer_window(const Study& study, const std::vector<std::size_t>& positions,
+                         const TileResult& subset, TileResult* whole) {
+  adopt(study, {ObservableRole::verdict, ObservableRole::statistic}, positions, subset, whole);
 }
 
 }  // namespace gearsweep

@@ -15,8 +15,11 @@ std::vector<std::size_t> undecided_positions(const Study& study, const TileResul
 // Replaces what `whole` says of these points' kind of motion, exponents and recurrence (verdicts)
 // by what `subset` says; the boxes of their sections are among these. Averages, extremes and
 // samples stay those of the study's own window, and so does the final state; a point that diverged
-// in the longer window has diverged.
+// in the replayed window has diverged.
 void adopt_verdicts(const Study& study, const std::vector<std::size_t>& positions,
                     const TileResult& subset, TileResult* whole);
+// The same after a longer window, whose steps the observers saw: statistics are adopted, too.
+void adopt_longer_window(const Study& study, const std::vector<std::size_t>& positions,
+                         const TileResult& subset, TileResult* whole);
 
 }  // namespace gearsweep
