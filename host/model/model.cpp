@@ -1,6 +1,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gearsweep {
 namespace {
@@ -21,6 +22,12 @@ int Model::find_parameter(std::string_view parameter) const {
 int Model::find_state(std::string_view state) const { return index_of(states, state); }
 int Model::find_signal(std::string_view signal) const { return index_of(signals, signal); }
 int Model::find_option(std::string_view option) const { return index_of(options, option); }
+
+bool Model::is_within_limits(std::span<const double> state) const {
+  return std::ranges::equal(state, diverged_above, [](double x, double limit) {
+    return std::abs(x) < limit;  // never of what is infinite or no number
+  });
+}
 
 std::vector<ContactLimit> Model::contact_limits() const {
   std::vector<ContactLimit> limits;
@@ -70,9 +77,13 @@ Model Model::reduced(const Reduction& to) const {
   out.reduction = to;
   out.states.clear();
   out.angles.clear();
+  out.range_groups.clear();
+  out.diverged_above.clear();
   for (const std::size_t state : to.kept) {
     if (std::ranges::find(angles, state) != angles.end()) out.angles.push_back(out.states.size());
     out.states.push_back(states[state]);
+    out.range_groups.push_back(range_groups[state]);
+    out.diverged_above.push_back(diverged_above[state]);
   }
   return out;
 }

@@ -119,6 +119,11 @@ struct Model {
   std::vector<PresetInfo> presets;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
+  // [state] Distances between states are relative to the range of the motion, state by state.
+  // States of the same number share the largest of their ranges.
+  std::vector<std::size_t> range_groups;
+  // [state] A motion that goes beyond it has diverged; infinity: one that is no number any more.
+  std::vector<double> diverged_above;
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
   // The parameter that says how many mesh periods one period of the forcing has, if there is one.
@@ -161,6 +166,8 @@ struct Model {
   int find_option(std::string_view option) const;
 
   std::vector<std::string> state_names() const;
+  // False of a state that has diverged.
+  bool is_within_limits(std::span<const double> state) const;
   // Of all contacts, in their order; the drive flank's first.
   std::vector<ContactLimit> contact_limits() const;
   // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.

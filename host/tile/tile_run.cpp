@@ -8,7 +8,7 @@
 
 #include "sweep_types.h"
 #include "tile/detail/exponent_error.hpp"
-#include "tile/detail/left_out.hpp"
+#include "tile/detail/largest_exponent.hpp"
 #include "tile/detail/longer_window.hpp"
 #include "tile/detail/orbit_search.hpp"
 #include "tile/subset.hpp"
@@ -49,7 +49,7 @@ class TileRun {
                           add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
                                               callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
-    add_left_out_exponents(plan_, tile_, &result_);
+    complete_largest_exponents(plan_, tile_, &result_);
     result_.effort.stopped =
         static_cast<double>(std::count(has_stopped_.begin(), has_stopped_.end(), 1));
     result_.on_orbit = std::move(has_stopped_);
