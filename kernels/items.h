@@ -5,7 +5,8 @@
 // The host writes selection.h for each study: the model with its integrator, and
 //   MODEL_OPTION_VALUES             the model's options, as an initialiser
 //   TANGENTS                        tangent vectors that travel with a state
-//   STATE_UNITS                     of each state the number of its unit, as an initialiser
+//   RANGE_GROUPS                    of each state the number of its group, as an initialiser
+//   STATE_LIMITS                    a state that is not below its limit has diverged
 //
 // Device buffers are structures of arrays: state, tangents, swept, accumulators and outputs are
 // [component][item], each element a `real` of LANES neighbouring points.
@@ -86,21 +87,23 @@ SHARED_FN void extent_ranges(const Extent* extent, scalar tolerance, real* range
   }
 }
 
-// States of the same unit share the largest of their ranges: what is driven weakly, or not at all
-// any more, is not measured by itself.
+// States of one group share the largest of their ranges: what is driven weakly, or not at all any
+// more, is not measured by itself. The model declares groups. Of states that it does not put into
+// one nothing is known that makes them comparable: units say nothing, as they can be chosen.
 SHARED_FN void share_ranges(const real* ranges, real* shared) {
-  const int units[MODEL_STATE_COUNT] = STATE_UNITS;
+  const int groups[MODEL_STATE_COUNT] = RANGE_GROUPS;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     shared[i] = ranges[i];
     UNROLL
     for (int j = 0; j < MODEL_STATE_COUNT; ++j) {
-      if (units[j] == units[i]) shared[i] = lane_max(shared[i], ranges[j]);
+      if (groups[j] == groups[i]) shared[i] = lane_max(shared[i], ranges[j]);
     }
   }
 }
 
-// x - y, each component relative to its range; one without any range as it is.
+// x - y, each component relative to its range. What differs in a component without any range is as
+// far apart as can be.
 SHARED_FN void relative_difference(const real* x, const real* y, const real* ranges, real* apart) {
   const real zero = 0;
   UNROLL
@@ -108,7 +111,8 @@ SHARED_FN void relative_difference(const real* x, const real* y, const real* ran
   model_take_turns(apart);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    apart[i] = lane_select(zero < ranges[i], apart[i] / ranges[i], apart[i]);
+    const real at_rest = lane_select(apart[i] == zero, zero, (real)(INFINITY));
+    apart[i] = lane_select(zero < ranges[i], apart[i] / ranges[i], at_rest);
   }
 }
 

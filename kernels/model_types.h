@@ -1,10 +1,12 @@
 // The types that every model has, made from its lists, and defaults. A model file defines
 // MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any, MODEL_PHASE_COEFS,
 // MODEL_OPTIONS, MODEL_CURVES (what may be measured), MODEL_ANGLES (X(state) of each that means the
-// same after a full turn, in radians) and MODEL_MIRROR_PAIRS (X(states, parameters), names pair
-// after pair: while both parameters of each pair are equal, a motion with the second state of each
-// pair the negative of the first keeps that), then includes this file, then defines its functions.
-// No include guard: the host includes each model into a namespace of its own.
+// same after a full turn, in radians), MODEL_RANGE_GROUPS (X(states), names that share the largest
+// of their ranges where distances between states are measured), MODEL_DIVERGED_ABOVE (a state
+// beyond it has diverged) and MODEL_MIRROR_PAIRS (X(states, parameters), names pair after pair:
+// while both parameters of each pair are equal, a motion with the second state of each pair the
+// negative of the first keeps that), then includes this file, then defines its functions. No
+// include guard: the host includes each model into a namespace of its own.
 
 #include "functions.h"
 
@@ -35,6 +37,12 @@ typedef struct {
 #endif
 #ifndef MODEL_ANGLES
 #define MODEL_ANGLES(X)
+#endif
+#ifndef MODEL_RANGE_GROUPS
+#define MODEL_RANGE_GROUPS(X)
+#endif
+#ifndef MODEL_DIVERGED_ABOVE
+#define MODEL_DIVERGED_ABOVE INFINITY
 #endif
 #define MODEL_TAKE_TURNS(name) \
   x[STATE_##name] = x[STATE_##name] - turn * lane_rint(x[STATE_##name] / turn);

@@ -20,9 +20,6 @@ enum { SWEEP_STATUSES(SWEEP_STATUS_CODE) };
 // Kinds of motion, the values of motion_class (observables/motion.h).
 enum { MOTION_undecided, MOTION_periodic, MOTION_quasi_periodic, MOTION_chaotic };
 
-// A state component beyond this (in the model's own units) counts as diverged.
-#define SWEEP_DIVERGED_BEYOND 1e6
-
 // The row of a parameter that is the same for all points.
 #define NOT_SWEPT 0xffffffffu
 

@@ -1,6 +1,6 @@
 // The walk over the phase grid. All kernels advance a state by it, and so does the host where it
-// checks the kernels. A file that includes this one defines before it: TANGENTS, the type Watcher,
-// and
+// checks the kernels. A file that includes this one defines before it: TANGENTS, STATE_LIMITS (of
+// each state the size from which on it has diverged, as an initialiser), the type Watcher, and
 //   watch_segment(watcher, point, stage, x)  called when a segment begins
 //   watch_step(watcher, point, stage, share, middle, x)
 //                                            called when a step has ended, with the states in its
@@ -9,12 +9,13 @@
 
 #include "walk_types.h"
 
-// Ends a period: sets a state that has diverged to NaN, and takes full turns out of angles.
+// Ends a period: sets a state that has diverged to NaN, and takes full turns out of angles. What is
+// infinite, or no number, is below no limit.
 SHARED_FN void end_period(real* x) {
-  const real limit = (scalar)(SWEEP_DIVERGED_BEYOND);
-  mask inside = lane_abs(x[0]) < limit;
+  const scalar limits[MODEL_STATE_COUNT] = STATE_LIMITS;
+  mask inside = lane_abs(x[0]) < limits[0];
   UNROLL
-  for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limit);
+  for (int i = 1; i < MODEL_STATE_COUNT; ++i) inside = inside & (lane_abs(x[i]) < limits[i]);
   x[0] = lane_select(inside, x[0], (real)(NAN));
   model_take_turns(x);
 }

@@ -69,7 +69,7 @@ class Sections {
 struct Approach {
   std::vector<double> states;  // at the end
   Sections sections;
-  // [point][state]: range of the states of the same unit during the last period, at most.
+  // [point][state]: the largest range of a state of its group during the last period.
   std::vector<double> ranges;
   // [point]: the smallest number of periods before which the state was near where it is now; 0:
   // none.

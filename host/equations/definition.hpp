@@ -33,6 +33,8 @@ struct ModelDefinition {
   std::vector<std::string> assumptions;  // of Model
   std::vector<ChannelInfo> states, signals;
   std::vector<bool> are_angles;           // [state]
+  std::vector<std::string> groups;        // [state] that share their ranges; empty: of none
+  std::vector<double> diverged_above;     // [state] as in Model
   std::vector<ParameterInfo> parameters;  // shapes_phase: found by make_model()
   std::vector<ExpressionText> symbols;    // [parameter]: its name in expressions
   // `option.choice` is a condition in expressions.

@@ -14,6 +14,7 @@
 #include "expression/print.hpp"
 #include "expression/tape.hpp"
 #include "model/error.hpp"
+#include "model/range_groups.hpp"
 
 namespace gearsweep {
 namespace {
@@ -192,6 +193,8 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   for (std::size_t i = 0; i < model->states.size(); ++i) {
     if (definition.are_angles[i]) model->angles.push_back(i);
   }
+  model->range_groups = range_groups_of(definition.groups);
+  model->diverged_above = definition.diverged_above;
   for (std::size_t i = 0; i < lowered.coefs.size(); ++i) {
     model->phase_coefs.push_back(
         {fmt::format("w{}", i), "", to_short_text(formula.graph, lowered.coef_values[i])});

@@ -1,6 +1,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -27,6 +28,12 @@ int Model::find_option(std::string_view option) const { return index_of(options,
 bool Model::uses_parameter(std::string_view parameter) const {
   return std::ranges::none_of(unused, [&](const UnusedName& one) {
     return one.kind == "parameter" && one.name == parameter;
+  });
+}
+
+bool Model::is_within_limits(std::span<const double> state) const {
+  return std::ranges::equal(state, diverged_above, [](double x, double limit) {
+    return std::abs(x) < limit;  // never of what is infinite or no number
   });
 }
 
@@ -94,9 +101,13 @@ Model Model::reduced(const Reduction& to) const {
   out.reduction = to;
   out.states.clear();
   out.angles.clear();
+  out.range_groups.clear();
+  out.diverged_above.clear();
   for (const std::size_t state : to.kept) {
     if (std::ranges::find(angles, state) != angles.end()) out.angles.push_back(out.states.size());
     out.states.push_back(states[state]);
+    out.range_groups.push_back(range_groups[state]);
+    out.diverged_above.push_back(diverged_above[state]);
   }
   return out;
 }

@@ -138,6 +138,11 @@ struct Model {
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   bool is_autonomous = false;       // no equation depends on the phase
+  // [state] Distances between states are relative to the range of the motion, state by state.
+  // States of the same number share the largest of their ranges.
+  std::vector<std::size_t> range_groups;
+  // [state] A motion that goes beyond it has diverged; infinity: one that is no number any more.
+  std::vector<double> diverged_above;
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
@@ -183,6 +188,8 @@ struct Model {
   int find_option(std::string_view option) const;
 
   std::vector<std::string> state_names() const;
+  // False of a state that has diverged.
+  bool is_within_limits(std::span<const double> state) const;
   // Of all contacts, in their order; the drive flank's first.
   std::vector<ContactLimit> contact_limits() const;
   // Index of the parameter of a role.

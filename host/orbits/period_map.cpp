@@ -1,7 +1,5 @@
 #include "orbits/period_map.hpp"
 
-#include "sweep_types.h"
-
 namespace gearsweep {
 
 using Eigen::MatrixXd;
@@ -28,7 +26,9 @@ bool PeriodMap::advance(Flow* flow, std::size_t periods) const {
     if (stop_ != nullptr && *stop_) throw SearchStopped();
     flow->advance_period();
     const VectorXd& state = flow->state();
-    if (!state.allFinite() || state.cwiseAbs().maxCoeff() >= SWEEP_DIVERGED_BEYOND) return false;
+    if (!model_->is_within_limits({state.data(), static_cast<std::size_t>(state.size())})) {
+      return false;
+    }
   }
   return true;
 }

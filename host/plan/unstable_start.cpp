@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/eigenvalues.hpp"
-#include "plan/detail/structure.hpp"
 
 namespace gearsweep {
 namespace {
@@ -69,16 +68,11 @@ bool is_unstable(const Local& local, std::size_t states) {
 
 }  // namespace
 
-bool UnstableStarts::is_autonomous() {
-  if (!is_autonomous_) is_autonomous_ = Structure(plan_.study()).is_autonomous();
-  return *is_autonomous_;
-}
-
-bool UnstableStarts::has(std::size_t point, const std::vector<double>& start) {
-  const Model& model = *plan_.study().model;
-  if (!model.reduction.mirrors.empty()) return false;
-  const Local local = local_at(model, plan_.setting_of(point), start);
-  return vanishes(local, start) && is_unstable(local, start.size()) && is_autonomous();
+bool starts_unstable(const Plan& plan, std::size_t point, const std::vector<double>& start) {
+  const Model& model = *plan.study().model;
+  if (!model.is_autonomous || !model.reduction.mirrors.empty()) return false;
+  const Local local = local_at(model, plan.setting_of(point), start);
+  return vanishes(local, start) && is_unstable(local, start.size());
 }
 
 }  // namespace gearsweep

@@ -30,12 +30,20 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   PointResult result;
   const std::size_t settle = window.settle;
   const std::size_t warm_up = std::min(study.integrate.warm_up, settle);
+  const std::size_t tangents = study.selection.tangent_count();
+  Eigen::VectorXd log_stretching;  // of the running period
+  const auto orthonormalize = [&] { log_stretching += orthonormalize_tangents(&trajectory); };
+  const auto advance = [&](const StepCallback& each_step) {
+    log_stretching = Eigen::VectorXd::Zero(trajectory.tangents().cols());
+    const bool is_within = trajectory.advance_period(each_step, orthonormalize);
+    orthonormalize();
+    return is_within;
+  };
   for (std::size_t i = 0; i < settle && !result.diverged; ++i) {
-    if (i == settle - warm_up) set_start_tangents(study.selection.tangent_count(), &trajectory);
-    result.diverged = !trajectory.advance_period();
-    orthonormalize_tangents(&trajectory);
+    if (i == settle - warm_up) set_start_tangents(tangents, &trajectory);
+    result.diverged = !advance(StepCallback());
   }
-  if (warm_up == 0) set_start_tangents(study.selection.tangent_count(), &trajectory);
+  if (warm_up == 0) set_start_tangents(tangents, &trajectory);
   std::vector<std::unique_ptr<ReferenceObservable>> observables;
   const ModelSetting setting = plan.setting_of(point);
   for (const Observer& observer : study.selection.observers) {
@@ -46,10 +54,9 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   for (const auto& observable : observables) observable->begin(trajectory.state());
   result.samples.resize(sampled.size() * window.samples);
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
-    result.diverged = !trajectory.advance_period([&](const TrajectoryStep& step) {
+    result.diverged = !advance([&](const TrajectoryStep& step) {
       for (const auto& observable : observables) observable->step(step);
     });
-    const Eigen::VectorXd log_stretching = orthonormalize_tangents(&trajectory);
     for (const auto& observable : observables) {
       observable->period(trajectory.state(), log_stretching, trajectory.period());
     }

@@ -10,7 +10,6 @@
 #include "model/names.hpp"
 #include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -138,7 +137,6 @@ StudyTable points_table() {
 
 StudyTable initial_table() {
   const Initial initial;
-  const double beyond = SWEEP_DIVERGED_BEYOND;
   std::vector<std::string> starts;
   for (const InitialPolicyInfo& info : initial_policies()) {
     starts.push_back(fmt::format("{}: {}", info.name, info.meaning));
@@ -164,7 +162,7 @@ StudyTable initial_table() {
            {"spread", "number or table", "1.0",
             "Of an ensemble: how far the random starts reach to both sides, for all states or "
             "state by state, {x1 = 2.0, v1 = 1.0}.",
-            0.0, beyond}}};
+            0.0, kMaxState}}};
 }
 
 StudyTable uncertain_table() {
@@ -220,6 +218,11 @@ StudyTable integrate_table() {
         "Instead of tolerance: the longest step, in dimensionless time.", 1e-6, 1.0},
        {"steps_per_period", "whole number", "", "Instead of tolerance: at least so many steps.",
         8.0, 4194304.0},
+       {"diverged_above", "number or table", "the model's",
+        "A state that goes beyond it has diverged: in the model's units, for all states or state "
+        "by state, {p = 1e12}. A model that names none has diverged when a state is no number any "
+        "more.",
+        1.0 / kMaxState, kMaxState},
        truth("events", integrate.events, "Correct the steps in which teeth meet or part."),
        whole("settle", integrate.settle, 0, 1e8, "Periods before recording."),
        whole("record", integrate.record, 1, 1e7, "Periods recorded."),

@@ -10,6 +10,9 @@ namespace gearsweep {
 // Of what a study may ask for by integrate.tolerance, but for 0, which is none.
 inline constexpr double kMinTolerance = 1e-10;
 
+// Of what a state may begin with, and of what it may be limited to.
+inline constexpr double kMaxState = 1e300;
+
 // Of a study that names no model.
 inline constexpr const char* kDefaultModel = "gear5";
 

@@ -24,7 +24,6 @@
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
 #include "study/study.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -83,6 +82,41 @@ void bind_curves(const Curves& curves, Study* study) {
   if (curves.empty()) return;
   study->own_model = std::make_shared<const Model>(study->model->with_curves(curves));
   study->model = study->own_model.get();
+}
+
+// The model with the study's own limits of its states.
+void bind_limits(const toml::table* integrate, Study* study) {
+  const toml::node* node = integrate == nullptr ? nullptr : integrate->get("diverged_above");
+  if (node == nullptr) return;
+  const StudyKey& key = *find_key(study_table("integrate"), "diverged_above");
+  Model limited = *study->model;
+  limited.diverged_above = read_by_state(*node, "integrate.diverged_above", limited.state_names(),
+                                         limited.diverged_above, key.min, key.max);
+  study->own_model = std::make_shared<const Model>(std::move(limited));
+  study->model = study->own_model.get();
+}
+
+// Of all points that the study names a start of, there must be one to begin with.
+void check_starts(const toml::table& root, const Study& study) {
+  const auto check = [&](const toml::node& place, std::size_t state, double start) {
+    if (std::abs(start) < study.model->diverged_above[state]) return;
+    fail_at(place, fmt::format("{} = {} is a start beyond {}, where a motion counts as diverged "
+                               "(integrate.diverged_above)",
+                               study.model->states[state].name, start,
+                               study.model->diverged_above[state]));
+  };
+  for (std::size_t i = 0; i < study.initial.state.size(); ++i) {
+    const toml::table* initial = root["initial"].as_table();
+    if (initial != nullptr) check(*initial, i, study.initial.state[i]);
+  }
+  for (const Axis& axis : study.axes) {
+    const toml::node& place = *root.get(axis.is_list ? "points" : "axes");
+    for (const Swept& swept : axis.swept()) {
+      for (const double start : swept.values) {
+        if (swept.is_state) check(place, swept.index, start);
+      }
+    }
+  }
 }
 
 // Mesh periods in a period of the study: the fewest of its points.
@@ -159,6 +193,7 @@ void read_integrate(const toml::table* table, Study* study) {
             "give exponent_tolerance, from which the step follows, or the step, not both");
   }
   integrate.events = reader.boolean("events", integrate.events);
+  reader.know("diverged_above");  // bind_limits(), once the model is the study's
   set_default_windows(reader, study);
   integrate.settle = reader.count("settle", integrate.settle);
   integrate.record = reader.count("record", integrate.record);
@@ -329,6 +364,8 @@ Study read_tables(const StudyText& text) {
   check_size(root, study);
   note_what_wins(root, gear.parameters, &study);
   bind_curves(gear.curves, &study);
+  bind_limits(root["integrate"].as_table(), &study);
+  check_starts(root, study);
 
   study.toml = print_study(root);
   return study;

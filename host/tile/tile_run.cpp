@@ -9,7 +9,7 @@
 #include "plan/unstable_start.hpp"
 #include "sweep_types.h"
 #include "tile/detail/exponent_error.hpp"
-#include "tile/detail/left_out.hpp"
+#include "tile/detail/largest_exponent.hpp"
 #include "tile/detail/longer_window.hpp"
 #include "tile/detail/orbit_search.hpp"
 #include "tile/subset.hpp"
@@ -50,7 +50,7 @@ class TileRun {
                           add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
                                               callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
-    add_left_out_exponents(plan_, tile_, &result_);
+    complete_largest_exponents(plan_, tile_, &result_);
     mark_unstable_starts(initial);
     result_.effort.stopped =
         static_cast<double>(std::count(has_stopped_.begin(), has_stopped_.end(), 1));
@@ -60,12 +60,12 @@ class TileRun {
 
  private:
   void mark_unstable_starts(const std::vector<double>& initial) {
-    UnstableStarts starts(plan_);
+    if (!study_.model->is_autonomous) return;
     const std::size_t states = study_.model->states.size();
     for (std::size_t i = 0; i < tile_.points.size(); ++i) {
       const auto start = initial.begin() + static_cast<std::ptrdiff_t>(i * states);
       const std::vector<double> x(start, start + static_cast<std::ptrdiff_t>(states));
-      if (result_.status[i] != STATUS_ok || !starts.has(tile_.points[i], x)) continue;
+      if (result_.status[i] != STATUS_ok || !starts_unstable(plan_, tile_.points[i], x)) continue;
       result_.status[i] = STATUS_unstable_start;
     }
   }

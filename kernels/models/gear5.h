@@ -24,6 +24,12 @@
 // A force that starts at the limits of a backlash: steps that cross one are corrected.
 #define MODEL_CONTACT
 
+// Some of them may rest while others move: without friction, both shafts across the line of action.
+#define MODEL_RANGE_GROUPS(X) X("x1 x2 x3 x4 x5") X("v1 v2 v3 v4 v5")
+
+// In half backlashes, and those per unit of time.
+#define MODEL_DIVERGED_ABOVE 1e6
+
 // X(states, parameters): the mesh pushes both shafts equally hard. Where they are alike, each
 // mirrors the other.
 #define MODEL_MIRROR_PAIRS(X)           \

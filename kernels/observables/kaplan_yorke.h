@@ -27,22 +27,14 @@ SHARED_FN void kaplan_yorke_end_period(real* sums, const Section* section) {
 SHARED_FN void kaplan_yorke_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
   const real one = 1;
-  real sorted[TANGENTS];
-  for (int j = 0; j < TANGENTS; ++j) sorted[j] = sums[j];
-  // A short record may leave neighbours out of order.
-  for (int pass = 1; pass < TANGENTS; ++pass) {
-    for (int j = 0; j + 1 < TANGENTS; ++j) {
-      const real high = lane_max(sorted[j], sorted[j + 1]);
-      sorted[j + 1] = lane_min(sorted[j], sorted[j + 1]);
-      sorted[j] = high;
-    }
-  }
+  real exponents[TANGENTS];
+  lyapunov_spectrum_finish(sums, round, exponents);
   real dimension = 0;
   real sum = 0;
   real counting = 1;  // 0 once the sum has become negative
   for (int j = 0; j < TANGENTS; ++j) {
-    const real next = sum + sorted[j];
-    const real part = lane_select(next < zero, sum / lane_abs(sorted[j]), one);
+    const real next = sum + exponents[j];
+    const real part = lane_select(next < zero, sum / lane_abs(exponents[j]), one);
     dimension = dimension + counting * part;
     counting = lane_select(next < zero, zero, counting);
     sum = next;

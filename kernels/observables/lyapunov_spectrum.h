@@ -1,6 +1,6 @@
 // All Lyapunov exponents (natural logarithm, per dimensionless time) over the recorded periods, the
-// largest first as far as the record suffices to tell them apart. The phase's zero exponent is not
-// counted.
+// largest first. A short record may not tell which tangent vector has which of two that are nearly
+// equal, so they are sorted. The phase's zero exponent is not counted.
 
 #define LYAPUNOV_SPECTRUM_ROLE verdict
 #define LYAPUNOV_SPECTRUM_TANGENTS PER_STATE
@@ -26,5 +26,12 @@ SHARED_FN void lyapunov_spectrum_end_period(real* sums, const Section* section) 
 
 SHARED_FN void lyapunov_spectrum_finish(const real* sums, SweepRound round, real* out) {
   for (int j = 0; j < TANGENTS; ++j) out[j] = sums[j] / (scalar)(round.record);
+  for (int pass = 1; pass < TANGENTS; ++pass) {
+    for (int j = 0; j + 1 < TANGENTS; ++j) {
+      const real high = lane_max(out[j], out[j + 1]);
+      out[j + 1] = lane_min(out[j], out[j + 1]);
+      out[j] = high;
+    }
+  }
 }
 #endif

@@ -4,41 +4,45 @@
 // than three standard errors.
 //   periodic        a period, and no positive growth;
 //   chaotic         no period, and positive growth by more than a factor exp(2), since even what
-//                   neither grows nor decays in the long run varies while it is carried round;
+//                   neither grows nor decays in the long run varies while it is carried round; and
+//                   a section that does not grow a hundredfold from the record's first half to its
+//                   second, as that of a motion without bounds does;
 //   quasi_periodic  no period, and for 1000 periods or more neither growth nor decay: by no more
 //                   than exp(2), or exp(10) where the errors allow no better; and a section whose
-//                   extent differs by no more than a quarter between the record's halves;
+//                   extent, relative to the ranges of the motion, differs by no more than a quarter
+//                   between the record's halves;
 //   undecided       all else: witnesses that contradict each other, a slow transient, a period
 //                   beyond the longest, chaos too weak for the record.
-// In the last window (host/engine/window.hpp) fewer periods do for quasi_periodic, and what decayed
-// by more than exp(10) is periodic, too, with a period that is longer than the longest, or not
-// reached within the tolerance: where no direction grows and none stays, the motion goes to a
-// periodic orbit.
+// In the last window (host/engine/window.hpp) fewer periods do for quasi_periodic. What decays goes
+// to a periodic orbit, but as long as its period does not show, it stays undecided: a class that is
+// periodic has a period.
 #include "observables/lyapunov_max.h"
 #include "observables/period.h"
 
 #define MOTION_ROLE verdict
 #define MOTION_TANGENTS 1
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define MOTION_OUTPUTS(X)                                   \
-  X(class, "", "undecided periodic quasi_periodic chaotic", \
-    "kind of motion, by recurrence and largest Lyapunov exponent")
+#define MOTION_OUTPUTS(X)                                                                         \
+  X(class, "", "undecided periodic quasi_periodic chaotic",                                       \
+    "kind of motion, by recurrence after forcing periods and largest Lyapunov exponent; a limit " \
+    "cycle without forcing is quasi_periodic")
 // X(suffix, role)
 #define MOTION_OUTPUT_ROLES(X) X(class, motion)
 
 enum {
   motion_forcing,    // the forcing period
-  motion_extent,     // of the section in the first half: the largest range of any component
-  motion_recurrence  // then: the accumulators of period and lyapunov_max, the present half's range
+  motion_recurrence  // then: the accumulators of period and lyapunov_max, the section's box
 };
 enum { motion_exponent = (int)(motion_recurrence) + (int)(period_accumulators) };
 enum { motion_min = (int)(motion_exponent) + (int)(lyapunov_max_accumulators) };
-enum { motion_max = motion_min + PER_STATE };
-enum { motion_accumulators = motion_max + PER_STATE };
+enum { motion_max = motion_min + PER_STATE };    // both: in the present half of the record
+enum { motion_early = motion_max + PER_STATE };  // extents in the first half
+enum { motion_accumulators = motion_early + PER_STATE };
 
 #ifdef __OPENCL_VERSION__
 enum { motion_outputs = MOTION_OUTPUTS(COUNT_OUTPUT) };
 enum { motion_min_neutral = 1000 };  // periods
+enum { motion_runaway = 100 };       // times the extent of the section
 
 SHARED_FN void motion_begin_half(real* sums, const real* x) {
   UNROLL
@@ -48,21 +52,29 @@ SHARED_FN void motion_begin_half(real* sums, const real* x) {
   }
 }
 
-SHARED_FN real motion_present_extent(const real* sums) {
-  real extent = 0;
+SHARED_FN void motion_extents(const real* sums, real* extents) {
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i)
+    extents[i] = sums[motion_max + i] - sums[motion_min + i];
+}
+
+// The largest component, relative to what each is measured by; one that has no range is at rest.
+SHARED_FN real motion_size(const real* extents, const real* ranges) {
+  const real zero = 0;
+  real size = 0;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    extent = lane_max(extent, sums[motion_max + i] - sums[motion_min + i]);
+    size = lane_max(size, lane_select(zero < ranges[i], extents[i] / ranges[i], zero));
   }
-  return extent;
+  return size;
 }
 
 SHARED_FN void motion_init(real* sums, const Moment* start) {
   sums[motion_forcing] = 0;
-  sums[motion_extent] = 0;
   period_init(sums + motion_recurrence, start);
   lyapunov_max_init(sums + motion_exponent, start);
   motion_begin_half(sums, start->x);
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) sums[motion_early + i] = 0;
 }
 
 SHARED_FN void motion_step(real* sums, const Step* step) {}
@@ -73,7 +85,7 @@ SHARED_FN void motion_end_period(real* sums, const Section* section) {
   period_end_period(sums + motion_recurrence, section);
   lyapunov_max_end_period(sums + motion_exponent, section);
   if (section->number == section->record / 2) {
-    sums[motion_extent] = motion_present_extent(sums);
+    motion_extents(sums, sums + motion_early);
     motion_begin_half(sums, x);
   }
   UNROLL
@@ -96,19 +108,22 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const mask recurs = period_found(sums + motion_recurrence, round.record) > zero;
   const mask positive = (log_stretching > error) & (log_stretching > turn);
   const mask neutral = (size <= turn) | ((size <= error) & (size <= much));
-  const mask decays = (log_stretching < -error) & (log_stretching < -much);
-  const real early = sums[motion_extent];
-  const real late = motion_present_extent(sums);
+  real ranges[MODEL_STATE_COUNT];
+  real extents[MODEL_STATE_COUNT];
+  share_ranges(sums + motion_recurrence + period_ranges, ranges);
+  motion_extents(sums, extents);
+  const real early = motion_size(sums + motion_early, ranges);
+  const real late = motion_size(extents, ranges);
+  const mask stays = late <= (scalar)(motion_runaway)*early;
   const mask steady = (late <= (scalar)(1.25) * early) & (early <= (scalar)(1.25) * late);
 
   const real undecided = MOTION_undecided;
   const real periodic = MOTION_periodic;
   real bounded = undecided;
-  if (round.is_last) bounded = lane_select(decays, periodic, bounded);
   if (round.is_last || round.record >= motion_min_neutral) {
     bounded = lane_select(neutral & steady, (real)(MOTION_quasi_periodic), bounded);
   }
-  const real other = lane_select(positive, (real)(MOTION_chaotic), bounded);
+  const real other = lane_select(positive & stays, (real)(MOTION_chaotic), bounded);
   out[0] = lane_select(recurs, lane_select(log_stretching > error, undecided, periodic), other);
 }
 #endif

@@ -51,6 +51,29 @@ TEST(ModelFile, HasItsNamesInOrder) {
   EXPECT_FALSE(model->contacts[0].is_one_sided);
 }
 
+// States stand for themselves, and have no bounds, unless the model says otherwise.
+TEST(ModelFile, SaysWhichStatesShareARangeAndWhatIsTooLarge) {
+  const std::string plain =
+      "[model]\nname = 'm'\n[states]\np = {}\nx = {}\ny = {}\n[parameters]\na = 1.0\n"
+      "[equations]\np = 'a'\nx = 'a'\ny = 'a'\n[forcing]\nperiod = '1'\n";
+  const auto read = [&](const std::string& what, const std::string& instead) {
+    return read_model_text(with(plain, what, instead), "m.toml");
+  };
+  const auto alone = read("p = {}", "p = {}");
+  EXPECT_THAT(alone->range_groups, ElementsAre(0U, 1U, 2U));
+  EXPECT_THAT(alone->diverged_above, ElementsAre(INFINITY, INFINITY, INFINITY));
+  EXPECT_THAT(read("x = {}\ny = {}", "x = {group = 'g'}\ny = {group = 'g'}")->range_groups,
+              ElementsAre(0U, 1U, 1U));
+  EXPECT_THAT(read("'m'\n", "'m'\ndiverged_above = 1e9\n")->diverged_above,
+              ElementsAre(1e9, 1e9, 1e9));
+  EXPECT_THAT(read("'m'\n", "'m'\ndiverged_above = {x = 2.0}\n")->diverged_above,
+              ElementsAre(INFINITY, 2.0, INFINITY));
+  EXPECT_THAT(refusal_of(with(plain, "'m'\n", "'m'\ndiverged_above = {z = 2.0}\n")),
+              HasSubstr("pair.toml:3: unknown key 'z' in diverged_above"));
+  EXPECT_THAT(refusal_of(with(plain, "'m'\n", "'m'\ndiverged_above = 0\n")),
+              HasSubstr("diverged_above = 0 is out of range"));
+}
+
 // What differs from point to point is parted from the phase, where it can be.
 TEST(ModelFile, TabulatesWhatIsTheSameForAllPoints) {
   const auto shaping = [](const std::set<std::string>& swept) {

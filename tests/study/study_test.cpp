@@ -141,6 +141,16 @@ TEST(Study, AnInitialStateIsAnAxis) {
   EXPECT_EQ(study.axes[0].index, 5U);
 }
 
+TEST(Study, SaysWhatIsTooLarge) {
+  const std::string study = "[[axes]]\nname = 'x1'\nvalues = [0.0, 2e6]\n";
+  EXPECT_THAT(refusal(study), HasSubstr("x1 = 2e+06 is a start beyond 1e+06"));
+  EXPECT_EQ(read_study(study, "s.toml", {"integrate.diverged_above=1e7"}).model->diverged_above,
+            std::vector<double>(10, 1e7));
+  const Study some = read_study(study, "s.toml", {"integrate.diverged_above={x1 = 1e7}"});
+  EXPECT_EQ(some.model->diverged_above[0], 1e7);
+  EXPECT_EQ(some.model->diverged_above[1], 1e6);
+}
+
 TEST(Study, WithoutQuantitiesTheFirstStateIsObserved) {
   const Study study = read_study(kAxis, "s.toml");
   ASSERT_EQ(study.selection.quantities.size(), 1U);

@@ -158,9 +158,31 @@ std::string describe_unstable_starts(const SweepResult& result) {
   const auto count = std::ranges::count(result.status, std::uint8_t{STATUS_unstable_start});
   if (count == 0) return "";
   return fmt::format(
-      "{} of {} points start at an unstable equilibrium: they show it, or what rounding makes of it; "
+      "{} of {} points start at an unstable equilibrium: they show it, or what rounding makes of "
+      "it; "
       "[initial] state = {{...}} starts them elsewhere\n",
       count, result.status.size());
+}
+
+// Of each quantity of a signal: the points that are ok at which it is infinite or no number. The
+// motion is all right there, but what the signal is made of is not, such as 1/x at x = 0.
+std::vector<Count> count_not_finite(const SweepResult& result) {
+  std::vector<Count> counts;
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const Quantity& quantity = result.study.selection.quantities[i];
+    const bool is_of_signal = result.study.model->find_signal(quantity.channel) >= 0;
+    if (!is_of_signal || quantity.divided_by || quantity.of_draws) continue;
+    Count count = {quantity.name, 0};
+    for (std::size_t point = 0; point < result.status.size(); ++point) {
+      const auto first =
+          result.values[i].begin() + static_cast<std::ptrdiff_t>(point * quantity.width);
+      const bool is_finite = std::all_of(first, first + static_cast<std::ptrdiff_t>(quantity.width),
+                                         [](double value) { return std::isfinite(value); });
+      count.points += has_values(result.status[point]) && !is_finite ? 1 : 0;
+    }
+    if (count.points > 0) counts.push_back(count);
+  }
+  return counts;
 }
 
 nlohmann::json counts_as_json(const std::vector<Count>& counts) {
@@ -185,6 +207,10 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     if (quantity.flags.empty()) continue;
     text += fmt::format("{}: {}\n", quantity.name,
                         describe_counts(count_classes(quantity, result.values[i])));
+  }
+  for (const Count& count : count_not_finite(result)) {
+    text += fmt::format("{} is infinite or no number at {} points that are ok\n", count.name,
+                        count.points);
   }
   if (const std::size_t wedged = count_wedged(result); wedged > 0) {
     text += fmt::format("{} of {} points are wedged: a negative backlash, both flanks at once\n",
@@ -222,6 +248,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
     if (quantity.flags.empty()) continue;
     json["classes"][quantity.name] = counts_as_json(count_classes(quantity, result.values[i]));
   }
+  json["not_finite"] = counts_as_json(count_not_finite(result));
   if (result.study.selection.census) json["attractors"] = attractors_as_json(result);
   json["seconds"] = result.seconds;
   json["kernel_seconds"] = result.kernel_seconds;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -22,14 +23,12 @@ std::string included_file(const std::string& line) {
   return rest.substr(0, rest.find('"'));
 }
 
-// States of the same unit have the same number.
-void write_units(const Model& model, std::ostream& out) {
-  std::vector<std::string> units;
-  out << "#define STATE_UNITS {";
-  for (const ChannelInfo& state : model.states) {
-    const auto known = std::find(units.begin(), units.end(), state.unit);
-    out << known - units.begin() << ", ";
-    if (known == units.end()) units.push_back(state.unit);
+// What the model says of each of its states.
+void write_states(const Model& model, std::ostream& out) {
+  out << fmt::format("#define RANGE_GROUPS {{{}}}\n", fmt::join(model.range_groups, ", "));
+  out << "#define STATE_LIMITS {";
+  for (const double limit : model.diverged_above) {
+    out << (std::isinf(limit) ? "INFINITY" : fmt::format("{}", limit)) << ", ";
   }
   out << "}\n";
 }
@@ -114,7 +113,7 @@ std::string selection_header(const Study& study) {
   // OpenCL C knows no empty initialiser; a model without options has one dummy member.
   if (study.setting.options.empty()) out << 0;
   out << "}\n";
-  write_units(*study.model, out);
+  write_states(*study.model, out);
   out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   return out.str();
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -24,10 +25,28 @@ class LyapunovMax final : public ReferenceObservable {
     rates_.push_back(log_stretching[0] / length);
   }
   std::vector<double> finish(const Window&) const override {
-    return {mean(rates_), standard_error(), mean(log_stretchings_)};
+    return {mean(rates_), error(), mean(log_stretchings_)};
   }
 
  private:
+  // Not a number where there is one period alone.
+  double error() const {
+    const double of_blocks = standard_error();
+    return std::isnan(of_blocks) ? of_blocks : std::max(of_blocks, straying());
+  }
+
+  // How far the second half's sum strays from a line that goes on as the first half did.
+  double straying() const {
+    const auto middle = rates_.begin() + static_cast<std::ptrdiff_t>(rates_.size() / 2);
+    const double slope = mean({rates_.begin(), middle});
+    std::vector<double> strayed = {0.0};
+    std::transform(middle, rates_.end(), std::back_inserter(strayed),
+                   [&](double rate) { return strayed.back() + (rate - slope); });
+    const auto [min, max] = std::ranges::minmax(strayed);
+    constexpr double kCaution = 1.25;  // kernels/observables/lyapunov_max.h
+    return kCaution * (max - min) / static_cast<double>(rates_.size());
+  }
+
   // Of the mean of 16 (or a few more) blocks that do not overlap; what is left of the periods
   // takes no part.
   double standard_error() const {
@@ -57,8 +76,10 @@ class LyapunovSpectrum final : public ReferenceObservable {
     sums_ += log_stretching / length;
   }
   std::vector<double> finish(const Window& window) const override {
-    const Eigen::VectorXd exponents = sums_ / static_cast<double>(window.record);
-    return {exponents.begin(), exponents.end()};
+    const Eigen::VectorXd means = sums_ / static_cast<double>(window.record);
+    std::vector<double> exponents(means.begin(), means.end());
+    std::sort(exponents.begin(), exponents.end(), std::greater<>());
+    return exponents;
   }
 
  private:
@@ -72,8 +93,7 @@ class KaplanYorke final : public ReferenceObservable {
     spectrum_.period(state, log_stretching, length);
   }
   std::vector<double> finish(const Window& window) const override {
-    std::vector<double> exponents = spectrum_.finish(window);
-    std::sort(exponents.begin(), exponents.end(), std::greater<>());
+    const std::vector<double> exponents = spectrum_.finish(window);
     double sum = 0.0;
     for (std::size_t j = 0; j < exponents.size(); ++j) {
       if (sum + exponents[j] < 0.0) return {static_cast<double>(j) + sum / -exponents[j]};

@@ -8,17 +8,6 @@
 
 namespace gearsweep {
 
-StateKinds state_kinds(const Model& model) {
-  StateKinds kinds;
-  for (const ChannelInfo& state : model.states) {
-    const auto first = std::find_if(model.states.begin(), model.states.end(),
-                                    [&](const ChannelInfo& one) { return one.unit == state.unit; });
-    kinds.units.push_back(static_cast<std::size_t>(first - model.states.begin()));
-  }
-  kinds.angles = model.angles;
-  return kinds;
-}
-
 MotionRange::MotionRange(StateKinds kinds, double tolerance)
     : kinds_(std::move(kinds)), min_(64.0 * std::numeric_limits<double>::epsilon() / tolerance) {}
 
@@ -41,13 +30,17 @@ double MotionRange::distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     double& turn = apart[static_cast<Eigen::Index>(angle)];
     turn = std::remainder(turn, 2.0 * std::numbers::pi);
   }
+  return size(apart);
+}
+
+double MotionRange::size(const Eigen::VectorXd& apart) const {
   double max = 0.0;
-  for (std::size_t i = 0; i < kinds_.units.size(); ++i) {
+  for (std::size_t i = 0; i < kinds_.groups.size(); ++i) {
     const double size = std::abs(apart[static_cast<Eigen::Index>(i)]);
     if (size == 0.0) continue;
     double range = 0.0;
-    for (std::size_t j = 0; j < kinds_.units.size(); ++j) {
-      if (kinds_.units[j] != kinds_.units[i]) continue;
+    for (std::size_t j = 0; j < kinds_.groups.size(); ++j) {
+      if (kinds_.groups[j] != kinds_.groups[i]) continue;
       range = std::max(range, ranges_[static_cast<Eigen::Index>(j)]);
     }
     max = std::max(max, size / range);

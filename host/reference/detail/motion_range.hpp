@@ -12,11 +12,9 @@ namespace gearsweep {
 
 // What a model says of its states.
 struct StateKinds {
-  std::vector<std::size_t> units;   // [state]: the same number for the same unit
+  std::vector<std::size_t> groups;  // [state]: the same number for those that share a range
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
 };
-
-StateKinds state_kinds(const Model& model);
 
 class MotionRange {
  public:
@@ -29,8 +27,10 @@ class MotionRange {
   void end_period(const Eigen::VectorXd& state);
 
   // The largest component of the difference of two states, relative to the largest range during
-  // any period of the states of its unit; angles differ by half a turn at most.
+  // any period of the states of its group; angles differ by half a turn at most.
   double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  // The largest component of what is between two states, in the same terms.
+  double size(const Eigen::VectorXd& apart) const;
   // The largest range of one state during any period.
   double of_state(Eigen::Index state) const { return ranges_[state]; }
 

@@ -121,6 +121,7 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
   const Model& model = *study.model;
   const double period_tolerance = study.selection.period_tolerance;
   const std::string& kind = observer.observable->name;
+  const StateKinds kinds = {model.range_groups, model.angles};
   if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.part));
   if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.part));
   if (kind == "orders") {
@@ -135,12 +136,12 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
   if (kind == "kaplan_yorke") return make_kaplan_yorke();
-  if (kind == "period") return make_period(period_tolerance, state_kinds(model));
-  if (kind == "settled") return make_settled(period_tolerance, state_kinds(model));
-  if (kind == "motion") return make_motion(period_tolerance, state_kinds(model));
+  if (kind == "period") return make_period(period_tolerance, kinds);
+  if (kind == "settled") return make_settled(period_tolerance, kinds);
+  if (kind == "motion") return make_motion(period_tolerance, kinds);
   if (kind == "section") return make_section();
   if (kind == "state_moments") return make_state_moments(model);
-  if (kind == "zero_one") return make_zero_one(period_tolerance, state_kinds(model));
+  if (kind == "zero_one") return make_zero_one(period_tolerance, kinds);
   throw RunError(fmt::format("the reference engine does not compute observable '{}'", kind));
 }
 

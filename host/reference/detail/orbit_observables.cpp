@@ -14,6 +14,8 @@ namespace {
 
 // By how much what does not recur must miss, in terms of what does (kernels/observables/period.h).
 constexpr double kClear = 100.0;
+// A section that grows so many times from one half of the record to the other has no bounds.
+constexpr double kRunaway = 100.0;
 
 // The period with which the sections recur, 0: none; and the section from which on they do.
 struct Recurrence {
@@ -52,14 +54,14 @@ class Sections {
     return {};
   }
 
-  // The largest range of any component among the sections from `first` to `final`.
+  // The box of the sections from `first` to `final`: its longest side, relative to the ranges.
   double extent(std::size_t first, std::size_t final) const {
     Eigen::ArrayXd min = states_[first], max = states_[first];
     for (std::size_t i = first; i <= final; ++i) {
       min = min.min(states_[i].array());
       max = max.max(states_[i].array());
     }
-    return (max - min).maxCoeff();
+    return range_.size((max - min).matrix());
   }
 
  private:
@@ -187,19 +189,20 @@ class Motion final : public SectionObservable {
     const double log_stretching = exponent[0] * time_;
     const double error = 3.0 * exponent[1] * time_;
     if (sections().recurrence().period > 0) return log_stretching > error ? undecided : periodic;
-    if (log_stretching > std::max(error, 2.0)) return chaotic;
+    const double early = extent(true), late = extent(false);
+    if (log_stretching > std::max(error, 2.0) && late <= kRunaway * early) return chaotic;
     const bool neutral = std::abs(log_stretching) <= std::max(2.0, std::min(error, 10.0));
     const bool is_long = window.is_last || window.record >= 1000;
-    if (neutral && is_long && is_steady()) return quasi_periodic;
-    return window.is_last && log_stretching < -std::max(error, 10.0) ? periodic : undecided;
+    const bool is_steady = std::max(early, late) <= 1.25 * std::min(early, late);
+    if (neutral && is_long && is_steady) return quasi_periodic;
+    return undecided;
   }
 
-  // Whether the section is as large in the second half as in the first, within a quarter.
-  bool is_steady() const {
+  // Of the section in one half of the record.
+  double extent(bool is_first) const {
     const std::size_t middle = sections().last() / 2;
-    const double early = sections().extent(0, middle);
-    const double late = sections().extent(middle + 1, sections().last());
-    return std::max(early, late) <= 1.25 * std::min(early, late);
+    return is_first ? sections().extent(0, middle)
+                    : sections().extent(middle + 1, sections().last());
   }
 
   std::unique_ptr<ReferenceObservable> exponent_;

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "reference/detail/crossing.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 
 Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorXd& state)
-    : grid_(plan.phase_grid_of(point)),
+    : model_(*plan.study().model),
+      grid_(plan.phase_grid_of(point)),
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
       angles_(plan.study().model->angles),
@@ -22,7 +22,9 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
 
 bool Trajectory::advance_period() { return advance_period(StepCallback()); }
 
-bool Trajectory::advance_period(const StepCallback& each_step) {
+bool Trajectory::advance_period(const StepCallback& each_step,
+                                const std::function<void()>& on_the_way) {
+  constexpr std::uint32_t kFewSteps = 16;
   std::size_t row = 0;
   for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
     const double share = grid_.segment_fractions[segment];
@@ -31,6 +33,7 @@ bool Trajectory::advance_period(const StepCallback& each_step) {
       const Eigen::VectorXd start = state_;
       const Eigen::VectorXd middle = step(row, share * point_->period());
       row += 2;
+      if (on_the_way && i % kFewSteps == kFewSteps - 1) on_the_way();
       if (!each_step) continue;
       TrajectoryStep seen = {.before = moment(row - 2, start),
                              .middle = moment(row - 1, middle),
@@ -45,12 +48,13 @@ bool Trajectory::advance_period(const StepCallback& each_step) {
     }
     row += 1;  // the next segment has its own one-sided coefficients at the break phase
   }
-  const bool is_finite = in_range();
+  const bool is_within =
+      model_.is_within_limits({state_.data(), static_cast<std::size_t>(state_.size())});
   for (const std::size_t angle : angles_) {
     double& turn = state_[static_cast<Eigen::Index>(angle)];
     turn = std::remainder(turn, 2.0 * std::numbers::pi);
   }
-  return is_finite;
+  return is_within;
 }
 
 Trajectory::Bundle Trajectory::slope(std::size_t row, const Bundle& at) const {
@@ -148,10 +152,6 @@ void Trajectory::correct_crossing(const ContactLimit& limit, std::size_t row, do
   tangents_ +=
       h * (last_slope * sum + (first_slope - last_slope) * moment) * tangents_ +
       h * (last * weights->sum.transpose() + carry * weights->moment.transpose()) * p_by_tangents;
-}
-
-bool Trajectory::in_range() const {
-  return state_.allFinite() && state_.cwiseAbs().maxCoeff() < SWEEP_DIVERGED_BEYOND;
 }
 
 }  // namespace gearsweep

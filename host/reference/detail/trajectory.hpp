@@ -40,7 +40,9 @@ class Trajectory {
   // Advances by one period, at whose end full turns are taken out of angles; false when the state
   // left the range that counts as finite.
   bool advance_period();
-  bool advance_period(const StepCallback& each_step);
+  // on_the_way: called every few steps, so that tangents can be kept from growing beyond numbers.
+  bool advance_period(const StepCallback& each_step,
+                      const std::function<void()>& on_the_way = std::function<void()>());
 
   const Eigen::VectorXd& state() const { return state_; }
   std::size_t steps_per_period() const { return grid_.steps; }
@@ -65,8 +67,8 @@ class Trajectory {
   void correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at);
   void correct_crossing(const ContactLimit& limit, std::size_t row, double h,
                         const std::array<Bundle, 4>& at);
-  bool in_range() const;
 
+  const Model& model_;
   PhaseGrid grid_;
   std::size_t row_width_, signal_count_;
   std::vector<std::size_t> angles_;  // states

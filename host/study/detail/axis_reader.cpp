@@ -10,7 +10,6 @@
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/point_reader.hpp"
 #include "study/detail/toml_access.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -181,7 +180,7 @@ std::pair<double, double> bind_swept(const Model& model, const toml::node& place
     swept->is_state = true;
     swept->unit = model.states[swept->index].unit;
     swept->meaning = "initial " + model.states[swept->index].meaning;
-    return {-SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND};
+    return {-kMaxState, kMaxState};
   }
   std::vector<std::string> known;
   for (const ParameterInfo& info : model.parameters) known.push_back(info.name);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -12,7 +13,7 @@
 #include "study/detail/model_names.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/initial_policy.hpp"
-#include "sweep_types.h"
+#include "study/study_keys.hpp"
 
 namespace gearsweep {
 namespace {
@@ -32,6 +33,7 @@ class DefinitionReader {
     TableReader reader(&root_, "the model's file");
     read_model(required(&reader, "model"));
     read_states(required(&reader, "states"));
+    read_limits(*reader.table("model"));
     read_parameters(reader.table("parameters"));
     read_options(reader.table("options"));
     read_constants(reader.table("constants"));
@@ -117,7 +119,18 @@ class DefinitionReader {
     }
     definition_.max_step = reader.number("max_step", definition_.max_step, 1e-9, kMaxMaxStep);
     definition_.assumptions = reader.texts("assumptions");
+    reader.know("diverged_above");  // read_limits(), once the states are known
     reader.refuse_unknown();
+  }
+
+  void read_limits(const toml::table& model) {
+    std::vector<std::string> states;
+    for (const ChannelInfo& state : definition_.states) states.push_back(state.name);
+    definition_.diverged_above.assign(states.size(), std::numeric_limits<double>::infinity());
+    const toml::node* node = model.get("diverged_above");
+    if (node == nullptr) return;
+    definition_.diverged_above = read_by_state(
+        *node, "diverged_above", states, definition_.diverged_above, 1.0 / kMaxState, kMaxState);
   }
 
   void read_states(const toml::table* table) {
@@ -133,6 +146,7 @@ class DefinitionReader {
       const toml::node* angle = reader.find("angle");
       if (angle != nullptr && !angle->is_boolean()) fail_at(*angle, "angle must be true or false");
       definition_.are_angles.push_back(angle != nullptr && angle->as_boolean()->get());
+      definition_.groups.push_back(reader.text("group", ""));
       reader.refuse_unknown();
     }
     if (definition_.states.empty() || definition_.states.size() > kMaxNames) {
@@ -330,9 +344,8 @@ class DefinitionReader {
     for (const ChannelInfo& info : definition_.states) {
       const toml::node* node = reader.find(info.name);
       if (node == nullptr) continue;
-      values.push_back(fmt::format(
-          "{} = {}", info.name,
-          read_toml_number(*node, info.name, -SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND)));
+      values.push_back(fmt::format("{} = {}", info.name,
+                                   read_toml_number(*node, info.name, -kMaxState, kMaxState)));
     }
     reader.refuse_unknown();
     return fmt::format("{}", fmt::join(values, ", "));

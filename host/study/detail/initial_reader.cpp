@@ -5,7 +5,6 @@
 
 #include "model/error.hpp"
 #include "study/detail/toml_access.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -42,16 +41,8 @@ void read_ensemble(TableReader* reader, Study* study) {
                         choice_of(policy_names(false))));
   }
   if (spread == nullptr) return;
-  if (!spread->is_table()) {
-    const double all = reader->number("spread", 1.0);
-    initial.spread.assign(model.states.size(), all);
-    return;
-  }
-  TableReader states(spread->as_table(), "initial.spread");
-  for (std::size_t i = 0; i < model.states.size(); ++i) {
-    initial.spread[i] = states.number(model.states[i].name, 0.0, 0.0, SWEEP_DIVERGED_BEYOND);
-  }
-  states.refuse_unknown();
+  initial.spread = read_by_state(*spread, "initial.spread", model.state_names(),
+                                 std::vector<double>(model.states.size(), 0.0), 0.0, kMaxState);
 }
 
 }  // namespace
@@ -70,8 +61,8 @@ void read_initial(const toml::table* table, Study* study) {
   }
   TableReader state_reader(state, "initial.state");
   for (std::size_t i = 0; i < model.states.size(); ++i) {
-    initial.state[i] = state_reader.number(model.states[i].name, initial.state[i], -SWEEP_DIVERGED_BEYOND,
-                                           SWEEP_DIVERGED_BEYOND);
+    initial.state[i] =
+        state_reader.number(model.states[i].name, initial.state[i], -kMaxState, kMaxState);
   }
   state_reader.refuse_unknown();
   const bool chained = study->is_chained();

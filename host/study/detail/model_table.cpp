@@ -11,8 +11,8 @@
 #include "study/builtin_models.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/model_file.hpp"
+#include "study/study_keys.hpp"
 #include "study/table_file.hpp"
-#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -76,8 +76,8 @@ void apply_preset(const PresetInfo& preset, Study* study) {
     } else if (const toml::table* state = node.as_table(); name == "state" && state != nullptr) {
       TableReader reader(state, "[preset.state]");
       for (std::size_t i = 0; i < study->model->states.size(); ++i) {
-        study->initial.state[i] = reader.number(study->model->states[i].name, 0.0,
-                                                -SWEEP_DIVERGED_BEYOND, SWEEP_DIVERGED_BEYOND);
+        study->initial.state[i] =
+            reader.number(study->model->states[i].name, 0.0, -kMaxState, kMaxState);
       }
     } else if (const int option = study->model->find_option(name); option >= 0) {
       const auto index = static_cast<std::size_t>(option);

@@ -56,6 +56,23 @@ double read_number(const toml::node& node, const std::string& what, double min, 
   return value;
 }
 
+std::vector<double> read_by_state(const toml::node& node, const std::string& what,
+                                  const std::vector<std::string>& states,
+                                  std::vector<double> otherwise, double min, double max) {
+  if (!node.is_table()) {
+    otherwise.assign(states.size(), read_number(node, what, min, max));
+    return otherwise;
+  }
+  TableReader reader(node.as_table(), what);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    reader.know(states[i]);
+    const toml::node* own = node.as_table()->get(states[i]);
+    if (own != nullptr) otherwise[i] = read_number(*own, states[i], min, max);
+  }
+  reader.refuse_unknown();
+  return otherwise;
+}
+
 TableReader::TableReader(const toml::table* table, const StudyTable& declared)
     : table_(table), declared_(&declared), name_(declared.heading) {
   for (const StudyKey& key : declared.keys) {

@@ -21,6 +21,11 @@ std::string place_of(const toml::node& node);
 // A finite number (integer or float) within [min, max]; `what` names it in the message.
 double read_number(const toml::node& node, const std::string& what, double min, double max);
 
+// A number for all states, or a table of numbers for some of them; the others have `otherwise`.
+std::vector<double> read_by_state(const toml::node& node, const std::string& what,
+                                  const std::vector<std::string>& states,
+                                  std::vector<double> otherwise, double min, double max);
+
 // One table of a study; a missing table (nullptr) reads as empty. All throw InputError.
 class TableReader {
  public:

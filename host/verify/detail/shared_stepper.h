@@ -6,6 +6,9 @@
 #define TANGENTS 0
 #include "tangent.h"
 #include "unwatched.h"
+#define STATE_LIMIT(name, unit, meaning) MODEL_DIVERGED_ABOVE,
+#define STATE_LIMITS \
+  { MODEL_STATES(STATE_LIMIT) }
 #include "walk.h"
 
 // The state after `periods` periods, NaN in x[0] when it diverged.
