@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/eigenvalues.hpp"
+#include "plan/detail/structure.hpp"
 
 namespace gearsweep {
 namespace {
@@ -68,9 +69,13 @@ bool is_unstable(const Local& local, std::size_t states) {
 
 }  // namespace
 
+bool is_autonomous(const Study& study) {
+  return study.model->is_autonomous || Structure(study).is_autonomous();
+}
+
 bool starts_unstable(const Plan& plan, std::size_t point, const std::vector<double>& start) {
   const Model& model = *plan.study().model;
-  if (!model.is_autonomous || !model.reduction.mirrors.empty()) return false;
+  if (!model.reduction.mirrors.empty()) return false;
   const Local local = local_at(model, plan.setting_of(point), start);
   return vanishes(local, start) && is_unstable(local, start.size());
 }

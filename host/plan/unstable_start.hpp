@@ -9,7 +9,10 @@
 
 namespace gearsweep {
 
-// Whether a point of an autonomous model is one that starts at this state of the plan's model: its
+// Whether nothing of a study's model changes with the phase, at any of its points.
+bool is_autonomous(const Study& study);
+
+// Whether a point of such a study is one that starts at this state of the plan's model: its
 // field vanishes to rounding, and an eigenvalue of its Jacobian has a positive real part. Both hold
 // in any units.
 bool starts_unstable(const Plan& plan, std::size_t point, const std::vector<double>& start);

@@ -78,6 +78,15 @@ Structure::Structure(const Study& study) : field_(field_of(*study.model, study.s
   for (const NodeId rate : field_.rates) drivers_.push_back(states_in(rate));
 }
 
+bool Structure::is_autonomous() const {
+  return std::ranges::all_of(parts_of(field_.graph, field_.rates), [&](NodeId id) {
+    const Operation operation = field_.graph[id].operation;
+    if (operation == Operation::table) return false;
+    return operation != Operation::symbol || is_in(field_.states, id) ||
+           is_in(field_.parameters, id);
+  });
+}
+
 std::set<std::size_t> Structure::states_in(NodeId id) const {
   const std::vector<std::size_t> states = symbols_in(field_.graph, {id}, field_.states);
   return {states.begin(), states.end()};

@@ -26,6 +26,8 @@ class Structure {
  public:
   explicit Structure(const Study& study);
 
+  // Whether no rate changes with the phase.
+  bool is_autonomous() const;
   // The states that a signal depends on.
   std::set<std::size_t> drivers_of_signal(std::size_t signal) const;
   // These states and all that drive them.
