@@ -123,6 +123,8 @@ struct Model {
   std::vector<MirrorPairs> mirror_pairs;
   // The parameter that says how many mesh periods one period of the forcing has, if there is one.
   std::optional<std::size_t> cycle;
+  // A table bends inside the steps: nothing is read between the moments of a step.
+  bool is_rough = false;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
   // take and give the states of the whole model.
   const Model* whole = nullptr;
@@ -140,7 +142,11 @@ struct Model {
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
   std::function<std::string(const ModelSetting&)> check;
-  // Phases in [0, 1) at which the right-hand side jumps; unsorted, may repeat.
+  // What whoever gave a setting that is right may not expect of it; empty where a model never says
+  // so. Throws as break_phases does.
+  std::function<std::vector<std::string>(const ModelSetting&)> notices;
+  // Phases in [0, 1) at which the right-hand side jumps or has a corner; unsorted, may repeat.
+  // Throws InputError where they cannot be told, or are too many.
   std::function<std::vector<double>(const ModelSetting&)> break_phases;
   // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
   // `inside`, a phase strictly between the break phases that enclose psi.
@@ -161,6 +167,8 @@ struct Model {
   int find_option(std::string_view option) const;
 
   std::vector<std::string> state_names() const;
+  // What a state or signal is called in the kernels.
+  std::string name_in_kernel(const std::string& channel) const;
   // Of all contacts, in their order; the drive flank's first.
   std::vector<ContactLimit> contact_limits() const;
   // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.
