@@ -183,7 +183,7 @@ class Generator {
  private:
   std::size_t pick(std::size_t count) { return random_() % count; }
   std::string digits(double from, double to) {
-    return std::to_string(from + (to - from) * (random_() >> 8U) / 16777216.0);
+    return std::to_string(from + (to - from) * static_cast<double>(random_() >> 8U) / 16777216.0);
   }
   std::string wave() { return std::to_string(1 + pick(4)) + "*phase + " + digits(0, 6); }
   std::string condition(int depth) {
