@@ -32,7 +32,9 @@ Study study_of_preset(const std::string& model_key, const Model& model, const st
   std::string text = fmt::format("[model]\n{}\n", model_key);
   if (!preset.empty()) text += fmt::format("preset = '{}'\n", preset);
   text += fmt::format("[[axes]]\nname = '{}'\nvalues = [0.0]\n", model.states.front().name);
-  return read_study(text, "--preset");
+  const Study study = read_study(text, "--preset");
+  tell_notices(study);
+  return study;
 }
 
 // A model that is no built-in one: a path.

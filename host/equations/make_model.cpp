@@ -1,14 +1,17 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "equations/definition.hpp"
 #include "equations/detail/kernel_size.hpp"
 #include "equations/detail/kernel_writer.hpp"
 #include "equations/detail/lowering.hpp"
+#include "equations/detail/one_sided.hpp"
+#include "equations/detail/phase_breaks.hpp"
+#include "equations/detail/phase_waves.hpp"
 #include "equations/field_graph.hpp"
 #include "expression/differentiate.hpp"
 #include "expression/print.hpp"
@@ -19,28 +22,8 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
-// What follows a jump of the phase is told by conditions, signs and whole parts: in these, the
-// phase is one inside the segment. A table that jumps is told on which side it is read.
-std::vector<NodeId> one_sided(Formula* formula, const std::vector<NodeId>& values, NodeId inside) {
-  ExpressionGraph* graph = &formula->graph;
-  Rewriter to_inside(graph, {{formula->phase, inside}});
-  std::map<NodeId, NodeId> replaced;
-  for (const NodeId id : parts_of(*graph, values)) {
-    const Operation operation = (*graph)[id].operation;
-    if (operation == Operation::table && !(*graph)[id].table->jumps().empty()) {
-      replaced[id] = graph->with_arguments(id, {formula->phase, inside});
-    }
-    const bool jumps =
-        is_condition(operation) || operation == Operation::sign || operation == Operation::floor;
-    if (jumps) replaced[id] = to_inside(id);
-  }
-  Rewriter rewrite(graph, std::move(replaced));
-  std::vector<NodeId> out;
-  for (const NodeId id : values) out.push_back(rewrite(id));
-  return out;
-}
+// Break phases closer than this are one (plan/phase_grid.cpp).
+constexpr double kSamePhase = 1e-9;
 
 // All that the host works out, in double.
 struct Tapes {
@@ -48,6 +31,9 @@ struct Tapes {
   Tape period, start, jumps, coefs, point;
   // Of states, point and coefs.
   Tape rhs, jacobian, signals;
+  // Of coefs.
+  PhaseBreaks breaks;
+  PhaseWaves waves;
   struct OfContact {
     Tape direction, direction_slope;  // [state], [state][state]
     Tape gradients;                   // of the deflection, then of the backlash, [state]
@@ -55,6 +41,8 @@ struct Tapes {
   std::vector<OfContact> contacts;
   std::size_t states = 0, points = 0, coef_count = 0;
   std::vector<std::size_t> choices;  // [option]: how many there are
+  std::size_t listed = 0;            // jumps that the model's file lists
+  std::string file;                  // of the model, for messages
 };
 
 // Parameters, then 1 for each choice that is made and 0 for the others.
@@ -76,8 +64,13 @@ Tapes tapes_of(Formula* formula, const Lowered& lowered) {
   tapes.states = formula->states.size();
   tapes.points = lowered.point.size();
   tapes.coef_count = lowered.coefs.size();
-  const NodeId inside = formula->graph.symbol("inside");
-  const std::vector<NodeId> coefs = one_sided(formula, lowered.coef_values, inside);
+  tapes.listed = formula->jumps.size();
+  tapes.breaks = PhaseBreaks(graph, parameters, formula->phase, lowered.coef_values);
+  tapes.waves = PhaseWaves(&formula->graph, parameters, formula->phase, lowered.coef_values);
+  // No name of a user's has a space.
+  const NodeId inside = formula->graph.symbol("phase inside");
+  const std::vector<NodeId> coefs =
+      one_sided(&formula->graph, formula->phase, inside, lowered.coef_values);
   std::vector<NodeId> phased = parameters;
   phased.push_back(formula->phase);
   phased.push_back(inside);
@@ -159,20 +152,111 @@ class TextPoint final : public PreparedPoint {
 };
 
 std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
-  const double period = tapes.period.run(inputs_of(tapes, setting));
-  if (std::isfinite(period) && period > 0.0) return "";
+  const std::vector<double> inputs = inputs_of(tapes, setting);
+  const double period = tapes.period.run(inputs);
+  if (std::isfinite(period) && period > 0.0) return tapes.waves.check(inputs, tapes.breaks);
   return fmt::format("the forcing period is {}; it must be a finite number above 0", period);
 }
 
-// In [0, 1), as all begin with 0.
-std::vector<double> jumps_of(const Tapes& tapes, std::size_t count, const ModelSetting& setting) {
-  std::vector<double> phases(count + 1);
+double share_of(double phase) {
+  const double share = phase / kWholePhase;
+  return share - std::floor(share);
+}
+
+// In [0, 1): phase 0 and what the model's file lists.
+std::vector<double> listed_phases(const Tapes& tapes, const ModelSetting& setting) {
+  std::vector<double> phases(tapes.listed + 1);
   tapes.jumps.run(inputs_of(tapes, setting).data(), phases.data() + 1);
-  for (double& phase : phases) {
-    phase /= kTurn;
-    phase -= std::floor(phase);
+  for (double& phase : phases) phase = share_of(phase);
+  return phases;
+}
+
+std::vector<double> found_phases(const Tapes& tapes, const ModelSetting& setting) {
+  try {
+    std::vector<double> phases = tapes.breaks.find(inputs_of(tapes, setting));
+    for (double& phase : phases) phase = share_of(phase);
+    return phases;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", tapes.file, error.what()));
+  }
+}
+
+bool is_near(double phase, const std::vector<double>& phases) {
+  return std::ranges::any_of(phases, [&](double other) {
+    const double distance = std::fabs(phase - other);
+    return std::min(distance, 1.0 - distance) <= kSamePhase;
+  });
+}
+
+// What the file lists stands as it is: rounding may have found it a little elsewhere.
+std::vector<double> break_phases_of(const Tapes& tapes, const ModelSetting& setting) {
+  std::vector<double> phases = listed_phases(tapes, setting);
+  const std::vector<double> listed = phases;
+  for (const double phase : found_phases(tapes, setting)) {
+    if (!is_near(phase, listed)) phases.push_back(phase);
   }
   return phases;
+}
+
+void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
+              double* row) {
+  row[0] = 1.0;  // of a model without coefficients
+  std::vector<double> inputs = inputs_of(tapes, setting);
+  inputs.push_back(kWholePhase * psi);
+  inputs.push_back(kWholePhase * inside);
+  tapes.coefs.run(inputs.data(), row);
+}
+
+// The breaks at which a coefficient has two values; breaks: rising, within (0, 1).
+std::vector<double> jumps_among(const Tapes& tapes, const ModelSetting& setting,
+                                const std::vector<double>& breaks) {
+  constexpr double kRounding = 1e-9;
+  std::vector<double> jumps, before(tapes.coef_count), after(tapes.coef_count);
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    const double from = i == 0 ? 0.0 : breaks[i - 1];
+    const double to = i + 1 < breaks.size() ? breaks[i + 1] : 1.0;
+    coefs_at(tapes, setting, breaks[i], 0.5 * (from + breaks[i]), before.data());
+    coefs_at(tapes, setting, breaks[i], 0.5 * (breaks[i] + to), after.data());
+    bool jumps_here = false;
+    for (std::size_t j = 0; j < before.size(); ++j) {
+      const double size = std::max(std::fabs(before[j]), std::fabs(after[j]));
+      jumps_here |= std::fabs(after[j] - before[j]) > kRounding * size;
+    }
+    if (jumps_here) jumps.push_back(breaks[i]);
+  }
+  return jumps;
+}
+
+std::string radians(const std::vector<double>& phases) {
+  std::vector<std::string> texts;
+  for (const double phase : phases) texts.push_back(fmt::format("{:.6g}", kWholePhase * phase));
+  return fmt::format("{} {}", phases.size() == 1 ? "phase" : "phases", fmt::join(texts, ", "));
+}
+
+// The list of jumps is a promise: whether it holds at a setting. A model that lists none promises
+// nothing.
+std::vector<std::string> broken_promises(const Tapes& tapes, const ModelSetting& setting) {
+  if (tapes.listed == 0) return {};
+  const std::vector<double> found = found_phases(tapes, setting);
+  const std::vector<double> listed = listed_phases(tapes, setting);
+  std::vector<double> missed, idle;
+  for (const double phase : jumps_among(tapes, setting, found)) {
+    if (!is_near(phase, listed)) missed.push_back(phase);
+  }
+  for (const double phase : listed) {
+    if (!is_near(phase, found) && !is_near(phase, {0.0})) idle.push_back(phase);
+  }
+  std::vector<std::string> notices;
+  if (!missed.empty()) {
+    notices.push_back(fmt::format(
+        "{}: the equations jump at {}, which [forcing] jumps does not list; steps end there, too",
+        tapes.file, radians(missed)));
+  }
+  if (!idle.empty()) {
+    notices.push_back(fmt::format("{}: [forcing] jumps lists {}, where no equation jumps",
+                                  tapes.file, radians(idle)));
+  }
+  return notices;
 }
 
 void set_lists(const ModelDefinition& definition, const Formula& formula, const Lowered& lowered,
@@ -188,7 +272,9 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->max_step = definition.max_step;
   model->text = definition.text;
   for (std::size_t i = 0; i < model->parameters.size(); ++i) {
-    model->parameters[i].shapes_phase = lowered.shapes_phase[i];
+    const std::vector<NodeId> parts = parts_of(formula.graph, formula.jumps);
+    const bool moves_jump = std::ranges::find(parts, formula.parameters[i]) != parts.end();
+    model->parameters[i].shapes_phase = lowered.shapes_phase[i] || moves_jump;
   }
   for (std::size_t i = 0; i < model->states.size(); ++i) {
     if (definition.are_angles[i]) model->angles.push_back(i);
@@ -251,7 +337,7 @@ std::vector<ContactInfo> add_contact_signals(const Formula& formula, ModelDefini
 }
 
 std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
-                                     const Lowered& lowered) {
+                                     const Lowered& lowered, const PhaseBreaks& breaks) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& line) { lines.push_back(line); };
   const ExpressionGraph& graph = formula.graph;
@@ -267,6 +353,10 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
   for (const NodeId id : lowered.coef_values) {
     add(fmt::format("tabulated over the phase: {}", to_short_text(graph, id)));
   }
+  for (const std::string& text : breaks.texts()) {
+    add(fmt::format("steps end at the phases where this jumps or bends: {}", text));
+  }
+  for (const std::string& line : breaks.tables_left_out()) add(line);
   for (std::size_t i = 0; i < definition.parameters.size(); ++i) {
     if (!lowered.shapes_phase[i] || !formula.are_swept[i]) continue;
     add(fmt::format("'{}' cannot be parted from the phase: each of its values has a table",
@@ -305,28 +395,24 @@ Model make_model(const ModelDefinition& given) {
   for (const OptionInfo& option : definition.options) {
     worked_out.choices.push_back(option.choices.size());
   }
+  worked_out.file = definition.period.file;
   const auto tapes = std::make_shared<const Tapes>(std::move(worked_out));
   Model model;
   set_lists(definition, formula, lowered, &model);
   model.contacts = contacts;
-  model.findings = findings_of(definition, formula, lowered);
+  model.findings = findings_of(definition, formula, lowered, tapes->breaks);
+  model.is_rough = !tapes->breaks.tables_left_out().empty();
   model.field = field_graph_of(formula, lowered);
   model.unused = formula.unused;
-  model.kernel = kernel_of(definition, &formula, lowered);
+  model.kernel = kernel_of(definition, &formula, lowered, model.is_rough);
   refuse_large_kernel(definition, formula, lowered, model.kernel);
-  const std::size_t jumps = formula.jumps.size();
   model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };
-  model.break_phases = [tapes, jumps](const ModelSetting& setting) {
-    return jumps_of(*tapes, jumps, setting);
+  model.notices = [tapes](const ModelSetting& setting) { return broken_promises(*tapes, setting); };
+  model.break_phases = [tapes](const ModelSetting& setting) {
+    return break_phases_of(*tapes, setting);
   };
   model.phase_coefs_at = [tapes](const ModelSetting& setting, double psi, double inside,
-                                 double* row) {
-    row[0] = 1.0;
-    std::vector<double> inputs = inputs_of(*tapes, setting);
-    inputs.push_back(kTurn * psi);
-    inputs.push_back(kTurn * inside);
-    tapes->coefs.run(inputs.data(), row);
-  };
+                                 double* row) { coefs_at(*tapes, setting, psi, inside, row); };
   model.equilibrium = [tapes](const ModelSetting& setting) {
     std::vector<double> x(tapes->states);
     tapes->start.run(inputs_of(*tapes, setting).data(), x.data());

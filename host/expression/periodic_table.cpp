@@ -176,4 +176,96 @@ double PeriodicTable::at(double phase, double toward) const {
   return line + bent * length * length / 6.0;
 }
 
+std::vector<double> PeriodicTable::corners() const {
+  std::vector<double> corners;
+  if (interpolation_ == Interpolation::cubic) return corners;
+  const std::size_t last = knots_.size() - 1;
+  const auto slope = [&](std::size_t i) {
+    return (knots_[i + 1].value - knots_[i].value) / (knots_[i + 1].phase - knots_[i].phase);
+  };
+  const auto see = [&](std::size_t before, std::size_t after) {
+    constexpr double kRounding = 1e-12;
+    const double one = slope(before), other = slope(after);
+    const double size = std::max(std::fabs(one), std::fabs(other));
+    if (std::fabs(one - other) > kRounding * size) corners.push_back(knots_[after].phase);
+  };
+  if (jumps_.empty()) see(last - 1, 0);
+  for (std::size_t i = 1; i < last; ++i) {
+    const bool is_jump =
+        knots_[i - 1].phase == knots_[i].phase || knots_[i].phase == knots_[i + 1].phase;
+    if (!is_jump) see(i - 1, i);
+  }
+  return corners;
+}
+
+double PeriodicTable::value_at(std::size_t interval, double phase) const {
+  const Knot &left = knots_[interval], &right = knots_[interval + 1];
+  const double length = right.phase - left.phase;
+  const double b = (phase - left.phase) / length, a = 1.0 - b;
+  const double line = left.value + b * (right.value - left.value);
+  const double bent = (a * a - 1.0) * a * left.bend + (b * b - 1.0) * b * right.bend;
+  return line + bent * length * length / 6.0;
+}
+
+double PeriodicTable::slope_at(std::size_t interval, double phase) const {
+  const Knot &left = knots_[interval], &right = knots_[interval + 1];
+  const double length = right.phase - left.phase;
+  const double b = (phase - left.phase) / length, a = 1.0 - b;
+  const double bent = (1.0 - 3.0 * a * a) * left.bend + (3.0 * b * b - 1.0) * right.bend;
+  return (right.value - left.value) / length + bent * length / 6.0;
+}
+
+// The bend is linear in the phase: so far may the value be from the line through its ends, and the
+// slope from its own.
+void PeriodicTable::take_in(std::size_t interval, double from, double to, Range* range) const {
+  const Knot &left = knots_[interval], &right = knots_[interval + 1];
+  const double length = to - from;
+  const double bend = std::max(std::fabs(left.bend), std::fabs(right.bend));
+  const double turn = std::fabs(right.bend - left.bend) / (right.phase - left.phase);
+  const double off = bend * length * length / 8.0, slope_off = turn * length * length / 8.0;
+  for (const double phase : {from, to}) {
+    const double value = value_at(interval, phase), slope = slope_at(interval, phase);
+    range->low = std::min(range->low, value - off);
+    range->high = std::max(range->high, value + off);
+    range->slope_low = std::min(range->slope_low, slope - slope_off);
+    range->slope_high = std::max(range->slope_high, slope + slope_off);
+  }
+}
+
+PeriodicTable::Range PeriodicTable::range(double from, double to, double toward) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(from) || !std::isfinite(to) || !std::isfinite(toward)) {
+    return {-kInfinity, kInfinity, -kInfinity, kInfinity};
+  }
+  const double turns = kTurn * std::floor((toward - knots_.front().phase) / kTurn);
+  const bool is_whole = to - from >= kTurn;
+  double low = is_whole ? knots_.front().phase : from - turns;
+  double high = is_whole ? knots_.back().phase : to - turns;
+  if (!jumps_.empty()) {
+    const auto phase_of = [&](std::size_t knot) { return knots_[knot].phase; };
+    const auto piece = std::ranges::upper_bound(pieces_.begin() + 1, pieces_.end() - 1,
+                                                toward - turns, {}, phase_of);
+    low = std::max(low, phase_of(*(piece - 1)));
+    high = std::min(high, phase_of(*piece - 1));
+  }
+  Range range = {kInfinity, -kInfinity, kInfinity, -kInfinity};
+  for (const double shift : {-kTurn, 0.0, kTurn}) take_in(low + shift, high + shift, &range);
+  return range;
+}
+
+// Phases outside of the knots have no part.
+void PeriodicTable::take_in(double low, double high, Range* range) const {
+  const std::size_t last = knots_.size() - 1;
+  if (high < knots_.front().phase || low > knots_[last].phase) return;
+  const auto after = std::ranges::upper_bound(knots_, low, {}, &Knot::phase) - knots_.begin();
+  for (std::size_t i = std::clamp<std::size_t>(static_cast<std::size_t>(after), 1, last); i <= last;
+       ++i) {
+    const double begin = knots_[i - 1].phase, end = knots_[i].phase;
+    // What only touches an interval lies in the one before it.
+    if (begin > low && begin >= high) break;
+    if (begin < end)
+      take_in(i - 1, std::clamp(low, begin, end), std::clamp(high, begin, end), range);
+  }
+}
+
 }  // namespace gearsweep

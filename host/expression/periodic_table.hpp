@@ -34,12 +34,20 @@ class PeriodicTable {
   Interpolation interpolation() const { return interpolation_; }
   // Where it jumps: phases in radians.
   const std::vector<double>& jumps() const { return jumps_; }
+  // Where a linear table's slope jumps and its value does not: phases in radians. Of a cubic one
+  // none.
+  std::vector<double> corners() const;
 
   // The value at any phase, in radians; at a jump that of the side on which `toward` lies, which is
   // a phase with no jump in between. NaN where a phase is not finite.
   double at(double phase, double toward) const;
   // The second derivative there; of a linear table 0.
   double bend_at(double phase, double toward) const;
+  // Bounds of the value and of the slope between two phases that no jump parts from `toward`.
+  struct Range {
+    double low, high, slope_low, slope_high;
+  };
+  Range range(double from, double to, double toward) const;
 
  private:
   struct Knot {
@@ -54,6 +62,10 @@ class PeriodicTable {
     double a, b;
   };
   Place place_of(double phase, double toward) const;
+  double value_at(std::size_t interval, double phase) const;
+  double slope_at(std::size_t interval, double phase) const;
+  void take_in(double low, double high, Range* range) const;
+  void take_in(std::size_t interval, double from, double to, Range* range) const;
   void bend_period();
   void bend_piece(std::size_t first, std::size_t last);
 

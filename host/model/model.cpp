@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "model/names.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -93,6 +95,10 @@ std::vector<std::string> Model::state_names() const {
   std::vector<std::string> names;
   for (const auto& state : states) names.push_back(state.name);
   return names;
+}
+
+std::string Model::name_in_kernel(const std::string& channel) const {
+  return text.empty() ? channel : kernel_name(channel);
 }
 
 Model Model::reduced(const Reduction& to) const {

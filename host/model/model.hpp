@@ -145,6 +145,8 @@ struct Model {
   std::vector<double> diverged_above;
   std::vector<ContactInfo> contacts;
   std::vector<MirrorPairs> mirror_pairs;
+  // A table bends inside the steps: nothing is read between the moments of a step.
+  bool is_rough = false;
   // Set in a reduced model, whose states and angles are those that are kept. Its functions below
   // take and give the states of the whole model.
   const Model* whole = nullptr;
@@ -164,7 +166,11 @@ struct Model {
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
   std::function<std::string(const ModelSetting&)> check;
-  // Phases in [0, 1) at which the right-hand side jumps; unsorted, may repeat.
+  // What whoever gave a setting that is right may not expect of it; empty where a model never says
+  // so. Throws as break_phases does.
+  std::function<std::vector<std::string>(const ModelSetting&)> notices;
+  // Phases in [0, 1) at which the right-hand side jumps or has a corner; unsorted, may repeat.
+  // Throws InputError where they cannot be told, or are too many.
   std::function<std::vector<double>(const ModelSetting&)> break_phases;
   // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
   // `inside`, a phase strictly between the break phases that enclose psi.
@@ -190,6 +196,8 @@ struct Model {
   std::vector<std::string> state_names() const;
   // False of a state that has diverged.
   bool is_within_limits(std::span<const double> state) const;
+  // What a state or signal is called in the kernels.
+  std::string name_in_kernel(const std::string& channel) const;
   // Of all contacts, in their order; the drive flank's first.
   std::vector<ContactLimit> contact_limits() const;
   // Index of the parameter of a role.

@@ -61,6 +61,8 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
                      known.size() > kListed ? ", ..." : "");
 }
 
+std::string kernel_name(std::string_view name) { return "u_" + std::string(name); }
+
 std::vector<std::string> split_words(std::string_view words) {
   std::istringstream in{std::string(words)};
   std::vector<std::string> out;

@@ -19,6 +19,10 @@ std::vector<std::string> names_of(const std::vector<Info>& infos) {
   return names;
 }
 
+// What something of a model that is given as equations is called in the kernels. Users may take any
+// name, but nothing else there begins so: no word of C or OpenCL C, no macro, and no function.
+std::string kernel_name(std::string_view name);
+
 // The words of a list such as "consistent printed".
 std::vector<std::string> split_words(std::string_view words);
 

@@ -227,6 +227,15 @@ void Plan::refuse(std::size_t point, const std::string& wrong) const {
   throw InputError(wrong);
 }
 
+// A study is refused here, not when a tile of it is made.
+void Plan::check_breaks(std::size_t point, const ModelSetting& setting) const {
+  try {
+    study_.model->break_phases(setting);
+  } catch (const InputError& error) {
+    refuse(point, error.what());
+  }
+}
+
 // In the order of their keys. What takes time for each point of a large study is here.
 std::vector<Plan::Group> Plan::grouped(const Span& x, const Span& y) const {
   std::map<std::vector<double>, PointList> by_grid;
@@ -254,7 +263,11 @@ std::vector<Plan::Group> Plan::grouped(const Span& x, const Span& y) const {
       set_key(setting, &key);
       Entry*& above = row[ix - x.first];
       if (entry == nullptr || entry->first != key) entry = above;
-      if (entry == nullptr || entry->first != key) entry = &*by_grid.try_emplace(key).first;
+      if (entry == nullptr || entry->first != key) {
+        const auto [place, is_new] = by_grid.try_emplace(key);
+        if (is_new) check_breaks(member * study_.points() + iy * nx + ix, setting);
+        entry = &*place;
+      }
       above = entry;
       entry->second.push_back(member * study_.points() + iy * nx + ix);
     }

@@ -78,6 +78,7 @@ class Plan {
   void place_draw(std::size_t member, ModelSetting* setting) const;
   // Throws InputError. wrong: with the setting of the point.
   [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
+  void check_breaks(std::size_t point, const ModelSetting& setting) const;
   void set_key(const ModelSetting& setting, std::vector<double>* key) const;
   std::size_t steps_at(const ModelSetting& setting) const;
   // So many that they tell the waves of the study's orders.

@@ -126,7 +126,7 @@ class ReferenceEngine final : public Engine {
     const auto keep = [&](const Moment& moment) {
       out.insert(out.end(), moment.state.begin(), moment.state.end());
     };
-    const PhaseGrid grid = plan.phase_grid_of(point);
+    const PhaseGrid& grid = trajectory.grid();
     for (std::size_t period = 0; period < settle + record; ++period) {
       std::size_t segment = 0, step = 0;
       const bool alive = trajectory.advance_period([&](const TrajectoryStep& taken) {

@@ -63,4 +63,21 @@ void note_what_wins(const toml::table& root, const std::vector<GearParameter>& g
   }
 }
 
+// At both ends of the axes.
+void note_what_the_model_says(Study* study) {
+  if (!study->model->notices) return;
+  for (const bool is_first : {true, false}) {
+    ModelSetting setting = study->setting;
+    for (const Swept* swept : study->swept()) {
+      if (swept->is_state || swept->values.empty()) continue;
+      setting.parameters[swept->index] = is_first ? swept->values.front() : swept->values.back();
+    }
+    if (!study->model->check(setting).empty()) continue;
+    for (const std::string& notice : study->model->notices(setting)) {
+      if (std::ranges::find(study->notices, notice) != study->notices.end()) continue;
+      study->notices.push_back(notice);
+    }
+  }
+}
+
 }  // namespace gearsweep

@@ -13,4 +13,8 @@ namespace gearsweep {
 // Adds to the study's notices. `root` is all of its text, `gear` what its [gear] table gives.
 void note_what_wins(const toml::table& root, const std::vector<GearParameter>& gear, Study* study);
 
+// Adds what the study's model says of its settings (Model::notices). Throws InputError as that
+// does.
+void note_what_the_model_says(Study* study);
+
 }  // namespace gearsweep

@@ -363,6 +363,7 @@ Study read_tables(const StudyText& text) {
   if (study.axes.empty() && study.uncertain.draws() > 0) study.axes.push_back(resting_axis(study));
   check_size(root, study);
   note_what_wins(root, gear.parameters, &study);
+  note_what_the_model_says(&study);
   bind_curves(gear.curves, &study);
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);

@@ -55,6 +55,18 @@ TEST(Plan, TilesPartitionThePoints) {
   }
 }
 
+// Before anything runs, with the value at which it is so.
+TEST(Plan, RefusesMoreBreaksThanAPeriodMayHave) {
+  const std::string study =
+      "[model]\ntext = '''\n[model]\nname = 'pulses'\n[states]\nx = { unit = '1' }\n"
+      "[parameters]\nn = 1.0\n[equations]\nx = \"sign(sin(n*phase)) - x\"\n"
+      "[forcing]\nperiod = '2*pi'\n'''\n" +
+      axis("n", "[3, 400, 5000]");
+  EXPECT_THAT([&] { plan_of(study, 16); },
+              ::testing::ThrowsMessage<InputError>(
+                  HasSubstr("sign(sin(n*phase)) jumps or bends more than 1000 times in a period")));
+}
+
 TEST(Plan, PointsOfOnePhaseGridStandTogether) {
   const Plan plan = plan_of(kGrid + "[integrate]\nmax_step = 0.1\n", 25);
   std::set<std::size_t> grids_seen;

@@ -12,4 +12,7 @@ namespace gearsweep {
 Study load_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms = {});
 
+// Tells of that, of a study that is there.
+void tell_notices(const Study& study);
+
 }  // namespace gearsweep

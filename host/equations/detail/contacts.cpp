@@ -21,7 +21,7 @@ class ContactFinder {
       if (node.operation != Operation::backlash && node.operation != Operation::stop) continue;
       Contact contact;
       contact.corner = id;
-      contact.penetration = graph_->symbol(fmt::format("penetration{}", contacts_.list.size()));
+      contact.penetration = graph_->symbol(fmt::format("penetration[{}]", contacts_.list.size()));
       contact.deflection = node.arguments[0];
       contact.backlash = node.arguments[1];
       contact.is_one_sided = node.operation == Operation::stop;

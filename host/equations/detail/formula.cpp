@@ -57,7 +57,6 @@ class FormulaReader {
       formula_.jumps.push_back(of_parameters(text, "a phase of a jump"));
     }
     formula_.period = of_parameters(definition_.period, "the period");
-    for (const double jump : tables_.jumps()) formula_.jumps.push_back(formula_.graph.number(jump));
     find_unused();
     formula_.constants.assign(constants_.begin(), constants_.end());
     return std::move(formula_);

@@ -9,17 +9,20 @@
 #include "equations/detail/tangent_program.hpp"
 #include "expression/differentiate.hpp"
 #include "expression/print.hpp"
+#include "model/names.hpp"
 
 namespace gearsweep {
 namespace {
 
 class KernelWriter {
  public:
-  KernelWriter(const ModelDefinition& definition, Formula* formula, const Lowered& lowered)
+  KernelWriter(const ModelDefinition& definition, Formula* formula, const Lowered& lowered,
+               bool is_rough)
       : definition_(definition),
         formula_(formula),
         graph_(&formula->graph),
         lowered_(lowered),
+        is_rough_(is_rough),
         tangent_(tangent_program(formula, lowered)) {
     const auto name = [&](const std::vector<NodeId>& symbols) {
       for (const NodeId id : symbols) names_[id] = (*graph_)[id].symbol;
@@ -28,16 +31,17 @@ class KernelWriter {
     name(lowered.coefs);
     name(lowered.contacts.along);
     for (std::size_t i = 0; i < formula->states.size(); ++i) {
-      names_[formula->states[i]] = fmt::format("x[STATE_{}]", definition.states[i].name);
+      names_[formula->states[i]] = fmt::format("x[{}]", state_index(i));
     }
     for (std::size_t i = 0; i < formula->parameters.size(); ++i) {
-      names_[formula->parameters[i]] = fmt::format("p->{}_", definition.parameters[i].name);
+      names_[formula->parameters[i]] =
+          fmt::format("p->{}", kernel_name(definition.parameters[i].name));
     }
     std::size_t choice = 0;
     for (const OptionInfo& option : definition.options) {
       for (std::size_t i = 0; i < option.choices.size(); ++i) {
         names_[formula->choices[choice++]] =
-            fmt::format("(scalar)(options.{}_ == {})", option.name, i);
+            fmt::format("(scalar)(options.{} == {})", kernel_name(option.name), i);
       }
     }
     for (std::size_t i = 0; i < lowered.contacts.list.size(); ++i) {
@@ -60,7 +64,8 @@ class KernelWriter {
     write_linearization();
     std::vector<Assignment> signals;
     for (std::size_t i = 0; i < definition_.signals.size(); ++i) {
-      signals.emplace_back("signals->" + definition_.signals[i].name, lowered_.signals[i]);
+      signals.emplace_back("signals->" + kernel_name(definition_.signals[i].name),
+                           lowered_.signals[i]);
     }
     write_function("model_signals",
                    "const ModelPoint* point, const PhaseCoefs* phase, const real* x, "
@@ -73,8 +78,8 @@ class KernelWriter {
   void name_tangents() {
     names_[tangent_.scale] = "scale";
     for (std::size_t i = 0; i < formula_->states.size(); ++i) {
-      names_[tangent_.tangent[i]] = fmt::format("w[STATE_{}]", definition_.states[i].name);
-      names_[tangent_.base[i]] = fmt::format("base[STATE_{}]", definition_.states[i].name);
+      names_[tangent_.tangent[i]] = fmt::format("w[{}]", state_index(i));
+      names_[tangent_.base[i]] = fmt::format("base[{}]", state_index(i));
     }
     for (std::size_t i = 0; i < tangent_.fields.size(); ++i) {
       names_[tangent_.fields[i]] = fmt::format("linear->j{}", i);
@@ -94,12 +99,16 @@ class KernelWriter {
     }
   }
 
+  std::string state_index(std::size_t state) const {
+    return "STATE_" + kernel_name(definition_.states[state].name);
+  }
+
   bool has_contacts() const { return !lowered_.contacts.list.empty(); }
 
   std::vector<Assignment> places(const std::string& array, const std::vector<NodeId>& ids) const {
     std::vector<Assignment> out;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      out.emplace_back(fmt::format("{}[STATE_{}]", array, definition_.states[i].name), ids[i]);
+      out.emplace_back(fmt::format("{}[{}]", array, state_index(i)), ids[i]);
     }
     return out;
   }
@@ -126,11 +135,13 @@ class KernelWriter {
 
   void write_lists() {
     std::vector<std::string> states, parameters, signals, coefs;
-    for (const ChannelInfo& state : definition_.states) states.push_back(state.name + ", 0, 0");
+    for (const ChannelInfo& state : definition_.states)
+      states.push_back(kernel_name(state.name) + ", 0, 0");
     for (const ParameterInfo& parameter : definition_.parameters) {
-      parameters.push_back(parameter.name + "_, 0, 0, 0, 0, 0, 0");
+      parameters.push_back(kernel_name(parameter.name) + ", 0, 0, 0, 0, 0, 0");
     }
-    for (const ChannelInfo& signal : definition_.signals) signals.push_back(signal.name + ", 0, 0");
+    for (const ChannelInfo& signal : definition_.signals)
+      signals.push_back(kernel_name(signal.name) + ", 0, 0");
     for (std::size_t i = 0; i < lowered_.coefs.size(); ++i) {
       coefs.push_back(fmt::format("w{}, 0", i));
     }
@@ -140,16 +151,18 @@ class KernelWriter {
     if (!coefs.empty()) write_list("MODEL_PHASE_COEFS", coefs);
     if (!definition_.options.empty()) {
       std::vector<std::string> options;
-      for (const OptionInfo& option : definition_.options)
-        options.push_back(option.name + "_, 0, 0");
+      for (const OptionInfo& option : definition_.options) {
+        options.push_back(kernel_name(option.name) + ", 0, 0");
+      }
       write_list("MODEL_OPTIONS", options);
     }
     std::vector<std::string> angles;
     for (std::size_t i = 0; i < definition_.states.size(); ++i) {
-      if (definition_.are_angles[i]) angles.push_back(definition_.states[i].name);
+      if (definition_.are_angles[i]) angles.push_back(kernel_name(definition_.states[i].name));
     }
     if (!angles.empty()) write_list("MODEL_ANGLES", angles);
     if (lowered_.is_second_order) out_ += "#define MODEL_SECOND_ORDER\n";
+    if (is_rough_) out_ += "#define MODEL_ROUGH\n";
     if (has_contacts()) write_contact_lists();
     out_ += "\n#include \"model_types.h\"\n";
   }
@@ -178,7 +191,8 @@ class KernelWriter {
     std::string one_sided;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const std::string before = contacts[i].name.empty() ? "" : contacts[i].name + "_";
-      signals.push_back(fmt::format("{0}, {1}deflection, {1}backlash", i, before));
+      signals.push_back(fmt::format("{}, {}, {}", i, kernel_name(before + "deflection"),
+                                    kernel_name(before + "backlash")));
       if (!contacts[i].is_one_sided) continue;
       one_sided += fmt::format("{}(contact) == {}", one_sided.empty() ? "" : " || ", i);
     }
@@ -278,7 +292,7 @@ class KernelWriter {
       NodeId all = graph_->number(0.0);
       for (std::size_t j = 0; j < formula_->states.size(); ++j) {
         const NodeId w = graph_->symbol(fmt::format("w[{}]", j));
-        names_[w] = fmt::format("w[STATE_{}]", definition_.states[j].name);
+        names_[w] = fmt::format("w[{}]", state_index(j));
         const NodeId slope = derivative(graph_, value, formula_->states[j]);
         all = graph_->make(Operation::add, {all, graph_->make(Operation::multiply, {slope, w})});
       }
@@ -320,6 +334,7 @@ class KernelWriter {
   Formula* formula_;
   ExpressionGraph* graph_;
   const Lowered& lowered_;
+  const bool is_rough_;
   const TangentProgram tangent_;
   std::map<NodeId, std::string> names_;
   std::string out_;
@@ -327,8 +342,9 @@ class KernelWriter {
 
 }  // namespace
 
-std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered) {
-  return KernelWriter(definition, formula, lowered).text();
+std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered,
+                      bool is_rough) {
+  return KernelWriter(definition, formula, lowered, is_rough).text();
 }
 
 }  // namespace gearsweep

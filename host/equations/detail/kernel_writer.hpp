@@ -10,6 +10,8 @@ namespace gearsweep {
 
 // Made of names that are checked and of parsed expressions alone: no text of a user's is in it but
 // as those.
-std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered);
+// is_rough: as in Model.
+std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered,
+                      bool is_rough);
 
 }  // namespace gearsweep

@@ -39,22 +39,7 @@ std::shared_ptr<const PeriodicTable> Tables::read(const TableCall& call, const F
       throw ExpressionError(call.file_at, error.what());
     }
   }
-  // Steps end at the jumps, which only phases that no parameter moves can be.
-  if (!table->jumps().empty() && call.argument != formula.phase) {
-    throw ExpressionError(
-        call.argument_at,
-        fmt::format("'{}' jumps at {:.6g} rad; a table that jumps may be read at 'phase' alone",
-                    call.file, table->jumps().front()));
-  }
   return table;
-}
-
-std::vector<double> Tables::jumps() const {
-  std::vector<double> phases;
-  for (const auto& [key, table] : known_) {
-    phases.insert(phases.end(), table->jumps().begin(), table->jumps().end());
-  }
-  return phases;
 }
 
 }  // namespace gearsweep

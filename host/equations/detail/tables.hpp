@@ -20,8 +20,6 @@ class Tables {
   // What a text of the formula reads. Throws ExpressionError where there are no such numbers, or
   // where their place is no phase alone.
   std::shared_ptr<const PeriodicTable> read(const TableCall& call, const Formula& formula);
-  // Phases in radians at which one of them jumps.
-  std::vector<double> jumps() const;
 
  private:
   using Key = std::pair<std::string, Interpolation>;

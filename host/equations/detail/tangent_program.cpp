@@ -33,7 +33,7 @@ class Builder {
     linear_ = linearize(formula_, outputs);
     count_uses();
     find_late();
-    out_.scale = graph_->symbol("scale");
+    out_.scale = graph_->symbol("scale of rows");  // no name of a user's has a space
     for (std::size_t i = 0; i < states_; ++i) {
       out_.tangent.push_back(graph_->symbol(fmt::format("w[{}]", i)));
       out_.base.push_back(graph_->symbol(fmt::format("base[{}]", i)));

@@ -86,7 +86,8 @@ class ObserverSource {
     if (study_.selection.poincare.empty()) return;
     out_ << "#define SAMPLED_STATES {";
     for (const std::size_t state : study_.selection.poincare) {
-      out_ << fmt::format("STATE_{}, ", study_.model->states[state].name);
+      const Model& model = *study_.model;
+      out_ << fmt::format("STATE_{}, ", model.name_in_kernel(model.states[state].name));
     }
     out_ << "}\n";
   }
@@ -126,14 +127,15 @@ class ObserverSource {
     const Model& model = *study_.model;
     if (observer.observable->part == ObservedPart::whole) return moment;
     if (observer.observable->part == ObservedPart::channel) {
-      return model.find_state(observer.part) >= 0
-                 ? fmt::format("{}->x[STATE_{}]", moment, observer.part)
-                 : fmt::format("{}->signals.{}", moment, observer.part);
+      const std::string name = model.name_in_kernel(observer.part);
+      return model.find_state(observer.part) >= 0 ? fmt::format("{}->x[STATE_{}]", moment, name)
+                                                  : fmt::format("{}->signals.{}", moment, name);
     }
     const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
     return fmt::format("contact_depths({0}->signals.{1}, {0}->signals.{2}, {3})", moment,
-                       model.signals[contact->deflection].name,
-                       model.signals[contact->backlash].name, contact->is_one_sided);
+                       model.name_in_kernel(model.signals[contact->deflection].name),
+                       model.name_in_kernel(model.signals[contact->backlash].name),
+                       contact->is_one_sided);
   }
 
   // A function that calls that of each observable, with its accumulators and what `rest` gives.

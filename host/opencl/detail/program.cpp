@@ -61,7 +61,7 @@ void write_reduction(const Model& model, std::ostream& out) {
   out << fmt::format("#define WHOLE_STATE(x) {{{}}}\n", fmt::join(whole, ", "));
   out << "#include \"driving.h\"\n";
   for (std::size_t i = 0; i < model.states.size(); ++i) {
-    out << fmt::format("#define STATE_{} {}\n", model.states[i].name, i);
+    out << fmt::format("#define STATE_{} {}\n", model.name_in_kernel(model.states[i].name), i);
   }
   if (!has_positions_first(reduction, whole.size())) out << "#undef MODEL_SECOND_ORDER\n";
 }

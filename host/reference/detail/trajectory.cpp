@@ -5,17 +5,19 @@
 #include <numbers>
 
 #include "reference/detail/crossing.hpp"
+#include "reference/detail/phase_scan.hpp"
 
 namespace gearsweep {
 
 Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorXd& state)
     : model_(*plan.study().model),
-      grid_(plan.phase_grid_of(point)),
+      grid_(scanned_phase_grid(*plan.study().model, plan.setting_of(point), plan.steps_of(point))),
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
       angles_(plan.study().model->angles),
       contacts_(plan.study().model->contacts),
       limits_(plan.study().model->contact_limits()),
+      is_rough_(plan.study().model->is_rough),
       has_events_(plan.study().integrate.events && !limits_.empty()),
       point_(plan.study().model->prepare(plan.setting_of(point))),
       state_(state) {}
@@ -39,8 +41,8 @@ bool Trajectory::advance_period(const StepCallback& each_step,
                              .middle = moment(row - 1, middle),
                              .after = moment(row, state_),
                              .share = share};
-      seen.is_smooth =
-          same_contact(seen.before, seen.middle) && same_contact(seen.middle, seen.after);
+      seen.is_smooth = !is_rough_ && same_contact(seen.before, seen.middle) &&
+                       same_contact(seen.middle, seen.after);
       seen.earlier = earlier;
       each_step(seen);
       earlier.reset();

@@ -21,7 +21,7 @@ struct Moment {
 struct TrajectoryStep {
   Moment before = {}, middle = {}, after = {};
   double share = 0.0;      // of the period
-  bool is_smooth = false;  // no limit of the contact lies between the three moments
+  bool is_smooth = false;  // no limit of the contact, nor a bend, lies between the three moments
   // The middle of the step before, when that was smooth and lies in the same segment.
   std::optional<Moment> earlier = {};
 };
@@ -46,6 +46,7 @@ class Trajectory {
 
   const Eigen::VectorXd& state() const { return state_; }
   std::size_t steps_per_period() const { return grid_.steps; }
+  const PhaseGrid& grid() const { return grid_; }
   // Length of the period in dimensionless time.
   double period() const { return point_->period(); }
 
@@ -74,6 +75,7 @@ class Trajectory {
   std::vector<std::size_t> angles_;  // states
   std::vector<ContactInfo> contacts_;
   std::vector<ContactLimit> limits_;
+  bool is_rough_;
   bool has_events_;  // steps that cross a limit are corrected
   std::unique_ptr<PreparedPoint> point_;
   Eigen::VectorXd state_;

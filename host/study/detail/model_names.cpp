@@ -10,17 +10,11 @@
 namespace gearsweep {
 namespace {
 
-// Words of C and OpenCL C, and of the grammar.
+// Words of the grammar, and names that results have. Words of C are none: a kernel gives names of
+// its own (kernel_name()).
 const std::set<std::string, std::less<>>& reserved_words() {
   static const std::set<std::string, std::less<>> kWords = {
-      "auto",    "bool",       "break",    "case",     "char",     "const",  "continue", "default",
-      "do",      "double",     "else",     "enum",     "extern",   "float",  "for",      "global",
-      "goto",    "half",       "if",       "inline",   "int",      "kernel", "local",    "long",
-      "private", "real",       "register", "restrict", "return",   "scalar", "short",    "signed",
-      "sizeof",  "static",     "struct",   "switch",   "typedef",  "uchar",  "uint",     "ulong",
-      "union",   "unsigned",   "ushort",   "void",     "volatile", "while",  "mask",     "constant",
-      "and",     "or",         "not",      "phase",    "pi",       "status", "step",     "clamp",
-      "stop",    "deflection", "table"};
+      "and", "or", "not", "phase", "pi", "clamp", "step", "table", "status", "deflection"};
   return kWords;
 }
 

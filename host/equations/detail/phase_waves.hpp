@@ -1,0 +1,41 @@
+// Waves of the phase, such as sin(3*phase), that must close within a period.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equations/detail/phase_breaks.hpp"
+#include "expression/tape.hpp"
+
+namespace gearsweep {
+
+// Of some expressions of the phase and of parameters: sines, cosines and tangents of what grows
+// steadily with the phase. With a factor that is not whole, such as sin(0.7*phase), one is nearly
+// surely meant as a function of time: the phase begins anew in each period, and the wave with it. A
+// value type; the graph is not needed any more.
+class PhaseWaves {
+ public:
+  PhaseWaves() = default;
+  // inputs: as of PhaseBreaks. Adds to the graph.
+  PhaseWaves(ExpressionGraph* graph, const std::vector<NodeId>& inputs, NodeId phase,
+             const std::vector<NodeId>& roots);
+
+  // What is wrong with the first wave that does not go on from the end of a period into the next
+  // one; empty if nothing. A wave that is read at one end of the period alone, as a pulse is, may
+  // have any factor; so may one whose square or size is read, which goes on.
+  // breaks: of the same roots.
+  std::string check(const std::vector<double>& inputs, const PhaseBreaks& breaks) const;
+
+ private:
+  struct Wave {
+    std::string text;
+    Tape factor;  // of the inputs
+  };
+  bool is_read(const std::vector<double>& inputs, double from, double to) const;
+
+  std::vector<Wave> waves_;  // those whose factor need not be whole
+  Tape values_;  // of inputs and phase: roots with the waves, then with those of the next period
+  std::size_t roots_ = 0;
+};
+
+}  // namespace gearsweep
