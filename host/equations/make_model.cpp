@@ -195,7 +195,7 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   }
   // As a header without any has (kernels/model_types.h).
   if (lowered.coefs.empty()) {
-    model->phase_coefs.push_back({"one", "", "1: nothing depends on the phase"});
+    model->phase_coefs.push_back({kNoPhaseCoef, "", "1: nothing depends on the phase"});
   }
 }
 

@@ -45,6 +45,10 @@ std::optional<std::size_t> Model::mean_load() const {
   return std::nullopt;
 }
 
+bool Model::is_autonomous() const {
+  return phase_coefs.size() == 1 && phase_coefs.front().name == kNoPhaseCoef;
+}
+
 double Model::mesh_periods(const ModelSetting& setting) const {
   return cycle ? setting.parameters[*cycle] : 1.0;
 }

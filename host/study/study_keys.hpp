@@ -10,6 +10,9 @@ namespace gearsweep {
 // Of what a study may ask for by integrate.tolerance, but for 0, which is none.
 inline constexpr double kMinTolerance = 1e-10;
 
+// Of a step, in the model's time, whose unit may be anything from a nanosecond to a year.
+inline constexpr double kMinMaxStep = 1e-15, kMaxMaxStep = 1e15;
+
 // Of a study that names no model.
 inline constexpr const char* kDefaultModel = "gear5";
 

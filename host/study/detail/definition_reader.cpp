@@ -11,12 +11,12 @@
 #include "study/detail/model_names.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/initial_policy.hpp"
+#include "study/study_keys.hpp"
 
 namespace gearsweep {
 namespace {
 
 constexpr double kLargest = 1e12;  // of a parameter that names no range
-constexpr double kMaxMaxStep = 1e6;
 constexpr std::size_t kMaxNames = 64;  // states; parameters may be more
 
 class DefinitionReader {
@@ -113,7 +113,7 @@ class DefinitionReader {
     if (!source.empty()) {
       definition_.summary += fmt::format("{}({})", definition_.summary.empty() ? "" : " ", source);
     }
-    definition_.max_step = reader.number("max_step", definition_.max_step, 1e-9, kMaxMaxStep);
+    definition_.max_step = reader.number("max_step", definition_.max_step, kMinMaxStep, kMaxMaxStep);
     reader.refuse_unknown();
   }
 
