@@ -148,8 +148,12 @@ std::string describe_start(const Study& study) {
 
 void print_model(const Study& study) {
   const Model& model = *study.model;
-  answer("{}: {}\npreset {}\n{}\nits own step is {}; large studies find theirs\n", model.name,
-         model.summary, study.preset, describe_start(study), model.max_step);
+  answer("{}: {}\npreset {}\n{}\n", model.name, model.summary, study.preset, describe_start(study));
+  if (model.max_step > 0.0) {
+    answer("its own step is {}; large studies find theirs\n", model.max_step);
+  } else {
+    answer("it names no max_step: each study finds its step\n");
+  }
   print_parameters(study);
   if (!study.gear_notes.empty()) {
     answer("\nfrom the [gear] table\n");
@@ -184,7 +188,9 @@ void print_source(const Model& model, const std::string& source) {
 void print_model_as_json(const Study& study) {
   const Model& model = *study.model;
   nlohmann::json json = {
-      {"name", model.name}, {"preset", study.preset}, {"max_step", model.max_step}};
+      {"name", model.name},
+      {"preset", study.preset},
+      {"max_step", model.max_step > 0.0 ? nlohmann::json(model.max_step) : nlohmann::json()}};
   json["start"] = {{"policy", info_of(study.initial.policy).name}, {"state", start_of(study)}};
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];

@@ -36,7 +36,11 @@ struct Attractor {
 struct PilotFindings {
   double step = 0.0;       // max_step, in dimensionless time
   double error = 0.0;      // the largest of `errors`, samples of sections included
-  double sensitive = 0.0;  // share of the points that land elsewhere at any change of the step
+  // Share of all periodic points that keep the tolerance, at 95 % confidence: at least.
+  double kept = 0.0;
+  // Share of the pilot's points that were found to land elsewhere at any change of the step, and
+  // how many of all may, at 95 % confidence.
+  double sensitive = 0.0, max_sensitive = 0.0;
   std::size_t points = 0;  // periodic ones, that were compared
   // By quantity, of those that are compared: relative to the map's range, at 99 % of the points
   // that are not sensitive.

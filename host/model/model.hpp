@@ -151,11 +151,12 @@ struct Model {
   // take and give the states of the whole model.
   const Model* whole = nullptr;
   Reduction reduction;
-  // The longest step of a study that names none, in dimensionless time: at this the Lyapunov
+  // The longest step of a study that names none, in the model's time: at this the Lyapunov
   // exponents of the presets, and of parameters between half and twice theirs, are those at a
   // quarter of it, to within three standard errors of a mean over 32,000 periods, or to a
-  // thousandth of the largest of them. A model may bring its own (MODEL_MAX_STEP).
-  double max_step = 0.05;
+  // thousandth of the largest of them. 0: the model brings none, so each study finds its own
+  // (study/own_step.hpp).
+  double max_step = 0.0;
   // Of a model that is given as a text of equations: that text, the header for the device compiler
   // that is made of it, and what the program found in it, a line each. Empty where kernels/models/
   // has the header.

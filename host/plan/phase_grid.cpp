@@ -49,14 +49,25 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
   return grid;
 }
 
-std::size_t ladder_steps(double wanted) {
-  std::size_t octave = 16;
+namespace {
+
+// Four numbers an octave, from `octave` on.
+std::size_t ladder_from(std::size_t octave, double wanted) {
   while (static_cast<double>(2 * octave) < wanted) octave *= 2;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t steps = octave + quarter * (octave / 4);
     if (static_cast<double>(steps) >= wanted) return steps;
   }
   return 2 * octave;
+}
+
+}  // namespace
+
+std::size_t ladder_steps(double wanted) { return ladder_from(16, wanted); }
+
+std::size_t few_steps(double wanted) {
+  if (wanted <= 4.0) return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));
+  return ladder_from(4, wanted);
 }
 
 }  // namespace gearsweep

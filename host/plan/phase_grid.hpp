@@ -29,4 +29,8 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
 // least `wanted`, so that neighbouring points share a phase grid.
 std::size_t ladder_steps(double wanted);
 
+// The same of a ladder that begins with 1, for a model without forcing: its period is a clock that
+// asks for no steps of its own.
+std::size_t few_steps(double wanted);
+
 }  // namespace gearsweep

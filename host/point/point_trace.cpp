@@ -94,7 +94,7 @@ void settle_step(std::optional<double> pilot_step, Study* study) {
         "integrate.tolerance takes a map to find the step: trace a point of the finished map "
         "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
         "integrate.max_step={}",
-        study->model->max_step));
+        study->integrate.max_step));
   }
   if (pilot_step) study->integrate.max_step = *pilot_step;
   study->integrate.tolerance = 0.0;

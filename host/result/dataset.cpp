@@ -87,7 +87,9 @@ class Description {
     if (!result_.pilot) return;
     add("pilot_max_step", result_.pilot->step);
     add("pilot_error", result_.pilot->error);
+    add("pilot_kept", result_.pilot->kept);
     add("pilot_sensitive", result_.pilot->sensitive);
+    add("pilot_sensitive_max", result_.pilot->max_sensitive);
     add("pilot_points", static_cast<double>(result_.pilot->points));
   }
 

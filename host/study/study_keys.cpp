@@ -208,14 +208,14 @@ StudyTable integrate_table() {
               "Of all numbers on the device."),
        {"tolerance", "number", "1e-3",
         "A pilot run finds the longest step with which each map is right to this share of its "
-        "range, at 99 % of the periodic points. Unless asked for, only where that pays; 0: none.",
+        "range, at 99 % of its periodic points. Unless asked for, only where that pays; 0: none.",
         0.0, 0.1},
        {"exponent_tolerance", "number", "",
         "The same for maps of Lyapunov exponents and of what is made of them, which take the "
         "shortest steps; by default as tolerance.",
         kMinTolerance, 0.1},
-       {"max_step", "number", "the model's",
-        "Instead of tolerance: the longest step, in dimensionless time.", 1e-6, 1.0},
+       {"max_step", "number", "the model's, or what the study finds",
+        "Instead of tolerance: the longest step, in the model's time.", kMinMaxStep, kMaxMaxStep},
        {"steps_per_period", "whole number", "", "Instead of tolerance: at least so many steps.",
         8.0, 4194304.0},
        {"diverged_above", "number or table", "the model's",

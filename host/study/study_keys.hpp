@@ -12,6 +12,8 @@ inline constexpr double kMinTolerance = 1e-10;
 
 // Of what a state may begin with, and of what it may be limited to.
 inline constexpr double kMaxState = 1e300;
+// Of a step, in the model's time, whose unit may be anything from a nanosecond to a year.
+inline constexpr double kMinMaxStep = 1e-15, kMaxMaxStep = 1e15;
 
 // Of a study that names no model.
 inline constexpr const char* kDefaultModel = "gear5";

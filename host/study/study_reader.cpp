@@ -23,6 +23,7 @@
 #include "study/draft.hpp"
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
+#include "study/own_step.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -183,7 +184,8 @@ void read_integrate(const toml::table* table, Study* study) {
   }
   integrate.exponent_tolerance = reader.number("exponent_tolerance", integrate.tolerance);
   const toml::node* exponents = reader.find("exponent_tolerance");
-  integrate.is_tolerance_asked = reader.find("tolerance") != nullptr || exponents != nullptr;
+  integrate.is_map_tolerance_given = reader.find("tolerance") != nullptr;
+  integrate.is_tolerance_asked = integrate.is_map_tolerance_given || exponents != nullptr;
   if (integrate.tolerance > 0.0 && has_step) {
     fail_at(*reader.find("tolerance"),
             "give tolerance, from which the step follows, or the step, not both");
@@ -368,6 +370,11 @@ Study read_tables(const StudyText& text) {
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);
 
+  if (study.integrate.max_step == 0.0 && study.integrate.steps_per_period == 0) {
+    const OwnStep own = find_own_step(study);
+    study.integrate.max_step = own.step;
+    study.step_reason = own.reason;
+  }
   study.toml = print_study(root);
   return study;
 }

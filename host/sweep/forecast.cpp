@@ -104,6 +104,7 @@ std::optional<Forecast> forecast_sweep(const Study& study, const SweepOptions& o
   Forecast forecast;
   forecast.integrated = run.plan().study().model->state_names();
   forecast.states = study.model->states.size();
+  forecast.study = stepped->study;
   forecast.pilot = stepped->pilot;
   forecast.estimate = run.estimate();
   forecast.points = study.points();

@@ -7,6 +7,7 @@
 namespace gearsweep {
 
 struct Forecast {
+  Study study;  // with the step that it has
   std::size_t points = 0, trajectories = 0;
   std::size_t tile_points = 0, tiles = 0;
   double steps = 0.0;                   // planned, without stops on orbits and longer windows

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "model/error.hpp"
 #include "plan/plan.hpp"
+#include "study/own_step.hpp"
 #include "sweep/detail/map_errors.hpp"
+#include "sweep/detail/share_bound.hpp"
 #include "sweep/sweep.hpp"
 
 namespace gearsweep {
@@ -19,15 +22,20 @@ namespace {
 // Below so many points, or steps at the model's own step, it would not pay.
 constexpr std::size_t kFewestPoints = 4096;
 constexpr double kFewestSteps = 1e9;
-// Of the pilot. A hundred tell what 99 % of the points keep, and not all are periodic.
-constexpr std::size_t kMinPilot = 256, kMaxPilot = 1024;
-constexpr std::size_t kPointsPerPilotPoint = 256;
-constexpr double kBeyond = 0.01;         // of the periodic points may be beyond the tolerance
+// Of the pilot. What a step leaves beyond the tolerance is told from these, and not all are
+// periodic. Whoever asks for a tolerance asks for more.
+constexpr std::size_t kMinPilot = 384, kMinPilotAsked = 768, kMaxPilot = 1024;
+constexpr std::size_t kPointsPerPilotPoint = 96;
+constexpr double kBeyond = 0.01;  // of the pilot's periodic points may be beyond the tolerance
+// And of all points of the study, at 95 % confidence; but where all of the few points of a pilot
+// keep it, that has to do.
+constexpr double kBeyondOfAll = 0.03;
 constexpr std::size_t kMinPeriodic = 3;  // points that a verdict can rest on
 constexpr double kMaxSensitive = 0.5;    // of the points: beyond, nothing is told
 constexpr double kLongest = 4.0;         // of the ladder's steps, in the model's own
 constexpr int kRungsPerHalf = 4;         // steps of the ladder between one and half of it
 constexpr std::size_t kPairs = 3;        // of runs, that tell which points are sensitive
+constexpr double kFewestMore = 1.5;      // times the steps of a run, of one that judges it
 // The shortest step of a pilot, in the model's own. A pilot that nobody asked for stops where the
 // run with it would take an eighth of the time of all points at the model's own step, and may
 // always go down to a quarter of that step.
@@ -37,7 +45,8 @@ constexpr double kShortest = 1.0 / 256.0, kShortestUnasked = 1.0 / 4.0, kUnasked
 Study pilot_study(const Study& study) {
   Study pilot = study;
   const std::size_t wanted =
-      std::clamp(study.points() / kPointsPerPilotPoint, kMinPilot, kMaxPilot);
+      std::clamp(study.points() / kPointsPerPilotPoint,
+                 study.integrate.is_tolerance_asked ? kMinPilotAsked : kMinPilot, kMaxPilot);
   const double share =
       std::min(1.0, static_cast<double>(wanted) / static_cast<double>(study.points()));
   for (Axis& axis : pilot.axes) {
@@ -59,7 +68,8 @@ class PilotRuns {
  public:
   PilotRuns(const Study& study, const SweepOptions& options)
       : study_(pilot_study(study)),
-        tolerances_{study.integrate.tolerance, study.integrate.exponent_tolerance} {
+        tolerances_{study.integrate.tolerance, study.integrate.exponent_tolerance},
+        motion_ranges_(motion_ranges(study)) {
     if (options.on_pilot) options.on_pilot(study_.points());
     own_.devices = options.devices;
     own_.open = options.open;
@@ -75,7 +85,24 @@ class PilotRuns {
       return false;
     }
   }
-  MapErrors errors(double coarse, double fine) { return {run(coarse), run(fine), tolerances_}; }
+  // Whether each point has more steps at `fine`: a period has steps that no max_step makes fewer,
+  // and a run tells nothing beside another with the same ones.
+  bool differ(double coarse, double fine) const {
+    const Plan longer(with_step(coarse), study_.points());
+    const Plan shorter(with_step(fine), study_.points());
+    std::set<std::vector<double>> seen;
+    for (std::size_t point = 0; point < study_.points(); ++point) {
+      if (!seen.insert(shorter.grid_key(point)).second) continue;
+      const auto steps = [&](const Plan& plan) {
+        return static_cast<double>(plan.phase_grid_of(point).steps);
+      };
+      if (steps(shorter) < kFewestMore * steps(longer)) return false;
+    }
+    return true;
+  }
+  MapErrors errors(double coarse, double fine) {
+    return {run(coarse), run(fine), tolerances_, motion_ranges_};
+  }
 
  private:
   Study with_step(double step) const {
@@ -94,6 +121,7 @@ class PilotRuns {
 
   const Study study_;
   const Tolerances tolerances_;
+  const std::map<std::string, double> motion_ranges_;
   SweepOptions own_;
   std::map<double, SweepResult> runs_;
 };
@@ -101,6 +129,7 @@ class PilotRuns {
 // Why no step was found, for whoever asked for a tolerance.
 struct NoStep {
   bool is_of_exponents = false;  // whether their tolerance is the one that is not kept
+  double map_tolerance = 0.0;    // of the map that no step keeps; 0: no map is to blame
   std::string reason;
 };
 
@@ -115,13 +144,13 @@ class StepSearch {
  public:
   StepSearch(const Study& study, const SweepOptions& options)
       : study_(study),
-        own_step_(study.model->max_step),
         runs_(study, options),
+        own_step_(step_in_effect()),
         shortest_(own_step_ * shortest_share(study, runs_.points())) {}
 
   // Throws NoStep.
   PilotFindings run() {
-    const double longest = kLongest * own_step_;
+    const double longest = kLongest * study_.integrate.max_step;
     double fine = own_step_;
     ask_for_periodic_points(runs_.errors(longest, fine));
     if (!will_do(longest, fine)) fine = find_reference();
@@ -129,6 +158,13 @@ class StepSearch {
   }
 
  private:
+  // The study's step, or so much shorter that steps of twice the length are others at each point.
+  double step_in_effect() const {
+    double step = study_.integrate.max_step;
+    while (runs_.is_possible(step) && !runs_.differ(2.0 * step, step)) step /= 2.0;
+    return runs_.is_possible(step) ? step : study_.integrate.max_step;
+  }
+
   void ask_for_periodic_points(const MapErrors& errors) const {
     if (errors.points() >= kMinPeriodic) return;
     const std::string reason = fmt::format(
@@ -145,15 +181,25 @@ class StepSearch {
     return kBeyond + sensitive_ + 2.0 * std::sqrt(variance);
   }
 
+  // What the pilot's points tell of all: without those that no step brings to within the tolerance.
+  bool is_supported(const MapErrors& errors) const {
+    const double bound = upper_share(errors.beyond(), errors.points());
+    return bound <= std::max(kBeyondOfAll + share() - kBeyond, upper_share(0, errors.points()));
+  }
+
   bool will_do(double coarse, double fine) {
     const MapErrors errors = runs_.errors(coarse, fine);
-    return errors.furthest(share()).is_kept() && errors.others_agree(kBeyond);
+    return errors.furthest(share()).is_kept() && is_supported(errors) &&
+           errors.others_agree(kBeyond);
   }
 
   // A step so short that one of twice its length will do at all points but the sensitive ones.
   // These were counted in the same pair of runs, so chance adds nothing to their share.
   double find_reference() {
-    std::vector<MapErrors> halvings = {runs_.errors(4.0 * own_step_, 2.0 * own_step_)};
+    std::vector<MapErrors> halvings;
+    if (runs_.differ(4.0 * own_step_, 2.0 * own_step_)) {
+      halvings.push_back(runs_.errors(4.0 * own_step_, 2.0 * own_step_));
+    }
     for (double fine = own_step_; fine >= shortest_ && runs_.is_possible(fine); fine /= 2.0) {
       const MapErrors& errors = halvings.emplace_back(runs_.errors(2.0 * fine, fine));
       if (errors.furthest(kBeyond).is_kept()) return fine;
@@ -177,6 +223,7 @@ class StepSearch {
   NoStep no_step_keeps_it(const FurthestMap& map) const {
     return {
         .is_of_exponents = map.is_exponent,
+        .map_tolerance = map.tolerance,
         .reason = fmt::format("the best step leaves {:.2g}{}; ask for more than that{}, or give "
                               "integrate.max_step",
                               map.error, map.quantity.empty() ? "" : " in " + map.quantity,
@@ -198,16 +245,23 @@ class StepSearch {
 
   PilotFindings findings(double step, double fine) {
     const MapErrors errors = runs_.errors(step, fine);
+    const std::size_t points = errors.points();
+    // Two runs agree by chance at some of the points that land elsewhere, so more may than are
+    // found to; but none at which this step makes no difference.
+    const auto found =
+        static_cast<std::size_t>(std::lround(sensitive_ * static_cast<double>(points)));
     return {.step = step,
             .error = errors.largest(share()),
+            .kept = 1.0 - upper_share(errors.beyond(), points),
             .sensitive = sensitive_,
-            .points = errors.points(),
+            .max_sensitive = upper_share(std::max(found, errors.beyond_in_any()), points),
+            .points = points,
             .errors = errors.of_quantities(share())};
   }
 
   const Study& study_;
-  const double own_step_;
   PilotRuns runs_;
+  const double own_step_;
   const double shortest_;
   double sensitive_ = 0.0;  // share of the periodic points
   std::size_t points_ = 1;  // that it was counted among
@@ -220,6 +274,20 @@ bool wants_pilot(const Study& study) {
   const Study pilot = pilot_study(study);
   const auto share = static_cast<double>(pilot.points()) / static_cast<double>(study.points());
   return Plan(pilot, pilot.points()).total_work() / share >= kFewestSteps;
+}
+
+// Which of the study's demands is not met: one that it makes, where a map is to blame that one's.
+std::string asked_of(const Integrate& integrate, const NoStep& none) {
+  const bool is_of_one_map = none.map_tolerance > 0.0;
+  const bool is_of_exponents =
+      is_of_one_map ? none.is_of_exponents && integrate.exponent_tolerance != integrate.tolerance
+                    : !integrate.is_map_tolerance_given;
+  if (is_of_exponents) {
+    return fmt::format("integrate.exponent_tolerance = {}", integrate.exponent_tolerance);
+  }
+  return fmt::format(
+      "integrate.tolerance = {}{}", integrate.tolerance,
+      integrate.is_map_tolerance_given ? "" : ", the default beside exponent_tolerance");
 }
 
 void tell_of_own_step(const Study& study, const NoStep& none, const SweepOptions& options) {
@@ -254,11 +322,7 @@ std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& 
       tell_of_own_step(study, none, options);
       return SteppedStudy{study, std::nullopt};
     }
-    const Integrate& asked = study.integrate;
-    const bool is_own = none.is_of_exponents && asked.exponent_tolerance != asked.tolerance;
-    throw InputError(fmt::format("integrate.{} = {}: {}",
-                                 is_own ? "exponent_tolerance" : "tolerance",
-                                 is_own ? asked.exponent_tolerance : asked.tolerance, none.reason));
+    throw InputError(fmt::format("{}: {}", asked_of(study.integrate, none), none.reason));
   }
 }
 

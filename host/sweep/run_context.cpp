@@ -57,8 +57,8 @@ std::size_t points_of(const Plan& plan, const Shard& shard) {
 
 // As a note of a journal.
 std::string pack(const PilotFindings& pilot) {
-  std::string text =
-      fmt::format("{} {} {} {}", pilot.step, pilot.error, pilot.sensitive, pilot.points);
+  std::string text = fmt::format("{} {} {} {} {} {}", pilot.step, pilot.error, pilot.kept,
+                                 pilot.sensitive, pilot.max_sensitive, pilot.points);
   for (const auto& [quantity, error] : pilot.errors) text += fmt::format(" {} {}", quantity, error);
   return text;
 }

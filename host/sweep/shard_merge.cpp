@@ -20,7 +20,8 @@ namespace {
 PilotFindings unpack_pilot(const std::string& text) {
   PilotFindings pilot;
   std::istringstream in(text);
-  in >> pilot.step >> pilot.error >> pilot.sensitive >> pilot.points;
+  in >> pilot.step >> pilot.error >> pilot.kept >> pilot.sensitive >> pilot.max_sensitive >>
+      pilot.points;
   std::string quantity;
   for (double error = 0.0; in >> quantity >> error;) pilot.errors[quantity] = error;
   return pilot;

@@ -3,6 +3,7 @@
 // Mechanism and Machine Theory 46 (2011) 466-478 ("the paper"; its equation numbers are used here).
 // Lengths in half backlashes b_n, time tau = varpi t with varpi^2 = k0/me, forces in k0 b_n.
 #define MODEL_NAME "gear5"
+#define MODEL_MAX_STEP 0.05
 #define MODEL_SUMMARY "geared rotor-bearing pair, 5 degrees of freedom (Chen et al. 2011)"
 
 // X(name, unit, meaning)

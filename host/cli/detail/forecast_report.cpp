@@ -42,7 +42,9 @@ std::string describe_forecast(const Forecast& forecast, const std::string& outpu
                       forecast.tile_points);
   const std::string integrated = describe_integrated(forecast.integrated, forecast.states);
   if (!integrated.empty()) text += "states  " + integrated;
-  if (forecast.pilot) text += "steps   " + describe_pilot(*forecast.pilot);
+  if (const std::string steps = describe_steps(forecast.study, forecast.pilot); !steps.empty()) {
+    text += "steps   " + steps;
+  }
   text += fmt::format(
       "time    {}about {} for the tiles: {:.2g} steps planned, {} points were run to tell\n",
       forecast.has_whole_sample ? "" : "up to ", format_duration(forecast.seconds), forecast.steps,
@@ -78,6 +80,7 @@ std::string forecast_as_json(const Forecast& forecast) {
                          {"journal_bytes", whole(estimate.journal)},
                          {"disk_bytes_left", known_as_json(estimate.disk_left)}};
   json["integrated_states"] = forecast.integrated;
+  json["max_step"] = forecast.study.integrate.max_step;
   if (forecast.pilot) json["pilot"] = pilot_as_json(*forecast.pilot);
   json["devices"] = nlohmann::json::array();
   for (const DeviceEstimate& device : estimate.devices) {

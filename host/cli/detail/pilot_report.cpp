@@ -2,26 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace gearsweep {
 
+namespace {
+
 std::string describe_pilot(const PilotFindings& pilot) {
-  std::string text = fmt::format(
-      "at most {:.4g}: maps right to {:.1g} of their range at 99 % of {} periodic points",
-      pilot.step, pilot.error, pilot.points);
-  if (pilot.sensitive > 0.0) {
-    text +=
-        fmt::format("; {:.1f} % land elsewhere at any change of the step", 100.0 * pilot.sensitive);
-  }
-  return text + '\n';
+  const std::string found =
+      pilot.sensitive > 0.0 ? fmt::format("{:.1f} % land", 100.0 * pilot.sensitive) : "none lands";
+  return fmt::format(
+      "at most {:.4g}: maps keep the tolerance at {:.1f} % or more of the periodic points (95 % "
+      "confidence, {} judged), and {:.1g} of their range at 99 % of those judged; {} elsewhere at "
+      "any change of the step, up to {:.1f} % of all may\n",
+      pilot.step, std::floor(1e3 * pilot.kept) / 10.0, pilot.points, pilot.error, found,
+      std::ceil(1e3 * pilot.max_sensitive) / 10.0);
+}
+
+}  // namespace
+
+std::string describe_steps(const Study& study, const std::optional<PilotFindings>& pilot) {
+  if (pilot) return describe_pilot(*pilot);
+  if (study.step_reason.empty()) return "";
+  return fmt::format("at most {:.4g}, found for a model without max_step: {}\n",
+                     study.integrate.max_step, study.step_reason);
 }
 
 nlohmann::json pilot_as_json(const PilotFindings& pilot) {
-  return {{"max_step", pilot.step},
-          {"error", pilot.error},
-          {"errors", pilot.errors},
-          {"sensitive", pilot.sensitive},
+  return {{"max_step", pilot.step},       {"error", pilot.error},
+          {"errors", pilot.errors},       {"kept", pilot.kept},
+          {"sensitive", pilot.sensitive}, {"sensitive_max", pilot.max_sensitive},
           {"points", pilot.points}};
 }
 

@@ -1,4 +1,4 @@
-// What a pilot run has found (sweep/pilot.hpp), told to people and to scripts.
+// The step of a run, and who found it, told to people and to scripts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,9 @@
 
 namespace gearsweep {
 
-// One line, that goes on from "steps".
-std::string describe_pilot(const PilotFindings& pilot);
+// One line, that goes on from "steps": what a pilot run has found (sweep/pilot.hpp), or else the
+// study of a model without max_step (study/own_step.hpp). Empty where the step was given.
+std::string describe_steps(const Study& study, const std::optional<PilotFindings>& pilot);
 
 nlohmann::json pilot_as_json(const PilotFindings& pilot);
 

@@ -222,7 +222,9 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
   }
   text += describe_unstable_starts(result);
   text += describe_integrated(result.integrated, result.study.model->states.size());
-  if (result.pilot) text += "steps of " + describe_pilot(*result.pilot);
+  if (const std::string steps = describe_steps(result.study, result.pilot); !steps.empty()) {
+    text += "steps of " + steps;
+  }
   text += describe_attractors(result);
   text += describe_tolerances(result);
   text += describe_agreement(result);
@@ -255,6 +257,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
   json["integrated_states"] = result.integrated;
+  json["max_step"] = result.study.integrate.max_step;
   if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot);
   json["device"] = result.engine.device;
   return json_text(json);

@@ -157,13 +157,20 @@ double Launcher::launch(cl::Kernel* kernel, const SweepRound& round) {
   const bool are_few =
       device().is_cpu && items < kGroupsPerCore * device().compute_units * local_size_;
   const std::size_t local = are_few ? 1 : local_size_;
+  const auto enqueue = [&](std::size_t width) {
+    queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(width), cl::NDRange(local));
+    queue_.finish();
+  };
+  const auto load = [&](std::size_t width) {
+    SweepRound nothing = round;
+    nothing.items = 0;
+    kernel->setArg(0, nothing);
+    enqueue(width);
+    kernel->setArg(0, round);
+  };
   double seconds = 0.0;
-  open_->run(*kernel, local, items, [&](std::size_t width) {
-    seconds = open_->clock().time([&] {
-      queue_.enqueueNDRangeKernel(*kernel, cl::NullRange, cl::NDRange(width), cl::NDRange(local));
-      queue_.finish();
-    });
-  });
+  open_->run(*kernel, local, items, load,
+             [&](std::size_t width) { seconds = open_->clock().time([&] { enqueue(width); }); });
   return seconds;
 }
 

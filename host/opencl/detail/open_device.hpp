@@ -40,8 +40,11 @@ class OpenDevice {
   // Any number of launches run at once, but on a CPU one that is wider than all before it runs
   // alone: PoCL 3.1 compiles or loads a kernel anew for a wider launch, and counts as user of the
   // new one whoever still runs the old one. It aborts when both have ended.
-  template <class Launch>
-  void run(const cl::Kernel& kernel, std::size_t local_size, std::size_t items,
+  //
+  // Before such a launch it calls load(width), which is to launch the kernel without work: a driver
+  // may compile it then, which is no time in kernels.
+  template <class Load, class Launch>
+  void run(const cl::Kernel& kernel, std::size_t local_size, std::size_t items, const Load& load,
            const Launch& launch) {
     const Launched key = {kernel.getInfo<CL_KERNEL_PROGRAM>()(),
                           kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(), local_size};
@@ -53,6 +56,7 @@ class OpenDevice {
     const CompileWatch::Work compiling(compile_watch_.get());
     // Few launches are to run alone.
     const std::size_t wider = local_size * std::bit_ceil(width / local_size);
+    load(wider);
     launch(wider);
     const std::lock_guard lock(mutex_);
     widest_[key] = std::max(widest_[key], wider);

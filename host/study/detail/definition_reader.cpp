@@ -19,7 +19,6 @@ namespace gearsweep {
 namespace {
 
 constexpr double kLargest = 1e12;  // of a parameter that names no range
-constexpr double kMaxMaxStep = 1e6;
 constexpr std::size_t kMaxNames = 64;  // states; parameters may be more
 
 class DefinitionReader {
@@ -117,7 +116,7 @@ class DefinitionReader {
     if (!source.empty()) {
       definition_.summary += fmt::format("{}({})", definition_.summary.empty() ? "" : " ", source);
     }
-    definition_.max_step = reader.number("max_step", definition_.max_step, 1e-9, kMaxMaxStep);
+    definition_.max_step = reader.number("max_step", definition_.max_step, kMinMaxStep, kMaxMaxStep);
     definition_.assumptions = reader.texts("assumptions");
     reader.know("diverged_above");  // read_limits(), once the states are known
     reader.refuse_unknown();

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "sweep_types.h"
+
 namespace gearsweep {
 namespace {
 
 // One number for each point.
 struct Values {
   std::string quantity;  // empty for samples
+  std::string channel;   // that it looks at; empty: none
   bool has_classes;
   bool is_exponent;
   std::vector<double> numbers;  // [point]
@@ -33,14 +36,16 @@ std::vector<Values> values_of(const SweepResult& result) {
     const Quantity& quantity = selection.quantities[i];
     if (!is_compared(quantity)) continue;
     for (std::size_t k = 0; k < quantity.width; ++k) {
-      all.push_back({quantity.name, !quantity.flags.empty(), is_exponent(quantity), {}});
+      all.push_back(
+          {quantity.name, quantity.channel, !quantity.flags.empty(), is_exponent(quantity), {}});
       for (std::size_t point = 0; point < points; ++point) {
         all.back().numbers.push_back(result.values[i][point * quantity.width + k]);
       }
     }
   }
   for (std::size_t chosen = 0; chosen < selection.poincare.size(); ++chosen) {
-    Values low = {"", false, false, {}};
+    const std::string& state = result.study.model->states[selection.poincare[chosen]].name;
+    Values low = {"", state, false, false, {}};
     Values high = low;
     for (std::size_t point = 0; point < points; ++point) {
       const std::vector<double> samples = samples_of(result, point, chosen);
@@ -60,12 +65,15 @@ double upper_quantile(const std::vector<double>& ascending, double share) {
   return ascending[static_cast<std::size_t>(std::max(kept, 1.0)) - 1];
 }
 
-// The range of all but the outermost hundredth at either end, which a few points that diverge or
-// resonate would stretch; the whole one where these are all alike. What varies by less than 64,000
-// roundings is taken to vary by that: a thousandth of it then still stands out from rounding.
-double range_of(const std::vector<double>& numbers, double rounding) {
+// What an error is relative to. The range of all but the outermost hundredth at either end, which a
+// few points that diverge or resonate would stretch; the whole one where these are all alike. What
+// varies by less than 64,000 roundings is taken to vary by that: a thousandth of it then still
+// stands out from rounding. What varies by 4096 roundings at most is constant.
+double scale_of(const Values& map, double rounding,
+                const std::map<std::string, double>& motion_ranges) {
+  if (map.has_classes) return 1.0;
   std::vector<double> ascending;
-  for (const double number : numbers) {
+  for (const double number : map.numbers) {
     if (std::isfinite(number)) ascending.push_back(number);
   }
   if (ascending.empty()) return 0.0;
@@ -73,7 +81,10 @@ double range_of(const std::vector<double>& numbers, double rounding) {
   double range = upper_quantile(ascending, 0.01) - upper_quantile(ascending, 0.99);
   if (range == 0.0) range = ascending.back() - ascending.front();
   const double largest = std::max(std::abs(ascending.front()), std::abs(ascending.back()));
-  return std::max(range, 64e3 * rounding * largest);
+  if (range <= 4096.0 * rounding * largest || map.channel.empty()) return std::max(range, largest);
+  range = std::max(range, 64e3 * rounding * largest);
+  const auto motion = motion_ranges.find(map.channel);
+  return motion == motion_ranges.end() ? range : std::max(range, motion->second);
 }
 
 // Two numbers that are none are the same.
@@ -90,16 +101,21 @@ double error_of(const Values& map, double difference, double range) {
 }  // namespace
 
 MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine,
-                     const Tolerances& tolerances)
-    : is_periodic_(fine.on_orbit) {
+                     const Tolerances& tolerances,
+                     const std::map<std::string, double>& motion_ranges)
+    : is_judged_(fine.on_orbit) {
   const double rounding = fine.study.integrate.fp64 ? std::numeric_limits<double>::epsilon()
                                                     : std::numeric_limits<float>::epsilon();
-  points_ = static_cast<std::size_t>(std::count(fine.on_orbit.begin(), fine.on_orbit.end(), 1));
+  for (std::size_t point = 0; point < is_judged_.size(); ++point) {
+    const bool is_lost = fine.status[point] != STATUS_ok && coarse.status[point] == STATUS_ok;
+    if (is_lost && coarse.on_orbit[point] == 1) is_judged_[point] = 1;
+  }
+  points_ = static_cast<std::size_t>(std::count(is_judged_.begin(), is_judged_.end(), 1));
   const std::vector<Values> coarse_maps = values_of(coarse);
   const std::vector<Values> fine_maps = values_of(fine);
   for (std::size_t i = 0; i < fine_maps.size(); ++i) {
     const Values& map = fine_maps[i];
-    const double range = map.has_classes ? 1.0 : range_of(map.numbers, rounding);
+    const double range = scale_of(map, rounding, motion_ranges);
     Map errors = {.quantity = map.quantity,
                   .is_exponent = map.is_exponent,
                   .tolerance = map.is_exponent ? tolerances.exponents : tolerances.maps,
@@ -109,7 +125,7 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine,
     for (std::size_t point = 0; point < map.numbers.size(); ++point) {
       const double off = difference(coarse_maps[i].numbers[point], map.numbers[point]);
       errors.errors.push_back(error_of(map, off, range));
-      if (fine.on_orbit[point] == 1) {
+      if (is_judged_[point] == 1) {
         errors.ascending.push_back(errors.errors.back());
       } else if (!std::isfinite(off)) {
         missing += 1.0;
@@ -128,6 +144,25 @@ MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine,
     std::sort(errors.ascending.begin(), errors.ascending.end());
     maps_.push_back(std::move(errors));
   }
+}
+
+std::size_t MapErrors::beyond() const {
+  std::size_t most = 0;
+  for (const Map& map : maps_) {
+    const auto first = std::ranges::upper_bound(map.ascending, map.tolerance);
+    most = std::max(most, static_cast<std::size_t>(map.ascending.end() - first));
+  }
+  return most;
+}
+
+std::size_t MapErrors::beyond_in_any() const {
+  std::size_t count = 0;
+  for (std::size_t point = 0; point < is_judged_.size(); ++point) {
+    const bool is_off = std::ranges::any_of(
+        maps_, [&](const Map& map) { return map.errors[point] > map.tolerance; });
+    if (is_judged_[point] == 1 && is_off) ++count;
+  }
+  return count;
 }
 
 std::map<std::string, double> MapErrors::of_quantities(double share) const {
@@ -183,8 +218,8 @@ double MapErrors::sensitive_share(const std::vector<MapErrors>& halvings) {
   std::size_t most = 0;
   for (std::size_t map = 0; map < last.maps_.size(); ++map) {
     std::size_t sensitive = 0;
-    for (std::size_t point = 0; point < last.is_periodic_.size(); ++point) {
-      if (last.is_periodic_[point] == 1 && is_sensitive(map, point)) ++sensitive;
+    for (std::size_t point = 0; point < last.is_judged_.size(); ++point) {
+      if (last.is_judged_[point] == 1 && is_sensitive(map, point)) ++sensitive;
     }
     most = std::max(most, sensitive);
   }

@@ -1,7 +1,11 @@
 // How far the maps of a run are from those of a run with shorter steps, at their periodic points.
 //
-// An error is relative to the range of its map, so that neither units nor offsets matter; of a map
-// of classes it is 0 or 1. Samples of sections count as two maps for each state, the smallest and
+// An error is relative to the range of its map, or to what is larger and knows no offset either: of
+// a map that looks at a state or signal, the range of that in the motion; of others, which have a
+// zero of their own (exponents, shares), their size. A map that is the same everywhere, to
+// rounding, is judged by its size. So neither units nor offsets matter. Of a map of classes an
+// error is 0 or
+// 1. Samples of sections count as two maps for each state, the smallest and
 // the largest sample. Left out are attractors' numbers, which mean nothing beside another run's,
 // quantities that are errors themselves, and how many periods a motion took to settle: that is a
 // whole number, which rounding changes by one.
@@ -34,11 +38,17 @@ struct FurthestMap {
 
 class MapErrors {
  public:
-  // Of two runs over the same points. Ranges and periodic points are those of `fine`.
-  MapErrors(const SweepResult& coarse, const SweepResult& fine, const Tolerances& tolerances);
+  // Of two runs over the same points. Ranges and periodic points are those of `fine`; a point that
+  // is periodic in `coarse` and diverges in `fine` is judged, too. motion_ranges: of states and
+  // signals along the motions, by name (study/own_step.hpp).
+  MapErrors(const SweepResult& coarse, const SweepResult& fine, const Tolerances& tolerances,
+            const std::map<std::string, double>& motion_ranges = {});
 
   // Points that stopped on a periodic orbit in the run with shorter steps.
   std::size_t points() const { return points_; }
+  // Of these, how many are beyond the tolerance: of the map that has most, and of any map.
+  std::size_t beyond() const;
+  std::size_t beyond_in_any() const;
   // By quantity, of those that are compared: the error that all but this share of the points keep.
   std::map<std::string, double> of_quantities(double share) const;
   // The largest of these, samples of sections included; 0 where there is none.
@@ -66,7 +76,7 @@ class MapErrors {
     double mean = 0.0, deviation = 0.0;  // mean difference at the others, and its standard error
     double missing = 0.0;                // share of the others with a number in one run alone
   };
-  std::vector<std::uint8_t> is_periodic_;  // [point]
+  std::vector<std::uint8_t> is_judged_;  // [point]
   std::size_t points_ = 0;
   std::vector<Map> maps_;
 };

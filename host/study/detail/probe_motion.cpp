@@ -1,0 +1,228 @@
+#include "study/detail/probe_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+
+#include "model/eigenvalues.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kAimedError = 5e-8, kMaxError = 1e-4;  // of the steps that are taken
+constexpr double kFirstStep = 0.01;                     // times the fastest rate
+// Terms of this size and more, in roundings, stand out from them.
+constexpr double kRounding = 1e6 * std::numeric_limits<double>::epsilon();
+// Of all time: a motion with such steps has come to a time that it does not pass.
+constexpr double kShortestStep = 1e-12;
+constexpr double kSamePhase = 1e-9;
+
+std::vector<double> bounds_of(const Model& model, const ModelSetting& setting) {
+  std::vector<double> breaks = model.break_phases(setting);
+  std::ranges::sort(breaks);
+  std::vector<double> bounds = {0.0};
+  for (const double phase : breaks) {
+    if (phase > bounds.back() + kSamePhase && phase < 1.0 - kSamePhase) bounds.push_back(phase);
+  }
+  bounds.push_back(1.0);
+  return bounds;
+}
+
+// An eigenvalue takes as many operations as 25 products of matrices.
+std::size_t steps_between_rates(std::size_t states) {
+  return std::clamp<std::size_t>(states * states / 8, 10, 200);
+}
+
+bool is_finite(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
+
+}  // namespace
+
+double ProbeMotion::Stretch::step_of(double local_error) const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const Step& step : steps) {
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      const double range = high[i] - low[i];
+      if (range <= rounding[i] || step.errors[i] <= 0.0) continue;
+      longest =
+          std::min(longest, step.length * std::pow(local_error * range / step.errors[i], 0.2));
+    }
+  }
+  return longest;
+}
+
+ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<double> start)
+    : model_(model),
+      setting_(std::move(setting)),
+      is_forced_(!model.is_autonomous),
+      point_(model.prepare(setting_)),
+      period_(point_->period()),
+      bounds_(bounds_of(model, setting_)),
+      x_(std::move(start)) {}
+
+ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
+  Stretch stretch;
+  stretch.low = stretch.high = x_;
+  stretch.rounding.assign(x_.size(), 0.0);
+  look_at_signals(&stretch);
+  const double max_length =
+      is_forced_ ? period_ / kForcedSteps : std::numeric_limits<double>::infinity();
+  const std::size_t between = steps_between_rates(x_.size());
+  double turns = 0.0;  // periods that were gone through
+  for (std::size_t done = 0; done < steps && !escapes_; ++done) {
+    if (done % between == 0) {
+      look_at_rates(&stretch);
+      // A forcing may be slower than all this: look at each part of its period.
+      const double due = static_cast<double>(done) / static_cast<double>(steps);
+      if (is_forced_ && turns < due) {
+        phase_ = std::fmod(phase_ + due - turns, 1.0);
+        turns = due;
+        segment_ = 0;
+        while (bounds_[segment_ + 1] <= phase_) ++segment_;
+      }
+    }
+    if (length_ == 0.0) length_ = stretch.rate > 0.0 ? kFirstStep / stretch.rate : period_ / 1024;
+    const double left = (bounds_[segment_ + 1] - phase_) * period_;
+    const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
+    double length = std::min(ends_segment ? left : length_, max_length);
+    Trial trial = attempt(stretch, length);
+    bool is_smooth = true;
+    while (!(trial.excess <= kMaxError)) {
+      Trial half = attempt(stretch, 0.5 * length);
+      is_smooth = !(half.excess > trial.excess / 8.0);
+      if (!is_smooth && std::isfinite(trial.excess)) break;
+      length *= 0.5;
+      trial = std::move(half);
+      escapes_ = length < kShortestStep * (time_ + length_);
+      if (escapes_) return stretch;
+    }
+    const bool is_at_end = ends_segment && length == left;
+    const double end_phase = is_at_end ? bounds_[segment_ + 1] : phase_ + length / period_;
+    if (is_smooth && !crosses_limit(trial.end, end_phase)) {
+      stretch.steps.push_back({length, std::move(trial.errors)});
+    }
+    x_ = std::move(trial.end);
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      stretch.low[i] = std::min(stretch.low[i], x_[i]);
+      stretch.high[i] = std::max(stretch.high[i], x_[i]);
+    }
+    time_ += length;
+    turns += length / period_;
+    phase_ = end_phase;
+    look_at_signals(&stretch);
+    if (is_at_end) {
+      segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
+      phase_ = bounds_[segment_];
+    }
+    const double factor = trial.excess > 0.0 ? std::pow(kAimedError / trial.excess, 0.2) : 2.0;
+    // A short step to the end of a segment says little of the next one.
+    if (is_smooth && !(is_at_end && length < 0.5 * length_)) {
+      length_ = length * std::clamp(factor, 0.3, 2.0);
+    }
+    length_ = std::min(length_, max_length);
+    escapes_ = length_ < kShortestStep * time_;
+  }
+  return stretch;
+}
+
+std::vector<double> ProbeMotion::coefs_at(double phase) const {
+  std::vector<double> row(model_.phase_coefs.size());
+  model_.phase_coefs_at(setting_, phase, 0.5 * (bounds_[segment_] + bounds_[segment_ + 1]),
+                        row.data());
+  return row;
+}
+
+void ProbeMotion::look_at_signals(Stretch* stretch) const {
+  std::vector<double> now(model_.signals.size());
+  if (now.empty()) return;
+  point_->signals(coefs_at(phase_).data(), x_.data(), now.data());
+  if (stretch->low_signals.empty()) stretch->low_signals = stretch->high_signals = now;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    stretch->low_signals[i] = std::min(stretch->low_signals[i], now[i]);
+    stretch->high_signals[i] = std::max(stretch->high_signals[i], now[i]);
+  }
+}
+
+// What rounding may leave of a state: of itself, and of the terms of its rate over the time in
+// which the motion changes.
+void ProbeMotion::look_at_rates(Stretch* stretch) const {
+  const std::size_t states = x_.size();
+  std::vector<double> jacobian(states * states);
+  point_->jacobian(coefs_at(phase_).data(), x_.data(), jacobian.data());
+  if (!is_finite(jacobian)) return;
+  double rate = 0.0;
+  for (const std::complex<double>& value : eigenvalues(jacobian.data(), states)) {
+    rate = std::max(rate, std::abs(value));
+  }
+  if (stretch->rate == 0.0) stretch->first_rate = rate;
+  stretch->rate = std::max(stretch->rate, rate);
+  for (std::size_t i = 0; i < states; ++i) {
+    double size = std::abs(x_[i]);
+    for (std::size_t j = 0; j < states && rate > 0.0; ++j) {
+      size = std::max(size, std::abs(jacobian[i * states + j] * x_[j]) / rate);
+    }
+    stretch->rounding[i] = std::max(stretch->rounding[i], kRounding * size);
+  }
+}
+
+// coefs: at the step's start, middle and end.
+std::vector<double> ProbeMotion::step(const std::vector<double>* coefs,
+                                      const std::vector<double>& from, double length) const {
+  const std::size_t states = from.size();
+  std::vector<double> at = from, slope(states), sum(states, 0.0);
+  const double reach[] = {0.5, 0.5, 1.0, 0.0};
+  const double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+  for (std::size_t stage = 0; stage < 4; ++stage) {
+    point_->rhs(coefs[(stage + 1) / 2].data(), at.data(), slope.data());
+    for (std::size_t i = 0; i < states; ++i) {
+      sum[i] += weight[stage] * slope[i];
+      at[i] = from[i] + reach[stage] * length * slope[i];
+    }
+  }
+  for (std::size_t i = 0; i < states; ++i) at[i] = from[i] + length * sum[i];
+  return at;
+}
+
+ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) const {
+  std::vector<double> coefs[5];
+  for (std::size_t quarter = 0; quarter < 5; ++quarter) {
+    const double phase = phase_ + 0.25 * static_cast<double>(quarter) * length / period_;
+    coefs[quarter] = quarter == 0 || is_forced_ ? coefs_at(std::min(phase, 1.0)) : coefs[0];
+  }
+  const std::vector<double> ends[] = {coefs[0], coefs[2], coefs[4]};
+  const std::vector<double> whole = step(ends, x_, length);
+  Trial trial;
+  trial.end = step(coefs + 2, step(coefs, x_, 0.5 * length), 0.5 * length);
+  if (!is_finite(whole) || !is_finite(trial.end)) {
+    trial.excess = std::numeric_limits<double>::infinity();
+    return trial;
+  }
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    // Two halves have a sixteenth of the error of the whole.
+    const double error = std::abs(whole[i] - trial.end[i]) * 16.0 / 15.0;
+    const double range =
+        std::max(stretch.high[i], trial.end[i]) - std::min(stretch.low[i], trial.end[i]);
+    trial.errors.push_back(error);
+    if (range > stretch.rounding[i]) trial.excess = std::max(trial.excess, error / range);
+  }
+  return trial;
+}
+
+bool ProbeMotion::crosses_limit(const std::vector<double>& end, double end_phase) const {
+  if (model_.contacts.empty()) return false;
+  std::vector<double> before(model_.signals.size()), after(model_.signals.size());
+  point_->signals(coefs_at(phase_).data(), x_.data(), before.data());
+  point_->signals(coefs_at(end_phase).data(), end.data(), after.data());
+  return std::ranges::any_of(model_.contact_limits(), [&](const ContactLimit& limit) {
+    const ContactInfo& contact = model_.contacts[limit.contact];
+    const auto touches = [&](const std::vector<double>& signals) {
+      return limit.flank * signals[contact.deflection] > signals[contact.backlash];
+    };
+    return touches(before) != touches(after);
+  });
+}
+
+}  // namespace gearsweep

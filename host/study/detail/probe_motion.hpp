@@ -1,0 +1,73 @@
+// A motion that the host follows to learn which step it takes (study/own_step.hpp).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gearsweep {
+
+class ProbeMotion {
+ public:
+  static constexpr double kForcedSteps = 16.0;  // of a period of the forcing, at least
+
+  // model: outlives it. start: one number per state.
+  ProbeMotion(const Model& model, ModelSetting setting, std::vector<double> start);
+
+  // What a stretch of the motion tells of the step that it takes.
+  struct Stretch {
+    // The longest step that keeps the local error at this share of each state's range; infinite
+    // where nothing moves.
+    double step_of(double local_error) const;
+
+    struct Step {
+      double length;
+      std::vector<double> errors;  // [state]
+    };
+    std::vector<Step> steps;                        // that were counted
+    std::vector<double> low, high;                  // [state], over the stretch
+    std::vector<double> low_signals, high_signals;  // [signal]
+    std::vector<double> rounding;                   // [state]: what varies by less is rounding
+    double first_rate = 0.0;                        // at its start
+    double rate = 0.0;  // the largest modulus of the Jacobian's eigenvalues
+  };
+  // Goes on by so many steps, each as long as the local error allows, through at least a period of
+  // the forcing. Ends early where a number overflows.
+  Stretch go_on(std::size_t steps);
+
+  // Whether it went to infinity.
+  bool escapes() const { return escapes_; }
+  double period() const { return period_; }
+
+ private:
+  struct Trial {
+    std::vector<double> end, errors;
+    double excess = 0.0;  // the largest error, relative to the state's range
+  };
+
+  std::vector<double> coefs_at(double phase) const;
+  void look_at_signals(Stretch* stretch) const;
+  void look_at_rates(Stretch* stretch) const;
+  std::vector<double> step(const std::vector<double>* coefs, const std::vector<double>& from,
+                           double length) const;
+  Trial attempt(const Stretch& stretch, double length) const;
+  bool crosses_limit(const std::vector<double>& end, double end_phase) const;
+  double segment_end() const;
+
+  const Model& model_;
+  const ModelSetting setting_;
+  const bool is_forced_;
+  const std::unique_ptr<PreparedPoint> point_;
+  const double period_;
+  std::vector<double> bounds_;  // of the segments between jumps, from 0 to 1
+  std::vector<double> x_;
+  std::size_t segment_ = 0;
+  double phase_ = 0.0;
+  double length_ = 0.0;  // of the next step
+  double time_ = 0.0;    // since the start
+  bool escapes_ = false;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,139 @@
+#include "study/own_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "study/detail/probe_motion.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kLocalError = 1e-7, kLocalErrorOfTransient = 1e-5;  // of each state's range
+constexpr double kRate = 0.3, kRateOfTransient = 2.0;                // times the step
+constexpr std::size_t kSteps = 1000;                                 // of either half of a motion
+
+struct ProbeStart {
+  ModelSetting setting;
+  std::vector<double> state;
+};
+
+// Corners and middle of two axes, five places of one.
+std::vector<ProbeStart> probe_starts(const Study& study) {
+  const std::size_t places = study.axes.size() == 1 ? 5 : 3;
+  std::vector<std::vector<std::size_t>> chosen(2, std::vector<std::size_t>{0});
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+    const std::size_t count = study.axes[axis].values.size();
+    chosen[axis].clear();
+    for (std::size_t i = 0; i < places; ++i) chosen[axis].push_back(i * (count - 1) / (places - 1));
+    chosen[axis].erase(std::ranges::unique(chosen[axis]).begin(), chosen[axis].end());
+  }
+  std::vector<ProbeStart> starts;
+  for (const std::size_t second : chosen[1]) {
+    for (const std::size_t first : chosen[0]) {
+      const std::size_t index[] = {first, second};
+      ProbeStart start = {study.setting, {}};
+      std::vector<std::pair<std::size_t, double>> states;
+      for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+        for (const Swept& swept : study.axes[axis].swept()) {
+          const double value = swept.values[index[axis]];
+          if (swept.is_state) {
+            states.emplace_back(swept.index, value);
+          } else {
+            start.setting.parameters[swept.index] = value;
+          }
+        }
+      }
+      // The plan refuses what is wrong here.
+      if (!study.model->check(start.setting).empty()) continue;
+      start.state = study.initial.policy == InitialPolicy::fixed
+                        ? study.initial.state
+                        : study.model->equilibrium(start.setting);
+      for (const auto& [state, value] : states) start.state[state] = value;
+      starts.push_back(std::move(start));
+    }
+  }
+  return starts;
+}
+
+// The shortest of the steps that are asked for, and who asks.
+struct Shortest {
+  double step = std::numeric_limits<double>::infinity();
+  std::string reason;
+
+  void take(double other, const std::string& why) {
+    if (!(other < step)) return;
+    step = other;
+    reason = why;
+  }
+};
+
+void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest) {
+  ProbeMotion motion(*study.model, start.setting, start.state);
+  const ProbeMotion::Stretch transient = motion.go_on(kSteps);
+  if (!study.model->is_autonomous) {
+    shortest->take(motion.period() / ProbeMotion::kForcedSteps,
+                   "16 steps for each period of the forcing");
+  }
+  const ProbeMotion::Stretch later = motion.go_on(kSteps);
+  // On its way to infinity it gets faster and faster.
+  if (motion.escapes()) {
+    return shortest->take(kRate / transient.first_rate,
+                          fmt::format("the start has a rate of {:.3g}", transient.first_rate));
+  }
+  const std::string error =
+      fmt::format("the error of a step is {} of each state's range", kLocalError);
+  shortest->take(transient.step_of(kLocalErrorOfTransient), error);
+  shortest->take(kRateOfTransient / transient.rate,
+                 fmt::format("the transient has a rate of {:.3g}", transient.rate));
+  shortest->take(later.step_of(kLocalError), error);
+  shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
+}
+
+// The longest that is no longer than `step` and divides the period into a number of the ladder.
+double rounded_down(double step, double period) {
+  const double steps = period / step;
+  const double octave = std::exp2(std::floor(std::log2(steps)));
+  return period / (octave / 4.0 * std::ceil(4.0 * steps / octave - 1e-9));
+}
+
+}  // namespace
+
+OwnStep find_own_step(const Study& study) {
+  const std::vector<ProbeStart> starts = probe_starts(study);
+  Shortest shortest;
+  for (const ProbeStart& start : starts) ask_motion(study, start, &shortest);
+  if (starts.empty()) return {1.0, "no point can be computed"};
+  const double period = study.model->period(starts.front().setting);
+  if (!std::isfinite(shortest.step)) return {period / ProbeMotion::kForcedSteps, "nothing moves"};
+  return {rounded_down(shortest.step, period), shortest.reason};
+}
+
+std::map<std::string, double> motion_ranges(const Study& study) {
+  std::map<std::string, std::vector<double>> found;
+  for (const ProbeStart& start : probe_starts(study)) {
+    ProbeMotion motion(*study.model, start.setting, start.state);
+    motion.go_on(kSteps);
+    const ProbeMotion::Stretch later = motion.go_on(kSteps);
+    if (motion.escapes()) continue;
+    for (std::size_t i = 0; i < later.low.size(); ++i) {
+      found[study.model->states[i].name].push_back(later.high[i] - later.low[i]);
+    }
+    for (std::size_t i = 0; i < later.low_signals.size(); ++i) {
+      const double range = later.high_signals[i] - later.low_signals[i];
+      if (std::isfinite(range)) found[study.model->signals[i].name].push_back(range);
+    }
+  }
+  std::map<std::string, double> ranges;
+  for (auto& [name, values] : found) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    ranges[name] = *middle;
+  }
+  return ranges;
+}
+
+}  // namespace gearsweep
