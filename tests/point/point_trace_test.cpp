@@ -79,14 +79,17 @@ double line_of(const Trace& trace, const std::vector<double>& values, double lin
   return 2.0 * std::abs(sum) / trace.period;
 }
 
-// With 32 samples in the whole period of 19 meshes there would be no order above 16/19, and those
-// below would have the mesh orders in them.
+// With 256 samples in the whole period of 19 meshes, the mesh orders above 6 would come down
+// between the sidebands. At whole orders samples of a force that jumps keep an error of the jump
+// over their number.
 TEST(PointTrace, HasTheSidebandsOfACrackedTooth) {
   const Study study = with_windows(cracked(), {}, 19);
-  const Trace sampled = traces_of(study, {}).traces.front();
-  PointTraces steps;
-  ASSERT_TRUE(add_point_trace(study, find_place(study, {}, ""), 0, {}, &steps));
-  const Trace& fine = steps.traces.front();
+  PointTraces both;
+  for (const std::size_t samples : {256U, 0U}) {
+    ASSERT_TRUE(add_point_trace(study, find_place(study, {}, ""), samples, {}, &both));
+  }
+  const Trace& sampled = both.traces.front();
+  const Trace& fine = both.traces.back();
   const auto force = static_cast<std::size_t>(
       std::distance(sampled.channels.begin(),
                     std::ranges::find(sampled.channels, std::string("dmf"), &ChannelInfo::name)));
@@ -96,6 +99,7 @@ TEST(PointTrace, HasTheSidebandsOfACrackedTooth) {
     largest = std::max(largest, spectrum.amplitude[line]);
   }
   for (std::size_t line = 1; line <= 60; ++line) {
+    if (line % 19 == 0) continue;
     const double exact = line_of(fine, fine.values[force], static_cast<double>(line));
     EXPECT_NEAR(spectrum.amplitude[line], exact, 0.02 * exact + 0.002 * largest) << line << "/19";
   }

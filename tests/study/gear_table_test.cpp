@@ -230,8 +230,8 @@ TEST(GearTable, DoubtsWhatIsFarFromAnyGear) {
   const Table heavy = with(unequal_pair(), "mass_kg", "[900, 3.2]");
   EXPECT_THAT(doubts(heavy), ::testing::Contains(HasSubstr("mass_kg = 900 of the pinion")));
   EXPECT_THAT(doubts(with(table_1(), "mass_kg", "900")), ::testing::Not(::testing::IsEmpty()));
-  const Table metres = with(unequal_pair(), "inertia_kg_mm2", "[600e-6, 9000e-6]");
-  EXPECT_THAT(doubts(metres), ::testing::SizeIs(2));
+  const Table in_cm2 = with(unequal_pair(), "inertia_kg_mm2", "[6, 90]");
+  EXPECT_THAT(doubts(in_cm2), ::testing::SizeIs(2));
   EXPECT_THAT(doubts(with(table_1(), "half_backlash_mm", "1")), ::testing::SizeIs(1));
 }
 
