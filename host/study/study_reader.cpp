@@ -61,6 +61,7 @@ GearConversion read_gear(const toml::table* gear, const toml::table* own, Study*
   study->scales = conversion.scales;
   study->dynamic_factor = conversion.dynamic_factor;
   study->gear_notes = conversion.notes;
+  study->notices.insert(study->notices.end(), conversion.doubts.begin(), conversion.doubts.end());
   for (const GearParameter& parameter : conversion.parameters) {
     const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
     study->setting.parameters[index] = parameter.value;

@@ -176,6 +176,65 @@ TEST(GearTable, FaceWidthGivesTheStiffnessOfIso6336) {
                                     HasSubstr("c_gamma = 20.8463")));
 }
 
+// The second factor of C_B, 1 - 0.02 (20 - alpha_n): 1.05 and 1.1 times the c' of the same teeth at
+// 20 degrees, 0.9 times at 15. It takes the pressure angle of the normal section.
+TEST(GearTable, TheStiffnessGrowsWithThePressureAngle) {
+  Table table = with(without(table_1(), "mesh_stiffness_N_per_m"), "face_width_mm", "10");
+  table["contact_ratio"] = "1.5";
+  const auto k0 = [](const Table& of) { return convert(of).scales.k0; };
+  const auto ratio_at = [&](const char* degrees) {
+    return k0(with(table, "pressure_angle_deg", degrees)) / k0(table);
+  };
+  EXPECT_EQ(ratio_at("20"), 1.0);
+  EXPECT_NEAR(ratio_at("22.5"), 1.05, kRounding);
+  EXPECT_NEAR(ratio_at("25"), 1.1, kRounding);
+  EXPECT_NEAR(ratio_at("15"), 0.9, kRounding);
+  // c' = 0.8 x 0.975 x 1.1 / q' by hand.
+  EXPECT_THAT(notes_of(convert(with(table, "pressure_angle_deg", "25"))),
+              AllOf(HasSubstr("C_B = 1.0725"), HasSubstr("c' = 14.9048")));
+  table["dedendum_mm"] = "3.6";
+  EXPECT_NEAR(ratio_at("25"), 1.1, kRounding);
+  table["helix_angle_deg"] = "20";
+  EXPECT_NEAR(ratio_at("25"), 1.1, kRounding);
+}
+
+// Of 20 and 30 teeth of module 4 with x1 + x2 = 0.28 by bisection elsewhere: 101.0777 mm without
+// play. Drawings round.
+TEST(GearTable, RefusesWhatCannotBeAssembled) {
+  const Table shifted = with(with(with(table_1(), "teeth", "[20, 30]"), "module_mm", "4"),
+                             "profile_shift", "[0.28, 0]");
+  const auto at = [&](const char* centre) { return with(shifted, "centre_distance_mm", centre); };
+  EXPECT_THAT(message_of(at("100")),
+              AllOf(HasSubstr(line_of(at("100"), "centre_distance_mm")),
+                    HasSubstr("centre_distance_mm = 100 is too small"), HasSubstr("101.078 mm")));
+  EXPECT_THAT(message_of(at("101.06")), HasSubstr("too small"));
+  for (const char* centre : {"101.07", "101.08", "101.5"})
+    EXPECT_EQ(message_of(at(centre)), "accepted");
+  EXPECT_THAT(message_of(with(table_1(), "centre_distance_mm", "119.9")), HasSubstr("too small"));
+  EXPECT_EQ(message_of(with(table_1(), "centre_distance_mm", "119.999")), "accepted");
+  // The flanks of a tooth of this pinion meet at 92.3 mm, by bisection elsewhere.
+  const Table pointed = without(unequal_pair(), "addendum_mm");
+  const auto tips = [&](const char* both) { return with(pointed, "tip_diameter_mm", both); };
+  EXPECT_EQ(message_of(tips("[91, 167]")), "accepted");
+  EXPECT_THAT(message_of(tips("[93, 167]")), HasSubstr("teeth of the pinion come to a point"));
+}
+
+TEST(GearTable, DoubtsWhatIsFarFromAnyGear) {
+  EXPECT_THAT(convert(table_1()).doubts, ::testing::IsEmpty());
+  EXPECT_THAT(convert(unequal_pair()).doubts, ::testing::IsEmpty());
+  const auto doubts = [](const Table& table) { return convert(table).doubts; };
+  const Table wide = with(unequal_pair(), "face_width_mm", "250");
+  EXPECT_THAT(doubts(wide),
+              ::testing::Contains(AllOf(HasSubstr(line_of(wide, "face_width_mm")),
+                                        HasSubstr("3.12 times the pinion's reference diameter"))));
+  const Table heavy = with(unequal_pair(), "mass_kg", "[900, 3.2]");
+  EXPECT_THAT(doubts(heavy), ::testing::Contains(HasSubstr("mass_kg = 900 of the pinion")));
+  EXPECT_THAT(doubts(with(table_1(), "mass_kg", "900")), ::testing::Not(::testing::IsEmpty()));
+  const Table in_cm2 = with(unequal_pair(), "inertia_kg_mm2", "[6, 90]");
+  EXPECT_THAT(doubts(in_cm2), ::testing::SizeIs(2));
+  EXPECT_THAT(doubts(with(table_1(), "half_backlash_mm", "1")), ::testing::SizeIs(1));
+}
+
 // mpmath, 30 digits; the path of contact by coordinates on the line of action (entry, pitch point
 // and exit measured from the pinion's base tangent point), not by the two halves used in the code.
 TEST(GearTable, UnequalPairWithUnequalAddenda) {

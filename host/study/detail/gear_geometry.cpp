@@ -19,6 +19,11 @@ void read_teeth(GearReader& in, GearGeometry* out) {
   out->gear_teeth = teeth[1];
 }
 
+// What gives the tips.
+const GearKey& tip_key(const GearReader& in) {
+  return in.has(kTipDiameter) ? kTipDiameter : kAddendum;
+}
+
 double involute(double angle) { return std::tan(angle) - angle; }
 
 // By Newton's method, from where it converges from above.
@@ -29,6 +34,55 @@ double angle_of_involute(double wanted) {
     angle -= (tangent - angle - wanted) / (tangent * tangent);
   }
   return angle;
+}
+
+// The working pressure angle at which the gears stand without play of the tool's profile:
+// inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) x/z. Nothing where there is none.
+std::optional<double> angle_without_play(const GearGeometry& geometry, double normal_alpha,
+                                         double tool_alpha) {
+  const double shifts = geometry.shift[0] + geometry.shift[1];
+  if (shifts == 0.0) return tool_alpha;
+  const double teeth = geometry.pinion_teeth + geometry.gear_teeth;
+  const double wanted = involute(tool_alpha) + 2.0 * std::tan(normal_alpha) * shifts / teeth;
+  if (wanted <= 0.0) return std::nullopt;
+  return angle_of_involute(wanted);
+}
+
+// Nearer than without play, teeth of the full thickness would lie in one another. Drawings round
+// centre distances to 0.01 mm and shift coefficients to three digits.
+void refuse_overlap(const GearReader& in, const GearGeometry& geometry, double least) {
+  const double rounding = 0.005 + 0.001 * geometry.module;  // mm
+  if (geometry.centre >= least - rounding) return;
+  fail_at(in.node(kCentreDistance),
+          fmt::format("centre_distance_mm = {:.6g} is too small: with profile_shift = [{:g}, {:g}] "
+                      "the teeth touch on both flanks at {:.6g} mm, and nearer they cannot be "
+                      "assembled; teeth that are cut thinner have a smaller profile_shift",
+                      geometry.centre, geometry.shift[0], geometry.shift[1], least));
+}
+
+// The thickness of a tooth at its tip, along the arc, in the transverse section.
+double tip_thickness(const GearGeometry& geometry, std::size_t gear, double tip) {
+  const double reference =
+      geometry.reference(gear == 0 ? geometry.pinion_teeth : geometry.gear_teeth);
+  const double base = gear == 0 ? geometry.pinion_base : geometry.gear_base;
+  const double at_reference =
+      geometry.module / std::cos(geometry.helix) *
+      (0.5 * std::numbers::pi + 2.0 * geometry.shift[gear] * std::tan(geometry.normal_alpha));
+  return 2.0 * tip *
+         (at_reference / (2.0 * reference) + involute(std::acos(base / reference)) -
+          involute(std::acos(base / tip)));
+}
+
+void refuse_pointed(const GearReader& in, const GearGeometry& geometry,
+                    const std::vector<double>& tips) {
+  for (std::size_t gear = 0; gear < tips.size(); ++gear) {
+    const double thickness = tip_thickness(geometry, gear, tips[gear]);
+    if (thickness > 0.0) continue;
+    fail_at(in.node(tip_key(in)),
+            fmt::format("the teeth of the {} come to a point before their tip circle of {:.6g} mm "
+                        "in diameter; smaller tips are needed",
+                        gear == 0 ? "pinion" : "gear", 2.0 * tips[gear]));
+  }
 }
 
 // Contact begins on the gear's addendum circle and ends on the pinion's.
@@ -63,9 +117,7 @@ void refuse_interference(const GearReader& in, const GearGeometry& geometry,
   const auto check = [&](double share, double base, const char* whose) {
     const double beyond = share * geometry.base_pitch - base * std::tan(geometry.alpha);
     if (beyond > 1e-9 * base) {
-      const GearKey& origin = in.has(kContactRatio)  ? kContactRatio
-                              : in.has(kTipDiameter) ? kTipDiameter
-                                                     : kAddendum;
+      const GearKey& origin = in.has(kContactRatio) ? kContactRatio : tip_key(in);
       fail_at(
           in.node(origin),
           fmt::format("the path of contact reaches {:.3g} mm beyond the point where the line of "
@@ -95,13 +147,13 @@ GearGeometry read_geometry(GearReader& in) {
   const double teeth = out.pinion_teeth + out.gear_teeth;
   const double standard = out.reference(teeth);
   const double shifts = out.shift[0] + out.shift[1];
+  out.normal_alpha = normal_alpha;
+  const std::optional<double> free = angle_without_play(out, normal_alpha, tool_alpha);
   if (shifts != 0.0 && !in.has(kCentreDistance)) {
-    // Without backlash of the tool's profile: inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) x/z.
-    const double wanted = involute(tool_alpha) + 2.0 * std::tan(normal_alpha) * shifts / teeth;
-    if (wanted <= 0.0) {
+    if (!free) {
       fail_at(in.node(kProfileShift), "profile_shift brings the gears too near: no pressure angle");
     }
-    out.alpha = angle_of_involute(wanted);
+    out.alpha = *free;
     out.centre = (out.pinion_base + out.gear_base) / std::cos(out.alpha);
     return out;
   }
@@ -117,6 +169,7 @@ GearGeometry read_geometry(GearReader& in) {
     }
     out.alpha = std::acos(touching / out.centre);
   }
+  if (free) refuse_overlap(in, out, (out.pinion_base + out.gear_base) / std::cos(*free));
   return out;
 }
 
@@ -136,6 +189,7 @@ ContactPath read_path(GearReader& in, const GearGeometry& geometry, GearParamete
                         "at centre_distance_mm = {:.6g}",
                         addenda[0], addenda[1], geometry.centre));
   }
+  refuse_pointed(in, geometry, tips);
   const double from_geometry = drawn.contact_ratio();
   const std::optional<double> given = in.optional(kContactRatio);
   const double eps = given.value_or(from_geometry);

@@ -50,6 +50,7 @@ struct GearGeometry {
   double pinion_teeth, gear_teeth, module;
   double pinion_base, gear_base;  // base radii Rp, Rg
   double alpha;                   // working pressure angle
+  double normal_alpha;            // of the tool
   double centre;                  // centre distance
   double base_pitch;              // transverse, as all of these but the module
   double helix;                   // at the reference circle
@@ -65,6 +66,9 @@ struct GearGeometry {
 // By ISO 6336-1, how many times as stiff as one pair of teeth the mesh is in the mean, of a
 // transverse contact ratio.
 inline double pairs_in_mean(double contact_ratio) { return 0.75 * contact_ratio + 0.25; }
+
+// What is possible, but far from any gear: a line each, with the place.
+std::vector<std::string> doubts_about(GearReader& in, const GearGeometry& geometry);
 
 // The path of contact on the line of action, in base pitches: from entry to the pitch point and on
 // to exit.

@@ -14,10 +14,11 @@
 namespace gearsweep {
 namespace {
 
-// C_B of ISO 6336-1 at a pressure angle of 20 degrees.
+// C_B of ISO 6336-1: one factor of the dedendum, one of the normal pressure angle.
 double read_rack_factor(GearReader& in, const GearGeometry& geometry) {
+  const double of_angle = 1.0 - 0.02 * (20.0 - in.optional(kPressureAngle).value_or(20.0));
   const std::optional<double> dedendum = in.optional(kDedendum);
-  if (!dedendum) return 0.975;
+  if (!dedendum) return 0.975 * of_angle;
   const double in_modules = *dedendum / geometry.module;
   if (!(in_modules >= 1.0 && in_modules <= 2.0)) {
     fail_at(in.node(kDedendum),
@@ -25,7 +26,7 @@ double read_rack_factor(GearReader& in, const GearGeometry& geometry) {
                         "are possible",
                         *dedendum, in_modules));
   }
-  return 1.0 + 0.5 * (1.2 - in_modules);
+  return (1.0 + 0.5 * (1.2 - in_modules)) * of_angle;
 }
 
 // Mean mesh stiffness k0 in N/m, as given or from the face width: ISO 6336-1, method B, for steel
@@ -62,13 +63,16 @@ double read_mesh_stiffness(GearReader& in, const GearGeometry& geometry, double 
   const double x1 = geometry.shift[0], x2 = geometry.shift[1];
   const double q = 0.04723 + 0.15551 / z1 + 0.25791 / z2 - 0.00635 * x1 - 0.11654 * x1 / z1 -
                    0.00193 * x2 - 0.24188 * x2 / z2 + 0.00529 * x1 * x1 + 0.00182 * x2 * x2;
-  const double single = 0.8 * read_rack_factor(in, geometry) / q * slant;
+  const double rack = read_rack_factor(in, geometry);
+  const double single = 0.8 * rack / q * slant;
   const double mesh = single * pairs_in_mean(contact_ratio);
   const double k0 = mesh * width * 1e6;
-  notes->push_back(fmt::format(
-      "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
-      "q' = {:.6g} um mm/N, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), face width {:.6g} mm",
-      k0, q, single, mesh, width));
+  notes->push_back(
+      fmt::format("mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
+                  "q' = {:.6g} um mm/N, C_B = {:.6g}, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
+                  "face width {:.6g} "
+                  "mm",
+                  k0, q, rack, single, mesh, width));
   return k0;
 }
 
@@ -209,6 +213,7 @@ GearConversion convert_gear(const toml::table& gear, const GearValues& values) {
                    fmt::format("zp 2 pi n/60 / varpi = {:.6g} rpm / {:.6g} rpm", *speed,
                                out.scales.rpm_per_omega));
   }
+  out.doubts = doubts_about(in, geometry);
   out.parameters = parameters.take();
   return out;
 }

@@ -35,7 +35,8 @@ struct GearConversion {
   std::vector<GearParameter> parameters;  // each once; omega only when the pinion's speed is given
   std::vector<GearOption> options;
   Curves curves;
-  std::vector<std::string> notes;  // intermediate results, one line each
+  std::vector<std::string> notes;   // intermediate results, one line each
+  std::vector<std::string> doubts;  // what is far from any gear, one line each, with the place
   Scales scales;
   std::optional<DynamicFactorInput> dynamic_factor;  // where the table has what K_v takes
 };

@@ -1,0 +1,90 @@
+// Numbers that a gear pair may have and none has: most often they are in another unit.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "study/detail/gear_parts.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr std::array kWhose = {"pinion", "gear"};
+
+// A wider gear does not carry over its width: textbooks end at 1.2 to 2 pinion diameters.
+constexpr double kWidest = 2.0;
+// Between gears with webs and holes, and gears with shafts and flanges, there is less than this.
+constexpr double kFactor = 10.0;
+
+class Doubts {
+ public:
+  Doubts(GearReader& in, const GearGeometry& geometry) : in_(in), geometry_(geometry) {}
+
+  std::vector<std::string> run() {
+    const double widest = kWidest * 2.0 * reference(0);
+    const std::optional<double> width = in_.optional(kFaceWidth);
+    if (width && *width > widest) {
+      add(kFaceWidth, fmt::format("face_width_mm = {:.4g} is {:.3g} times the pinion's reference "
+                                  "diameter; gears have at most {:g}",
+                                  *width, *width / (2.0 * reference(0)), kWidest));
+    }
+    const std::vector<double> mass = in_.list(kMass, 2);
+    const std::vector<double> inertia = in_.list(kInertia, 2);
+    for (std::size_t gear = 0; gear < 2; ++gear) {
+      compare_mass(gear, mass[gear], width, width.value_or(widest));
+      compare_inertia(gear, inertia[gear], mass[gear]);
+    }
+    const double backlash = 2.0 * in_.required(kHalfBacklash);
+    if (backlash > 0.5 * geometry_.module) {
+      add(kHalfBacklash, fmt::format("half_backlash_mm = {:.4g} is {:.3g} modules; gears have at "
+                                     "most 0.25",
+                                     0.5 * backlash, 0.5 * backlash / geometry_.module));
+    }
+    return std::move(lines_);
+  }
+
+ private:
+  double reference(std::size_t gear) const {
+    return geometry_.reference(gear == 0 ? geometry_.pinion_teeth : geometry_.gear_teeth);
+  }
+
+  void add(const GearKey& key, const std::string& text) {
+    lines_.push_back(fmt::format("{}: {}", place_of(in_.node(key)), text));
+  }
+
+  // Without a face width only what no width explains is told.
+  void compare_mass(std::size_t gear, double mass, const std::optional<double>& width,
+                    double widest) {
+    constexpr double kSteel = 7.85e-6;  // kg/mm^3
+    const double radius = reference(gear);
+    const double disc = kSteel * std::numbers::pi * radius * radius * widest;
+    if (mass <= kFactor * disc && (!width || mass >= disc / kFactor)) return;
+    add(kMass, fmt::format("mass_kg = {:.4g} of the {}: a steel disc of its reference diameter and "
+                           "{:.4g} mm {}has {:.3g} kg",
+                           mass, kWhose[gear], widest, width ? "" : "(twice the pinion's) ", disc));
+  }
+
+  void compare_inertia(std::size_t gear, double inertia, double mass) {
+    const double radius = reference(gear);
+    const double disc = 0.5 * mass * radius * radius;
+    if (inertia <= kFactor * disc && inertia >= disc / kFactor) return;
+    add(kInertia, fmt::format("inertia_kg_mm2 = {:.4g} of the {}: a disc of its mass and reference "
+                              "diameter has {:.3g} kg mm^2",
+                              inertia, kWhose[gear], disc));
+  }
+
+  GearReader& in_;
+  const GearGeometry& geometry_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> doubts_about(GearReader& in, const GearGeometry& geometry) {
+  return Doubts(in, geometry).run();
+}
+
+}  // namespace gearsweep
