@@ -284,6 +284,7 @@ Model make_model(const ModelDefinition& given) {
   set_lists(definition, formula, lowered, &model);
   model.contacts = contacts;
   model.findings = findings_of(definition, formula, lowered);
+  model.unused = formula.unused;
   model.kernel = kernel_of(definition, &formula, lowered);
   const std::size_t jumps = formula.jumps.size();
   model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };

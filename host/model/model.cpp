@@ -22,6 +22,12 @@ int Model::find_state(std::string_view state) const { return index_of(states, st
 int Model::find_signal(std::string_view signal) const { return index_of(signals, signal); }
 int Model::find_option(std::string_view option) const { return index_of(options, option); }
 
+bool Model::uses_parameter(std::string_view parameter) const {
+  return std::ranges::none_of(unused, [&](const UnusedName& one) {
+    return one.kind == "parameter" && one.name == parameter;
+  });
+}
+
 std::vector<ContactLimit> Model::contact_limits() const {
   std::vector<ContactLimit> limits;
   for (std::size_t i = 0; i < contacts.size(); ++i) {

@@ -103,6 +103,14 @@ struct MirrorPairs {
   std::vector<Pair> parameters;
 };
 
+// What a text of equations defines and neither an equation, a start, a signal, a jump nor the
+// period depends on.
+struct UnusedName {
+  std::string kind;  // "parameter" or "constant"
+  std::string name;
+  std::string place;  // "impact.toml:12"
+};
+
 // What a model is that stands for a larger one, with some of its states alone. Indices are those of
 // the whole model, in its order.
 struct Reduction {
@@ -137,6 +145,7 @@ struct Model {
   // has the header.
   std::string text, kernel;
   std::vector<std::string> findings;
+  std::vector<UnusedName> unused;
 
   // What is wrong with a setting whose ranges are right; empty if nothing.
   std::function<std::string(const ModelSetting&)> check;
@@ -153,6 +162,9 @@ struct Model {
   std::function<Model(const Curves&)> with_curves;
   // As of prepare(), without the rest: a plan asks for each point of a study.
   std::function<double(const ModelSetting&)> period;
+
+  // Whether anything depends on a parameter: false of those in `unused`.
+  bool uses_parameter(std::string_view parameter) const;
 
   // Index of a name, or -1.
   int find_parameter(std::string_view parameter) const;

@@ -112,6 +112,11 @@ FollowedRange find_range(const Model& model, const std::string& name, double fro
     require_in_range(model.parameters[range.parameter], value, origin);
   }
   if (from == to) throw InputError(told_of(origin, "the range is empty"));
+  if (!model.uses_parameter(name)) {
+    throw InputError(told_of(
+        origin, fmt::format("nothing in model '{}' depends on '{}': there is nothing to follow",
+                            model.name, name)));
+  }
   return range;
 }
 

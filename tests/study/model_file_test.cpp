@@ -102,8 +102,6 @@ TEST(ModelFile, IsRefusedWithThePlace) {
             HasSubstr("- 2*z*v*stifness"), HasSubstr("^")));
   EXPECT_THAT(refusal_of(with(pair_model(), "f = \"backlash(x, b)\"", "f = \"backlash(f, b)\"")),
               HasSubstr("pair.toml:20:6: 'f' is defined by itself: f -> f"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "[equations]", "spare = \"b\"\n[equations]")),
-              HasSubstr("'spare' is used nowhere"));
   EXPECT_THAT(refusal_of(with(pair_model(), "\nx = \"v\"", "")), HasSubstr("'x' has no equation"));
   EXPECT_THAT(refusal_of(with(pair_model(), "x = \"v\"", "x = \"v\"\ny = \"v\"")),
               HasSubstr("'y' is not a state"));
@@ -329,8 +327,29 @@ TEST(ModelFile, MayCallAParameterByAnotherNameInExpressions) {
               HasSubstr("'sin' has a meaning of its own"));
   EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "phase = { as = \"b\", value = 0.05 }")),
               HasSubstr("'b' is defined twice"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "z = 0.05\nspare = 1.0")),
-              HasSubstr("parameter 'spare' is used nowhere"));
+}
+
+// A term that is commented out must not break a study. What the term alone used is told, with what
+// only that used: 'spare' is in no constant but 'part'.
+TEST(ModelFile, TellsWhatIsUsedNowhere) {
+  const auto study_with = [](const std::string& model, const std::string& axis) {
+    return "[model]\nfile = 'pair.toml'\ntext = '''\n" + model + "'''\n[[axes]]\nname = '" + axis +
+           "'\nvalues = [0.5, 1.0]\n";
+  };
+  const std::string text = with(with(pair_model(), "z = 0.05", "z = 0.05\nspare = 1.0"),
+                                "[equations]", "part = \"spare/2\"\n[equations]");
+  const Study study = read_study(study_with(text, "omega"), "s.toml");
+  EXPECT_THAT(study.notices,
+              ElementsAre(HasSubstr("pair.toml:11: parameter 'spare' is used nowhere"),
+                          HasSubstr("pair.toml:23: constant 'part' is used nowhere")));
+  EXPECT_THAT(refusal(study_with(text, "spare")),
+              HasSubstr("s.toml:36: nothing in model 'pair' depends on 'spare'"));
+  const std::string used = with(text, "2*z*v", "2*z*part*v");
+  EXPECT_THAT(read_study(study_with(used, "spare"), "s.toml").notices, ::testing::IsEmpty());
+  // A constant may have the value of one that is used.
+  const std::string same = with(pair_model(), "[equations]", "spare = \"b\"\n[equations]");
+  EXPECT_THAT(read_study(study_with(same, "b"), "s.toml").notices,
+              ElementsAre(HasSubstr("constant 'spare' is used nowhere")));
 }
 
 // The values of the file are a preset, too; the file may name it.

@@ -15,6 +15,8 @@
 namespace gearsweep {
 namespace {
 
+const char* const kModel = "";  // no name of a constant
+
 [[noreturn]] void fail_in(const ExpressionText& text, std::size_t position,
                           const std::string& message) {
   throw InputError(fmt::format("{}:{}:{}: {}\n{}", text.file, text.line, text.column + position,
@@ -56,7 +58,7 @@ class FormulaReader {
     }
     formula_.period = of_parameters(definition_.period, "the period");
     for (const double jump : tables_.jumps()) formula_.jumps.push_back(formula_.graph.number(jump));
-    refuse_unused();
+    find_unused();
     formula_.constants.assign(constants_.begin(), constants_.end());
     return std::move(formula_);
   }
@@ -90,7 +92,7 @@ class FormulaReader {
   }
 
   std::optional<NodeId> find(const std::string& name) {
-    used_.insert(name);
+    uses_[open_.empty() ? kModel : open_.back()].insert(name);
     if (name == "phase") return formula_.phase;
     for (const std::vector<NodeId>* symbols : {&formula_.states, &formula_.parameters}) {
       for (const NodeId id : *symbols) {
@@ -133,14 +135,27 @@ class FormulaReader {
     return names;
   }
 
-  void refuse_unused() const {
-    for (const ExpressionText& symbol : definition_.symbols) {
-      if (used_.contains(symbol.text)) continue;
-      fail_in(symbol, 0, fmt::format("parameter '{}' is used nowhere", symbol.text));
+  // A parameter of a constant that nothing uses is used by nothing.
+  void find_unused() {
+    std::set<std::string> used;
+    std::vector<std::string> ahead = {kModel};
+    while (!ahead.empty()) {
+      const std::string user = ahead.back();
+      ahead.pop_back();
+      for (const std::string& name : uses_[user]) {
+        if (used.insert(name).second) ahead.push_back(name);
+      }
+    }
+    const auto add = [&](const std::string& kind, const std::string& name,
+                         const ExpressionText& text) {
+      formula_.unused.push_back({kind, name, fmt::format("{}:{}", text.file, text.line)});
+    };
+    for (std::size_t i = 0; i < definition_.parameters.size(); ++i) {
+      const ExpressionText& symbol = definition_.symbols[i];
+      if (!used.contains(symbol.text)) add("parameter", definition_.parameters[i].name, symbol);
     }
     for (const NamedExpression& constant : definition_.constants) {
-      if (used_.contains(constant.name)) continue;
-      fail_in(constant.expression, 0, fmt::format("'{}' is used nowhere", constant.name));
+      if (!used.contains(constant.name)) add("constant", constant.name, constant.expression);
     }
   }
 
@@ -158,7 +173,8 @@ class FormulaReader {
   Tables tables_;
   std::map<std::string, NodeId> constants_;
   std::vector<std::string> open_;  // constants that are being read, outermost first
-  std::set<std::string> used_;
+  // The names in each constant; under kModel those in all that is no constant.
+  std::map<std::string, std::set<std::string>> uses_;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct Formula {
   NodeId phase = 0;
   std::vector<NodeId> equations, start, signals, jumps;
   NodeId period = 0;
+  std::vector<UnusedName> unused;
 };
 
 // Throws InputError.

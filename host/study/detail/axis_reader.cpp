@@ -112,6 +112,11 @@ Axis read_axis(const toml::table& table, const Model& model, const toml::table* 
   const GearKey* key = find_swept_key(model, axis.name);
   if (key == nullptr) {
     const std::pair<double, double> range = bind_swept(model, name, "axis", &axis);
+    if (!axis.is_state && !model.uses_parameter(axis.name)) {
+      fail_at(name, fmt::format("nothing in model '{}' depends on '{}': the points along this axis "
+                                "would all be the same",
+                                model.name, axis.name));
+    }
     read_values(table, &reader, range, &axis);
     return axis;
   }

@@ -155,6 +155,10 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
     read_builtin_model(root, &reader, study);
   }
   const Model& model = *study->model;
+  for (const UnusedName& unused : model.unused) {
+    study->notices.push_back(fmt::format("{}: {} '{}' is used nowhere: its value changes nothing",
+                                         unused.place, unused.kind, unused.name));
+  }
   study->setting = model.default_setting();
   study->parameter_origins.assign(model.parameters.size(), "default");
   study->option_origins.assign(model.options.size(), "default");
