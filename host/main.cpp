@@ -16,13 +16,15 @@ int run_study(const RunRequest& request) {
   // 1. Read the study: model, parameters, axes, what to observe.
   const Study study = requested_study(request);
 
-  // 2. See that its maps can be written, before anything is computed.
+  // 2. See that its maps can be written, before anything is computed, and hold the journal: others
+  // see that the run goes on.
   const RunOutput output(request, study);
   RunReport report(request, output);
   SweepOptions options = output.sweep_options();
   report.watch(&options);
   if (request.dry_run) return report.forecast(forecast_sweep(study, options));
   if (request.restart) output.discard_journal();
+  JournalHold journal(options.journal_path);
 
   // 3. Choose the integration step: as given, or as a pilot run finds for a tolerance.
   const std::optional<SteppedStudy> stepped = choose_step(study, options);
@@ -36,7 +38,7 @@ int run_study(const RunRequest& request) {
   run.plan_tiles();
 
   // 6. Open the journal, which may have tiles of an interrupted run.
-  run.open_journal();
+  run.open_journal(&journal);
 
   // 7. Compute the tiles that it does not have: workers, a thread for each engine, call run_tile()
   // of tile/tile_run.hpp. A finished tile goes into the journal and the maps.

@@ -30,10 +30,13 @@ std::size_t planned_points(const JournalStatus& status) {
   return text.empty() ? 0 : read_count(text);
 }
 
+// What a run notes when its tiles are planned.
+bool is_planned(const JournalStatus& status) { return !note(status, notes::kPoints).empty(); }
+
 // 0 to 1; 0 when nothing is planned yet.
 double share_of(const JournalStatus& status) {
   const std::size_t planned = planned_points(status);
-  if (planned == 0) return note(status, notes::kPoints).empty() ? 0.0 : 1.0;
+  if (planned == 0) return is_planned(status) ? 1.0 : 0.0;
   return static_cast<double>(status.points) / static_cast<double>(planned);
 }
 
@@ -44,6 +47,14 @@ std::string state_of(const JournalStatus& status) {
 }
 
 std::string describe(const std::string& output, const JournalStatus& status) {
+  if (!is_planned(status)) {
+    return status.is_held
+               ? fmt::format(
+                     "{}: running, nothing is done yet: the step is being found, or kernels "
+                     "are being built\n",
+                     output)
+               : fmt::format("{}: interrupted before anything was done; run it again\n", output);
+  }
   const double share = share_of(status);
   std::string text =
       fmt::format("{}: {}, {:.1f} % done: {} of {} points in {} tiles", output, state_of(status),

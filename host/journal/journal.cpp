@@ -155,28 +155,43 @@ std::string describe_differences(const std::map<std::string, std::string>& notes
   return differences;
 }
 
+JournalHold::JournalHold(const std::string& path) : path_(path) {
+  if (path.empty()) return;
+  has_journal(path);  // throws where there is something that can be none
+  lock_ = std::make_unique<FileLock>(path);
+}
+
+JournalHold::~JournalHold() {
+  std::error_code error;
+  if (lock_ && lock_->is_of(path_) && std::filesystem::file_size(path_, error) == 0) {
+    delete_files(path_);  // while it is held, so that another run cannot take it up in between
+  }
+}
+
 // The rollback journal (SQLite's default) writes each byte of an appended tile once, a write-ahead
 // log would write it twice and needs shared memory, which network file systems do not have. Either
 // keeps a commit through kill -9, since the system has the bytes then; synchronous FULL brings them
 // to the disk before the commit returns, which a power cut needs.
-Journal::Journal(const std::string& path, const Identity& identity) : path_(path) {
-  has_journal(path);  // throws where there is something that can be none
-  lock_ = std::make_unique<FileLock>(path);
+Journal::Journal(JournalHold* held, const Identity& identity)
+    : path_(held->path_), lock_(std::move(held->lock_)) {
   try {
-    database_ = std::make_unique<Database>(path);
+    database_ = std::make_unique<Database>(path_);
     database_->execute("PRAGMA synchronous = FULL");
     Transaction transaction(*database_);
     if (read_integer(*database_, "SELECT count(*) FROM sqlite_schema") > 0) {
-      check_identity(*database_, path, identity);
+      check_identity(*database_, path_, identity);
     } else {
       create_tables(*database_, identity);
     }
     transaction.commit();
   } catch (...) {
-    if (lock_->has_created()) delete_files(path);
+    if (lock_->has_created()) delete_files(path_);
     throw;
   }
 }
+
+Journal::Journal(const std::string& path, const Identity& identity)
+    : Journal(std::make_unique<JournalHold>(path).get(), identity) {}
 
 Journal::~Journal() = default;
 

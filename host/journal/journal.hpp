@@ -36,6 +36,24 @@ struct JournalStatus {
 std::string describe_differences(const std::map<std::string, std::string>& notes,
                                  const Identity& identity);
 
+// Holds the journal of a run that does not know yet what its sweep is, as its step is still to be
+// found: Journal::status() tells that it goes on, and no other run takes the file.
+class JournalHold {
+ public:
+  // Creates an empty file where there is none; of an empty path it holds nothing. Throws as
+  // Journal's constructor does.
+  explicit JournalHold(const std::string& path);
+  // Deletes a file that is still empty, unless a Journal has taken it over.
+  ~JournalHold();
+  JournalHold(const JournalHold&) = delete;
+  JournalHold& operator=(const JournalHold&) = delete;
+
+ private:
+  friend class Journal;
+  std::string path_;
+  std::unique_ptr<FileLock> lock_;
+};
+
 // May be used by several threads. Beside what is said below, its functions throw InputError when
 // the file turns out to be damaged (the message says to delete it) and RunError when it cannot be
 // read or written.
@@ -46,6 +64,8 @@ class Journal {
   // records another sweep (the message tells what differs), is no journal, or is held by another
   // run. When it throws, it leaves no file that was not there before.
   Journal(const std::string& path, const Identity& identity);
+  // The same of a file that is held.
+  Journal(JournalHold* held, const Identity& identity);
   ~Journal();
 
   // Keeps these names and values, in the place of those that it had.

@@ -101,12 +101,12 @@ void RunContext::plan_tiles() {
   refuse_too_large(estimate_, options_.journal_path);
 }
 
-void RunContext::open_journal() {
+void RunContext::open_journal(JournalHold* held) {
   if (options_.journal_path.empty()) return;
   const Identity machine = machine_of(info_);
   Identity identity = identity_of(study_, options_.shard);
   if (options_.strict_device) identity.insert(identity.end(), machine.begin(), machine.end());
-  journal_.emplace(options_.journal_path, identity);
+  journal_.emplace(held, identity);
   // A run that goes on keeps the cut, whatever devices it has now.
   const std::string kept = journal_->note(notes::kTilePoints);
   const std::size_t tile_points = kept.empty() ? plan_->tile_points() : read_count(kept, 1);

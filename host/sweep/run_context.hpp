@@ -30,8 +30,9 @@ class RunContext {
   void find_engines();
   // Tiles that keep the engines busy and fit the machine. Writes nothing.
   void plan_tiles();
-  // Creates it, or continues it with tiles as it has them. Without a path there is none.
-  void open_journal();
+  // Continues the journal that is held, or begins it, with tiles as it has them. Without a path
+  // there is none.
+  void open_journal(JournalHold* held);
   // Each tile that the journal does not have. False when the options' `stop` was set: what is
   // finished by then is in the journal, and a journal without any tile is removed.
   bool compute_tiles();

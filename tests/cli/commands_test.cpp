@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "journal/journal.hpp"
 #include "study/builtin_models.hpp"
 #include "study/selection.hpp"
 #include "support/process.hpp"
@@ -90,6 +91,22 @@ TEST(Commands, ATableIsExportedAndNeverTheNameOfAResult) {
     EXPECT_THAT(outcome.err, HasSubstr("gearsweep export"));
     EXPECT_TRUE(folder.files().empty());
   }
+}
+
+// Before its tiles are planned it finds a step and builds kernels.
+TEST(Commands, StatusKnowsARunThatHasJustBegun) {
+  const Folder folder;
+  {
+    const JournalHold held((folder / "map.nc.journal").string());
+    EXPECT_THAT(gearsweep(folder, "status map.nc").out,
+                StartsWith("map.nc: running, nothing is done yet"));
+    EXPECT_THAT(gearsweep(folder, "status map.nc --json").out, HasSubstr("\"running\""));
+    EXPECT_THAT(gearsweep(folder, "run coarse-map -o map.nc").err,
+                HasSubstr("in use by another run"));
+  }
+  folder.write("map.nc.journal", "");
+  EXPECT_EQ(gearsweep(folder, "status map.nc").out,
+            "map.nc: interrupted before anything was done; run it again\n");
 }
 
 TEST(Commands, ATraceIsDrawnInEveryWayAndOverAnother) {

@@ -124,6 +124,28 @@ TEST_F(JournalTest, WhatIsKeptLastStands) {
   EXPECT_EQ(journal.note("nothing"), "");
 }
 
+// While a run finds its step, and builds its kernels.
+TEST_F(JournalTest, IsHeldBeforeItsSweepIsKnown) {
+  {
+    const JournalHold held(path_);
+    EXPECT_TRUE(Journal::status(path_).is_held);
+    EXPECT_TRUE(Journal::status(path_).notes.empty());
+    EXPECT_THAT(refusal(), HasSubstr("in use by another run"));
+  }
+  EXPECT_TRUE(folder_is_empty());
+  {
+    JournalHold held(path_);
+    Journal(&held, kSweepA).store(0, example_tile(0));
+  }
+  {
+    const JournalHold held(path_);
+    EXPECT_EQ(Journal::status(path_).tiles, 1U);
+  }
+  EXPECT_EQ(Journal(path_, kSweepA).finished_tiles(), 1U);
+  EXPECT_THAT(refusal(kSweepB), HasSubstr("another sweep"));
+  const JournalHold nothing("");
+}
+
 TEST_F(JournalTest, AskingForTheStatusOfNoJournalLeavesNone) {
   EXPECT_THROW(Journal::status(path_), InputError);
   EXPECT_TRUE(folder_is_empty());

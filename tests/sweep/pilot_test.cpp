@@ -10,7 +10,9 @@
 #include <complex>
 #include <numbers>
 
+#include "journal/journal.hpp"
 #include "model/error.hpp"
+#include "support/folder.hpp"
 #include "support/run.hpp"
 
 namespace gearsweep::testing {
@@ -202,6 +204,18 @@ TEST(Pilot, SaysThatChaosTellsNothing) {
                       "[integrate]\nsettle = 40\n",
                       {"integrate.tolerance=1e-4"}),
               HasSubstr("arrive on a periodic orbit"));
+}
+
+// A run is there for others from its first moment.
+TEST(Pilot, LetsOthersSeeTheRun) {
+  const Folder folder;
+  SweepOptions options;
+  options.journal_path = (folder / "map.nc.journal").string();
+  bool is_held = false;
+  options.on_pilot = [&](std::size_t) { is_held = Journal::status(options.journal_path).is_held; };
+  EXPECT_TRUE(run_sweep(read_study(kOscillator, "test", {"integrate.tolerance=1e-3"}), options));
+  EXPECT_TRUE(is_held);
+  EXPECT_TRUE(folder.files().empty());
 }
 
 // Nobody has asked for a tolerance.
