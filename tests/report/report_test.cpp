@@ -7,6 +7,7 @@
 #include <stack>
 
 #include "model/error.hpp"
+#include "report/detail/findings.hpp"
 #include "report/detail/html.hpp"
 #include "result/study_source.hpp"
 #include "support/folder.hpp"
@@ -67,6 +68,34 @@ TEST(Report, OfAGearHasEachSection) {
   }
   // The closed form of test_orders, in units of varpi = sqrt(k0/me) = 24896 rad/s.
   for (const char* mode : {"1933 Hz", "2757 Hz", "5652 Hz"}) EXPECT_THAT(html, HasSubstr(mode));
+}
+
+// The stiffness after an entry by that before, of the pairs' parabola: kappa(0) + kappa(1) over
+// kappa(1) with kappa(s) = 1 - q ((s - eps/2)/(eps/2))^2. A sum of cosines does not jump.
+TEST(Report, KnowsHowFarTheForceJumpsAtAnySpeed) {
+  const Study gear = find_study("table1-gear", {"axes.mu.from=0", "parameters.q=0.35"});
+  ModelSetting setting = gear.setting;
+  const auto mu = static_cast<std::size_t>(gear.model->find_parameter("mu"));
+  setting.parameters[mu] = 0.0;
+  const double eps = 1.718, pitch = 2.0 / eps - 1.0;
+  const double after = 1.0 - 0.35 * pitch * pitch;
+  EXPECT_NEAR(static_jump(*gear.model, setting), (0.65 + after) / after, 1e-12);
+  const Study smooth = read_study(
+      "[model]\nname = 'gear1'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.7]\n", "test");
+  EXPECT_EQ(static_jump(*smooth.model, smooth.setting), 1.0);
+}
+
+// Without any error the slowest speed has the factor of the jump, and no vibration: it leads no
+// list of worst speeds.
+TEST(Report, DoesNotTakeTheJumpForAResonance) {
+  std::vector<std::string> changes = small();
+  changes.insert(changes.end(), {"axes.omega.from=0.02", "axes.omega.to=0.76",
+                                 "gear.transmission_error_um=0", "model.backlash=\"constant\""});
+  const std::string html = report_of(find_study("table1-gear", changes));
+  EXPECT_THAT(html, HasSubstr("at least about 1.63 times the mean load"));
+  EXPECT_THAT(html, HasSubstr("Peaks of dmf_std over the speed"));
+  const std::string worst = html.substr(html.find("<h2>Worst speeds</h2>"));
+  EXPECT_THAT(worst.substr(0, worst.find("</table>")), Not(HasSubstr("<td>119 rpm")));
 }
 
 TEST(Report, OfAModelWithoutScalesIsInItsOwnUnits) {

@@ -17,6 +17,10 @@ std::vector<std::string> notes_of_gear5() {
       "Friction between teeth is Coulomb's, with a constant coefficient, in the direction of "
       "nominal sliding.");
   notes.emplace_back("The mesh damper acts for two tooth pairs at all times, out of contact, too.");
+  notes.emplace_back(
+      "A pair of teeth takes up its load at once where it enters: stiffness and force jump there. "
+      "A "
+      "helix makes it gradual.");
   notes.emplace_back("The load is constant; the transmission error acts on the mesh alone.");
   notes.emplace_back(
       "The gears turn at a constant mean speed; each speed is held until the motion has settled.");

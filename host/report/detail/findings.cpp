@@ -25,6 +25,7 @@ std::vector<std::string> report_quantities(const Model& model) {
   const std::string& first = model.states.front().name;
   const ChannelInfo* force = model.contact_force();
   std::vector<std::string> wanted = {(force != nullptr ? force->name : first) + "_max"};
+  if (force != nullptr) wanted.push_back(force->name + "_std");
   for (const char* name : {ReportFindings::kLoadFactor, "contact_class", "dte_peak_to_peak",
                            "bearing_p_max", "bearing_g_max"}) {
     wanted.emplace_back(name);
@@ -214,6 +215,8 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   findings.speed = find_speed_axis(study);
   findings.quantities = report_quantities(*study.model);
   findings.force = findings.quantities.front();
+  const bool has_force = study.model->contact_force() != nullptr;
+  findings.vibration = has_force ? findings.quantities[1] : findings.force;
   std::vector<std::string> overrides = {list_override(findings.quantities)};
   if (study.uncertain.draws() > 0) overrides.emplace_back("uncertain={}");
   findings.study = changed(study, overrides, {});

@@ -25,7 +25,8 @@ struct ReportFindings {
   std::size_t speed = 0;
   std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other
   std::vector<std::string> quantities;               // those of the list below that the model has
-  std::string force;                                 // the quantity that tells the worst speeds
+  std::string force;                                 // the largest force
+  std::string vibration;  // the quantity that ranks the speeds: of the force, where there is one
   // The same as `line` with the study's tolerances, of the force and the contact alone; nothing of
   // a study without.
   std::optional<Study> tolerances;
@@ -49,6 +50,11 @@ struct ReportFindings {
                     const std::string& quantity, bool is_cut,
                     const std::vector<std::string>& legend = {}) const;
 };
+
+// By which factor the force between the teeth rises at once where the stiffness jumps: the
+// deflection, which cannot jump, is that of the static equilibrium. The largest at all break
+// phases, at least 1; 1 of a model without such a force. A load factor begins with it at any speed.
+double static_jump(const Model& model, const ModelSetting& setting);
 
 // Nothing when stopped.
 std::optional<ReportFindings> find_for_report(const Study& study, const ReportOptions& options);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "model/names.hpp"
+#include "plan/plan.hpp"
 #include "report/detail/speeds.hpp"
 #include "result/peaks.hpp"
 #include "result/si_units.hpp"
@@ -134,6 +135,23 @@ void add_dynamic_factor(const ReportFindings& findings, HtmlPage* page) {
       "rigid shafts.");
 }
 
+// What the largest force is at any speed; empty where the force does not jump.
+std::string jump_html(const ReportFindings& findings) {
+  constexpr double kLeast = 1.01;
+  const Study& line = findings.line;
+  const double jump = static_jump(*line.model, Plan(line, line.points()).setting_of(0));
+  if (jump < kLeast) return "";
+  return fmt::format(
+      "The largest force is at least about {:.3g} times the mean load at any speed, also without "
+      "any "
+      "error: where a pair of teeth enters, the stiffness of the model jumps by this factor at "
+      "once, "
+      "and the deflection cannot. Teeth of a gear take up their load gradually. So a largest force "
+      "near that is no resonance, and the speeds are ranked by the vibration of the force, its "
+      "standard deviation, to which the jump adds little.",
+      jump);
+}
+
 // A jump of a run between neighbouring speeds.
 struct Jump {
   std::string run;
@@ -239,7 +257,8 @@ void add_worst_speeds(const ReportFindings& findings, HtmlPage* page) {
   const ResultMap force = findings.over_speed("line.nc", findings.force);
   PeakSearch search;
   search.count = 6;
-  const std::vector<Peak> peaks = find_peaks(force, search);
+  const std::vector<Peak> peaks =
+      find_peaks(findings.over_speed("line.nc", findings.vibration), search);
   std::vector<ResultMap> others;
   for (const std::string& quantity : findings.quantities) {
     if (quantity != findings.force) others.push_back(findings.over_speed("line.nc", quantity));
@@ -260,7 +279,9 @@ void add_worst_speeds(const ReportFindings& findings, HtmlPage* page) {
     rows.push_back(std::move(row));
   }
   page->paragraph(fmt::format("Peaks of {} over the speed{}, the largest first.",
-                              html_text(findings.force), place_html(findings)));
+                              html_text(findings.vibration), place_html(findings)));
+  const std::string jump = jump_html(findings);
+  if (!jump.empty()) page->paragraph(jump);
   page->table(head, rows);
 }
 
