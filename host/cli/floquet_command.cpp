@@ -45,7 +45,8 @@ void add_floquet_command(CLI::App* app) {
   const auto arguments = std::make_shared<FloquetArguments>();
   add_study_argument(command, &arguments->study);
   add_point_option(command, &arguments->at,
-                   "Where to look: a value for each axis of the study, and for other parameters")
+                   "Where to look: a value for each axis of the study, and for other parameters; "
+                   "taken as it is, also between the points of a map")
       ->delimiter(',');
   command
       ->add_option("--along", arguments->along,

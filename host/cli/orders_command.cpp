@@ -52,11 +52,8 @@ std::string orders_command_line(const OrderArguments& arguments) {
 }
 
 Study load_lines(const OrderArguments& arguments) {
-  std::vector<std::string> overrides = arguments.overrides;
-  for (std::string& own : trace_overrides(arguments.settle, arguments.record)) {
-    overrides.push_back(std::move(own));
-  }
-  Study study = load_study(arguments.study, overrides);
+  Study study = with_windows(load_study(arguments.study, arguments.overrides), arguments.settle,
+                             arguments.record);
   if (!arguments.record) study.integrate.record = usual_order_record(study);
   settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &study);
   return study;
@@ -147,21 +144,21 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->type_name("CHANNEL");
   command
       ->add_option("--settle", arguments->settle,
-                   "Forcing periods before, exactly so many (default: the study's, or fewer where "
-                   "the motion is periodic before)")
+                   "Mesh periods before, exactly so many, or up to a whole period of the forcing "
+                   "(default: the study's, or fewer where the motion is periodic before)")
       ->type_name(kNumberValue)
       ->check(whole_number(0));
   command
       ->add_option(
           "--record", arguments->record,
-          "Forcing periods of each spectrum (default: those of 48 mesh periods, whose orders are "
-          "1/48 apart)")
+          "Mesh periods of each spectrum, up to a whole period of the forcing (default: 48, whose "
+          "orders are 1/48 apart)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 100000));
   command
       ->add_option("--samples-per-period", arguments->samples_per_period,
-                   "Moments in each period (default: 256); what is above half as many orders comes "
-                   "down to lower ones, so take many")
+                   "Moments in each mesh period (default: 256); what is above half as many orders "
+                   "comes down to lower ones, so take many")
       ->type_name(kNumberValue)
       ->check(whole_number(4, std::size_t{1} << 16U));
   command->add_option("--orders", arguments->orders, "The highest order (default: 10)")

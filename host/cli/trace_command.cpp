@@ -42,13 +42,30 @@ std::string command_line(const TraceArguments& arguments) {
 }
 
 Study load(const TraceArguments& arguments) {
-  std::vector<std::string> overrides = arguments.overrides;
-  for (std::string& own : trace_overrides(arguments.settle, arguments.record)) {
-    overrides.push_back(std::move(own));
-  }
-  Study study = load_study(arguments.study, overrides);
+  Study study = with_windows(load_study(arguments.study, arguments.overrides), arguments.settle,
+                             arguments.record);
   settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &study);
   return study;
+}
+
+// What a trace has, and how far its spectrum reaches.
+std::string describe(const PointTraces& found, const TraceArguments& arguments,
+                     std::size_t record) {
+  const Trace& trace = found.traces.back();
+  const std::string& label = found.labels.back();
+  const std::string each =
+      trace.mesh_periods == 1.0
+          ? ""
+          : fmt::format(" of the forcing, {:g} mesh periods each,", trace.mesh_periods);
+  std::string text = fmt::format("{}: {} moments of {} periods{} after {}\n",
+                                 label.empty() ? "the study's point" : label, trace.tau.size(),
+                                 record, each, trace.settled);
+  if (arguments.samples_per_period > 0) {
+    text +=
+        fmt::format("its spectrum goes up to order {:g}; what is above comes down to lower ones\n",
+                    0.5 * static_cast<double>(arguments.samples_per_period));
+  }
+  return text;
 }
 
 int run(const TraceArguments& arguments, SignalWatch* signals) {
@@ -67,16 +84,18 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
     const std::vector<std::string> at =
         point.empty() ? std::vector<std::string>{} : split(point, ',');
     const Place place = read_place(whole, at);
-    if (!add_point_trace(whole, is_map, place, arguments.samples_per_period, options, &found)) {
+    const std::string nearest = is_map && !whole.is_chained() ? nearest_point(whole, place) : "";
+    if (!nearest.empty() && !arguments.quiet) {
+      tell("{} lies between the points of the map; the nearest is {}\n",
+           label_of(*whole.model, place), nearest);
+    }
+    if (!add_point_trace(whole, place, arguments.samples_per_period, options, &found)) {
       tell("gearsweep: interrupted\n");
       return kInterrupted;
     }
-    if (!arguments.quiet) {
-      const std::string& label = found.labels.back();
-      tell("{}: {} moments of {} periods after {}\n", label.empty() ? "the study's point" : label,
-           found.traces.back().tau.size(), whole.integrate.record, found.traces.back().settled);
-    }
+    if (!arguments.quiet) tell("{}", describe(found, arguments, whole.integrate.record));
   }
+  for (const std::string& notice : found.notices) tell("gearsweep: warning: {}\n", notice);
   write_traces(found.traces, found.labels, found.placed, whole, arguments.output,
                {command_line(arguments), version(), source_hash()}, arguments.units);
   if (!arguments.quiet) tell("{}\n", arguments.output);
@@ -89,29 +108,32 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
   CLI::App* command =
       app->add_subcommand("trace", "The time history of points of a study or of a map");
   const auto arguments = std::make_shared<TraceArguments>();
-  add_study_argument(command, &arguments->study, ": then --at means the nearest point of the map");
+  add_study_argument(command, &arguments->study, ", whose step is taken");
   add_point_option(command, &arguments->at,
                    "A point: a value for each axis, and for other parameters and initial states; "
-                   "may be given several times");
+                   "taken as it is, also between the points of a map; may be given several times");
   command->add_option("-o,--output", arguments->output, "The traces: .nc or .csv")
       ->type_name(kFileValue)
       ->required();
   command
       ->add_option(
           "--settle", arguments->settle,
-          "Forcing periods before the trace, exactly so many (default: the study's, or fewer "
-          "where the motion is periodic before; 0 shows the start)")
+          "Mesh periods before the trace, exactly so many, or up to a whole period of the forcing "
+          "(default: the study's, or fewer where the motion is periodic before; 0 shows the start)")
       ->type_name(kNumberValue)
       ->check(whole_number(0));
   command
       ->add_option("--record", arguments->record,
-                   "Forcing periods of the trace (default: the study's)")
+                   "Mesh periods of the trace, up to a whole period of the forcing, which has many "
+                   "where a gear has a fault (default: the study's)")
       ->type_name(kNumberValue)
       ->check(whole_number(1));
   command
-      ->add_option("--samples-per-period", arguments->samples_per_period,
-                   "Evenly spaced moments per forcing period, interpolated (default: both ends of "
-                   "every integration step)")
+      ->add_option(
+          "--samples-per-period", arguments->samples_per_period,
+          "Evenly spaced moments in each mesh period, interpolated (default: both ends of "
+          "every integration step). A spectrum goes up to half as many orders of the mesh; "
+          "what is above comes down to lower ones")
       ->type_name(kNumberValue)
       ->check(whole_number(1, std::size_t{1} << 20U));
   add_units_option(command, &arguments->units);
@@ -123,7 +145,8 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep trace coarse-map --at omega=0.7,e0=0.5 --record 8 -o trace.nc\n"
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --at omega=0.55,e0=0.6 -o two.nc\n"
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --samples-per-period 256 -o trace.csv\n\n"
-      "A point of a map passes through the map's own samples: same start, same steps.");
+      "At a point of a map the trace passes through the map's own samples: same start, same "
+      "steps.");
   command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }
 

@@ -1,6 +1,7 @@
 #include "point/place.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +14,21 @@
 namespace gearsweep {
 namespace {
 
-// The value of a swept axis nearest to `value`, which must not lie beyond its ends.
-double nearest_value(const Axis& axis, double value, const std::string& origin) {
-  if (value < axis.values.front() || value > axis.values.back()) {
-    throw InputError(told_of(origin, fmt::format("{} = {} is beyond the axis, {} .. {}", axis.name,
-                                                 value, axis.values.front(), axis.values.back())));
+double nearest_value(const Axis& axis, double value) {
+  return *std::ranges::min_element(axis.values, {},
+                                   [&](double own) { return std::abs(own - value); });
+}
+
+// The place's value of the axis; nullptr where it gives none.
+template <class AnyPlace>
+auto* value_on(const Axis& axis, AnyPlace* place) {
+  auto named = place->named.find(axis.name);
+  if (named != place->named.end()) return &named->second;
+  decltype(&named->second) value = nullptr;
+  for (auto& placed : place->values) {
+    if (axis.columns.empty() && is_swept(axis, placed)) value = &placed.value;
   }
-  return *std::min_element(axis.values.begin(), axis.values.end(), [&](double a, double b) {
-    return std::abs(a - value) < std::abs(b - value);
-  });
+  return value;
 }
 
 const std::string& name_of(const Model& model, const Placed& placed) {
@@ -184,18 +191,37 @@ void place_states(const Place& place, Study* study) {
   }
 }
 
-void snap(const Study& whole, bool is_map, Place* place) {
-  for (std::size_t i = 0; i < whole.axes.size(); ++i) {
-    const Axis& axis = whole.axes[i];
-    if (axis.is_list || (!is_map && !(whole.is_chained() && whole.initial.along == i))) continue;
-    const auto move = [&](double* value) { *value = nearest_value(axis, *value, place->origin); };
-    if (const auto named = place->named.find(axis.name); named != place->named.end()) {
-      move(&named->second);
-    }
-    for (Placed& placed : place->values) {
-      if (axis.columns.empty() && is_swept(axis, placed)) move(&placed.value);
-    }
+std::string move_to_chain(const Study& whole, Place* place) {
+  if (!whole.is_chained() || whole.axes.empty()) return "";
+  const Axis& axis = whole.axes[whole.initial.along];
+  double* value = axis.is_list ? nullptr : value_on(axis, place);
+  if (value == nullptr) return "";
+  if (*value < axis.values.front() || *value > axis.values.back()) {
+    throw InputError(
+        told_of(place->origin, fmt::format("{} = {} is beyond the axis, {} .. {}", axis.name,
+                                           *value, axis.values.front(), axis.values.back())));
   }
+  const double nearest = nearest_value(axis, *value);
+  if (nearest == *value) return "";
+  const std::string told = fmt::format(
+      "{} = {} is taken for {}: the points of this study go on from their neighbours "
+      "along '{}', so only they can be followed",
+      axis.name, *value, nearest, axis.name);
+  *value = nearest;
+  return told_of(place->origin, told);
+}
+
+std::string nearest_point(const Study& whole, const Place& place) {
+  std::vector<std::string> values;
+  bool is_point = true;
+  for (const Axis& axis : whole.axes) {
+    const double* value = value_on(axis, &place);
+    if (value == nullptr) continue;
+    const double nearest = nearest_value(axis, *value);
+    is_point = is_point && nearest == *value;
+    values.push_back(fmt::format("{}={}", axis.name, nearest));
+  }
+  return is_point ? "" : fmt::format("{}", fmt::join(values, ","));
 }
 
 std::string label_of(const Model& model, const Place& place) {

@@ -55,9 +55,14 @@ void place_parameters(const Place& place, Study* study);
 // Puts the initial states of the place into the state that the study's policy gives the point.
 void place_states(const Place& place, Study* study);
 
-// Moves the place to the nearest point of a map; of a study that is none only along the axis that
-// its points go on from their neighbours along.
-void snap(const Study& whole, bool is_map, Place* place);
+// The points of a study that go on from their neighbours are those of the axis alone that they do
+// so along: moves the place to the nearest of them. Other places are taken as they are. Returns
+// what a user must be told; empty: nothing was moved.
+std::string move_to_chain(const Study& whole, Place* place);
+
+// The point of the study's axes that is nearest to the place, as --at takes it: "omega=0.8,b=1";
+// empty where the place is such a point.
+std::string nearest_point(const Study& whole, const Place& place);
 
 // "omega=0.7, b=1"; "point=3"
 std::string label_of(const Model& model, const Place& place);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/error.hpp"
+#include "study/draft.hpp"
 #include "sweep/trace_run.hpp"
 
 namespace gearsweep {
@@ -69,15 +71,20 @@ void add_names(const Study& whole, const Place& place, std::vector<std::string>*
 
 }  // namespace
 
-std::vector<std::string> trace_overrides(std::optional<std::size_t> settle,
-                                         std::optional<std::size_t> record) {
+Study with_windows(const Study& study, std::optional<std::size_t> settle,
+                   std::optional<std::size_t> record) {
+  const double of_forcing = study.model->mesh_periods(study.setting);
   std::vector<std::string> overrides;
+  const auto add = [&](const char* key, std::size_t mesh_periods) {
+    overrides.push_back(fmt::format("integrate.{}={:.0f}", key,
+                                    std::ceil(static_cast<double>(mesh_periods) / of_forcing)));
+  };
   if (settle) {
-    overrides.push_back(fmt::format("integrate.settle={}", *settle));
-    overrides.push_back("integrate.stop=never");
+    add("settle", *settle);
+    overrides.emplace_back("integrate.stop=never");
   }
-  if (record) overrides.push_back(fmt::format("integrate.record={}", *record));
-  return overrides;
+  if (record) add("record", *record);
+  return overrides.empty() ? study : read_draft(study.toml, "study", overrides);
 }
 
 void settle_step(std::optional<double> pilot_step, Study* study) {
@@ -93,10 +100,13 @@ void settle_step(std::optional<double> pilot_step, Study* study) {
   study->integrate.tolerance = 0.0;
 }
 
-bool add_point_trace(const Study& whole, bool is_map, Place place, std::size_t samples_per_period,
+bool add_point_trace(const Study& whole, Place place, std::size_t samples_per_period,
                      const SweepOptions& options, PointTraces* out) {
-  snap(whole, is_map, &place);
-  std::optional<Trace> trace = run_trace(traced_study(whole, place), samples_per_period, options);
+  const std::string notice = move_to_chain(whole, &place);
+  if (!notice.empty()) out->notices.push_back(notice);
+  const Study study = traced_study(whole, place);
+  const auto of_forcing = static_cast<std::size_t>(study.model->mesh_periods(study.setting));
+  std::optional<Trace> trace = run_trace(study, samples_per_period * of_forcing, options);
   if (!trace) return false;
   out->traces.push_back(*std::move(trace));
   out->labels.push_back(label_of(*whole.model, place));

@@ -12,11 +12,11 @@
 
 namespace gearsweep {
 
-// What a study is overridden with for traces that begin after exactly `settle` periods, also where
-// the point has settled on a periodic orbit before, and are `record` periods long. Nothing: as the
-// study says.
-std::vector<std::string> trace_overrides(std::optional<std::size_t> settle,
-                                         std::optional<std::size_t> record);
+// The study with traces that begin after exactly `settle` mesh periods, also where the point has
+// settled on a periodic orbit before, and are `record` mesh periods long; both are rounded up to
+// whole periods of the forcing, of which each may be many mesh periods. Nothing: as the study says.
+Study with_windows(const Study& study, std::optional<std::size_t> settle,
+                   std::optional<std::size_t> record);
 
 // Gives the study the step that its traces take, that of the sweep to a chain's point included.
 // pilot_step: what the pilot run of the map that they are of has found; nothing: there was none.
@@ -28,12 +28,15 @@ struct PointTraces {
   std::vector<Trace> traces;
   std::vector<std::string> labels;  // one for each
   std::vector<std::string> placed;  // the parameters that their places have
+  // Of places that could not be taken as they were (move_to_chain()), a line each.
+  std::vector<std::string> notices;
 };
 
-// Follows the point of `whole` at `place`, of a map the nearest of its points, and adds its trace.
-// False when `options.stop` was set. The study's step is settled. Throws InputError, and RunError
-// when the point diverges.
-bool add_point_trace(const Study& whole, bool is_map, Place place, std::size_t samples_per_period,
+// Follows the point of `whole` at `place`, which need be no point of its axes, and adds its trace.
+// samples_per_period: in a mesh period, evenly spaced; 0: both ends of each step. False when
+// `options.stop` was set. The study's step is settled. Throws InputError, and RunError when the
+// point diverges.
+bool add_point_trace(const Study& whole, Place place, std::size_t samples_per_period,
                      const SweepOptions& options, PointTraces* out);
 
 }  // namespace gearsweep

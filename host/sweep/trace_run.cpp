@@ -1,11 +1,14 @@
 #include "sweep/trace_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "model/error.hpp"
 #include "sweep/detail/history.hpp"
+#include "sweep/detail/machine.hpp"
 #include "sweep/sweep.hpp"
 #include "tile/settled_point.hpp"
 #include "workers/make_engine.hpp"
@@ -62,15 +65,38 @@ void repeat_turn(std::size_t record, std::size_t turn, std::vector<double>* rows
   }
 }
 
+// In bytes: the states at both ends of all steps, and the trace, which is copied into a file.
+double memory_of(const Plan& plan, std::size_t point, std::size_t samples_per_period) {
+  constexpr double kCopies = 3.0;
+  const Model& model = *plan.study().model;
+  const auto record = static_cast<double>(plan.study().integrate.record);
+  const double rows = record * static_cast<double>(plan.steps_of(point));
+  const double moments =
+      samples_per_period > 0 ? record * static_cast<double>(samples_per_period) : rows;
+  const auto states = static_cast<double>(model.states.size());
+  const auto signals = static_cast<double>(model.signals.size() + model.contacts.size());
+  return (rows * states + kCopies * moments * (1.0 + states + signals)) * sizeof(double);
+}
+
+void refuse_too_long(double needed, const Study& study) {
+  const std::optional<double> available = available_memory();
+  if (!available || needed <= *available) return;
+  throw InputError(fmt::format(
+      "a trace of {} periods of the forcing takes {:.3g} GB of memory, and {:.3g} GB are free: "
+      "record fewer, or take fewer samples in a period",
+      study.integrate.record, needed / 1e9, *available / 1e9));
+}
+
 }  // namespace
 
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options) {
+  const Plan plan(study, study.points());
+  const std::size_t point = followed_point(plan);
+  refuse_too_long(memory_of(plan, point, samples_per_period), study);
   const std::unique_ptr<Engine> engine = make_engine(
       study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()),
       options.open.get());
-  const Plan plan(study, study.points());
-  const std::size_t point = followed_point(plan);
   const auto after_round = [&](double) { return options.stop == nullptr || !*options.stop; };
   const std::optional<std::vector<double>> initial = initial_state(plan, options);
   if (!initial) return std::nullopt;

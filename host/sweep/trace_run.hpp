@@ -17,11 +17,12 @@ namespace gearsweep {
 // integrates all states, which a trace always does. A point that stops on a periodic orbit repeats
 // one turn of it, in the map and here. With samples_per_period = 0 its
 // moments are both ends of all integration steps, so that a break phase stands there twice, with
-// the values from either side; otherwise so many evenly spaced ones in each period from phase 0 on,
+// the values from either side; otherwise so many evenly spaced ones in each forcing period from
+// phase 0 on,
 // by cubic Hermite interpolation between the steps.
 //
-// Of `options`, the first device and stop are used; nothing when stopped. Throws InputError, and
-// RunError when the point diverges.
+// Of `options`, the first device and stop are used; nothing when stopped. Throws InputError, also
+// for a trace that the machine's memory cannot hold, and RunError when the point diverges.
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options);
 

@@ -6,21 +6,19 @@
 #include "core/session.hpp"
 #include "model/version.hpp"
 #include "point/point_trace.hpp"
-#include "study/draft.hpp"
 
 namespace gearsweep::python {
 namespace {
 
 namespace py = pybind11;
 
-// The dataset. points: one trace each.
+// The dataset, and what a user must be told. points: one trace each.
 py::tuple trace(Session* session, const Study& study, const std::vector<NamedValues>& points,
                 std::optional<std::size_t> settle, std::optional<std::size_t> record,
-                std::size_t samples_per_period, bool is_map, std::optional<double> pilot_step,
+                std::size_t samples_per_period, std::optional<double> pilot_step,
                 const std::string& device, const std::string& call) {
   SweepOptions options = session->options_for(device);
-  const std::vector<std::string> overrides = trace_overrides(settle, record);
-  Study whole = overrides.empty() ? study : read_draft(study.toml, "study", overrides);
+  Study whole = with_windows(study, settle, record);
   settle_step(pilot_step, &whole);
   std::vector<Place> places;
   for (const NamedValues& point : points) {
@@ -30,19 +28,20 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
   run_in_background([&](const std::atomic<bool>& stop) {
     options.stop = &stop;
     for (const Place& place : places) {
-      if (!add_point_trace(whole, is_map, place, samples_per_period, options, &found)) return;
+      if (!add_point_trace(whole, place, samples_per_period, options, &found)) return;
     }
   });
-  return as_tuple(dataset_of(found.traces, found.labels, found.placed, whole,
-                             {call, version(), source_hash()}));
+  return py::make_tuple(as_tuple(dataset_of(found.traces, found.labels, found.placed, whole,
+                                            {call, version(), source_hash()})),
+                        found.notices);
 }
 
 }  // namespace
 
 void add_trace(SessionClass* session) {
   session->def("trace", trace, py::arg("study"), py::arg("points"), py::arg("settle"),
-               py::arg("record"), py::arg("samples_per_period"), py::arg("is_map"),
-               py::arg("pilot_step"), py::arg("device"), py::arg("call"));
+               py::arg("record"), py::arg("samples_per_period"), py::arg("pilot_step"),
+               py::arg("device"), py::arg("call"));
 }
 
 }  // namespace gearsweep::python

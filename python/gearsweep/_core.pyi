@@ -48,11 +48,10 @@ class Session:
         settle: int | None,
         record: int | None,
         samples_per_period: int,
-        is_map: bool,
         pilot_step: float | None,
         device: str,
         call: str,
-    ) -> _Described: ...
+    ) -> tuple[_Described, list[str]]: ...
     def orders(
         self,
         study: Study,

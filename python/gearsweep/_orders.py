@@ -9,7 +9,7 @@ from typing import Any, SupportsFloat
 import xarray
 
 from gearsweep._errors import InputError
-from gearsweep._place import count_of, map_of, number_of, place_of
+from gearsweep._place import count_of, number_of, pilot_step_of, place_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
 from gearsweep._study import Study
@@ -50,10 +50,11 @@ def orders(
     orders : float, optional
         The highest order, in multiples of the mesh frequency.
     settle, record : int, optional
-        Forcing periods before, exactly so many, and of each spectrum: its orders are 1/`record`
-        apart. By default as the study settles, and 48.
+        Mesh periods before, exactly so many, and of each spectrum: its orders are 1/`record`
+        apart. By default as the study settles, and 48. Up to whole periods of the forcing, which
+        are many mesh periods where a gear has a fault.
     samples_per_period : int, optional
-        Moments of each period, by default 256. Orders above half of it come down to lower ones.
+        Moments of each mesh period, by default 256. Orders above half of it come down to lower ones.
     window : {"none", "hann"}, optional
         By default none: the lines of a motion whose period divides the record are exact.
     set : mapping of str to object, optional
@@ -87,7 +88,6 @@ def orders(
     """
     if window is not None and (not isinstance(window, str) or window not in ("none", "hann")):
         raise InputError(f"window: expected 'none' or 'hann', not {window!r}")
-    _, pilot_step = map_of(study)
     samples = count_of(samples_per_period, "samples_per_period", 4, 1 << 16)
     highest = number_of(orders, "orders")
     if not 0.0 < highest < float("inf"):
@@ -102,7 +102,7 @@ def orders(
         highest=highest,
         samples_per_period=256 if samples is None else samples,
         has_window=window == "hann",
-        pilot_step=pilot_step,
+        pilot_step=pilot_step_of(study),
         device=device_text(device),
         call=call_text(
             "orders",

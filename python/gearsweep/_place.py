@@ -51,13 +51,13 @@ def count_of(value: Any, name: str, smallest: int, largest: int) -> int | None:
     return count
 
 
-def map_of(source: Any) -> tuple[bool, float | None]:
-    """Whether a study comes with its map, and the step that the map's pilot run has found."""
+def pilot_step_of(source: Any) -> float | None:
+    """The step that the pilot run of a map has found, of a study that comes with its map."""
     if isinstance(source, xarray.Dataset):
         step = source.attrs.get("pilot_max_step")
-        return True, None if step is None else number_of(step, "pilot_max_step")
+        return None if step is None else number_of(step, "pilot_max_step")
     if isinstance(source, str | os.PathLike):
         path = path_of(source, "a path or the name of a study")
         if _core.is_netcdf(path):
-            return True, _core.read_pilot_step(path)
-    return False, None
+            return _core.read_pilot_step(path)
+    return None

@@ -9,11 +9,12 @@ from typing import Any, SupportsFloat
 import xarray
 
 from gearsweep._errors import InputError
-from gearsweep._place import count_of, map_of, place_of
+from gearsweep._place import count_of, pilot_step_of, place_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
 from gearsweep._study import Study
 from gearsweep._study_source import study_of
+from gearsweep._warning import warn
 
 _MOST = 1_000_000_000  # periods
 _MOST_SAMPLES = 1 << 20  # of a period
@@ -36,21 +37,23 @@ def trace(
     ----------
     study : str, path, Study or Dataset
         As `run` takes it. Of a map, which is the Dataset or the file of an earlier run, the
-        nearest of its points is meant, and the trace takes the steps of the map.
+        trace takes the steps.
     **place : float
-        A value for each axis; other parameters and initial states may be given, too. In the
+        A value for each axis, which need be none of the axis's own; other parameters and initial states may be given, too. In the
         model's units, as in ``omega=1.3, b=0.6``.
     at : mapping, or sequence of mappings, of str to float, optional
         The same as a dict, or several points: ``at=[{"omega": 1.3}, {"omega": 1.4}]``. What
         stands in `place` holds for each of them.
     settle : int, optional
-        Forcing periods before the trace, exactly so many. By default those of the study, or
+        Mesh periods before the trace, exactly so many. By default those of the study, or
         fewer where the motion is periodic before. 0 shows the start.
     record : int, optional
-        Forcing periods of the trace. By default those of the study.
+        Mesh periods of the trace. By default those of the study. It and `settle` go up to whole
+        periods of the forcing, which are many mesh periods where a gear has a fault.
     samples_per_period : int, optional
-        Evenly spaced moments of a period, interpolated. By default the moments are both ends of
-        each integration step.
+        Evenly spaced moments of each mesh period, interpolated. By default the moments are both
+        ends of each integration step. A spectrum goes up to half as many orders of the mesh; what
+        is above comes down to lower ones.
     set : mapping of str to object, optional
         Changes of the study, as `run` takes them.
     device : int or str, optional
@@ -83,16 +86,14 @@ def trace(
     >>> two.dmf.dims
     ('trace', 'moment')
     """
-    is_map, pilot_step = map_of(study)
-    described = SESSION.trace(
+    described, notices = SESSION.trace(
         study=study_of(study, set)._core,
         points=[place_of(place, point) for point in _points(at)],
         settle=count_of(settle, "settle", 0, _MOST),
         record=count_of(record, "record", 1, _MOST),
         samples_per_period=count_of(samples_per_period, "samples_per_period", 1, _MOST_SAMPLES)
         or 0,
-        is_map=is_map,
-        pilot_step=pilot_step,
+        pilot_step=pilot_step_of(study),
         device=device_text(device),
         call=call_text(
             "trace",
@@ -105,6 +106,8 @@ def trace(
             **place,
         ),
     )
+    for notice in notices:
+        warn(notice)
     made = dataset_of(*described)
     is_one = at is None or isinstance(at, Mapping)
     return made.isel(trace=0).set_coords("tau") if is_one else made

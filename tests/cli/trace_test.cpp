@@ -17,7 +17,7 @@ const char* const kTraceStudy =
     "[[axes]]\nname = 'b'\nvalues = [0.5, 1.0]\n[integrate]\nsettle = 20\nrecord = 4\n"
     "[observe]\nquantities = ['x1_rms']\n";
 
-// Of a map the nearest point is taken, of a study the point itself.
+// The point itself is taken, of a study as of its map.
 TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
   const Folder folder;
   folder.write("study.toml", kTraceStudy);
@@ -27,10 +27,15 @@ TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
                 "trace map.nc --at omega=0.71,b=0.9 --at omega=1.0,b=0.6 --samples-per-period 8 "
                 "-o trace.csv");
   EXPECT_EQ(map.status, 0) << map.err;
-  EXPECT_THAT(map.err, HasSubstr("omega=0.8, b=1: 32 moments of 4 periods after"));
+  EXPECT_THAT(map.err,
+              HasSubstr("omega=0.71, b=0.9 lies between the points of the map; the nearest "
+                        "is omega=0.8,b=1\n"));
+  EXPECT_THAT(map.err, HasSubstr("omega=0.71, b=0.9: 32 moments of 4 periods after"));
+  EXPECT_THAT(map.err, HasSubstr("its spectrum goes up to order 4;"));
   const std::string table = read_all(folder / "trace.csv");
   EXPECT_THAT(table, StartsWith("trace,omega [varpi],b [b_n],tau [1/varpi],x1 [b_n],x2 [b_n],"));
-  EXPECT_THAT(table, HasSubstr("\n2,1,0.5,0,"));
+  EXPECT_THAT(table, HasSubstr("\n1,0.71,0.9,0,"));
+  EXPECT_THAT(table, HasSubstr("\n2,1,0.6,0,"));
   const Outcome study =
       gearsweep(folder, "trace study.toml --at omega=0.71,b=0.9 --record 1 -o trace.nc");
   EXPECT_EQ(study.status, 0) << study.err;

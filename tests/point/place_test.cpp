@@ -1,4 +1,4 @@
-// Places: what they refuse, and the point of a map that is nearest.
+// Places: what they refuse, and which point they mean.
 #include "point/place.hpp"
 
 #include <gmock/gmock.h>
@@ -10,6 +10,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::Pair;
 using ::testing::StartsWith;
 
 Study whole_study(const std::string& more = "") {
@@ -24,8 +25,7 @@ Study whole_study(const std::string& more = "") {
 std::string refusal(const std::vector<NamedValue>& values, const std::string& origin) {
   Study study = whole_study();
   try {
-    Place place = find_place(study, values, origin);
-    snap(study, true, &place);
+    const Place place = find_place(study, values, origin);
     place_parameters(place, &study);
   } catch (const InputError& error) {
     return error.what();
@@ -40,7 +40,6 @@ TEST(Place, IsRefusedByTheNameOfItsOrigin) {
       {{{"omega", -1.0}}, "omega = -1 is out of range"},
       {{{"omega", nan}}, "omega = nan is out of range"},
       {{{"x1", nan}}, "x1 = nan is not finite"},
-      {{{"omega", 1.2}}, "omega = 1.2 is beyond the axis, 0.6 .. 1"},
   };
   for (const auto& [values, said] : cases) {
     EXPECT_THAT(refusal(values, ""), StartsWith(said));
@@ -55,18 +54,37 @@ TEST(Place, HasAValueForEachAxis) {
   EXPECT_EQ(refusal({{"omega", 0.7}, {"b", 0.5}}, ""), "it was taken");
 }
 
-// Of a study the place itself is meant, but for the axis that its points go on along.
-TEST(Place, OfAMapIsItsNearestPoint) {
+// A place is taken as it is, but along the axis that a study's points go on along.
+TEST(Place, IsMovedToAPointOfAChainAlone) {
   const Study plain = whole_study();
   const Study chain = whole_study("[initial]\npolicy = 'forward'\nalong = 'omega'\n");
-  const auto label = [](const Study& study, bool is_map) {
-    Place place = find_place(study, {{"omega", 0.71}, {"b", 0.6}, {"zeta", 0.03}}, "");
-    snap(study, is_map, &place);
-    return label_of(*study.model, place);
+  const auto moved = [](const Study& study, double omega) {
+    Place place = find_place(study, {{"omega", omega}, {"b", 0.6}, {"zeta", 0.03}}, "--at");
+    const std::string told = move_to_chain(study, &place);
+    return std::pair(label_of(*study.model, place), told);
   };
-  EXPECT_EQ(label(plain, true), "omega=0.8, b=0.5, zeta=0.03");
-  EXPECT_EQ(label(plain, false), "omega=0.71, b=0.6, zeta=0.03");
-  EXPECT_EQ(label(chain, false), "omega=0.8, b=0.6, zeta=0.03");
+  EXPECT_THAT(moved(plain, 0.71), Pair("omega=0.71, b=0.6, zeta=0.03", ""));
+  EXPECT_THAT(moved(plain, 1.2), Pair("omega=1.2, b=0.6, zeta=0.03", ""));
+  EXPECT_THAT(moved(chain, 0.71), Pair("omega=0.8, b=0.6, zeta=0.03",
+                                       StartsWith("--at: omega = 0.71 is taken for 0.8: ")));
+  EXPECT_THAT(moved(chain, 0.8), Pair("omega=0.8, b=0.6, zeta=0.03", ""));
+  Place beyond = find_place(chain, {{"omega", 1.2}}, "--at");
+  try {
+    move_to_chain(chain, &beyond);
+    ADD_FAILURE() << "it was taken";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--at: omega = 1.2 is beyond the axis, 0.6 .. 1");
+  }
+}
+
+TEST(Place, KnowsTheNearestPointOfTheAxes) {
+  const Study study = whole_study();
+  const auto nearest = [&](double omega, double b) {
+    return nearest_point(study, find_place(study, {{"omega", omega}, {"b", b}, {"mu", 0.1}}, ""));
+  };
+  EXPECT_EQ(nearest(0.71, 0.5), "omega=0.8,b=0.5");
+  EXPECT_EQ(nearest(2.0, 0.6), "omega=1,b=0.5");
+  EXPECT_EQ(nearest(0.8, 1.0), "");
 }
 
 // Of [gear] the table's, though the axis stands in its place.
