@@ -204,8 +204,8 @@ TEST(TextModel, HasTheMotionOfATableThatJumps) {
   EXPECT_LT(largest_difference(run(with_table), run(with_conditions)), 1e-12);
 }
 
-// A spline has no corners, so a step over one of its points loses nothing; at those of straight lines
-// steps end.
+// A spline has no corners, so a step over one of its points loses nothing; at those of straight
+// lines steps end.
 TEST(TextModel, KeepsItsOrderWithTables) {
   const auto order = [](const std::string& table) {
     const auto x_rms = [&](double step) {
