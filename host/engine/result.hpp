@@ -47,8 +47,8 @@ struct PilotFindings {
   std::map<std::string, double> errors;
 };
 
-// Whether a point that ended so has values, a code of kernels/sweep_types.h; otherwise it has NaN in
-// every map.
+// Whether a point that ended so has values, a code of kernels/sweep_types.h; otherwise it has NaN
+// in every map.
 inline bool has_values(std::uint8_t status) { return status != STATUS_diverged; }
 
 // Point (ix, iy) has index iy * nx + ix.

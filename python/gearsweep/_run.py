@@ -106,12 +106,13 @@ def _warn_of_failures(status: xarray.DataArray) -> None:
     counts = {name: int((status.values == code).sum()) for code, name in flags_of(status).items()}
     if unstable := counts.pop("unstable_start", 0):
         warn(
-            f"unstable_start at {unstable} of {points} points: they show an unstable equilibrium, or "
-            "what rounding makes of it"
+            f"unstable_start at {unstable} of {points} points: "
+            "they show an unstable equilibrium, or what rounding makes of it"
         )
     counts.pop("ok")
-    said = ", ".join(f"{name} at {count} of {points} points" for name, count in counts.items() if count)
-    if not said:
+    failures = [f"{name} at {count} of {points} points" for name, count in counts.items() if count]
+    said = ", ".join(failures)
+    if not failures:
         return
     if sum(counts.values()) == points:
         warn(f"every point failed; the maps are empty ({said})")

@@ -18,7 +18,7 @@ std::string stops_multiplied(int count) {
   std::string product = "x";
   for (int i = 0; i < count; ++i) product += fmt::format("*stop(x, {:.1f})", 0.1 * i);
   return "[model]\nname = 'm'\n[states]\nx = {}\nv = {}\n[equations]\nx = 'v'\nv = '-x - 1e-9*" +
-         product + "'\n[forcing]\nperiod = '1'\n";
+         product + "'\n[forcing]\nperiod = 'a'\n[parameters]\na = 1.0\n";
 }
 
 TEST(KernelSize, IsLimitedAndTheExpressionIsNamed) {

@@ -68,7 +68,7 @@ TEST(InitialPolicies, AStudyMovesTheStartOfAPreset) {
 TEST(InitialPolicies, APresetOfAFileHasAStart) {
   const std::string model =
       "[model]\nname = 'own'\n[states]\nx = {}\nv = {}\n[equations]\nx = 'v'\n"
-      "v = '-x'\n[forcing]\nperiod = '1'\n[presets.far]\n";
+      "v = '-x'\n[forcing]\nperiod = 'a'\n[parameters]\na = 1.0\n[presets.far]\n";
   const auto initial = [&](const std::string& preset) {
     return read_study("[model]\ntext = \"\"\"\n" + model + preset +
                           "\n\"\"\"\n[[axes]]\nname = 'x'\nvalues = [1.0]\n",
