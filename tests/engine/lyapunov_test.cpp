@@ -157,7 +157,7 @@ TEST(LyapunovFp32, ChaosHasTheExponentOfFp64) {
     const double error =
         std::hypot(map_of(exact, "lyapunov_max_error")[i], map_of(single, "lyapunov_max_error")[i]);
     EXPECT_GT(map_of(exact, "lyapunov_max")[i], 0.02);
-    EXPECT_LT(error, 0.002);
+    EXPECT_LT(error, 0.005);
     EXPECT_NEAR(map_of(single, "lyapunov_max")[i], map_of(exact, "lyapunov_max")[i], 5.0 * error);
     // Rounding at 1e-7 a step, which sums up as a random walk.
     EXPECT_NEAR(sum(spectrum_of(single, i)), sum(spectrum_of(exact, i)), 5e-6);
