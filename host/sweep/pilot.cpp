@@ -181,10 +181,17 @@ class StepSearch {
     return kBeyond + sensitive_ + 2.0 * std::sqrt(variance);
   }
 
+  // Of the study's points, at most, where it is so many of the pilot's. A pilot that has all points
+  // is no sample.
+  double share_of_all(std::size_t found, std::size_t points) const {
+    if (runs_.points() < study_.points()) return upper_share(found, points);
+    return points == 0 ? 1.0 : static_cast<double>(found) / static_cast<double>(points);
+  }
+
   // What the pilot's points tell of all: without those that no step brings to within the tolerance.
   bool is_supported(const MapErrors& errors) const {
-    const double bound = upper_share(errors.beyond(), errors.points());
-    return bound <= std::max(kBeyondOfAll + share() - kBeyond, upper_share(0, errors.points()));
+    const double bound = share_of_all(errors.beyond(), errors.points());
+    return bound <= std::max(kBeyondOfAll + share() - kBeyond, share_of_all(0, errors.points()));
   }
 
   bool will_do(double coarse, double fine) {
@@ -252,9 +259,9 @@ class StepSearch {
         static_cast<std::size_t>(std::lround(sensitive_ * static_cast<double>(points)));
     return {.step = step,
             .error = errors.largest(share()),
-            .kept = 1.0 - upper_share(errors.beyond(), points),
+            .kept = 1.0 - share_of_all(errors.beyond(), points),
             .sensitive = sensitive_,
-            .max_sensitive = upper_share(std::max(found, errors.beyond_in_any()), points),
+            .max_sensitive = share_of_all(std::max(found, errors.beyond_in_any()), points),
             .points = points,
             .errors = errors.of_quantities(share())};
   }

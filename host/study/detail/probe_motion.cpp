@@ -15,6 +15,8 @@ constexpr double kAimedError = 5e-8, kMaxError = 1e-4;  // of the steps that are
 constexpr double kFirstStep = 0.01;                     // times the fastest rate
 // Terms of this size and more, in roundings, stand out from them.
 constexpr double kRounding = 1e6 * std::numeric_limits<double>::epsilon();
+// Of the above: an error that is no more than ten roundings tells nothing.
+constexpr double kNoise = 1e-5;
 // Of all time: a motion with such steps has come to a time that it does not pass.
 constexpr double kShortestStep = 1e-12;
 constexpr double kSamePhase = 1e-9;
@@ -46,7 +48,7 @@ double ProbeMotion::Stretch::step_of(double local_error) const {
   for (const Step& step : steps) {
     for (std::size_t i = 0; i < low.size(); ++i) {
       const double range = high[i] - low[i];
-      if (range <= rounding[i] || step.errors[i] <= 0.0) continue;
+      if (range <= rounding[i] || step.errors[i] <= kNoise * rounding[i]) continue;
       longest =
           std::min(longest, step.length * std::pow(local_error * range / step.errors[i], 0.2));
     }
@@ -101,7 +103,9 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     }
     const bool is_at_end = ends_segment && length == left;
     const double end_phase = is_at_end ? bounds_[segment_ + 1] : phase_ + length / period_;
-    if (is_smooth && !crosses_limit(trial.end, end_phase)) {
+    // A short step to the end of a segment has an error of rounding alone.
+    const bool is_short = is_at_end && length < 0.5 * length_;
+    if (is_smooth && !is_short && !crosses_limit(trial.end, end_phase)) {
       stretch.steps.push_back({length, std::move(trial.errors)});
     }
     x_ = std::move(trial.end);
@@ -118,8 +122,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       phase_ = bounds_[segment_];
     }
     const double factor = trial.excess > 0.0 ? std::pow(kAimedError / trial.excess, 0.2) : 2.0;
-    // A short step to the end of a segment says little of the next one.
-    if (is_smooth && !(is_at_end && length < 0.5 * length_)) {
+    if (is_smooth && !is_short) {
       length_ = length * std::clamp(factor, 0.3, 2.0);
     }
     length_ = std::min(length_, max_length);
