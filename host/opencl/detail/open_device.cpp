@@ -4,9 +4,13 @@
 
 namespace gearsweep {
 
-OpenDevice::OpenDevice(const cl::Device& device, DeviceInfo info,
-                       std::shared_ptr<std::shared_mutex> launches)
-    : info_(std::move(info)), device_(device), context_(device), launches_(std::move(launches)) {}
+OpenDevice::OpenDevice(const cl::Device& device, DeviceInfo info)
+    : info_(std::move(info)), device_(device), context_(device) {}
+
+std::shared_mutex& OpenDevice::launches() {
+  static std::shared_mutex all;
+  return all;
+}
 
 cl::Program OpenDevice::program(const std::string& source, const std::string& options) {
   const std::lock_guard lock(mutex_);

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <shared_mutex>
 #include <string>
@@ -21,9 +20,7 @@ namespace gearsweep {
 // Engines may use it from threads of their own.
 class OpenDevice {
  public:
-  // launches: what all devices of the process share.
-  OpenDevice(const cl::Device& device, DeviceInfo info,
-             std::shared_ptr<std::shared_mutex> launches);
+  OpenDevice(const cl::Device& device, DeviceInfo info);
 
   const DeviceInfo& info() const { return info_; }
   const cl::Device& device() const { return device_; }
@@ -38,17 +35,18 @@ class OpenDevice {
   //
   // Any number of launches run at once, but on a CPU one that is wider than all before it runs
   // alone: PoCL 3.1 loads a kernel anew for a wider launch, and counts as user of the new one
-  // whoever still runs the old one. It aborts when both have ended.
+  // whoever still runs the old one. It aborts when both have ended. It has equal kernels once in a
+  // process, also those of devices that were opened apart.
   template <class Launch>
   void run(const cl::Kernel& kernel, std::size_t local_size, std::size_t items,
            const Launch& launch) {
     const Launched key = {kernel.getInfo<CL_KERNEL_PROGRAM>()(),
                           kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(), local_size};
     const std::size_t width = (items + local_size - 1) / local_size * local_size;
-    if (std::shared_lock others(*launches_); !info_.is_cpu || width <= widest(key)) {
+    if (std::shared_lock others(launches()); !info_.is_cpu || width <= widest(key)) {
       return launch(width);
     }
-    const std::lock_guard alone(*launches_);
+    const std::lock_guard alone(launches());
     // Few launches are to run alone.
     const std::size_t wider = local_size * std::bit_ceil(width / local_size);
     launch(wider);
@@ -57,6 +55,9 @@ class OpenDevice {
   }
 
  private:
+  // Held by all that run in the process.
+  static std::shared_mutex& launches();
+
   using Launched = std::tuple<cl_program, std::string, std::size_t>;
   std::size_t widest(const Launched& key) {
     const std::lock_guard lock(mutex_);
@@ -67,7 +68,6 @@ class OpenDevice {
   const cl::Device device_;
   const cl::Context context_;
   BusyClock clock_;
-  const std::shared_ptr<std::shared_mutex> launches_;  // held by all that run
   std::mutex mutex_;
   std::map<Launched, std::size_t> widest_;
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;  // by source and options
