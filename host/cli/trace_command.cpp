@@ -6,7 +6,6 @@
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/place_text.hpp"
-#include "cli/detail/signal_watch.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -51,15 +50,14 @@ Study load(const TraceArguments& arguments) {
   return study;
 }
 
-int run(const TraceArguments& arguments, SignalWatch* signals) {
+// A signal ends it at any time: there is nothing to keep.
+void run(const TraceArguments& arguments) {
   const Study whole = load(arguments);
   const bool is_map = is_netcdf(arguments.study);
   ensure_writable(arguments.output);
   ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals->interrupted();
-  signals->set(OnSignal::stop);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
   PointTraces found;
@@ -67,10 +65,7 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
     const std::vector<std::string> at =
         point.empty() ? std::vector<std::string>{} : split(point, ',');
     const Place place = read_place(whole, at);
-    if (!add_point_trace(whole, is_map, place, arguments.samples_per_period, options, &found)) {
-      tell("gearsweep: interrupted\n");
-      return kInterrupted;
-    }
+    add_point_trace(whole, is_map, place, arguments.samples_per_period, options, &found);
     if (!arguments.quiet) {
       const std::string& label = found.labels.back();
       tell("{}: {} moments of {} periods after {}\n", label.empty() ? "the study's point" : label,
@@ -80,12 +75,11 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
   write_traces(found.traces, found.labels, found.placed, whole, arguments.output,
                {command_line(arguments), version(), source_hash()}, arguments.units);
   if (!arguments.quiet) tell("{}\n", arguments.output);
-  return kDone;
 }
 
 }  // namespace
 
-void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
+void add_trace_command(CLI::App* app) {
   CLI::App* command =
       app->add_subcommand("trace", "The time history of points of a study or of a map");
   const auto arguments = std::make_shared<TraceArguments>();
@@ -124,7 +118,7 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --at omega=0.55,e0=0.6 -o two.nc\n"
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --samples-per-period 256 -o trace.csv\n\n"
       "A point of a map passes through the map's own samples: same start, same steps.");
-  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace gearsweep
