@@ -72,12 +72,11 @@ gearsweep_embed(${GENERATED}/builtin_studies.cpp builtin_studies study/builtin_s
 set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp ${GENERATED}/model_texts.cpp)
 
 # The version and a hash of all sources that decide a result.
-file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS ${KERNELS}/*.h ${KERNELS}/*.cl ${KERNELS}/*.toml
-     ${PROJECT_SOURCE_DIR}/host/*.cpp ${PROJECT_SOURCE_DIR}/host/*.hpp
-     ${PROJECT_SOURCE_DIR}/host/*.in)
+include(${PROJECT_SOURCE_DIR}/host/hash.cmake)
+gearsweep_deciding_files(hashed_files ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS)
 add_custom_command(OUTPUT ${GENERATED}/version.cpp
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${GENERATED}/version.cpp -DVERSION=${PROJECT_VERSION}
-          -DBASE=${PROJECT_SOURCE_DIR} "-DFILES=${hashed_files}" -P ${PROJECT_SOURCE_DIR}/host/hash.cmake
+          -DBASE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/host/hash.cmake
   DEPENDS ${hashed_files} ${PROJECT_SOURCE_DIR}/host/hash.cmake VERBATIM)
 list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/version.cpp)
 # The lists of two models have the same names, and clang-tidy has nothing to say of what is generated.

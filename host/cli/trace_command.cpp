@@ -6,8 +6,6 @@
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/place_text.hpp"
-#include "cli/detail/signal_watch.hpp"
-#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -69,14 +67,14 @@ std::string describe(const PointTraces& found, const TraceArguments& arguments,
   return text;
 }
 
-int run(const TraceArguments& arguments, SignalWatch* signals) {
+// A signal ends it at any time: there is nothing to keep.
+void run(const TraceArguments& arguments) {
   const Study whole = load(arguments);
   const bool is_map = is_netcdf(arguments.study);
   ensure_writable(arguments.output);
   ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  stop_on_signals(signals, arguments.quiet, &options);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
   PointTraces found;
@@ -89,22 +87,18 @@ int run(const TraceArguments& arguments, SignalWatch* signals) {
       tell("{} lies between the points of the map; the nearest is {}\n",
            label_of(*whole.model, place), nearest);
     }
-    if (!add_point_trace(whole, place, arguments.samples_per_period, options, &found)) {
-      tell("gearsweep: interrupted\n");
-      return kInterrupted;
-    }
+    add_point_trace(whole, place, arguments.samples_per_period, options, &found);
     if (!arguments.quiet) tell("{}", describe(found, arguments, whole.integrate.record));
   }
   for (const std::string& notice : found.notices) tell("gearsweep: warning: {}\n", notice);
   write_traces(found.traces, found.labels, found.placed, whole, arguments.output,
                {command_line(arguments), version(), source_hash()}, arguments.units);
   if (!arguments.quiet) tell("{}\n", arguments.output);
-  return kDone;
 }
 
 }  // namespace
 
-void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
+void add_trace_command(CLI::App* app) {
   CLI::App* command =
       app->add_subcommand("trace", "The time history of points of a study or of a map");
   const auto arguments = std::make_shared<TraceArguments>();
@@ -147,7 +141,7 @@ void add_trace_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep trace map.nc --at omega=0.7,e0=0.5 --samples-per-period 256 -o trace.csv\n\n"
       "At a point of a map the trace passes through the map's own samples: same start, same "
       "steps.");
-  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace gearsweep

@@ -8,7 +8,8 @@ namespace gearsweep {
 // "0.1.0".
 std::string version();
 
-// SHA-256 over the sources in kernels/ and host/, so that a result tells what computed it.
+// SHA-256 over the sources that decide numbers (host/hash.cmake), so that a result tells what
+// computed it, and a journal what may continue it.
 std::string source_hash();
 
 }  // namespace gearsweep

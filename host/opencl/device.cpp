@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -153,6 +154,11 @@ std::string describe_error(const std::string& doing, const cl::Error& error) {
 }
 
 std::vector<cl::Device> find_devices() {
+  // The first question makes PoCL 3.1 prepare its devices. Another thread that asks meanwhile is
+  // told that there are none, or crashes. A driver is one for the whole process, and so is the
+  // lock.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   std::vector<cl::Device> devices;
   std::vector<cl::Platform> platforms;
   try {

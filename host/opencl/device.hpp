@@ -21,7 +21,7 @@ struct DeviceInfo {
 };
 
 // All devices of all platforms, CPUs and GPUs; the order gives their numbers. Empty when there is
-// none. Throws RunError when OpenCL itself fails.
+// none. Any thread may ask at any time. Throws RunError when OpenCL itself fails.
 std::vector<DeviceInfo> list_devices();
 
 // The device that a run uses when none is named: the first CPU, so that a study gives the same bits

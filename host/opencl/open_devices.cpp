@@ -38,7 +38,7 @@ std::shared_ptr<OpenDevice> OpenDevices::open(const DeviceChoice& choice) {
   DeviceInfo& info = infos[choice.number];
   try {
     const cl::Device device = pick_device(choice, &info);
-    open = std::make_shared<OpenDevice>(device, info, launches_, compile_watch_);
+    open = std::make_shared<OpenDevice>(device, info, compile_watch_);
   } catch (const cl::Error& error) {
     throw RunError(describe_error(fmt::format("preparing device '{}'", info.name), error));
   }

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <shared_mutex>
 #include <tuple>
 
 #include "engine/device_choice.hpp"
@@ -26,7 +25,6 @@ class OpenDevices {
 
  private:
   const std::shared_ptr<CompileWatch> compile_watch_ = std::make_shared<CompileWatch>();
-  const std::shared_ptr<std::shared_mutex> launches_ = std::make_shared<std::shared_mutex>();
   std::mutex mutex_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::shared_ptr<OpenDevice>> open_;
 };

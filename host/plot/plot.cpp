@@ -146,7 +146,9 @@ class Drawing {
         text.replace(at, stem.size(), name);
         at += name.size();
       }
-      fs::copy_file(stem + ".pdf", image_->temporary_path(), fs::copy_options::overwrite_existing);
+      std::error_code told_below;
+      fs::copy_file(stem + ".pdf", image_->temporary_path(), fs::copy_options::overwrite_existing,
+                    told_below);
       std::ofstream(output_.temporary_path(), std::ios::binary) << text;
       ensure_whole(image_->temporary_path(), image_path_);
     }

@@ -52,7 +52,8 @@ const std::string& builtin_study_text(const std::string& name) {
 
 Study read_result_study(const std::string& path, const std::vector<std::string>& overrides,
                         const std::vector<std::string>& zooms) {
-  return read_study(read_study_text(path), path, overrides, zooms, read_point_table(path));
+  return read_study(read_study_text(path), path, overrides, zooms, read_point_table(path),
+                    NamedFiles::refused);
 }
 
 Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,

@@ -14,8 +14,8 @@ std::vector<std::string> builtin_study_names();
 // TOML text of a built-in study. Throws InputError for an unknown name.
 const std::string& builtin_study_text(const std::string& name);
 
-// The study that made a result file, with its list of points. Throws InputError. No other thread
-// may be at a NetCDF file meanwhile.
+// The study that made a result file, with its list of points; its text may name no files. Throws
+// InputError. No other thread may be at a NetCDF file meanwhile.
 Study read_result_study(const std::string& path, const std::vector<std::string>& overrides = {},
                         const std::vector<std::string>& zooms = {});
 

@@ -12,9 +12,11 @@ namespace {
 
 bool is_override(const toml::node& node) { return place_of(node).starts_with("--set"); }
 
+// By an axis; a draw of an uncertain parameter is around what the study gives.
 bool is_swept(const Study& study, const std::string& name) {
-  const std::vector<const Swept*> all = study.swept();
-  return std::ranges::any_of(all, [&](const Swept* one) { return one->name == name; });
+  return std::ranges::any_of(study.axes, [&](const Axis& axis) {
+    return std::ranges::any_of(axis.swept(), [&](const Swept& one) { return one.name == name; });
+  });
 }
 
 // A point of a chain depends on all those before it.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "study/detail/model_names.hpp"
 #include "study/detail/number_lines.hpp"
 
 namespace gearsweep {
@@ -44,6 +45,12 @@ class PointReader {
 
   void take_names(const std::vector<std::string_view>& names) {
     for (const std::string_view name : names) {
+      if (!is_model_name(std::string(name))) {
+        lines_.fail(
+            fmt::format("'{}' is no name of a parameter or an initial state; the first "
+                        "line has these names, such as omega, x1",
+                        shown_field(name)));
+      }
       if (std::ranges::find(out_.names, name) != out_.names.end()) {
         lines_.fail(fmt::format("the column '{}' is there twice", shown_field(name)));
       }

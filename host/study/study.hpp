@@ -162,13 +162,19 @@ struct Study {
   std::size_t trajectories() const { return points() * members(); }
 };
 
+// Whether the text of a study may name files beside it. That of a result may not: it comes from
+// whoever made the result, and what it needs of files is in it.
+enum class NamedFiles { allowed, refused };
+
 // Makes a study from TOML text. cli/ finds the text: a file, the study in a result file, a built-in
 // study. `source` names it in messages.
 // Each override is "path=value", as in "integrate.record=20" or "axes.omega.count=40". Each zoom,
 // applied after these, is "axis=from:to" or "axis=from:to:count". `points`, unless empty, is the
-// study's list of points in place of what its [points] says. Throws InputError.
+// study's list of points in place of what its [points] says. Overrides may always name files.
+// Throws InputError.
 Study read_study(const std::string& text, const std::string& source,
                  const std::vector<std::string>& overrides = {},
-                 const std::vector<std::string>& zooms = {}, const PointTable& points = {});
+                 const std::vector<std::string>& zooms = {}, const PointTable& points = {},
+                 NamedFiles files = NamedFiles::allowed);
 
 }  // namespace gearsweep

@@ -16,6 +16,7 @@
 #include "study/detail/model_table.hpp"
 #include "study/detail/overrides.hpp"
 #include "study/detail/point_reader.hpp"
+#include "study/detail/study_files.hpp"
 #include "study/detail/study_printer.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/detail/uncertain_reader.hpp"
@@ -313,14 +314,15 @@ struct StudyText {
 
 StudyText take_in(const std::string& text, const std::string& source,
                   const std::vector<std::string>& overrides, const std::vector<std::string>& zooms,
-                  const PointTable& given_points) {
+                  const PointTable& given_points, NamedFiles named) {
   StudyText study{parse(text, source), {}};
+  const StudyFiles files(source, named);
   for (const std::string& assignment : overrides) apply_override(assignment, &study.root);
   for (const std::string& zoom : zooms) apply_zoom(zoom, &study.root);
-  take_in_model_file(source, &study.root);
-  take_in_gear_files(source, &study.root);
-  study.points = take_in_points(source, given_points, &study.root);
-  take_in_sample_files(source, &study.root);
+  take_in_model_file(files, &study.root);
+  take_in_gear_files(files, &study.root);
+  study.points = take_in_points(files, given_points, &study.root);
+  take_in_sample_files(files, &study.root);
   // As axes=[] takes them away, and uncertain={} the tolerances.
   if (const toml::array* axes = study.root["axes"].as_array(); axes != nullptr && axes->empty()) {
     study.root.erase("axes");
@@ -388,8 +390,8 @@ std::string Study::brief_toml() const {
 
 Study read_study(const std::string& text, const std::string& source,
                  const std::vector<std::string>& overrides, const std::vector<std::string>& zooms,
-                 const PointTable& points) {
-  const StudyText whole = take_in(text, source, overrides, zooms, points);
+                 const PointTable& points, NamedFiles files) {
+  const StudyText whole = take_in(text, source, overrides, zooms, points, files);
   Study study = read_tables(whole);
   if (study.axes.empty()) refuse_without_axes(whole);
   return study;
@@ -397,7 +399,7 @@ Study read_study(const std::string& text, const std::string& source,
 
 Study read_draft(const std::string& text, const std::string& source,
                  const std::vector<std::string>& overrides, const PointTable& points) {
-  return read_tables(take_in(text, source, overrides, {}, points));
+  return read_tables(take_in(text, source, overrides, {}, points, NamedFiles::allowed));
 }
 
 }  // namespace gearsweep

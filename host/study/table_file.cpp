@@ -193,12 +193,14 @@ std::string table_text(const std::vector<TablePoint>& points) {
   return text;
 }
 
-TablePoints tables_beside(const std::string& model_file, std::span<const ValueUnit> units) {
-  return
-      [folder = std::filesystem::path(model_file).parent_path(), units](const std::string& name) {
-        const std::string path = (folder / name).string();
-        return parse_table(number_file_text(path, kMaxBytes, kTable), path, units);
-      };
+std::vector<TablePoint> read_table(const std::string& path, std::span<const ValueUnit> units) {
+  return parse_table(number_file_text(path, kMaxBytes, kTable), path, units);
+}
+
+TablePoints tables_beside(const std::string& model_file) {
+  return [folder = std::filesystem::path(model_file).parent_path()](const std::string& name) {
+    return read_table((folder / name).string());
+  };
 }
 
 }  // namespace gearsweep

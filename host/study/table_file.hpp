@@ -22,7 +22,10 @@ std::vector<TablePoint> parse_table(std::string_view text, const std::string& so
 // The same points as parse_table() reads from it, bit by bit: "phase value", in rad, per line.
 std::string table_text(const std::vector<TablePoint>& points);
 
+// Reads the file at `path`. Throws InputError.
+std::vector<TablePoint> read_table(const std::string& path, std::span<const ValueUnit> units = {});
+
 // Reads tables whose names are relative to the folder of a model's file.
-TablePoints tables_beside(const std::string& model_file, std::span<const ValueUnit> units = {});
+TablePoints tables_beside(const std::string& model_file);
 
 }  // namespace gearsweep

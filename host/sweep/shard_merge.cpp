@@ -77,7 +77,7 @@ class ShardJournals {
     if (note(first_, notes::kTilePoints).empty()) {
       throw InputError(fmt::format("'{}': nothing of this shard is finished", path));
     }
-    Study study = read_study(note(first_, notes::kStudy), path, {});
+    Study study = read_study(note(first_, notes::kStudy), path, {}, {}, {}, NamedFiles::refused);
     study.integrate.max_step = read_step(note(first_, notes::kStep));
     return study;
   }

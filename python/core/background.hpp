@@ -9,10 +9,26 @@
 
 namespace gearsweep::python {
 
+// Python must not end while one lives: a thread that is kept from the GIL then is torn out of the
+// functions of C++ that it is in, which aborts the process. To be made and destroyed with the GIL,
+// as the call guard of every function that lets go of it. One that is made while Python ends throws
+// SystemExit.
+class Computation {
+ public:
+  Computation();
+  ~Computation();
+  Computation(const Computation&) = delete;
+  Computation& operator=(const Computation&) = delete;
+};
+
+// Makes Python stop all computations at its end, and wait for them.
+void stop_computations_at_exit();
+
 // Runs `work` on another thread and lets go of the GIL until it has returned. Every now and then,
 // and at the end, it calls `meanwhile` with the GIL. After Ctrl-C, or when `meanwhile` throws, it
-// sets `stop`, waits for the work, and throws that; otherwise what the work has thrown. To be
-// called with the GIL; the work does not have it.
+// sets `stop`, waits for the work, and throws that; otherwise what the work has thrown. At the end
+// of Python it throws SystemExit in this way, which ends a thread without a word. To be called with
+// the GIL and within a Computation; the work does not have the GIL.
 void run_in_background(
     const std::function<void(const std::atomic<bool>& stop)>& work,
     const std::function<void()>& meanwhile = [] {});

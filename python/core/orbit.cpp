@@ -43,8 +43,9 @@ py::tuple floquet(Session* session, const Study& study, const NamedValues& place
 }  // namespace
 
 void add_floquet(SessionClass* session) {
-  session->def("floquet", floquet, py::arg("study"), py::arg("place"), py::arg("along"),
-               py::arg("period"), py::arg("steps"), py::arg("device"), py::arg("call"));
+  session->def("floquet", floquet, py::call_guard<Computation>(), py::arg("study"),
+               py::arg("place"), py::arg("along"), py::arg("period"), py::arg("steps"),
+               py::arg("device"), py::arg("call"));
 }
 
 }  // namespace gearsweep::python

@@ -44,10 +44,10 @@ py::tuple orders(Session* session, const Study& study, const std::string& over,
 }  // namespace
 
 void add_orders(SessionClass* session) {
-  session->def("orders", orders, py::arg("study"), py::arg("over"), py::arg("place"),
-               py::arg("channel"), py::arg("settle"), py::arg("record"), py::arg("highest"),
-               py::arg("samples_per_period"), py::arg("has_window"), py::arg("pilot_step"),
-               py::arg("device"), py::arg("call"));
+  session->def("orders", orders, py::call_guard<Computation>(), py::arg("study"), py::arg("over"),
+               py::arg("place"), py::arg("channel"), py::arg("settle"), py::arg("record"),
+               py::arg("highest"), py::arg("samples_per_period"), py::arg("has_window"),
+               py::arg("pilot_step"), py::arg("device"), py::arg("call"));
 }
 
 }  // namespace gearsweep::python

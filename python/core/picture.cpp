@@ -73,7 +73,7 @@ py::object classes_of(const std::string& name, const std::vector<std::string>& f
   tell_classes_apart(motions ? &*motions : nullptr, contacts ? &*contacts : nullptr, &map);
   const std::optional<MapClasses> classes = classes_in(map);
   if (!classes) return py::none();
-  py::array_t<double> indices(values.size());
+  py::array_t<double> indices(std::vector<py::ssize_t>{values.size()});
   double* out = indices.mutable_data();
   for (const double value : map.values) *out++ = classes->index_of(value);
   return py::make_tuple(indices, classes->names, classes->colours);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+// Arrays are made of types that C++ has: of any other, pybind11 before 2.12 takes the size of an
+// element from where NumPy 2 has something else, and the array is wrong without an error.
 namespace gearsweep::python {
 namespace {
 
@@ -22,7 +24,9 @@ py::object as_object(float number) { return as_scalar(number); }
 
 py::object as_object(const std::vector<signed char>& numbers) {
   if (numbers.size() == 1) return as_scalar(numbers.front());
-  return py::array_t<signed char>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+  py::array_t<signed char> out(std::vector<std::size_t>{numbers.size()});
+  std::ranges::copy(numbers, out.mutable_data());
+  return out;
 }
 
 py::dict as_dict(const std::vector<Attribute>& attributes) {
@@ -44,7 +48,9 @@ py::array numbers_of(const DataVariable& variable, const std::vector<std::size_t
 }
 
 py::array letters_of(const DataVariable& variable, const std::vector<std::size_t>& shape) {
-  py::array out(py::dtype("S1"), shape);
+  // As wide as a letter, strides are those of letters.
+  const py::array_t<signed char> letters(shape);
+  py::array out = letters.attr("view")("S1");
   const auto& text = std::get<std::string>(variable.elements);
   std::copy(text.begin(), text.end(), static_cast<char*>(out.mutable_data()));
   return out;

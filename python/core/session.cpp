@@ -105,10 +105,11 @@ py::list list_as_dicts(Session* session) {
 }  // namespace
 
 void add_session(py::module_* module) {
+  stop_computations_at_exit();
   SessionClass session(*module, "Session");
   session.def(py::init<>())
-      .def("run", run, py::arg("study"), py::arg("device"), py::arg("journal"), py::arg("call"),
-           py::arg("progress"))
+      .def("run", run, py::call_guard<Computation>(), py::arg("study"), py::arg("device"),
+           py::arg("journal"), py::arg("call"), py::arg("progress"))
       .def("devices", list_as_dicts);
   add_trace(&session);
   add_orders(&session);

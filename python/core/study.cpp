@@ -6,6 +6,7 @@
 #include "result/result_file.hpp"
 #include "result/study_source.hpp"
 #include "study/draft.hpp"
+#include "study/study_keys.hpp"
 
 namespace gearsweep::python {
 namespace {
@@ -56,6 +57,11 @@ void add_study(py::module_* module) {
                                const Texts& changes, const Columns& points) {
     return read_study(text, source, changes, {}, table_of(points));
   });
+  // The text that a result holds.
+  module->def("read_result_study", [](const std::string& text, const Texts& changes,
+                                      const Columns& points) {
+    return read_study(text, "study", changes, {}, table_of(points), NamedFiles::refused);
+  });
   module->def("read_draft", [](const std::string& text, const std::string& source,
                                const Texts& changes, const Columns& points) {
     return read_draft(text, source, changes, table_of(points));
@@ -64,6 +70,8 @@ void add_study(py::module_* module) {
   module->def("find_study", [](const std::string& name_or_path, const Texts& changes) {
     return find_study(name_or_path, changes);
   });
+  module->attr("MOST_AXIS_VALUES") =
+      static_cast<std::size_t>(find_key(study_table("axes"), "count")->max);
   module->def("builtin_study_names", &builtin_study_names);
   module->def("is_netcdf", &is_netcdf);
   module->def("read_pilot_step", &read_pilot_step);

@@ -39,9 +39,9 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
 }  // namespace
 
 void add_trace(SessionClass* session) {
-  session->def("trace", trace, py::arg("study"), py::arg("points"), py::arg("settle"),
-               py::arg("record"), py::arg("samples_per_period"), py::arg("pilot_step"),
-               py::arg("device"), py::arg("call"));
+  session->def("trace", trace, py::call_guard<Computation>(), py::arg("study"), py::arg("points"),
+               py::arg("settle"), py::arg("record"), py::arg("samples_per_period"),
+               py::arg("pilot_step"), py::arg("device"), py::arg("call"));
 }
 
 }  // namespace gearsweep::python

@@ -78,7 +78,7 @@ py::tuple verify(Session* session, const std::string& device, const py::object& 
 }  // namespace
 
 void add_verify(SessionClass* session) {
-  session->def("verify", verify, py::arg("device"), py::arg("tell"));
+  session->def("verify", verify, py::call_guard<Computation>(), py::arg("device"), py::arg("tell"));
 }
 
 }  // namespace gearsweep::python

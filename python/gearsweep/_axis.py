@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy
-
 from gearsweep._errors import InputError
+from gearsweep._value import numbers_of, shown
 
 
 def axis_table(name: str, values: Any) -> dict[str, Any]:
@@ -17,16 +16,14 @@ def axis_table(name: str, values: Any) -> dict[str, Any]:
         return axis | ({"scale": values[3]} if len(values) == 4 else {})
     if isinstance(values, tuple) and len(values) == 2:
         raise InputError(
-            f"axis {name!r}: {values!r} has no count; a range is (from, to, count), and values "
+            f"axis {name!r}: {shown(values)} has no count; a range is (from, to, count), and values "
             "come in a list"
         )
-    try:
-        numbers = numpy.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(
-            f"axis {name!r}: expected (from, to, count), (from, to, count, 'log') or an array of "
-            f"numbers, not {values!r}"
-        ) from None
+    numbers = numbers_of(
+        values,
+        f"axis {name!r}",
+        "(from, to, count), (from, to, count, 'log') or an array of numbers",
+    )
     if numbers.ndim > 1:
         raise InputError(f"axis {name!r}: expected a list of numbers, not of shape {numbers.shape}")
     return {"name": name, "values": numbers}

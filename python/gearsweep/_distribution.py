@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy
-
 from gearsweep._errors import InputError
 from gearsweep._place import number_of
+from gearsweep._value import numbers_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -120,12 +119,7 @@ def values(numbers: ArrayLike, relative: bool = False) -> dict[str, Any]:
     >>> values([0.11, 0.09, 0.1])
     {'distribution': 'values', 'values': [0.11, 0.09, 0.1]}
     """
-    try:
-        measured = numpy.asarray(numbers, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(
-            f"values: expected numbers, as in values([0.09, 0.1]), not {numbers!r}"
-        ) from None
+    measured = numbers_of(numbers, "values", "numbers, as in values([0.09, 0.1])")
     if measured.ndim != 1:
         raise InputError(f"values: expected numbers in one row, not of shape {measured.shape}")
     return _table("values", {"values": measured.tolist()}, relative)

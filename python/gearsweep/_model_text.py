@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import numpy
-
 from gearsweep._errors import InputError
-from gearsweep._value import toml_key, toml_value
+from gearsweep._value import numbers_of, toml_key, toml_value
 
 def model_text(
     *, name: str, summary: str, max_step: Any, period: Any, jumps: Any, **tables: Any
@@ -73,10 +71,7 @@ def table_texts(tables: Mapping[str, Any] | None) -> dict[str, str]:
 
 
 def _table_text(name: str, points: Any) -> str:
-    try:
-        array = numpy.asarray(points, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"table {name!r}: expected an array of numbers") from None
+    array = numbers_of(points, f"table {name!r}", "an array of numbers")
     if array.ndim != 2 or array.shape[1] != 2:
         raise InputError(
             f"table {name!r}: expected the shape (points, 2), the phase in radians and the value, "

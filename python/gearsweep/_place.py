@@ -7,11 +7,12 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+import numpy
 import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._value import path_of, text_of
+from gearsweep._value import numbers_of, path_of, shown, text_of
 
 
 def place_of(*values: Mapping[str, Any]) -> list[tuple[str, float]]:
@@ -30,12 +31,9 @@ def _name(name: Any) -> str:
 
 def number_of(value: Any, name: str) -> float:
     """A number, whatever holds it: NumPy's and xarray's scalars, too."""
-    try:
-        if not isinstance(value, str | bytes | bool):
-            return float(value)
-    except (TypeError, ValueError):
-        pass  # told below
-    raise InputError(f"{name}: expected a number, not {value!r}")
+    if not isinstance(value, str | bytes | bool) and numpy.size(value) == 1:
+        return float(numbers_of(value, name, "a number").reshape(-1)[0])
+    raise InputError(f"{name}: expected a number, not {shown(value)}")
 
 
 def count_of(value: Any, name: str, smallest: int, largest: int) -> int | None:
@@ -45,9 +43,9 @@ def count_of(value: Any, name: str, smallest: int, largest: int) -> int | None:
     try:
         count = operator.index(value)
     except TypeError:
-        raise InputError(f"{name}: expected a whole number, not {value!r}") from None
+        raise InputError(f"{name}: expected a whole number, not {shown(value)}") from None
     if isinstance(value, bool) or not smallest <= count <= largest:
-        raise InputError(f"{name}: {value!r} is not in {smallest} .. {largest}")
+        raise InputError(f"{name}: {shown(value)} is not in {smallest} .. {largest}")
     return count
 
 

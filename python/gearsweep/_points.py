@@ -9,7 +9,7 @@ import numpy
 import xarray
 
 from gearsweep._errors import InputError
-from gearsweep._value import text_of
+from gearsweep._value import numbers_of, text_of
 
 # The attribute of a coordinate that is a column of a list of points (host/result/dataset.hpp).
 _SWEEPS = "sweeps"
@@ -64,7 +64,7 @@ def is_column(coordinate: xarray.DataArray) -> bool:
 def points_in(maps: xarray.Dataset) -> Columns:
     """The columns of the list of points that made a Dataset; none where it has axes alone."""
     return [
-        (str(coordinate.attrs[_SWEEPS]), coordinate.values)
+        _column(str(coordinate.attrs[_SWEEPS]), coordinate.values)
         for coordinate in maps.coords.values()
         if is_column(coordinate)
     ]
@@ -72,13 +72,7 @@ def points_in(maps: xarray.Dataset) -> Columns:
 
 def _column(name: Any, values: Any) -> tuple[str, numpy.ndarray[Any, Any]]:
     text = text_of(name, "points with the names of parameters and states")
-    try:
-        numbers = numpy.asarray(values)
-        if numbers.dtype.kind not in "fiub" and numbers.size > 0:
-            raise TypeError
-        numbers = numbers.astype(float)
-    except (TypeError, ValueError):
-        raise InputError(f"points: {text!r} is no array of numbers") from None
+    numbers = numbers_of(values, f"points: {text!r}", "an array of numbers")
     if numbers.ndim > 1:
         raise InputError(
             f"points: {text!r} has the shape {numbers.shape}; each point has one number"

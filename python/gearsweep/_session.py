@@ -8,7 +8,7 @@ import numpy
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._value import text_of
+from gearsweep._value import shown, text_of
 
 # Devices stay open with the kernels that were built for them, so that the next run starts at once.
 SESSION = _core.Session()
@@ -47,5 +47,7 @@ def device_text(device: int | str | None) -> str:
     if device is None:
         return ""
     if isinstance(device, bool) or not isinstance(device, int | numpy.integer | str):
-        raise InputError(f"device: expected a number or a text such as '0,1', not {device!r}")
+        raise InputError(f"device: expected a number or a text such as '0,1', not {shown(device)}")
+    if not isinstance(device, str) and not 0 <= device < 1 << 63:
+        raise InputError(f"device: {shown(device)} is no number of gearsweep.devices()")
     return text_of(str(device), "numbers of devices")

@@ -38,7 +38,13 @@ def study_of(source: Any, changes: Mapping[str, Any] | None = None) -> Study:
     if isinstance(source, xarray.Dataset):
         if "study" not in source.attrs:
             raise InputError("the Dataset has no attribute 'study': gearsweep did not make it")
-        return Study._of(_core.read_study(source.attrs["study"], "study", made, points_in(source)))
+        text = source.attrs["study"]
+        if not isinstance(text, str):
+            raise InputError(
+                "the attribute 'study' of the Dataset must be a text, "
+                f"not one of the type {type(text).__name__}"
+            )
+        return Study._of(_core.read_result_study(text, made, points_in(source)))
     if isinstance(source, os.PathLike):
         return Study._of(_core.find_study(path_of(source, "a path"), made))
     text = study_text(source)

@@ -10,8 +10,11 @@ from typing import Any
 
 import numpy
 
+from gearsweep import _core
 from gearsweep._errors import InputError
 
+# Numbers of a list in a study: those of an axis.
+_MOST = _core.MOST_AXIS_VALUES
 # Words that a study takes without quotes, and that its messages then show as they were given.
 _WORD = re.compile(r"(?!(?:true|false|inf|nan)\Z)[A-Za-z][A-Za-z0-9_-]*\Z")
 # Keys that TOML takes without quotes.
@@ -87,10 +90,17 @@ def toml_value(value: Any, place: str) -> str:
     str
         TOML.
     """
+    count = value.size if isinstance(value, numpy.ndarray) else 1
+    count = len(value) if isinstance(value, list | tuple) else count
+    if count > _MOST:
+        raise InputError(f"{place}: {count} values; at most {_MOST} are possible")
+    _refuse_masked(value, place)
     if isinstance(value, numpy.ndarray | numpy.generic):
         value = value.tolist()
     if isinstance(value, bool):
         return str(value).lower()
+    if isinstance(value, int) and not -(1 << 63) <= value < 1 << 63:
+        raise InputError(f"{place}: {shown(value)} is too large for a whole number; 1e20 is a number")
     if isinstance(value, int | float):
         return repr(value)
     if isinstance(value, str):
@@ -101,6 +111,58 @@ def toml_value(value: Any, place: str) -> str:
         items = (f"{toml_key(str(key))} = {toml_value(item, place)}" for key, item in value.items())
         return "{ " + ", ".join(items) + " }" if value else "{}"
     raise InputError(f"{place}: there are no values of the type {type(value).__name__}")
+
+
+def numbers_of(values: Any, place: str, expected: str) -> numpy.ndarray[Any, Any]:
+    """An array of numbers that users gave.
+
+    Parameters
+    ----------
+    values : array_like
+        What they gave.
+    place : str
+        What it is, for messages: ``"axis 'omega'"``.
+    expected : str
+        What would be right, for messages.
+
+    Returns
+    -------
+    numpy.ndarray
+        The same as floating-point numbers.
+
+    Raises
+    ------
+    InputError
+        Some are no real numbers, or masked: there is no value to compute with.
+    """
+    _refuse_masked(values, place)
+    try:
+        numbers = numpy.asarray(values)
+        # NumPy leaves out imaginary parts, reads texts and dates as numbers, and makes None a NaN.
+        is_real = numbers.dtype.kind in "fiub" or (
+            numbers.dtype.kind == "O"
+            and not any(item is None or numpy.iscomplexobj(item) for item in numbers.flat)
+        )
+        if is_real or numbers.size == 0:
+            return numbers.astype(float)
+    except (TypeError, ValueError, OverflowError):
+        pass  # told below
+    raise InputError(f"{place}: expected {expected}, not {shown(values)}")
+
+
+def shown(value: Any) -> str:
+    """A value of any kind and size for a message."""
+    try:
+        text = repr(value)
+    except ValueError:  # more digits than Python writes
+        return f"a value of the type {type(value).__name__}"
+    return text if len(text) <= 200 else f"{text[:200]}..."
+
+
+def _refuse_masked(values: Any, place: str) -> None:
+    masked = int(numpy.ma.count_masked(values)) if isinstance(values, numpy.ma.MaskedArray) else 0
+    if masked > 0:
+        raise InputError(f"{place}: {masked} of the values are masked; leave them out: .compressed()")
 
 
 def _path(path: Any) -> str:

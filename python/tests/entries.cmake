@@ -1,6 +1,7 @@
 # The entries of ctest for the Python package.
 set(environment PYTHONPATH=${CMAKE_CURRENT_BINARY_DIR} PYTHONDONTWRITEBYTECODE=1
     GEARSWEEP=$<TARGET_FILE:gearsweep>
+    NUMPY_2=${CMAKE_CURRENT_BINARY_DIR}/numpy-2
     COUNTING_OPENCL=$<TARGET_FILE:counting_opencl>)
 set(pytest ${Python3_EXECUTABLE} -m pytest -q -p no:cacheprovider -c ${PROJECT_SOURCE_DIR}/pyproject.toml)
 

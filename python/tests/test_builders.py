@@ -168,7 +168,7 @@ def test_a_chain_may_be_named_before_its_axis():
         (lambda: Study.gear5().sweep(omega=(0.4, 1.0, 2.0)), "count must be a whole number"),
         (lambda: Study.gear5().sweep(omega=(1, 2, 3, "cubic")), "expected (from, to, count)"),
         (lambda: Study.gear5().sweep(omega="all"), "expected (from, to, count)"),
-        (lambda: Study.gear5().sweep(omega=None), "must be finite"),
+        (lambda: Study.gear5().sweep(omega=None), "expected (from, to, count)"),
         (lambda: Study.gear5().sweep(omega=[[1.0, 2.0]]), "not of shape (1, 2)"),
         (lambda: Study.gear5().sweep(omega=[]), "has no values"),
         (lambda: Study.gear5().sweep(omega=[1.0, numpy.nan]), "must be finite"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 
+import numpy
 import pytest
 import xarray
 from conftest import MAP, command, options_of
@@ -74,11 +75,44 @@ def test_devices_that_are_not_there(tmp_path):
         lambda: gearsweep.run("coarse-map", set=MAP, device=1.5),
         lambda: gearsweep.run(xarray.Dataset()),
         lambda: gearsweep.run(xarray.Dataset(attrs={"study": "["})),
+        lambda: gearsweep.run(xarray.Dataset(attrs={"study": 5})),
+        lambda: gearsweep.trace(xarray.Dataset(attrs={"study": numpy.array([1, 2])})),
         lambda: gearsweep.model("gear"),
     ],
 )
 def test_wrong_arguments_are_refused(call):
     assert refusal(call)
+
+
+# The study of a result is its maker's, and the files that it names would be the reader's.
+@pytest.mark.parametrize(
+    "study",
+    [
+        "[model]\nfile = 'SECRET'\n[[axes]]\nname = 'x'\nvalues = [1]\n",
+        "[points]\nfile = 'SECRET'\n",
+        "[[axes]]\nname = 'omega'\nvalues = [1]\n[gear]\nstiffness_file = 'SECRET'\n",
+        "[[axes]]\nname = 'omega'\nvalues = [1]\n[uncertain]\nmu = {file = 'SECRET'}\n",
+    ],
+)
+def test_a_result_opens_no_file_of_its_reader(study, tmp_path):
+    secret = tmp_path / "secret"
+    secret.write_text("mu\n0.0123\n")
+    maps = gearsweep.run("coarse-map", set=MAP)
+    maps.attrs["study"] = study.replace("SECRET", str(secret))
+    path = tmp_path / "map.nc"
+    maps.to_netcdf(path)
+    for result in (maps, path):
+        for call in (gearsweep.run, gearsweep.trace, gearsweep.floquet, gearsweep.orders):
+            said = refusal(lambda call=call, result=result: call(result))
+            assert "the study of a result may name none" in said
+            assert "0.0123" not in said
+    for words in (
+        ("run", str(path), "-o", str(tmp_path / "again.nc")),
+        ("trace", str(path), "-o", str(tmp_path / "trace.nc")),
+        ("floquet", str(path)),
+        ("report", str(path), "-o", str(tmp_path / "page.html")),
+    ):
+        assert "the study of a result may name none" in command(*words, status=2)
 
 
 def test_a_journal_that_cannot_be_made_is_told_of(tmp_path):

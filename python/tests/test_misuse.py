@@ -129,6 +129,64 @@ def test_wrong_values_of_an_axis_are_refused(values):
         gearsweep.run(study, set={"axes.omega.values": values})
 
 
+# Numbers that NumPy or TOML would make something else of, or nothing.
+NO_NUMBERS = [
+    numpy.ma.masked_equal([0.5, 9.9, 1.0], 9.9),
+    numpy.array([0.5, 1.0 + 2.0j]),
+    numpy.array([0.5, numpy.complex64(1.0 + 2.0j)], dtype=object),
+    [0.5, 10**400],
+    ["0.5", "0.6"],
+    numpy.array(["2020-01-01", "2020-01-02"], dtype="datetime64[D]"),
+]
+
+
+@pytest.mark.parametrize("numbers", NO_NUMBERS, ids=lambda numbers: repr(numbers)[:40])
+def test_what_is_no_number_is_never_computed_with(numbers):
+    study = Study.gear5("coarse")
+    states = {"x": "v", "v": "-x"}
+    for use in (
+        lambda: study.sweep(omega=numbers),
+        lambda: study.points({"omega": numbers}),
+        lambda: gearsweep.values(numbers),
+        lambda: gearsweep.Model(
+            states=states, parameters={}, period=1, tables={"t": numpy.ma.array([numbers, numbers]).T}
+        ),
+        lambda: gearsweep.trace("coarse-map", set=MAP, omega=numbers[1], e0=0.5, record=1),
+    ):
+        with pytest.raises(InputError) as refused:
+            use()
+        assert len(str(refused.value)) < 600
+
+
+def test_a_masked_array_without_masked_values_is_an_array():
+    assert Study.gear5().sweep(omega=numpy.ma.array([0.5, 0.6])).axes == {"omega": 2}
+
+
+@pytest.mark.parametrize("number", [10**400, 10**5000, 2**64], ids=["400", "5000", "2^64"])
+def test_a_number_without_end_is_refused(number):
+    for use in (
+        lambda: Study.gear5(mu=number),
+        lambda: Study.gear5().sweep(omega=(0.1, number, 3)),
+        lambda: gearsweep.run("coarse-map", set={"axes.omega.count": number}),
+        lambda: gearsweep.run("coarse-map", set=MAP, device=number),
+        lambda: gearsweep.trace("coarse-map", set=MAP, record=number),
+        lambda: gearsweep.trace("coarse-map", set=MAP, omega=number, e0=0.5),
+    ):
+        with pytest.raises(InputError) as refused:
+            use()
+        assert len(str(refused.value)) < 600
+
+
+def test_more_values_than_an_axis_may_have_are_refused_before_they_are_written_out():
+    values = numpy.linspace(0.4, 2.0, 4_000_000)
+    for use in (
+        lambda: Study.gear5().sweep(omega=values),
+        lambda: gearsweep.run("coarse-map", set={"axes.omega.values": values}),
+    ):
+        with pytest.raises(InputError, match="4000000 values; at most 1000000 are possible"):
+            use()
+
+
 @pytest.mark.binding
 @pytest.mark.parametrize(
     "changes",
@@ -143,6 +201,8 @@ def test_wrong_values_of_an_axis_are_refused(values):
         {"observe.quantities": [3]},
         {"observe.quantities": numpy.zeros((2, 2))},
         {"parameters.mu": numpy.float32("nan")},
+        {"parameters.mu": numpy.complex64(0.1 + 0.1j)},
+        {"parameters.mu": numpy.ma.masked},
         {"parameters.mu": numpy.array([0.1, 0.2])},
         {"title": "\ud800"},
         {"\ud800": 1},

@@ -100,6 +100,45 @@ def test_two_threads_run_at_once():
     assert all(one.equals(other) for one, other in zip(alone, together, strict=True))
 
 
+def test_the_first_runs_of_a_process_may_coincide():
+    # The first one makes the driver prepare its devices.
+    script = (
+        "import gearsweep, threading\n"
+        "start = threading.Barrier(4)\n"
+        "def work():\n"
+        "    start.wait()\n"
+        f"    gearsweep.run('coarse-map', set={MAP!r})\n"
+        "    made.append(1)\n"
+        "made = []\n"
+        "threads = [threading.Thread(target=work) for _ in range(4)]\n"
+        "for thread in threads: thread.start()\n"
+        "for thread in threads: thread.join()\n"
+        "assert len(made) == 4\n"
+    )
+    for _ in range(3):
+        assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
+
+
+@pytest.mark.parametrize("ends", ["pass", "raise SystemExit(3)"])
+def test_python_ends_while_a_thread_computes(ends):
+    script = (
+        "import gearsweep, threading\n"
+        "begun = threading.Event()\n"
+        "def work():\n"
+        "    while True:\n"
+        "        try:\n"
+        f"            gearsweep.run('coarse-map', set={LONG!r}, progress=lambda _: begun.set())\n"
+        "        finally:\n"
+        "            print('stopped', flush=True)\n"
+        "threading.Thread(target=work, daemon=True).start()\n"
+        "begun.wait()\n"
+        f"{ends}\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == (3 if "3" in ends else 0), done.stderr
+    assert done.stderr == ""
+
+
 @pytest.mark.binding
 def test_other_threads_go_on_meanwhile():
     ended = threading.Event()

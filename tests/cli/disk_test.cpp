@@ -99,6 +99,16 @@ TEST_F(DiskTest, ATraceWithoutRoomSaysSo) {
   EXPECT_THAT(outcome->err, HasSubstr("'disk/out.csv': No space left on device"));
 }
 
+TEST_F(DiskTest, APictureForLatexWithoutRoomSaysSo) {
+  const std::optional<Outcome> outcome = run_with_disk(
+      "size=1m", "cat /dev/zero > disk/other\n" GEARSWEEP_BINARY
+                 " plot whole.nc -q x1_rms -o disk/map.tex; echo status $?\nls disk\n");
+  if (!outcome) GTEST_SKIP() << "no file system can be mounted here";
+  EXPECT_EQ(outcome->out, "status 1\nother\n");
+  EXPECT_THAT(outcome->err, HasSubstr("gnuplot wrote no whole picture for 'disk/map.pdf'; is the "
+                                      "disk full?"));
+}
+
 TEST_F(DiskTest, AFileThatMayNotGrowIsAnErrorLikeAFullDisk) {
   ASSERT_EQ(gearsweep(folder_, "run study.toml -o out.nc --quiet --keep-journal").status, 0);
   std::filesystem::remove(folder_ / "out.nc");

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-#include "support/process.hpp"
+#include "support/paused_run.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -79,6 +79,15 @@ class SignalsTest : public ::testing::Test {
 
   Folder folder_;
 };
+
+// A long trace takes more time to write than to compute.
+TEST_F(SignalsTest, EndATraceWhileItIsWritten) {
+  PausedRun run(folder_, "trace study.toml --at omega=0.6 -o out.nc", ".part", 1);
+  ASSERT_TRUE(run.is_paused()) << run.said();
+  run.send(SIGINT);
+  EXPECT_EQ(run.end(), 130);
+  EXPECT_THAT(run.said(), HasSubstr("gearsweep: interrupted\n"));
+}
 
 TEST_F(SignalsTest, EndACommandWhoseDriverDoesNotAnswer) {
   for (const char* command :

@@ -1,4 +1,4 @@
-// Launches of one kernel at once, of any widths.
+// Launches of one kernel at once, of any widths, on a device that is opened more than once.
 #include "opencl/detail/open_device.hpp"
 
 #include <gtest/gtest.h>
@@ -11,21 +11,24 @@
 namespace gearsweep::testing {
 namespace {
 
-// Each width is at some moment the widest so far, beside narrower ones.
+// Each width is at some moment the widest so far, beside narrower ones. The driver has the kernel
+// once, however often its device is opened.
 TEST(OpenDevice, RunsLaunchesOfAllWidthsAtOnce) {
   constexpr std::size_t kItems = 3000, kThreads = 4;
-  OpenDevices devices;
-  const std::shared_ptr<OpenDevice> device =
-      devices.open({.number = default_device(list_devices())});
-  const cl::Program program = device->program(
+  const std::string source =
       "__kernel void count(__global int* counts, int items) {\n"
       "  int i = get_global_id(0);\n"
       "  if (i >= items) return;\n"
       "  for (int turn = 0; turn < 2000; ++turn) counts[i] += (turn ^ i) & 1;\n"
-      "}\n",
-      "");
+      "}\n";
+  std::vector<std::shared_ptr<OpenDevice>> opened;
+  for (int i = 0; i < 2; ++i) {
+    opened.push_back(OpenDevices().open({.number = default_device(list_devices())}));
+  }
   std::vector<int> sums(kThreads);
   const auto work = [&](std::size_t thread) {
+    const std::shared_ptr<OpenDevice>& device = opened[thread % opened.size()];
+    const cl::Program program = device->program(source, "");
     const cl::CommandQueue queue(device->context(), device->device());
     const cl::Buffer counts(device->context(), CL_MEM_READ_WRITE, kItems * sizeof(cl_int));
     cl::Kernel kernel(program, "count");

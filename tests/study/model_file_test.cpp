@@ -333,6 +333,23 @@ TEST(ModelFile, RefusesATableWithThePlace) {
               ::testing::ThrowsMessage<InputError>(HasSubstr("a model reads at most 16 tables")));
 }
 
+// The name alone would be that of any file.
+TEST(ModelFile, WhatIsWrongInItIsToldWithTheStudyThatNamesIt) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "sub");
+  const std::string source = (folder / "sub/s.toml").string();
+  for (const std::string more : {"[states]\n", "[parameters]\nb = 1\nb = 2\n"}) {
+    folder.write("sub/pair.toml", pair_model() + more);
+    EXPECT_THAT(
+        [&] {
+          read_study("[model]\nfile = 'pair.toml'\n[[axes]]\nname = 'omega'\nvalues = [0.5]\n",
+                     source);
+        },
+        ::testing::ThrowsMessage<InputError>(
+            AllOf(HasSubstr(source + ":2: pair.toml:"), HasSubstr("cannot redefine"))));
+  }
+}
+
 // The study of a file has the numbers of its tables, and needs no file any more.
 TEST(ModelFile, TakesItsTablesIntoTheStudy) {
   const std::string text =

@@ -34,6 +34,15 @@ TEST(Notices, AnAxisWinsOverTheCommandLine) {
   EXPECT_THAT(read_study(kStudy, "s.toml", {"parameters.mu=0.3"}).notices, IsEmpty());
 }
 
+// Its draws are around what the study gives, and so is the nominal map.
+TEST(Notices, AnUncertainParameterIsGivenOnce) {
+  EXPECT_THAT(
+      read_study(std::string(kStudy) + "[uncertain]\nmu = {distribution = 'normal', std = 0.001}\n",
+                 "s.toml", {"parameters.mu=0.3"})
+          .notices,
+      IsEmpty());
+}
+
 TEST(Notices, AParameterWinsOverTheGearTable) {
   EXPECT_THAT(read_study(gear_study("e0 = 0.25\n"), "s.toml").notices,
               ElementsAre("s.toml:24: e0 = 0.25 wins over transmission_error_um of [gear], which "

@@ -60,6 +60,7 @@ TEST(PointTable, RefusesWithItsLine) {
       {"", "p.csv:0: there are no points"},
       {"mu,v1\n", "p.csv:1: there are no points"},
       {"0.1,2\n", "p.csv:1: '0.1' is a number; the first line has the names"},
+      {"mu:b\n1\n", "p.csv:1: 'mu:b' is no name of a parameter or an initial state"},
       {"mu,mu\n1,2\n", "p.csv:1: the column 'mu' is there twice"},
       {"mu,v1\n1,2\n1\n", "p.csv:3: 1 number for 2 columns"},
       {"mu\n1,2\n", "p.csv:2: 2 numbers for 1 column"},

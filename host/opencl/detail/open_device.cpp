@@ -5,13 +5,16 @@
 namespace gearsweep {
 
 OpenDevice::OpenDevice(const cl::Device& device, DeviceInfo info,
-                       std::shared_ptr<std::shared_mutex> launches,
                        std::shared_ptr<CompileWatch> compile_watch)
     : info_(std::move(info)),
       device_(device),
       context_(device),
-      launches_(std::move(launches)),
       compile_watch_(std::move(compile_watch)) {}
+
+std::shared_mutex& OpenDevice::launches() {
+  static std::shared_mutex all;
+  return all;
+}
 
 cl::Program OpenDevice::program(const std::string& source, const std::string& options) {
   const std::lock_guard lock(mutex_);

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <shared_mutex>
 #include <string>
@@ -22,8 +21,8 @@ namespace gearsweep {
 // Engines may use it from threads of their own.
 class OpenDevice {
  public:
-  // launches, compile_watch: what all devices of the process share.
-  OpenDevice(const cl::Device& device, DeviceInfo info, std::shared_ptr<std::shared_mutex> launches,
+  // compile_watch: what all devices that are opened together share.
+  OpenDevice(const cl::Device& device, DeviceInfo info,
              std::shared_ptr<CompileWatch> compile_watch);
 
   const DeviceInfo& info() const { return info_; }
@@ -39,7 +38,8 @@ class OpenDevice {
   //
   // Any number of launches run at once, but on a CPU one that is wider than all before it runs
   // alone: PoCL 3.1 compiles or loads a kernel anew for a wider launch, and counts as user of the
-  // new one whoever still runs the old one. It aborts when both have ended.
+  // new one whoever still runs the old one. It aborts when both have ended. It has equal kernels
+  // once in a process, also those of devices that were opened apart.
   //
   // Before such a launch it calls load(width), which is to launch the kernel without work: a driver
   // may compile it then, which is no time in kernels.
@@ -49,10 +49,10 @@ class OpenDevice {
     const Launched key = {kernel.getInfo<CL_KERNEL_PROGRAM>()(),
                           kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(), local_size};
     const std::size_t width = (items + local_size - 1) / local_size * local_size;
-    if (std::shared_lock others(*launches_); !info_.is_cpu || width <= widest(key)) {
+    if (std::shared_lock others(launches()); !info_.is_cpu || width <= widest(key)) {
       return launch(width);
     }
-    const std::lock_guard alone(*launches_);
+    const std::lock_guard alone(launches());
     const CompileWatch::Work compiling(compile_watch_.get());
     // Few launches are to run alone.
     const std::size_t wider = local_size * std::bit_ceil(width / local_size);
@@ -63,6 +63,9 @@ class OpenDevice {
   }
 
  private:
+  // Held by all that run in the process.
+  static std::shared_mutex& launches();
+
   using Launched = std::tuple<cl_program, std::string, std::size_t>;
   std::size_t widest(const Launched& key) {
     const std::lock_guard lock(mutex_);
@@ -73,7 +76,6 @@ class OpenDevice {
   const cl::Device device_;
   const cl::Context context_;
   BusyClock clock_;
-  const std::shared_ptr<std::shared_mutex> launches_;  // held by all that run
   const std::shared_ptr<CompileWatch> compile_watch_;
   std::mutex mutex_;
   std::map<Launched, std::size_t> widest_;

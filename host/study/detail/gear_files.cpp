@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <numbers>
 
 #include "model/error.hpp"
@@ -73,9 +72,8 @@ std::vector<TablePoint> parse_over_path(std::string_view text, const std::string
 }
 
 // As it stands in [gear.tables].
-std::string read_beside(const std::string& source, const std::string& name, const GearKey& key) {
-  const std::string path = (std::filesystem::path(source).parent_path() / name).string();
-  if (key.type == kFile) return table_text(tables_beside(source, key.units)(name));
+std::string read_file(const std::string& path, const GearKey& key) {
+  if (key.type == kFile) return table_text(read_table(path, key.units));
   if (key.type == kFileOverPath) {
     return table_text(
         parse_over_path(number_file_text(path, kMaxTeethBytes, kTeethFile), path, key.units));
@@ -116,7 +114,7 @@ double mean_of(const PeriodicTable& table, const std::vector<TablePoint>& points
 
 }  // namespace
 
-void take_in_gear_files(const std::string& source, toml::table* root) {
+void take_in_gear_files(const StudyFiles& files, toml::table* root) {
   toml::table* gear = (*root)["gear"].as_table();
   if (gear == nullptr) return;
   if (const toml::node* node = gear->get(kTables); node != nullptr && !node->is_table()) {
@@ -133,10 +131,13 @@ void take_in_gear_files(const std::string& source, toml::table* root) {
     }
     const std::string& name = node->as_string()->get();
     const toml::node* text = held == nullptr ? nullptr : held->get(name);
+    if (text != nullptr && text->is_string()) {
+      tables.insert_or_assign(name, text->as_string()->get());
+      continue;
+    }
+    const std::string path = files.path_of(*node);
     try {
-      tables.insert_or_assign(name, text != nullptr && text->is_string()
-                                        ? text->as_string()->get()
-                                        : read_beside(source, name, key));
+      tables.insert_or_assign(name, read_file(path, key));
     } catch (const InputError& error) {
       fail_at(*node, error.what());
     }

@@ -11,12 +11,13 @@
 
 #include "expression/periodic_table.hpp"
 #include "study/detail/gear_keys.hpp"
+#include "study/detail/study_files.hpp"
 
 namespace gearsweep {
 
 // The numbers of the files become [gear.tables], so that the study needs no other file any more.
-// source: the study's own file, which they lie beside. Throws InputError with the place.
-void take_in_gear_files(const std::string& source, toml::table* root);
+// Throws InputError with the place.
+void take_in_gear_files(const StudyFiles& files, toml::table* root);
 
 // A curve over a mesh period, whose phase is in radians, as its file has the values.
 struct MeasuredCurve {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "model/error.hpp"
@@ -18,18 +17,23 @@ namespace gearsweep {
 namespace {
 
 // The numbers that the model reads from files become a part of the study, as its text does.
-void take_in_tables(const std::string& text, const std::string& name, const std::string& file,
+void take_in_tables(const std::string& text, const toml::node& named, const std::string& path,
                     toml::table* model) {
   if (const toml::node* node = model->get("tables")) {
     fail_at(*node, "tables belong to a model's text; with its file they are read beside it");
   }
   if (text.find("table") == std::string::npos) return;  // a model is read a second time for them
   toml::table tables;
-  read_model_text(text, name, {}, [&, beside = tables_beside(file)](const std::string& table) {
-    std::vector<TablePoint> points = beside(table);
-    tables.insert_or_assign(table, table_text(points));
-    return points;
-  });
+  try {
+    read_model_text(text, named.as_string()->get(), {},
+                    [&, beside = tables_beside(path)](const std::string& table) {
+                      std::vector<TablePoint> points = beside(table);
+                      tables.insert_or_assign(table, table_text(points));
+                      return points;
+                    });
+  } catch (const InputError& error) {
+    fail_at(named, error.what());
+  }
   if (!tables.empty()) model->insert("tables", std::move(tables));
 }
 
@@ -115,16 +119,22 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
   }
   const toml::table* tables = reader->table("tables");
   std::set<std::string> used;
-  study->own_model = read_model_text(
-      reader->text("text", ""), file, axis_names(root), [&](const std::string& table) {
-        const toml::node* node = tables == nullptr ? nullptr : tables->get(table);
-        if (node == nullptr) {
-          throw InputError(fmt::format("'{}' is not in [model.tables] of the study", table));
-        }
-        if (!node->is_string()) fail_at(*node, "a table must be a string of numbers, in quotes");
-        used.insert(table);
-        return parse_table(node->as_string()->get(), fmt::format("'{}' in [model.tables]", table));
-      });
+  const TablePoints points_of = [&](const std::string& table) {
+    const toml::node* node = tables == nullptr ? nullptr : tables->get(table);
+    if (node == nullptr) {
+      throw InputError(fmt::format("'{}' is not in [model.tables] of the study", table));
+    }
+    if (!node->is_string()) fail_at(*node, "a table must be a string of numbers, in quotes");
+    used.insert(table);
+    return parse_table(node->as_string()->get(), fmt::format("'{}' in [model.tables]", table));
+  };
+  try {
+    study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root), points_of);
+  } catch (const InputError& error) {
+    // The name of the file alone does not tell where it lies.
+    if (const toml::node* named = reader->find("file")) fail_at(*named, error.what());
+    throw;
+  }
   study->model = study->own_model.get();
   if (tables == nullptr) return;
   for (const auto& [key, node] : *tables) {
@@ -197,21 +207,19 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
   reader.refuse_unknown();
 }
 
-void take_in_model_file(const std::string& source, toml::table* root) {
+void take_in_model_file(const StudyFiles& files, toml::table* root) {
   toml::table* model = root->contains("model") ? (*root)["model"].as_table() : nullptr;
   if (model == nullptr || !model->contains("file") || model->contains("text")) return;
   const toml::node& node = *model->get("file");
   if (!node.is_string()) fail_at(node, "file must be a string in quotes");
-  const std::string& name = node.as_string()->get();
-  const std::filesystem::path file =
-      std::filesystem::path(source).parent_path() / std::filesystem::path(name);
+  const std::string path = files.path_of(node);
   std::string text;
   try {
-    text = model_file_text(file.string());
+    text = model_file_text(path);
   } catch (const InputError& error) {
     fail_at(node, error.what());
   }
-  take_in_tables(text, name, file.string(), model);
+  take_in_tables(text, node, path, model);
   model->insert("text", text);
 }
 

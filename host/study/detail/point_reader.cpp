@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "model/error.hpp"
 #include "study/detail/axis_reader.hpp"
 #include "study/detail/toml_access.hpp"
@@ -13,26 +11,26 @@ namespace {
 
 constexpr const char* kTable = "points";
 
-PointTable points_beside(const std::string& source, const std::string& name,
-                         const toml::node& file) {
+PointTable points_in_file(const StudyFiles& files, const toml::node& file) {
+  const std::string path = files.path_of(file);
   try {
-    return read_points((std::filesystem::path(source).parent_path() / name).string());
+    return read_points(path);
   } catch (const InputError& error) {
     fail_at(file, error.what());
   }
 }
 
-PointTable points_of_table(const std::string& source, const PointTable& given,
+PointTable points_of_table(const StudyFiles& files, const PointTable& given,
                            const toml::table& table) {
   TableReader reader(&table, study_table(kTable));
   const toml::node* file = reader.find("file");
-  const std::string file_name = reader.text("file", "");
+  reader.text("file", "");
   const std::vector<std::string> names = reader.texts("names");
   const toml::node* numbers = reader.find("numbers");
   const std::string lines = reader.text("numbers", "");
   reader.refuse_unknown();
   // A study that was read has none, so it was asked for in place of the numbers.
-  if (file != nullptr) return points_beside(source, file_name, *file);
+  if (file != nullptr) return points_in_file(files, *file);
   if (!given.empty()) return given;
   if (numbers != nullptr && names.empty()) {
     fail_at(*numbers, "numbers need names, one for each column");
@@ -48,7 +46,7 @@ PointTable points_of_table(const std::string& source, const PointTable& given,
 
 }  // namespace
 
-PointTable take_in_points(const std::string& source, const PointTable& given, toml::table* study) {
+PointTable take_in_points(const StudyFiles& files, const PointTable& given, toml::table* study) {
   toml::node* node = study->get(kTable);
   if (node != nullptr && !node->is_table()) fail_at(*node, "points must be a table: [points]");
   if (node == nullptr && given.empty()) return {};
@@ -57,7 +55,7 @@ PointTable take_in_points(const std::string& source, const PointTable& given, to
     node = study->get(kTable);
   }
   toml::table& table = *node->as_table();
-  PointTable points = points_of_table(source, given, table);
+  PointTable points = points_of_table(files, given, table);
   toml::array names;
   for (const std::string& name : points.names) names.push_back(name);
   table.erase("file");

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "study/detail/study_files.hpp"
 #include "study/point_table.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
 // The list of the study, empty without [points]: `given`, unless that is empty, or what [points]
-// says. Leaves it in [points] as names and numbers, also where it was a file beside `source`.
-// Throws InputError.
-PointTable take_in_points(const std::string& source, const PointTable& given, toml::table* study);
+// says. Leaves it in [points] as names and numbers, also where it was a file. Throws InputError.
+PointTable take_in_points(const StudyFiles& files, const PointTable& given, toml::table* study);
 
 // The axis 'point' of a list that is not empty. Throws InputError for what is neither a parameter
 // nor a state of the model, and for values out of range. place: where messages point to.

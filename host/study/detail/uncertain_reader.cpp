@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "model/error.hpp"
 #include "study/detail/axis_reader.hpp"
@@ -205,7 +204,7 @@ void refuse_given_twice(const toml::table& table, const Study& study) {
 
 }  // namespace
 
-void take_in_sample_files(const std::string& source, toml::table* study) {
+void take_in_sample_files(const StudyFiles& files, toml::table* study) {
   toml::table* uncertain = (*study)[kUncertain].as_table();
   if (uncertain == nullptr) return;
   for (auto&& [key, node] : *uncertain) {
@@ -215,9 +214,8 @@ void take_in_sample_files(const std::string& source, toml::table* study) {
     if (!file->is_string()) fail_at(*file, "file must be a name in quotes");
     if (table->contains("values")) fail_at(*file, "give values or a file, not both");
     toml::array numbers;
+    const std::string path = files.path_of(*file);
     try {
-      const std::string path =
-          (std::filesystem::path(source).parent_path() / file->as_string()->get()).string();
       const std::string text = number_file_text(path, kMaxSampleBytes, "samples");
       NumberLines lines(text, kMaxSampleBytes, "samples", path);
       for (std::vector<std::string_view> fields; lines.next(&fields);) {

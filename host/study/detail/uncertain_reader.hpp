@@ -3,15 +3,14 @@
 
 #include <toml++/toml.h>
 
-#include <string>
-
+#include "study/detail/study_files.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// Puts the numbers of files that the table names in their place, so that the text is whole. Files
-// lie beside the study, `source`. Throws InputError.
-void take_in_sample_files(const std::string& source, toml::table* study);
+// Puts the numbers of files that the table names in their place, so that the text is whole. Throws
+// InputError.
+void take_in_sample_files(const StudyFiles& files, toml::table* study);
 
 // Reads the table and makes the draws, and adds the maps of all draws to what is observed. The rest
 // of the study is there. Throws InputError.
