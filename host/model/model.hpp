@@ -63,10 +63,16 @@ struct ContactInfo {
   bool is_one_sided = false;                 // it has the drive flank alone
 };
 
-// One flank's limit: p = D - flank b' is 0 there.
+// A place where an equation jumps with a state, as sign(v) does.
+struct StateJump {
+  std::string expression;  // "sign(v)"
+  std::string place;       // "the equation of v, dry.toml:12"
+};
+
+// One flank's limit, or a corner of the equations: p = D - flank b' is 0 there.
 struct ContactLimit {
-  std::size_t contact = 0;
-  double flank = 1.0;  // 1: drive, which touches where p > 0; -1: back, where p < 0
+  std::size_t contact = 0;  // of the model's contacts, then of its corners
+  double flank = 1.0;       // 1: drive, which touches where p > 0; -1: back, where p < 0
 };
 
 // One point's right-hand side, with everything that does not change in time worked out.
@@ -82,7 +88,9 @@ class PreparedPoint {
   // out: one number per signal.
   virtual void signals(const double* coefs, const double* x, double* out) const = 0;
 
-  // Of a contact. out: d(dx_i/dtau)/d(penetration), one number per state.
+  // out: deflection and backlash of each contact, then of each corner.
+  virtual void contact_places(const double* coefs, const double* x, double* out) const = 0;
+  // Of a contact or corner. out: d(dx_i/dtau)/d(penetration), one number per state.
   virtual void force_direction(std::size_t contact, const double* coefs, const double* x,
                                double* out) const = 0;
   // out: row-major, how the force direction changes with each state.
@@ -120,6 +128,11 @@ struct Model {
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   std::vector<ContactInfo> contacts;
+  // Corners of the equations, as of abs(x): one-sided contacts that steps are corrected for, and
+  // that nobody looks at.
+  std::size_t corners = 0;
+  // Corners with a state that steps are not corrected for; a line each says which, and why.
+  std::vector<std::string> uncorrected;
   std::vector<MirrorPairs> mirror_pairs;
   // The parameter that says how many mesh periods one period of the forcing has, if there is one.
   std::optional<std::size_t> cycle;
@@ -151,6 +164,11 @@ struct Model {
   // This model with measured curves; empty where it takes none. Throws std::out_of_range for a name
   // that is none of its curves.
   std::function<Model(const Curves&)> with_curves;
+  // Where the equations jump with a state, with the options of a setting. Steps are of first order
+  // there, and tangents miss what a jump does to them.
+  std::function<std::vector<StateJump>(const ModelSetting&)> state_jumps = [](const ModelSetting&) {
+    return std::vector<StateJump>();
+  };
   // As of prepare(), without the rest: a plan asks for each point of a study.
   std::function<double(const ModelSetting&)> period;
 
@@ -161,7 +179,7 @@ struct Model {
   int find_option(std::string_view option) const;
 
   std::vector<std::string> state_names() const;
-  // Of all contacts, in their order; the drive flank's first.
+  // Of all contacts, in their order, the drive flank's first; then of the corners.
   std::vector<ContactLimit> contact_limits() const;
   // The signal that is the force between the teeth, `dmf`; nullptr of a model that has none.
   const ChannelInfo* contact_force() const;

@@ -184,6 +184,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
+  if (!result.study.accuracy.empty()) text += result.study.accuracy + "\n";
   text += describe_integrated(result.integrated, result.study.model->states.size());
   if (result.pilot) text += "steps of " + describe_pilot(*result.pilot);
   text += describe_attractors(result);
@@ -217,6 +218,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["steps"] = result.steps;
   json["stopped"] = result.stopped;
   json["integrated_states"] = result.integrated;
+  if (!result.study.accuracy.empty()) json["accuracy"] = result.study.accuracy;
   if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot);
   json["device"] = result.engine.device;
   return json_text(json);
