@@ -20,7 +20,7 @@ const std::vector<double> kOmegas = {0.61, 0.67, 0.73, 0.79, 0.85, 0.91, 0.97, 1
 
 const char* const kModel =
     "[model]\nname = \"corners\"\n[states]\nx = {}\nv = {}\n[parameters]\nomega = 0.8\nF = 1.1\n"
-    "[constants]\nspring = \"0.3*x + 0.4*abs(x) + clamp(x, -0.3, 0.5) - 2*min(0.2 - x, 0)\"\n"
+    "[constants]\nspring = \"0.6*x + 0.4*abs(x) + clamp(x, -0.3, 0.5) - 2*min(0.2 - x, 0)\"\n"
     "hard = \"if(x > 0.7, 3*(x - 0.7), 0)\"\n[equations]\nx = \"v\"\n"
     "v = \"F*cos(phase) - 0.1*v - spring - hard\"\n[forcing]\nperiod = \"2*pi/omega\"\n";
 
@@ -31,7 +31,7 @@ ExactPieces closed_form(double omega) {
                     .field = {}};
   exact.field = [](const Sides& beyond, std::size_t) {
     LinearField field(2);
-    double stiffness = 0.3 + (beyond[1] ? 0.4 : -0.4), constant = 0.0;
+    double stiffness = 0.6 + (beyond[1] ? 0.4 : -0.4), constant = 0.0;
     if (!beyond[0]) {
       constant += 0.3;
     } else if (beyond[3]) {
@@ -84,10 +84,10 @@ double error_of(std::size_t steps, const std::string& engine) {
 TEST(CornerForms, LeaveAnErrorOfFourthOrder) {
   const double coarse = error_of(64, "opencl"), fine = error_of(512, "opencl");
   EXPECT_GT(std::log2(coarse / fine) / 3.0, 3.5) << coarse << ' ' << fine;
-  EXPECT_LT(fine, 1e-7);
+  EXPECT_LT(fine, 3e-7);
 }
 
-TEST(CornerForms, AreCorrectedByTheReferenceEngine) { EXPECT_LT(error_of(512, "reference"), 1e-7); }
+TEST(CornerForms, AreCorrectedByTheReferenceEngine) { EXPECT_LT(error_of(512, "reference"), 3e-7); }
 
 // Newton's method and the multipliers cut their steps at corners.
 TEST(CornerForms, HaveTheMultipliersOfTheClosedForm) {

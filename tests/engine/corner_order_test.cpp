@@ -72,8 +72,10 @@ const std::vector<Case> kCases = {
     {.name = "nested_corners",
      .states = "x = {}\ny = {}\nv = {}\nw = {}\n",
      .constants = "r = \"max(abs(x), abs(y)) - 0.3*b\"\nf = \"9*max(r, 0)\"\n",
-     .equations = "x = \"v\"\ny = \"w\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - f\"\n"
-                  "w = \"F*cos(phase) - 0.2*w - 1.3*y + 0.3*f\"\n"},
+     .equations = "x = \"v\"\ny = \"w\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - f*x\"\n"
+                  "w = \"F*cos(phase) - 0.2*w - 1.3*y - f*y\"\n",
+     .order = 2.7,  // two corners that lie in one step are not told apart
+     .tangent_order = 1.7},
     {.name = "saturated_network",
      .states = "x = {}\ny = {}\nz = {}\n",
      .constants = "f = \"clamp(x, -b, b)\"\ng = \"clamp(y, -b, b)\"\n",
