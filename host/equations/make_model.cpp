@@ -38,6 +38,7 @@ struct Tapes {
     Tape direction, direction_slope;  // [state], [state][state]
     Tape gradients;                   // of the deflection, then of the backlash, [state]
   };
+  Tape contact_places;  // deflection and backlash of each
   std::vector<OfContact> contacts;
   std::size_t states = 0, points = 0, coef_count = 0;
   std::vector<std::size_t> choices;  // [option]: how many there are
@@ -85,7 +86,10 @@ Tapes tapes_of(Formula* formula, const Lowered& lowered) {
   tapes.rhs = Tape(graph, moment, lowered.equations);
   tapes.jacobian = Tape(graph, moment, lowered.jacobian);
   tapes.signals = Tape(graph, moment, lowered.signals);
+  std::vector<NodeId> places;
   for (const Contact& contact : lowered.contacts.list) {
+    places.push_back(contact.deflection);
+    places.push_back(contact.backlash);
     const auto slopes = [&](const std::vector<NodeId>& of) {
       std::vector<NodeId> out;
       for (const NodeId id : of) {
@@ -98,6 +102,7 @@ Tapes tapes_of(Formula* formula, const Lowered& lowered) {
     tapes.contacts.push_back({Tape(graph, moment, contact.direction), slopes(contact.direction),
                               slopes({contact.deflection, contact.backlash})});
   }
+  tapes.contact_places = Tape(graph, moment, places);
   return tapes;
 }
 
@@ -119,6 +124,9 @@ class TextPoint final : public PreparedPoint {
   }
   void signals(const double* coefs, const double* x, double* out) const override {
     run(tapes_->signals, coefs, x, out);
+  }
+  void contact_places(const double* coefs, const double* x, double* out) const override {
+    run(tapes_->contact_places, coefs, x, out);
   }
   void force_direction(std::size_t contact, const double* coefs, const double* x,
                        double* out) const override {
@@ -312,11 +320,58 @@ void refuse_taken(const ModelDefinition& definition, const std::string& name) {
       definition.period.file, name));
 }
 
+// Of equations with these options: all that jumps in what no choice takes away.
+std::vector<RoughPlace> jumps_with(const ModelSetting& setting, const ModelDefinition& definition,
+                                   Formula formula) {
+  std::map<NodeId, NodeId> choices;
+  std::size_t choice = 0;
+  for (std::size_t i = 0; i < definition.options.size(); ++i) {
+    for (std::size_t j = 0; j < definition.options[i].choices.size(); ++j) {
+      const bool is_made = setting.options[i] == static_cast<int>(j);
+      choices[formula.choices[choice++]] = formula.graph.number(is_made ? 1.0 : 0.0);
+    }
+  }
+  Rewriter with_choices(&formula.graph, std::move(choices));
+  std::vector<NodeId> equations;
+  for (const NodeId id : formula.equations) equations.push_back(with_choices(id));
+  return find_corners(&formula, equations).jumps;
+}
+
+std::string equation_of(const ModelDefinition& definition, const RoughPlace& place) {
+  const ExpressionText& text = definition.equations[place.equation];
+  return fmt::format("the equation of {}, {}:{}", definition.states[place.equation].name, text.file,
+                     text.line);
+}
+
+std::vector<StateJump> state_jumps_of(const ModelDefinition& definition,
+                                      const std::vector<RoughPlace>& places) {
+  std::vector<StateJump> jumps;
+  for (const RoughPlace& place : places) {
+    jumps.push_back({place.expression, equation_of(definition, place)});
+  }
+  return jumps;
+}
+
+// What no option changes: where there are none, or nothing jumps whatever they are.
+std::function<std::vector<StateJump>(const ModelSetting&)> state_jumps_by_setting(
+    const ModelDefinition& definition, const std::shared_ptr<const Formula>& written,
+    const Lowered& lowered) {
+  std::vector<StateJump> all = state_jumps_of(definition, lowered.jumps);
+  if (all.empty() || definition.options.empty()) {
+    return [all = std::move(all)](const ModelSetting&) { return all; };
+  }
+  const auto defined = std::make_shared<const ModelDefinition>(definition);
+  return [defined, written](const ModelSetting& setting) {
+    return state_jumps_of(*defined, jumps_with(setting, *defined, *written));
+  };
+}
+
 // The contacts, with the signals that what looks at them needs.
 std::vector<ContactInfo> add_contact_signals(const Formula& formula, ModelDefinition* definition,
                                              Lowered* lowered) {
   std::vector<ContactInfo> contacts;
   for (const Contact& contact : lowered->contacts.list) {
+    if (contact.is_hidden) break;
     const std::string before = contact.name.empty() ? "" : contact.name + "_";
     const std::string unit = unit_of(formula, *definition, contact.deflection);
     const auto add = [&](const std::string& name, const std::string& meaning, NodeId id) {
@@ -342,13 +397,27 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
   const auto add = [&](const std::string& line) { lines.push_back(line); };
   const ExpressionGraph& graph = formula.graph;
   if (lowered.is_second_order) add("second order: positions, then their velocities");
+  for (const StateJump& jump : state_jumps_of(definition, lowered.jumps)) {
+    add(
+        fmt::format("jumps with a state: {} (in {}); steps are of first order there, and there are "
+                    "no exponents, periods and kinds of motion",
+                    jump.expression, jump.place));
+  }
   for (const Contact& contact : lowered.contacts.list) {
+    if (contact.is_hidden) {
+      add(fmt::format("corner of {}: steps that cross it are corrected", contact.name));
+      continue;
+    }
     const std::string name = contact.name.empty() ? "" : fmt::format(" '{}'", contact.name);
     const bool has_slope = std::ranges::any_of(
         contact.direction, [&](NodeId id) { return !graph.is_number(id, 0.0); });
     add(fmt::format("{}{}: {}", contact.is_one_sided ? "stop" : "backlash", name,
                     has_slope ? "steps that cross its limits are corrected"
                               : "the force does not begin with a slope: steps are not corrected"));
+  }
+  for (const RoughPlace& place : lowered.uncorrected) {
+    add(fmt::format("corner of {} (in {}): steps are not corrected, and of second order there",
+                    place.expression, equation_of(definition, place)));
   }
   for (const NodeId id : lowered.coef_values) {
     add(fmt::format("tabulated over the phase: {}", to_short_text(graph, id)));
@@ -389,6 +458,7 @@ std::shared_ptr<const FieldGraph> field_graph_of(const Formula& formula, const L
 Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
+  const auto written = std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);
   Tapes worked_out = tapes_of(&formula, lowered);
@@ -400,6 +470,12 @@ Model make_model(const ModelDefinition& given) {
   Model model;
   set_lists(definition, formula, lowered, &model);
   model.contacts = contacts;
+  model.corners = lowered.contacts.list.size() - contacts.size();
+  for (const RoughPlace& place : lowered.uncorrected) {
+    model.uncorrected.push_back(
+        fmt::format("{} (in {})", place.expression, equation_of(definition, place)));
+  }
+  model.state_jumps = state_jumps_by_setting(definition, written, lowered);
   model.findings = findings_of(definition, formula, lowered, tapes->breaks);
   model.is_rough = !tapes->breaks.tables_left_out().empty();
   model.field = field_graph_of(formula, lowered);

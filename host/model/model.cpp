@@ -45,6 +45,7 @@ std::vector<ContactLimit> Model::contact_limits() const {
     limits.push_back({i, 1.0});
     if (!contacts[i].is_one_sided) limits.push_back({i, -1.0});
   }
+  for (std::size_t i = 0; i < corners; ++i) limits.push_back({contacts.size() + i, 1.0});
   return limits;
 }
 

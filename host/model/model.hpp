@@ -67,10 +67,16 @@ struct ContactInfo {
   bool is_one_sided = false;                 // it has the drive flank alone
 };
 
-// One flank's limit: p = D - flank b' is 0 there.
+// A place where an equation jumps with a state, as sign(v) does.
+struct StateJump {
+  std::string expression;  // "sign(v)"
+  std::string place;       // "the equation of v, dry.toml:12"
+};
+
+// One flank's limit, or a corner of the equations: p = D - flank b' is 0 there.
 struct ContactLimit {
-  std::size_t contact = 0;
-  double flank = 1.0;  // 1: drive, which touches where p > 0; -1: back, where p < 0
+  std::size_t contact = 0;  // of the model's contacts, then of its corners
+  double flank = 1.0;       // 1: drive, which touches where p > 0; -1: back, where p < 0
 };
 
 // One point's right-hand side, with everything that does not change in time worked out.
@@ -86,7 +92,9 @@ class PreparedPoint {
   // out: one number per signal.
   virtual void signals(const double* coefs, const double* x, double* out) const = 0;
 
-  // Of a contact. out: d(dx_i/dtau)/d(penetration), one number per state.
+  // out: deflection and backlash of each contact, then of each corner.
+  virtual void contact_places(const double* coefs, const double* x, double* out) const = 0;
+  // Of a contact or corner. out: d(dx_i/dtau)/d(penetration), one number per state.
   virtual void force_direction(std::size_t contact, const double* coefs, const double* x,
                                double* out) const = 0;
   // out: row-major, how the force direction changes with each state.
@@ -144,6 +152,11 @@ struct Model {
   // [state] A motion that goes beyond it has diverged; infinity: one that is no number any more.
   std::vector<double> diverged_above;
   std::vector<ContactInfo> contacts;
+  // Corners of the equations, as of abs(x): one-sided contacts that steps are corrected for, and
+  // that nobody looks at.
+  std::size_t corners = 0;
+  // Corners with a state that steps are not corrected for; a line each says which, and why.
+  std::vector<std::string> uncorrected;
   std::vector<MirrorPairs> mirror_pairs;
   // A table bends inside the steps: nothing is read between the moments of a step.
   bool is_rough = false;
@@ -182,6 +195,11 @@ struct Model {
   // This model with measured curves; empty where it takes none. Throws std::out_of_range for a name
   // that is none of its curves.
   std::function<Model(const Curves&)> with_curves;
+  // Where the equations jump with a state, with the options of a setting. Steps are of first order
+  // there, and tangents miss what a jump does to them.
+  std::function<std::vector<StateJump>(const ModelSetting&)> state_jumps = [](const ModelSetting&) {
+    return std::vector<StateJump>();
+  };
   // As of prepare(), without the rest: a plan asks for each point of a study.
   std::function<double(const ModelSetting&)> period;
 
@@ -199,7 +217,7 @@ struct Model {
   bool is_within_limits(std::span<const double> state) const;
   // What a state or signal is called in the kernels.
   std::string name_in_kernel(const std::string& channel) const;
-  // Of all contacts, in their order; the drive flank's first.
+  // Of all contacts, in their order, the drive flank's first; then of the corners.
   std::vector<ContactLimit> contact_limits() const;
   // Index of the parameter of a role.
   std::optional<std::size_t> parameter_of(Role role) const;

@@ -10,19 +10,18 @@ Contact contact_of(const Depths& depths) {
 
 ContactField::ContactField(const Model& model, const PreparedPoint& point)
     : point_(point),
-      contacts_(model.contacts),
       limits_(model.contact_limits()),
-      signals_(model.signals.size()),
+      places_(2 * (model.contacts.size() + model.corners)),
       force_direction_(static_cast<Eigen::Index>(model.states.size())),
       gradient_(static_cast<Eigen::Index>(model.states.size())) {}
 
 Depths ContactField::depths(const double* coefs, const Eigen::VectorXd& state) {
   Depths out;
   if (limits_.empty()) return out;
-  point_.signals(coefs, state.data(), signals_.data());
+  point_.contact_places(coefs, state.data(), places_.data());
   for (const ContactLimit& limit : limits_) {
-    const ContactInfo& contact = contacts_[limit.contact];
-    out.push_back(limit.flank * signals_[contact.deflection] - signals_[contact.backlash]);
+    const double* const place = &places_[2 * limit.contact];
+    out.push_back(limit.flank * place[0] - place[1]);
   }
   return out;
 }

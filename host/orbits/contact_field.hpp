@@ -38,9 +38,8 @@ class ContactField {
 
  private:
   const PreparedPoint& point_;
-  std::vector<ContactInfo> contacts_;
   std::vector<ContactLimit> limits_;
-  std::vector<double> signals_;
+  std::vector<double> places_;  // deflection and backlash of each contact and corner
   Eigen::VectorXd force_direction_;
   Eigen::RowVectorXd gradient_;
 };

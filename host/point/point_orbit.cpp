@@ -85,6 +85,15 @@ void require_driven(const PeriodMap& map, const Model& model) {
       "model '{}' is autonomous: floquet is for models that are driven periodically", model.name));
 }
 
+void require_smooth(const Study& study) {
+  const std::vector<StateJump> jumps = study.model->state_jumps(study.setting);
+  if (jumps.empty()) return;
+  throw InputError(fmt::format(
+      "model '{}': {} jumps with a state (in {}), and tangent vectors miss what that does to them: "
+      "there are no multipliers; round the jump off, as tanh(v/0.01) does with sign(v)",
+      study.model->name, jumps.front().expression, jumps.front().place));
+}
+
 std::vector<Branch> follow(const Study& study, const FollowedRange& range, const PeriodMap& map,
                            const Orbit& orbit, const std::atomic<bool>* stop) {
   FollowRequest request = {study.model,
@@ -125,6 +134,7 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
   const Place place = start_of(whole, request);
   const Study study = settling_study(whole, request, place);
   const Model& model = *study.model;
+  require_smooth(study);
   const PeriodMap map(model, study.setting, steps_of(study, request), options.stop);
   require_driven(map, model);
   const std::optional<Eigen::VectorXd> settled = end_state(study, options);

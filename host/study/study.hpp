@@ -138,6 +138,8 @@ struct Study {
   std::string step_reason;  // of a max_step that the study found; empty: it was given
   Selection selection;
   std::string toml;  // the whole study as TOML, overrides included: reading it gives this study
+  // What the model's equations leave of the steps' fourth order; empty where that holds.
+  std::string accuracy;
   // What whoever gave it may not expect, such as which of two values wins: one line each, with the
   // place.
   std::vector<std::string> notices;

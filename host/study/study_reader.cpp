@@ -16,6 +16,7 @@
 #include "study/detail/model_table.hpp"
 #include "study/detail/overrides.hpp"
 #include "study/detail/point_reader.hpp"
+#include "study/detail/rough_model.hpp"
 #include "study/detail/study_files.hpp"
 #include "study/detail/study_printer.hpp"
 #include "study/detail/toml_access.hpp"
@@ -362,6 +363,7 @@ Study read_tables(const StudyText& text) {
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
   check_attractors(reader.table("observe"), study);
+  heed_rough_model(root, &study);
   read_uncertain(root, &study);
   // A study of uncertain parameters needs no axes: it is that of its one point.
   if (study.axes.empty() && study.uncertain.draws() > 0) study.axes.push_back(resting_axis(study));

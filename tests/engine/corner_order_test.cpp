@@ -65,6 +65,23 @@ const std::vector<Case> kCases = {
      .equations = "x = \"v\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - 9*f - 5*f^2\"\n",
      .order = 2.7,  // the jump of the force's second derivative is left alone
      .tangent_order = 1.7},
+    {.name = "abs_and_a_choice_that_meets",
+     .states = "x = {}\nv = {}\n",
+     .constants = "f = \"if(x > b, 9*(x - b), 0)\"\n",
+     .equations = "x = \"v\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - 0.5*abs(x) - f\"\n"},
+    {.name = "nested_corners",
+     .states = "x = {}\ny = {}\nv = {}\nw = {}\n",
+     .constants = "r = \"max(abs(x), abs(y)) - 0.3*b\"\nf = \"9*max(r, 0)\"\n",
+     .equations = "x = \"v\"\ny = \"w\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - f*x\"\n"
+                  "w = \"F*cos(phase) - 0.2*w - 1.3*y - f*y\"\n",
+     .order = 2.7,  // two corners that lie in one step are not told apart
+     .tangent_order = 1.7},
+    {.name = "saturated_network",
+     .states = "x = {}\ny = {}\nz = {}\n",
+     .constants = "f = \"clamp(x, -b, b)\"\ng = \"clamp(y, -b, b)\"\n",
+     .equations = "x = \"-x + 2*f - 1.5*g + F*sin(phase)\"\ny = \"-y + 1.8*f + 1.2*g - z\"\n"
+                  "z = \"-z + 2*g\"\n",
+     .order = 2.7},  // as above: forces that feed their own penetrations
 };
 
 class Corners : public ::testing::TestWithParam<Case> {};

@@ -221,6 +221,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
                         result.stopped, result.study.trajectories());
   }
   text += describe_unstable_starts(result);
+  if (!result.study.accuracy.empty()) text += result.study.accuracy + "\n";
   text += describe_integrated(result.integrated, result.study.model->states.size());
   if (const std::string steps = describe_steps(result.study, result.pilot); !steps.empty()) {
     text += "steps of " + steps;
@@ -258,6 +259,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["stopped"] = result.stopped;
   json["integrated_states"] = result.integrated;
   json["max_step"] = result.study.integrate.max_step;
+  if (!result.study.accuracy.empty()) json["accuracy"] = result.study.accuracy;
   if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot);
   json["device"] = result.engine.device;
   return json_text(json);

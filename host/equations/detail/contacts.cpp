@@ -15,7 +15,7 @@ class ContactFinder {
   ContactFinder(Formula* formula, const std::vector<NodeId>& equations)
       : formula_(formula), graph_(&formula->graph), equations_(equations) {}
 
-  Contacts run(const std::map<NodeId, std::string>& names) {
+  Contacts run(const std::map<NodeId, std::string>& names, const std::vector<Contact>& hidden) {
     for (const NodeId id : parts_of(*graph_, equations_)) {
       const Node node = (*graph_)[id];
       if (node.operation != Operation::backlash && node.operation != Operation::stop) continue;
@@ -27,9 +27,11 @@ class ContactFinder {
       contact.is_one_sided = node.operation == Operation::stop;
       contacts_.list.push_back(contact);
     }
-    if (contacts_.list.empty()) return contacts_;
+    if (contacts_.list.empty() && hidden.empty()) return contacts_;
     name_them(names);
     find_directions();
+    contacts_.list.insert(contacts_.list.end(), hidden.begin(), hidden.end());
+    for (Contact& contact : contacts_.list) check_direction(&contact.direction);
     find_changes_along();
     return std::move(contacts_);
   }
@@ -66,23 +68,14 @@ class ContactFinder {
         contact.direction.push_back(at_limit(derivative(graph_, row, contact.penetration)));
       }
       back[contact.penetration] = contact.corner;
-      if (!is_finite(contact.direction)) {
-        contact.direction.assign(equations_.size(), graph_->number(0.0));
-      }
-      contacts_.direction_varies |= std::ranges::any_of(
-          parts_of(*graph_, contact.direction), [&](NodeId part) { return is_state(part); });
     }
   }
 
-  // Whether nothing divides by what is always 0.
-  bool is_finite(const std::vector<NodeId>& values) const {
-    return std::ranges::all_of(parts_of(*graph_, values), [&](NodeId id) {
-      const Node& node = (*graph_)[id];
-      if (node.operation == Operation::number) return std::isfinite(node.number);
-      if (node.operation == Operation::power) return !graph_->is_number(node.arguments[0], 0.0);
-      if (node.operation == Operation::divide) return !graph_->is_number(node.arguments[1], 0.0);
-      return true;
-    });
+  void check_direction(std::vector<NodeId>* direction) {
+    if (!stay_finite(*graph_, *direction))
+      direction->assign(equations_.size(), graph_->number(0.0));
+    contacts_.direction_varies |= std::ranges::any_of(parts_of(*graph_, *direction),
+                                                      [&](NodeId part) { return is_state(part); });
   }
 
   bool is_state(NodeId id) const {
@@ -126,9 +119,20 @@ class ContactFinder {
 
 }  // namespace
 
+bool stay_finite(const ExpressionGraph& graph, const std::vector<NodeId>& values) {
+  return std::ranges::all_of(parts_of(graph, values), [&](NodeId id) {
+    const Node& node = graph[id];
+    if (node.operation == Operation::number) return std::isfinite(node.number);
+    if (node.operation == Operation::power) return !graph.is_number(node.arguments[0], 0.0);
+    if (node.operation == Operation::divide) return !graph.is_number(node.arguments[1], 0.0);
+    return true;
+  });
+}
+
 Contacts find_contacts(Formula* formula, const std::vector<NodeId>& equations,
-                       const std::map<NodeId, std::string>& names) {
-  return ContactFinder(formula, equations).run(names);
+                       const std::map<NodeId, std::string>& names,
+                       const std::vector<Contact>& hidden) {
+  return ContactFinder(formula, equations).run(names, hidden);
 }
 
 }  // namespace gearsweep

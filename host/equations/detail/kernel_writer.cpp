@@ -45,6 +45,7 @@ class KernelWriter {
       }
     }
     for (std::size_t i = 0; i < lowered.contacts.list.size(); ++i) {
+      if (lowered.contacts.list[i].is_hidden) break;
       names_[lowered.contacts.list[i].penetration] = fmt::format("penetration{}", i);
     }
     name_tangents();
@@ -191,8 +192,10 @@ class KernelWriter {
     std::string one_sided;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const std::string before = contacts[i].name.empty() ? "" : contacts[i].name + "_";
-      signals.push_back(fmt::format("{}, {}, {}", i, kernel_name(before + "deflection"),
-                                    kernel_name(before + "backlash")));
+      if (!contacts[i].is_hidden) {
+        signals.push_back(fmt::format("{}, {}, {}", i, kernel_name(before + "deflection"),
+                                      kernel_name(before + "backlash")));
+      }
       if (!contacts[i].is_one_sided) continue;
       one_sided += fmt::format("{}(contact) == {}", one_sided.empty() ? "" : " || ", i);
     }
@@ -234,11 +237,12 @@ class KernelWriter {
       seen.emplace_back(fmt::format("contacts[{}].backlash", i), contact.backlash);
       along.emplace_back(fmt::format("added[{}].deflection", i), contacts.deflection_along[i]);
       along.emplace_back(fmt::format("added[{}].backlash", i), contacts.backlash_along[i]);
-      penetrations += penetration_text(contact, i);
+      if (!contact.is_hidden) penetrations += penetration_text(contact, i);
     }
     write_function("model_contact", at_state + "ModelContact* contacts", seen, "point phase x");
     write_function("model_rhs_in_contact", at_state + "const ModelContact* contacts, real* dx",
-                   places("dx", contacts.equations), "point phase x", penetrations);
+                   places("dx", contacts.equations),
+                   penetrations.empty() ? "point phase x contacts" : "point phase x", penetrations);
     out_ += fmt::format(
         "\nSHARED_FN void model_rhs({}real* dx) {{\n"
         "  ModelContact contacts[MODEL_CONTACTS];\n"

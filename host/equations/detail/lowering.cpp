@@ -327,10 +327,26 @@ class Lowering {
       const auto lowered = inner_.find(id);
       if (lowered != inner_.end()) names[lowered->second] = innermost_constant(id);
     }
-    lowered_.contacts = find_contacts(formula_, lowered_.equations, names);
+    Corners corners = find_corners(formula_, equations);
+    std::vector<Contact> hidden;
+    for (const Corner& corner : corners.list) hidden.push_back(lowered(corner));
+    lowered_.uncorrected = std::move(corners.uncorrected);
+    lowered_.jumps = std::move(corners.jumps);
+    lowered_.contacts = find_contacts(formula_, lowered_.equations, names, hidden);
     for (Contact& contact : lowered_.contacts.list) {
       contact.may_be_negative = may_be_negative(contact.backlash);
     }
+  }
+
+  Contact lowered(const Corner& corner) {
+    Contact contact;
+    contact.name = corner.expression;
+    contact.deflection = inner(corner.lhs);
+    contact.backlash = inner(corner.rhs);
+    contact.is_one_sided = true;
+    contact.is_hidden = true;
+    for (const NodeId id : corner.direction) contact.direction.push_back(inner(id));
+    return contact;
   }
 
   // The smallest constant that holds a node; empty where there is none.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "equations/detail/contacts.hpp"
+#include "equations/detail/corners.hpp"
 #include "equations/detail/formula.hpp"
 
 namespace gearsweep {
@@ -20,6 +21,8 @@ struct Lowered {
   std::vector<NodeId> equations, signals;
   std::vector<NodeId> jacobian;  // [row][column]
   Contacts contacts;
+  // Corners that are no contacts and are not corrected, and jumps with a state.
+  std::vector<RoughPlace> uncorrected, jumps;
 };
 
 // Simplifies, and adds to, the formula's graph.

@@ -14,6 +14,7 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
       grid_(scanned_phase_grid(*plan.study().model, plan.setting_of(point), plan.steps_of(point))),
       row_width_(plan.study().model->phase_coefs.size()),
       signal_count_(plan.study().model->signals.size()),
+      place_count_(2 * (plan.study().model->contacts.size() + plan.study().model->corners)),
       angles_(plan.study().model->angles),
       contacts_(plan.study().model->contacts),
       limits_(plan.study().model->contact_limits()),
@@ -79,16 +80,23 @@ Moment Trajectory::moment(std::size_t row, const Eigen::VectorXd& state) const {
   return out;
 }
 
-double Trajectory::beyond(const ContactLimit& limit, const Eigen::VectorXd& signals) const {
-  const ContactInfo& contact = contacts_[limit.contact];
-  return signals[static_cast<Eigen::Index>(contact.deflection)] -
-         limit.flank * signals[static_cast<Eigen::Index>(contact.backlash)];
+double Trajectory::beyond(const ContactLimit& limit, std::size_t row,
+                          const Eigen::VectorXd& state) const {
+  Eigen::VectorXd places(static_cast<Eigen::Index>(place_count_));
+  point_->contact_places(grid_.coefs.data() + row * row_width_, state.data(), places.data());
+  const auto deflection = static_cast<Eigen::Index>(2 * limit.contact);
+  return places[deflection] - limit.flank * places[deflection + 1];
 }
 
+// Of the contacts that the model shows; corners are none of them.
 bool Trajectory::same_contact(const Moment& a, const Moment& b) const {
-  return std::ranges::all_of(limits_, [&](const ContactLimit& limit) {
-    return (limit.flank * beyond(limit, a.signals) > 0.0) ==
-           (limit.flank * beyond(limit, b.signals) > 0.0);
+  return std::ranges::all_of(contacts_, [&](const ContactInfo& contact) {
+    const auto touches = [&](const Moment& moment, double flank) {
+      const double deflection = moment.signals[static_cast<Eigen::Index>(contact.deflection)];
+      return flank * deflection > moment.signals[static_cast<Eigen::Index>(contact.backlash)];
+    };
+    return touches(a, 1.0) == touches(b, 1.0) &&
+           (contact.is_one_sided || touches(a, -1.0) == touches(b, -1.0));
   });
 }
 
@@ -123,9 +131,7 @@ void Trajectory::correct_crossing(const ContactLimit& limit, std::size_t row, do
   const auto coefs = [&](std::size_t i) { return grid_.coefs.data() + (row + i) * row_width_; };
   Eigen::Vector4d seen;
   for (std::size_t i = 0; i < 4; ++i) {
-    Eigen::VectorXd signals(static_cast<Eigen::Index>(signal_count_));
-    point_->signals(coefs(kRow[i]), at[i].state.data(), signals.data());
-    seen[static_cast<Eigen::Index>(i)] = beyond(limit, signals);
+    seen[static_cast<Eigen::Index>(i)] = beyond(limit, row + kRow[i], at[i].state);
   }
   Eigen::VectorXd first(states), last(states);
   point_->force_direction(limit.contact, coefs(0), at[0].state.data(), first.data());

@@ -62,8 +62,8 @@ class Trajectory {
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
   bool same_contact(const Moment& a, const Moment& b) const;
-  // p of a limit (ContactLimit).
-  double beyond(const ContactLimit& limit, const Eigen::VectorXd& signals) const;
+  // p of a limit (ContactLimit), by a row of coefficients and a state.
+  double beyond(const ContactLimit& limit, std::size_t row, const Eigen::VectorXd& state) const;
   // Correct the step's end for the crossings of the contacts' limits between its evaluations `at`.
   void correct_crossings(std::size_t row, double h, const std::array<Bundle, 4>& at);
   void correct_crossing(const ContactLimit& limit, std::size_t row, double h,
@@ -71,7 +71,7 @@ class Trajectory {
 
   const Model& model_;
   PhaseGrid grid_;
-  std::size_t row_width_, signal_count_;
+  std::size_t row_width_, signal_count_, place_count_;
   std::vector<std::size_t> angles_;  // states
   std::vector<ContactInfo> contacts_;
   std::vector<ContactLimit> limits_;

@@ -62,6 +62,7 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
       {"command_line", provenance.command_line},
       {"created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
   };
+  if (!study_.accuracy.empty()) notes.push_back({"accuracy", study_.accuracy});
   for (Attribute& own : turns_of(study_)) notes.push_back(std::move(own));
   const Scales& scales = study_.scales;
   if (!scales.known()) return notes;

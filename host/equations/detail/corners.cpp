@@ -1,0 +1,103 @@
+#include "equations/detail/corners.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "equations/detail/borders.hpp"
+#include "equations/detail/contacts.hpp"
+#include "expression/print.hpp"
+
+namespace gearsweep {
+namespace {
+
+bool chooses(Operation operation) {
+  return is_condition(operation) || operation == Operation::absolute ||
+         operation == Operation::sign || operation == Operation::min ||
+         operation == Operation::max || operation == Operation::floor ||
+         operation == Operation::square_root || operation == Operation::arctangent_of_two;
+}
+
+std::string text_of(const ExpressionGraph& graph, NodeId id) {
+  const bool is_plain = !is_condition(graph[id].operation);
+  return (is_plain ? "" : "the condition ") + to_short_text(graph, id);
+}
+
+class CornerFinder {
+ public:
+  CornerFinder(Formula* formula, const std::vector<NodeId>& equations)
+      : formula_(formula), worked_on_(*formula), equations_(equations) {}
+
+  Corners run() {
+    for (const Border& border : find_borders(&worked_on_, equations_)) look_at(border);
+    return std::move(corners_);
+  }
+
+ private:
+  void look_at(const Border& border) {
+    const auto changes = [&](const auto& side) {
+      return border.below.at(side.first) != side.second;
+    };
+    const NodeId node = std::ranges::find_if(border.above, changes)->first;
+    RoughPlace place{text_of(worked_on_.graph, node), equation_of(border)};
+    if (const auto row = first_jump(&worked_on_, equations_, border)) {
+      place.equation = *row;
+      corners_.jumps.push_back(std::move(place));
+      return;
+    }
+    const auto steeper = steeper_above(&worked_on_, equations_, border);
+    const bool is_known = steeper && stay_finite(worked_on_.graph, *steeper) &&
+                          std::ranges::any_of(*steeper, [&](NodeId id) {
+                            return !worked_on_.graph.is_number(id, 0.0);
+                          });
+    if (!is_known || corners_.list.size() == kMaxCorners) {
+      corners_.uncorrected.push_back(std::move(place));
+      return;
+    }
+    Corner corner{place.expression, border.lhs, border.rhs, {}};
+    for (const NodeId id : *steeper) corner.direction.push_back(taken_over(id));
+    corners_.list.push_back(std::move(corner));
+  }
+
+  std::size_t equation_of(const Border& border) const {
+    const auto has = [&](NodeId row) {
+      return std::ranges::any_of(parts_of(worked_on_.graph, {row}),
+                                 [&](NodeId part) { return border.above.contains(part); });
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(equations_, has) - equations_.begin());
+  }
+
+  // The same node of the formula's own graph.
+  NodeId taken_over(NodeId id) {
+    for (const NodeId part : parts_of(worked_on_.graph, {id})) {
+      const Node& node = worked_on_.graph[part];
+      std::vector<NodeId> arguments;
+      for (const NodeId argument : node.arguments) arguments.push_back(taken_over_.at(argument));
+      taken_over_[part] = node.operation == Operation::number ? formula_->graph.number(node.number)
+                          : node.operation == Operation::symbol
+                              ? formula_->graph.symbol(node.symbol)
+                          : node.operation == Operation::table
+                              ? formula_->graph.table(node.table, arguments[0], arguments[1])
+                              : formula_->graph.as_written(node.operation, arguments);
+    }
+    return taken_over_.at(id);
+  }
+
+  Formula* formula_;
+  Formula worked_on_;  // grows by what is tried
+  const std::vector<NodeId>& equations_;
+  std::map<NodeId, NodeId> taken_over_;
+  Corners corners_;
+};
+
+}  // namespace
+
+Corners find_corners(Formula* formula, const std::vector<NodeId>& equations) {
+  const ExpressionGraph& graph = formula->graph;
+  const bool has_any = std::ranges::any_of(parts_of(graph, equations),
+                                           [&](NodeId id) { return chooses(graph[id].operation); });
+  return has_any ? CornerFinder(formula, equations).run() : Corners();
+}
+
+}  // namespace gearsweep
