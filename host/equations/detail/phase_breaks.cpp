@@ -15,7 +15,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kMost = 1000;           // breaks of a period
+constexpr std::size_t kMaxBreaks = 1000;           // breaks of a period
 constexpr std::size_t kMaxIntervals = 50000;  // looked at for one function between two breaks
 // No grid of phases tells breaks that are closer (plan/phase_grid.cpp); in radians.
 constexpr double kClose = 1e-9 * kWholePhase;
@@ -208,7 +208,7 @@ class PhaseBreaks::Search {
       }
       bounds_.insert(bounds_.end(), found.begin(), found.end());
       tidy();
-      if (bounds_.size() > kMost) refuse_many();
+      if (bounds_.size() > kMaxBreaks) refuse_many();
     }
     return bounds_;
   }
@@ -222,7 +222,7 @@ class PhaseBreaks::Search {
     throw InputError(fmt::format(
         "{} jumps or bends more than {} times in a period; steps end at each such phase, and there "
         "may be at most {}",
-        breaker_->text, kMost, kMost));
+        breaker_->text, kMaxBreaks, kMaxBreaks));
   }
   [[noreturn]] void refuse_untold(double phase) const {
     throw InputError(fmt::format(
@@ -362,11 +362,11 @@ class PhaseBreaks::Search {
     const std::vector<double>& offsets = is_table ? function.phases : one;
     std::vector<double> levels;
     const double first = std::floor(low / length) - 1.0;
-    for (double n = first; n * length <= high && levels.size() <= kMost; ++n) {
-      if (n + 1.0 == n) return std::vector<double>(kMost + 1, n * length);
+    for (double n = first; n * length <= high && levels.size() <= kMaxBreaks; ++n) {
+      if (n + 1.0 == n) return std::vector<double>(kMaxBreaks + 1, n * length);
       for (const double offset : offsets) {
         const double level = offset + n * length;
-        if (low <= level && level <= high && levels.size() <= kMost) levels.push_back(level);
+        if (low <= level && level <= high && levels.size() <= kMaxBreaks) levels.push_back(level);
       }
     }
     return levels;
@@ -407,7 +407,7 @@ class PhaseBreaks::Search {
     if (phase <= whole.from + kTouch || phase >= whole.to - kTouch) return;
     if (!found->empty() && std::fabs(phase - found->back()) < kClose) return;
     found->push_back(phase);
-    if (found->size() > kMost) refuse_many();
+    if (found->size() > kMaxBreaks) refuse_many();
   }
 
   // A zero that only touches, a pole, or several that no step tells apart: one break.
@@ -427,7 +427,7 @@ class PhaseBreaks::Search {
     const double first = at(function, span.from), last = at(function, span.to);
     const std::vector<double> levels =
         levels_in(function, std::min(first, last), std::max(first, last));
-    if (levels.size() > kMost) refuse_many();
+    if (levels.size() > kMaxBreaks) refuse_many();
     for (const double level : levels) {
       take(crossing(function, level, span), whole, found);
     }

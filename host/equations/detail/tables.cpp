@@ -10,7 +10,7 @@ namespace gearsweep {
 namespace {
 
 // A study holds the numbers of all.
-constexpr std::size_t kMost = 16;
+constexpr std::size_t kMaxTables = 16;
 
 void refuse_states(const TableCall& call, const Formula& formula) {
   const std::vector<NodeId> parts = parts_of(formula.graph, {call.argument});
@@ -29,8 +29,8 @@ std::shared_ptr<const PeriodicTable> Tables::read(const TableCall& call, const F
   std::shared_ptr<const PeriodicTable>& table = known_[{call.file, call.interpolation}];
   if (table == nullptr) {
     if (!points_of_) throw ExpressionError(call.file_at, "there are no tables here");
-    if (known_.size() > kMost) {
-      throw ExpressionError(call.file_at, fmt::format("a model reads at most {} tables", kMost));
+    if (known_.size() > kMaxTables) {
+      throw ExpressionError(call.file_at, fmt::format("a model reads at most {} tables", kMaxTables));
     }
     try {
       table = std::make_shared<const PeriodicTable>(call.file, points_of_(call.file),
