@@ -164,7 +164,8 @@ std::optional<Flow::Event> Flow::first_event(const Part& part, const Seen& seen)
     while (high - low > kSameShare) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) break;
-      (clearance(part, flank, middle) > 0.0 ? low : high) = middle;
+      // It ends beyond the limit: at it, a corner's equations may be those of either side.
+      (clearance(part, flank, middle) >= 0.0 ? low : high) = middle;
     }
     if (!first || high < first->share) first = Event{flank, high};
   }

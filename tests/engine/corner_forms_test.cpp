@@ -94,7 +94,7 @@ TEST(CornerForms, AreCorrectedByTheReferenceEngine) { EXPECT_LT(error_of(512, "r
 TEST(CornerForms, HaveTheMultipliersOfTheClosedForm) {
   const auto model = read_model_text(kModel, "corners.toml");
   ModelSetting setting = model->default_setting();
-  for (const double omega : {1.6}) {  // an orbit of two periods
+  for (const double omega : {1.6, 2.1}) {  // orbits of two periods
     setting.parameters[0] = omega;
     const PeriodMap map(*model, setting, 512);
     const Eigen::VectorXd start = Eigen::Vector2d(0.1, 0.0);
