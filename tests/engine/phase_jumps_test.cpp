@@ -16,7 +16,7 @@
 namespace gearsweep::testing {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr double kPi = std::numbers::pi;
 
 double step(double x) { return x < 0.0 ? 0.0 : 1.0; }
@@ -37,8 +37,8 @@ std::vector<Form> forms() {
       {"step(cos(phase))", [=](double p, double) { return step(std::cos(p)); },
        fixed({kPi / 2, 3 * kPi / 2})},
       {"if(phase < 2*pi*(c - 1), 1.3, 0.8)",
-       [](double p, double c) { return p < kTurn * (c - 1.0) ? 1.3 : 0.8; },
-       [](double c) { return std::vector<double>{kTurn * (c - 1.0)}; }},
+       [](double p, double c) { return p < kFullTurn * (c - 1.0) ? 1.3 : 0.8; },
+       [](double c) { return std::vector<double>{kFullTurn * (c - 1.0)}; }},
       {"if(sin(phase) > 0, sin(phase), 0)", [=](double p, double) { return std::max(s(p), 0.0); },
        fixed({kPi})},
       {"if(phase >= 1 and phase < 4, 1, -1)",
@@ -54,19 +54,19 @@ std::vector<Form> forms() {
          return std::vector<double>{c, 3.0, 3 * kPi / 2};
        }},
       {"floor(3*phase/(2*pi) + c)",
-       [](double p, double c) { return std::floor(3 * p / kTurn + c); },
+       [](double p, double c) { return std::floor(3 * p / kFullTurn + c); },
        [](double c) {
          std::vector<double> phases;
-         for (double n = std::ceil(c); n < c + 3.0; ++n) phases.push_back((n - c) * kTurn / 3.0);
+         for (double n = std::ceil(c); n < c + 3.0; ++n) phases.push_back((n - c) * kFullTurn / 3.0);
          return phases;
        }},
       {"phase/(2*pi) - floor(phase/(2*pi) + 0.3)",
-       [](double p, double) { return p / kTurn - std::floor(p / kTurn + 0.3); },
-       fixed({0.7 * kTurn})},
+       [](double p, double) { return p / kFullTurn - std::floor(p / kFullTurn + 0.3); },
+       fixed({0.7 * kFullTurn})},
       {"abs(sin(phase))", [=](double p, double) { return std::fabs(s(p)); }, fixed({kPi})},
       {"max(cos(phase), 0.2)", [](double p, double) { return std::max(std::cos(p), 0.2); },
        [](double) {
-         return std::vector<double>{std::acos(0.2), kTurn - std::acos(0.2)};
+         return std::vector<double>{std::acos(0.2), kFullTurn - std::acos(0.2)};
        }},
       {"sign(sin(phase) - 0.5)*step(cos(2*phase))",
        [=](double p, double) { return sign(s(p) - 0.5) * step(std::cos(2 * p)); },
@@ -82,27 +82,27 @@ std::vector<Form> forms() {
        fixed({kPi / 2, 3 * kPi / 2})},
       {"table('jump', phase + c)",
        [](double p, double c) {
-         const double at = std::fmod(p + c, kTurn);
+         const double at = std::fmod(p + c, kFullTurn);
          return at < 1.0 ? 2.0 - at : at < 4.0 ? 3.0 : 2.0;
        },
        [](double c) {
          std::vector<double> phases;
          for (const double knot : {0.0, 1.0, 4.0, 5.0}) {
-           phases.push_back(std::fmod(knot - c + 2.0 * kTurn, kTurn));
+           phases.push_back(std::fmod(knot - c + 2.0 * kFullTurn, kFullTurn));
          }
          return phases;
        }},
       {"table('line', phase + c)",
        [](double p, double c) {
-         const double at = std::fmod(p + c, kTurn);
+         const double at = std::fmod(p + c, kFullTurn);
          return at < 1.0   ? at
                 : at < 1.2 ? 1.0 - 10.0 * (at - 1.0)
-                           : -1.0 + (at - 1.2) / (kTurn - 1.2);
+                           : -1.0 + (at - 1.2) / (kFullTurn - 1.2);
        },
        [](double c) {
          std::vector<double> phases;
          for (const double knot : {0.0, 1.0, 1.2}) {
-           phases.push_back(std::fmod(knot - c + 2.0 * kTurn, kTurn));
+           phases.push_back(std::fmod(knot - c + 2.0 * kFullTurn, kFullTurn));
          }
          return phases;
        }},
@@ -119,9 +119,9 @@ Exact exact(const Form& form, double c) {
                                             0.7966664774136267, 0.9602898564975363};
   constexpr std::array<double, 4> kWeights = {0.3626837833783620, 0.3137066458778873,
                                               0.2223810344533745, 0.1012285362903763};
-  std::vector<double> bounds = {0.0, kTurn};
+  std::vector<double> bounds = {0.0, kFullTurn};
   for (const double phase : form.breaks(c)) {
-    if (phase > 0.0 && phase < kTurn) bounds.push_back(phase);
+    if (phase > 0.0 && phase < kFullTurn) bounds.push_back(phase);
   }
   std::ranges::sort(bounds);
   // The integral of e^(s - to) g(s) from `from` to `to`.
@@ -152,9 +152,9 @@ Exact exact(const Form& form, double c) {
   };
   const double gained = along(0.0, [](double, double) {});
   Exact out;
-  along(gained / (1.0 - std::exp(-kTurn)), [&](double one, double square) {
-    out.mean += one / kTurn;
-    out.rms += square / kTurn;
+  along(gained / (1.0 - std::exp(-kFullTurn)), [&](double one, double square) {
+    out.mean += one / kFullTurn;
+    out.rms += square / kFullTurn;
   });
   out.rms = std::sqrt(out.rms);
   return out;

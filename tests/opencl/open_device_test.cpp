@@ -36,11 +36,13 @@ TEST(OpenDevice, RunsLaunchesOfAllWidthsAtOnce) {
     queue.enqueueFillBuffer(counts, cl_int{0}, 0, kItems * sizeof(cl_int));
     for (std::size_t items = 1 + thread; items < kItems; items += items / 3 + thread + 1) {
       kernel.setArg(1, static_cast<cl_int>(items));
-      device->run(kernel, 4, items, [&](std::size_t width) {
+      const auto launch = [&](std::size_t width) {
         EXPECT_GE(width, items);
         queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(width), cl::NDRange(4));
         queue.finish();
-      });
+      };
+      const auto load = [](std::size_t) {};
+      device->run(kernel, 4, items, load, launch);
       ++sums[thread];
     }
     cl_int first = 0;

@@ -205,11 +205,18 @@ TEST_F(FileNotesTest, AScaleIsTheUnitInSi) {
 // What a pilot run has found: of the whole, and of each map that it compared.
 TEST_F(FileNotesTest, TellTheErrorOfEachMap) {
   SweepResult result = example_result();
-  result.pilot = {
-      .step = 0.1, .error = 3e-4, .sensitive = 0.02, .points = 250, .errors = {{"x1_rms", 3e-4}}};
+  result.pilot = {.step = 0.1,
+                  .error = 3e-4,
+                  .kept = 0.97,
+                  .sensitive = 0.02,
+                  .max_sensitive = 0.04,
+                  .points = 250,
+                  .errors = {{"x1_rms", 3e-4}}};
   const NetcdfFile file = NetcdfFile::open(write(result));
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_max_step"), std::vector{0.1});
+  EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_kept"), std::vector{0.97});
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_sensitive"), std::vector{0.02});
+  EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_sensitive_max"), std::vector{0.04});
   EXPECT_EQ(file.number_attribute(find(file, "x1_rms").id, "pilot_error"), std::vector{3e-4});
   EXPECT_TRUE(file.number_attribute(find(file, "contact_class").id, "pilot_error").empty());
 }

@@ -80,10 +80,11 @@ TEST(OwnStep, IsWhatWasMeasuredOfKnownSystems) {
     ASSERT_NE(key, std::string::npos) << name;
     text.erase(key, text.find('\n', key + 1) - key);
     const Model& known = *find_model(name);
-    const Study study = read_study(
-        fmt::format("[model]\ntext = '''\n{}'''\n[[axes]]\nname = '{}'\nvalues = [{}]\n", text,
-                    known.parameters.front().name, known.parameters.front().default_value),
-        "own_step_test");
+    // Off the equilibrium at 0, where most of them rest.
+    const Study study =
+        read_study(fmt::format("[model]\ntext = '''\n{}'''\n[[axes]]\nname = '{}'\nvalues = [{}]\n",
+                               text, known.states.front().name, 1.0),
+                   "own_step_test");
     EXPECT_EQ(study.model->max_step, 0.0);
     EXPECT_GT(study.integrate.max_step, known.max_step / 3.0) << name;
     EXPECT_LT(study.integrate.max_step, known.max_step * 3.0) << name;
@@ -143,6 +144,14 @@ TEST(OwnStep, IsTheSameWhenTheStudyIsReadAgain) {
   EXPECT_THAT(resolved_settings(study),
               HasSubstr(fmt::format("max_step = {}\n", study.integrate.max_step)));
   EXPECT_FALSE(study.step_reason.empty());
+}
+
+// At rest no error holds a step back: the rate of what would move does.
+TEST(OwnStep, EndsWhereTheMotionRests) {
+  System resting = kLorenz;
+  resting.start = {0.0, 0.0, 0.0};
+  EXPECT_GT(step_of(resting), 0.005);
+  EXPECT_LT(step_of(resting), 0.03);
 }
 
 TEST(OwnStep, YieldsToWhatTheStudyGives) {

@@ -53,6 +53,39 @@ TEST(MapErrors, KnowNeitherUnitsNorOffset) {
   EXPECT_NEAR(largest(-1.0, 1e6), largest(1.0, 0.0), 1e-9);
 }
 
+// As of a fixed point, where nothing varies but by rounding.
+TEST(MapErrors, OfAConstantMapAreSharesOfItsSize) {
+  SweepResult fine = ramp();
+  for (std::size_t i = 0; i < 200; ++i) {
+    fine.values[0][i] = 0.5 * (1.0 + 2e-16 * static_cast<double>(i % 5));
+  }
+  SweepResult coarse = fine;
+  for (double& value : coarse.values[0]) value *= 1.0 + 1e-13;
+  EXPECT_LT(MapErrors(coarse, fine, kTolerances).largest(0.0), 1e-12);
+}
+
+// A map of a state is judged by what that ranges over in the motion, if that is larger.
+TEST(MapErrors, OfAMapThatHardlyVariesAreSharesOfTheMotion) {
+  const SweepResult fine = ramp(1e-5, 7.0);
+  SweepResult coarse = fine;
+  for (double& value : coarse.values[0]) value += 1e-5;
+  EXPECT_NEAR(MapErrors(coarse, fine, kTolerances, {{"x1", 0.5}}).largest(0.0), 2e-5, 1e-9);
+  EXPECT_GT(MapErrors(coarse, fine, kTolerances).largest(0.0), 4e-3);
+}
+
+// Of a step that makes a point diverge nothing good can be said.
+TEST(MapErrors, CountAPointThatDivergesInOneRun) {
+  SweepResult fine = ramp();
+  const SweepResult coarse = fine;
+  fine.status[3] = 1;
+  fine.on_orbit[3] = 0;
+  for (std::vector<double>& map : fine.values) map[3] = kNaN;
+  const MapErrors errors(coarse, fine, kTolerances);
+  EXPECT_EQ(errors.points(), 100U);
+  EXPECT_EQ(errors.beyond(), 1U);
+  EXPECT_EQ(errors.beyond_in_any(), 1U);
+}
+
 TEST(MapErrors, OfAClassAreAllOrNothing) {
   const SweepResult fine = ramp();
   SweepResult coarse = fine;

@@ -189,6 +189,27 @@ TEST(Pilot, HasAToleranceForExponents) {
               AllOf(HasSubstr("integrate.exponent_tolerance = 1e-10"), HasSubstr("lyapunov")));
 }
 
+// In SI units the model's step is longer than any period, so that a period has the same few steps
+// whatever longer step is asked for.
+TEST(Pilot, ComparesNoGridWithItself) {
+  const SweepResult result = run(
+      "[model]\ntext = '''\n[model]\nname = \"tuned_pilot\"\nmax_step = 0.05\n[states]\nx = {}\n"
+      "v = {}\n[parameters]\nf = 500.0\nzeta = 0.01\nwn = 9424.77796076938\n[equations]\nx = "
+      "\"v\"\nv = \"cos(phase) - 2*zeta*wn*v - wn^2*x\"\n[forcing]\nperiod = \"1/f\"\n'''\n"
+      "[[axes]]\nname = 'f'\nvalues = [500.0, 900.0, 1300.0, 1400.0, 2000.0, 3000.0]\n"
+      "[integrate]\nsettle = 1000\nrecord = 20\ntolerance = 1e-6\n[observe]\nquantities = "
+      "['x_rms']\n");
+  ASSERT_TRUE(result.pilot.has_value());
+  EXPECT_LE(result.pilot->error, 1e-6);
+  const std::vector<double>& f = result.study.axes[0].values;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double omega = 2.0 * std::numbers::pi * f[i], own = 9424.77796076938;
+    const std::complex<double> stiffness(own * own - omega * omega, 0.02 * own * omega);
+    const double exact = 1.0 / std::abs(stiffness) / std::numbers::sqrt2;
+    EXPECT_NEAR(map_of(result, "x_rms")[i], exact, 2e-6 * 6.2e-8) << f[i];
+  }
+}
+
 TEST(Pilot, RefusesATwofoldDemand) {
   EXPECT_THAT(refusal(kOscillator, {"integrate.tolerance=1e-4", "integrate.max_step=0.01"}),
               HasSubstr("not both"));
@@ -216,6 +237,15 @@ TEST(Pilot, LetsOthersSeeTheRun) {
   EXPECT_TRUE(run_sweep(read_study(kOscillator, "test", {"integrate.tolerance=1e-3"}), options));
   EXPECT_TRUE(is_held);
   EXPECT_TRUE(folder.files().empty());
+}
+
+// The message names what the study has, not the default beside it.
+TEST(Pilot, NamesTheToleranceThatIsAskedFor) {
+  EXPECT_THAT(refusal("[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [28.0, 29.0]\n"
+                      "[integrate]\nsettle = 40\n",
+                      {"integrate.exponent_tolerance=0.02"}),
+              AllOf(HasSubstr("integrate.exponent_tolerance = 0.02"),
+                    HasSubstr("arrive on a periodic orbit")));
 }
 
 // Nobody has asked for a tolerance.

@@ -11,6 +11,7 @@
 namespace gearsweep {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAimedError = 5e-8, kMaxError = 1e-4;  // of the steps that are taken
 constexpr double kFirstStep = 0.01;                     // times the fastest rate
 // Terms of this size and more, in roundings, stand out from them.
@@ -70,8 +71,6 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
   stretch.low = stretch.high = x_;
   stretch.rounding.assign(x_.size(), 0.0);
   look_at_signals(&stretch);
-  const double max_length =
-      is_forced_ ? period_ / kForcedSteps : std::numeric_limits<double>::infinity();
   const std::size_t between = steps_between_rates(x_.size());
   double turns = 0.0;  // periods that were gone through
   for (std::size_t done = 0; done < steps && !escapes_; ++done) {
@@ -86,6 +85,9 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
         while (bounds_[segment_ + 1] <= phase_) ++segment_;
       }
     }
+    // At rest no error holds the step back.
+    const double max_length = std::min(stretch.rate > 0.0 ? 1.0 / stretch.rate : period_,
+                                       is_forced_ ? period_ / kForcedSteps : kInfinity);
     if (length_ == 0.0) length_ = stretch.rate > 0.0 ? kFirstStep / stretch.rate : period_ / 1024;
     const double left = (bounds_[segment_ + 1] - phase_) * period_;
     const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
@@ -98,7 +100,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       if (!is_smooth && std::isfinite(trial.excess)) break;
       length *= 0.5;
       trial = std::move(half);
-      escapes_ = length < kShortestStep * (time_ + length_);
+      escapes_ = !(length >= kShortestStep * (time_ + length_)) || std::isinf(length);
       if (escapes_) return stretch;
     }
     const bool is_at_end = ends_segment && length == left;

@@ -14,6 +14,8 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
+#define MODEL_MAX_STEP 0.05
+
 // A force that starts at the limits of a backlash: steps that cross one are corrected.
 #define MODEL_CONTACT
 

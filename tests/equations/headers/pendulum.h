@@ -15,6 +15,8 @@
 // Positions, then their velocities in the same order: tangent vectors cost less.
 #define MODEL_SECOND_ORDER
 
+#define MODEL_MAX_STEP 0.05
+
 // X(name, unit, default, min, max, shapes the phase coefficients, meaning)
 #define MODEL_PARAMETERS(X)                                              \
   X(damping, "1", 0.05, -10.0, 100.0, 0, "factor of the velocity, 1/Q")  \
