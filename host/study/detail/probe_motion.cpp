@@ -217,14 +217,15 @@ ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) c
 }
 
 bool ProbeMotion::crosses_limit(const std::vector<double>& end, double end_phase) const {
-  if (model_.contacts.empty()) return false;
-  std::vector<double> before(model_.signals.size()), after(model_.signals.size());
-  point_->signals(coefs_at(phase_).data(), x_.data(), before.data());
-  point_->signals(coefs_at(end_phase).data(), end.data(), after.data());
-  return std::ranges::any_of(model_.contact_limits(), [&](const ContactLimit& limit) {
-    const ContactInfo& contact = model_.contacts[limit.contact];
-    const auto touches = [&](const std::vector<double>& signals) {
-      return limit.flank * signals[contact.deflection] > signals[contact.backlash];
+  const std::vector<ContactLimit> limits = model_.contact_limits();
+  if (limits.empty()) return false;
+  // Deflection and backlash of each contact and corner.
+  std::vector<double> before(2 * (model_.contacts.size() + model_.corners)), after(before.size());
+  point_->contact_places(coefs_at(phase_).data(), x_.data(), before.data());
+  point_->contact_places(coefs_at(end_phase).data(), end.data(), after.data());
+  return std::ranges::any_of(limits, [&](const ContactLimit& limit) {
+    const auto touches = [&](const std::vector<double>& places) {
+      return limit.flank * places[2 * limit.contact] > places[2 * limit.contact + 1];
     };
     return touches(before) != touches(after);
   });
