@@ -184,10 +184,10 @@ std::vector<double> PeriodicTable::corners() const {
     return (knots_[i + 1].value - knots_[i].value) / (knots_[i + 1].phase - knots_[i].phase);
   };
   const auto see = [&](std::size_t before, std::size_t after) {
-    constexpr double kRounding = 1e-12;
+    constexpr double kSameSlope = 1e-12;  // relative: rounding
     const double one = slope(before), other = slope(after);
     const double size = std::max(std::fabs(one), std::fabs(other));
-    if (std::fabs(one - other) > kRounding * size) corners.push_back(knots_[after].phase);
+    if (std::fabs(one - other) > kSameSlope * size) corners.push_back(knots_[after].phase);
   };
   if (jumps_.empty()) see(last - 1, 0);
   for (std::size_t i = 1; i < last; ++i) {
@@ -233,9 +233,9 @@ void PeriodicTable::take_in(std::size_t interval, double from, double to, Range*
 }
 
 PeriodicTable::Range PeriodicTable::range(double from, double to, double toward) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   if (!std::isfinite(from) || !std::isfinite(to) || !std::isfinite(toward)) {
-    return {-kInfinity, kInfinity, -kInfinity, kInfinity};
+    return {-kUnbounded, kUnbounded, -kUnbounded, kUnbounded};
   }
   const double turns = kTurn * std::floor((toward - knots_.front().phase) / kTurn);
   const bool is_whole = to - from >= kTurn;
@@ -248,7 +248,7 @@ PeriodicTable::Range PeriodicTable::range(double from, double to, double toward)
     low = std::max(low, phase_of(*(piece - 1)));
     high = std::min(high, phase_of(*piece - 1));
   }
-  Range range = {kInfinity, -kInfinity, kInfinity, -kInfinity};
+  Range range = {kUnbounded, -kUnbounded, kUnbounded, -kUnbounded};
   for (const double shift : {-kTurn, 0.0, kTurn}) take_in(low + shift, high + shift, &range);
   return range;
 }
