@@ -19,8 +19,8 @@ SHARED_FN mask watch_same_flanks(real deflection, real backlash, real later_defl
       same & watch_same_flanks(a->signals.deflection, a->signals.backlash, b->signals.deflection, \
                                b->signals.backlash, MODEL_ONE_SIDED(contact));
 
-// Whether the same flanks touch at both moments: then the field between them is smooth. A model that
-// bends inside its steps (MODEL_ROUGH) says of none that it is.
+// Whether the same flanks touch at both moments: then the field between them is smooth. A model
+// that bends inside its steps (MODEL_ROUGH) says of none that it is.
 SHARED_FN mask watch_same_contact(const Moment* a, const Moment* b) {
   const real zero = 0;
 #ifdef MODEL_ROUGH

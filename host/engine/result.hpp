@@ -34,8 +34,8 @@ struct Attractor {
 
 // How integrate.tolerance was met (sweep/pilot.hpp).
 struct PilotFindings {
-  double step = 0.0;       // max_step, in dimensionless time
-  double error = 0.0;      // the largest of `errors`, samples of sections included
+  double step = 0.0;   // max_step, in dimensionless time
+  double error = 0.0;  // the largest of `errors`, samples of sections included
   // Share of all periodic points that keep the tolerance, at 95 % confidence: at least.
   double kept = 0.0;
   // Share of the pilot's points that were found to land elsewhere at any change of the step, and

@@ -46,7 +46,7 @@ struct ModelDefinition {
   std::vector<ExpressionText> signal_values;  // [signal]
   ExpressionText period;                      // in dimensionless time; of parameters alone
   std::vector<ExpressionText> jumps;          // phases, in radians; of parameters alone
-  double max_step = 0.0;  // 0: none (Model::max_step)
+  double max_step = 0.0;                      // 0: none (Model::max_step)
   // Parameters in which the points of a study differ: what depends on the phase and on none of
   // these is tabulated whole.
   std::set<std::string> swept;

@@ -29,7 +29,7 @@ std::vector<ProbeStart> probe_starts(const Study& study) {
     const std::size_t count = study.axes[axis].values.size();
     chosen[axis].clear();
     for (std::size_t i = 0; i < places; ++i) chosen[axis].push_back(i * (count - 1) / (places - 1));
-    chosen[axis].erase(std::ranges::unique(chosen[axis]).begin(), chosen[axis].end());
+    chosen[axis].erase(std::unique(chosen[axis].begin(), chosen[axis].end()), chosen[axis].end());
   }
   std::vector<ProbeStart> starts;
   for (const std::size_t second : chosen[1]) {

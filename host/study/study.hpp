@@ -82,22 +82,22 @@ enum class States { driving, all };
 // How to integrate.
 struct Integrate {
   bool fp64 = true;
-  // Largest step in the model's time, when steps_per_period = 0; the model's own by default, or what
-  // the study finds for a model that has none (study/own_step.hpp).
+  // Largest step in the model's time, when steps_per_period = 0; the model's own by default, or
+  // what the study finds for a model that has none (study/own_step.hpp).
   double max_step = 0.0;
   // > 0: a pilot run finds the longest max_step that keeps this share of each map's range
   // (sweep/pilot.hpp). One that is not asked for yields: where no pilot run pays or tells, max_step
   // is the model's own.
   double tolerance = 0.0;
-  double exponent_tolerance = 0.0;  // the same for maps of exponents
+  double exponent_tolerance = 0.0;      // the same for maps of exponents
   bool is_tolerance_asked = false;      // one of the two is in the study
   bool is_map_tolerance_given = false;  // the first one is
-  std::size_t steps_per_period = 0;  // at least so many steps per period, when > 0
-  bool events = true;                // steps that cross a contact's limit are corrected
-  std::size_t settle = 400;          // periods
-  std::size_t record = 200;          // periods
-  std::size_t warm_up = 100;         // last periods of settle that tangent vectors are turned in
-  std::size_t extend = 16;           // an undecided point is recorded for up to so many records
+  std::size_t steps_per_period = 0;     // at least so many steps per period, when > 0
+  bool events = true;                   // steps that cross a contact's limit are corrected
+  std::size_t settle = 400;             // periods
+  std::size_t record = 200;             // periods
+  std::size_t warm_up = 100;            // last periods of settle that tangent vectors are turned in
+  std::size_t extend = 16;              // an undecided point is recorded for up to so many records
   Stop stop = Stop::orbit;
   States states = States::driving;
   EngineKind engine = EngineKind::opencl;

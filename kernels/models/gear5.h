@@ -132,7 +132,7 @@ enum { ERROR_SINE, ERROR_SERIES };
   X("Friction between teeth is Coulomb's, with a constant coefficient, in the direction of " \
     "nominal sliding.")                                                                      \
   X("The mesh damper acts for two tooth pairs at all times, out of contact, too.")           \
-  X("A pair of teeth takes up its load at once where it enters: stiffness and force jump "    \
+  X("A pair of teeth takes up its load at once where it enters: stiffness and force jump "   \
     "there. A helix makes it gradual.")                                                      \
   X("The load is constant; the transmission error acts on the mesh alone.")                  \
   X("The gears turn at a constant mean speed; each speed is held until the motion has settled.")

@@ -57,7 +57,8 @@ std::vector<Form> forms() {
        [](double p, double c) { return std::floor(3 * p / kFullTurn + c); },
        [](double c) {
          std::vector<double> phases;
-         for (double n = std::ceil(c); n < c + 3.0; ++n) phases.push_back((n - c) * kFullTurn / 3.0);
+         for (double n = std::ceil(c); n < c + 3.0; ++n)
+           phases.push_back((n - c) * kFullTurn / 3.0);
          return phases;
        }},
       {"phase/(2*pi) - floor(phase/(2*pi) + 0.3)",

@@ -1,4 +1,5 @@
-// Bounds of confidence against SciPy's beta distribution: beta.ppf(0.95, found + 1, points - found).
+// Bounds of confidence against SciPy's beta distribution: beta.ppf(0.95, found + 1, points -
+// found).
 #include "sweep/detail/share_bound.hpp"
 
 #include <gtest/gtest.h>

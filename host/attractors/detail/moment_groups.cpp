@@ -158,8 +158,8 @@ class Grouping {
     for (std::vector<std::size_t>& members : groups_.members) std::ranges::sort(members);
     std::ranges::sort(groups_.members);
     std::ranges::sort(groups_.uncertain);
-    const auto same = std::ranges::unique(groups_.uncertain);
-    groups_.uncertain.erase(same.begin(), same.end());
+    const auto same = std::unique(groups_.uncertain.begin(), groups_.uncertain.end());
+    groups_.uncertain.erase(same, groups_.uncertain.end());
     return std::move(groups_);
   }
 

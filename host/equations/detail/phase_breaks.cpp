@@ -15,7 +15,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kMaxBreaks = 1000;           // breaks of a period
+constexpr std::size_t kMaxBreaks = 1000;      // breaks of a period
 constexpr std::size_t kMaxIntervals = 50000;  // looked at for one function between two breaks
 // No grid of phases tells breaks that are closer (plan/phase_grid.cpp); in radians.
 constexpr double kClose = 1e-9 * kWholePhase;

@@ -30,7 +30,8 @@ std::shared_ptr<const PeriodicTable> Tables::read(const TableCall& call, const F
   if (table == nullptr) {
     if (!points_of_) throw ExpressionError(call.file_at, "there are no tables here");
     if (known_.size() > kMaxTables) {
-      throw ExpressionError(call.file_at, fmt::format("a model reads at most {} tables", kMaxTables));
+      throw ExpressionError(call.file_at,
+                            fmt::format("a model reads at most {} tables", kMaxTables));
     }
     try {
       table = std::make_shared<const PeriodicTable>(call.file, points_of_(call.file),

@@ -18,7 +18,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kLargest = 1e12;  // of a parameter that names no range
+constexpr double kLargest = 1e12;      // of a parameter that names no range
 constexpr std::size_t kMaxNames = 64;  // states; parameters may be more
 
 class DefinitionReader {
@@ -116,7 +116,8 @@ class DefinitionReader {
     if (!source.empty()) {
       definition_.summary += fmt::format("{}({})", definition_.summary.empty() ? "" : " ", source);
     }
-    definition_.max_step = reader.number("max_step", definition_.max_step, kMinMaxStep, kMaxMaxStep);
+    definition_.max_step =
+        reader.number("max_step", definition_.max_step, kMinMaxStep, kMaxMaxStep);
     definition_.assumptions = reader.texts("assumptions");
     reader.know("diverged_above");  // read_limits(), once the states are known
     reader.refuse_unknown();
