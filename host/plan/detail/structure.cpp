@@ -167,8 +167,9 @@ std::optional<LinearBlock> Structure::left_out(const Reduction& reduction) {
   }
   // The sums stay 0, and a passive state may be driven by what is 0: each of the two kinds by
   // itself.
-  const auto own_forms = linear_forms(graph, {rates.begin(), rates.begin() + passive}, symbols);
-  const auto sum_forms = linear_forms(graph, {rates.begin() + passive, rates.end()}, sums);
+  const auto first_sum = rates.begin() + static_cast<std::ptrdiff_t>(passive);
+  const auto own_forms = linear_forms(graph, {rates.begin(), first_sum}, symbols);
+  const auto sum_forms = linear_forms(graph, {first_sum, rates.end()}, sums);
   LinearBlock block;
   const std::size_t size = rates.size();
   block.entries.assign(size * size, graph->number(0.0));
