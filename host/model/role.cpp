@@ -30,7 +30,7 @@ Role role_of(std::string_view name) {
 }
 
 const std::vector<Role>& roles_of_parameters() {
-  static const std::vector<Role> kRoles = {Role::load};
+  static const std::vector<Role> kRoles = {Role::load, Role::mesh_damping};
   return kRoles;
 }
 
