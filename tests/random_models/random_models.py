@@ -140,7 +140,7 @@ class Check:
                 self.finds(seed, f"point {i}: status {found['status'][i]}")
                 continue
             self.counts["points compared"] += 1
-            sections = motion.sections[SETTLE - 1:-1]  # where recorded periods begin
+            sections = motion.sections[SETTLE - 1:]  # where recorded periods begin, and the last ends
             for j, state in enumerate(states):
                 size = max(motion.max[j] - motion.min[j], abs(motion.max[j]), abs(motion.min[j]))
                 allowed = base * growth * size + 1e-9

@@ -66,6 +66,10 @@ TEST(RoughModel, HasTheJumpsOfItsEquations) {
 
 TEST(RoughModel, HasNoneWhereBothSidesAreTheSame) {
   for (const char* const text : {"x*sign(x)",
+                                 "0.3*abs(0.25*x)",
+                                 "0.3*max(-0.25*x, 0.1)",
+                                 "0.3*min(k*x, b)",
+                                 "7*if(x/4 > 0.1, x - 0.4, 0)",
                                  "v^2*sign(v)",
                                  "k*(x - b)*sign(x - b)",
                                  "if(x > b, k*(x - b), 0)",

@@ -107,6 +107,12 @@ class BorderFinder {
     if (graph_->is_number(rhs, 0.0) && left.operation == Operation::subtract) {
       return add(id, left.arguments[0], left.arguments[1], above, below);
     }
+    if (const double factor = number_factor(left); graph_->is_number(rhs) && factor != 1.0) {
+      const NodeId of = left.arguments[graph_->is_number(left.arguments[0]) ? 1 : 0];
+      const NodeId limit = number((*graph_)[rhs].number / factor);
+      if (factor < 0.0) std::swap(above, below);
+      return add(id, of, limit, above, below);
+    }
     const bool has_state_left = with_state_.contains(lhs),
                has_state_right = with_state_.contains(rhs);
     if (!has_state_left && !has_state_right) return;
@@ -119,6 +125,22 @@ class BorderFinder {
     border.rhs = rhs;
     border.above[id] = above;
     border.below[id] = below;
+  }
+
+  // c of c*x and of x/(1/c), numbers that products with other numbers take up; 1 of all else.
+  double number_factor(const Node& node) const {
+    const auto usable = [](double factor) {
+      return factor != 0.0 && std::isfinite(factor) ? factor : 1.0;
+    };
+    if (node.operation == Operation::multiply) {
+      for (const NodeId argument : node.arguments) {
+        if (graph_->is_number(argument)) return usable((*graph_)[argument].number);
+      }
+    }
+    if (node.operation == Operation::divide && graph_->is_number(node.arguments[1])) {
+      return usable(1.0 / (*graph_)[node.arguments[1]].number);
+    }
+    return 1.0;
   }
 
   // Whether a node is met only in sines, cosines and tangents, times what makes `jump` of it a
@@ -197,7 +219,7 @@ class Continuity {
     for (const auto& [from, to] :
          {std::pair(border.lhs, border.rhs), std::pair(border.rhs, border.lhs)}) {
       if (!with_state.contains(from)) continue;
-      at_border_.emplace_back(graph_, std::map<NodeId, NodeId>{{from, to}});
+      at_border_.emplace_back(graph_, border, from, to);
     }
     std::set<NodeId> sources;
     for (const auto& [node, side] : border.above) sources.insert(node);
@@ -210,8 +232,9 @@ class Continuity {
     for (std::size_t row = 0; row < equations_.size(); ++row) {
       const NodeId one = above_(equations_[row]), other = below_(equations_[row]);
       const bool is_continuous =
-          one == other || std::ranges::any_of(at_border_, [&](Rewriter& at) {
-            return same_(at(one), at(other)) && !divides_by_zero(one, other, &at);
+          one == other || std::ranges::any_of(at_border_, [&](AtBorder& at) {
+            return same_(at.above(equations_[row]), at.below(equations_[row])) &&
+                   !divides_by_zero(one, other, &at.plain);
           });
       if (!is_continuous) return row;
     }
@@ -219,6 +242,25 @@ class Continuity {
   }
 
  private:
+  // One side of the border put for the other, in equations as they are and as they are above and
+  // below it. The sides are put in before anything is simplified: 0.3*abs(0.25*x) has no 0.25*x
+  // once it is 0.075*x.
+  struct AtBorder {
+    AtBorder(ExpressionGraph* graph, const Border& border, NodeId from, NodeId to)
+        : plain(graph, {{from, to}}),
+          above(graph, sides(border.above, from, to)),
+          below(graph, sides(border.below, from, to)) {}
+
+    std::map<NodeId, NodeId> sides(const std::map<NodeId, NodeId>& branches, NodeId from,
+                                   NodeId to) {
+      std::map<NodeId, NodeId> out = {{from, to}};
+      for (const auto& [node, branch] : branches) out.emplace(node, plain(branch));
+      return out;
+    }
+
+    Rewriter plain, above, below;
+  };
+
   // As x/abs(x), of which 0/0 tells nothing. What both sides have counts where it bends itself.
   bool divides_by_zero(NodeId one, NodeId other, Rewriter* at) {
     std::vector<NodeId> quotients;
@@ -240,7 +282,7 @@ class Continuity {
   ExpressionGraph* graph_;
   const std::vector<NodeId>& equations_;
   Rewriter above_, below_;
-  std::vector<Rewriter> at_border_;
+  std::vector<AtBorder> at_border_;
   std::vector<NodeId> bent_quotients_;
   Sameness same_;
 };

@@ -57,7 +57,7 @@ class Sections {
   // The box of the sections from `first` to `final`: its longest side, relative to the ranges; 0
   // where a motion that diverged has no such sections.
   double extent(std::size_t first, std::size_t final) const {
-    if (first > final) return 0.0;
+    if (first > final || last() == 0) return 0.0;
     Eigen::ArrayXd min = states_[first], max = states_[first];
     for (std::size_t i = first; i <= final; ++i) {
       min = min.min(states_[i].array());
