@@ -99,7 +99,7 @@ class BorderFinder {
   }
 
   void add(NodeId id, NodeId lhs, NodeId rhs, NodeId above, NodeId below) {
-    if (graph_->is_number(lhs, 0.0)) return add(id, rhs, lhs, below, above);
+    if (graph_->is_number(lhs) && !graph_->is_number(rhs)) return add(id, rhs, lhs, below, above);
     const Node left = (*graph_)[lhs];
     if (graph_->is_number(rhs, 0.0) && left.operation == Operation::negate) {
       return add(id, left.arguments[0], rhs, below, above);
