@@ -69,7 +69,7 @@ const std::vector<Case> kCases = {
     {.name = "abs_and_a_choice_that_meets",
      .states = "x = {}\nv = {}\n",
      .constants = "f = \"if(x > b, 9*(x - b), 0)\"\n",
-     .equations = "x = \"v\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - 0.5*abs(x - 0.05) - f\"\n"},
+     .equations = "x = \"v\"\nv = \"F*sin(phase) + 0.2 - 0.1*v - x - 0.5*abs(4*x - 0.2)/4 - f\"\n"},
     {.name = "nested_corners",
      .states = "x = {}\ny = {}\nv = {}\nw = {}\n",
      .constants = "r = \"max(abs(x), abs(y)) - 0.3*b\"\nf = \"9*max(r, 0)\"\n",

@@ -103,6 +103,8 @@ TEST(RoughModel, HasTheCornersOfItsEquations) {
   for (const Case& one : {Case{"abs(x)", 1, 0},
                           Case{"abs(x) + max(x, 0) + if(x < 0, x, k*x)", 1, 0},
                           Case{"clamp(x, -b, b)", 2, 0},
+                          Case{"0.3*abs(0.25*x - 0.158)", 1, 0},
+                          Case{"0.3*clamp(0.25*x, -0.5, 0.5)", 2, 0},
                           Case{"max(abs(x), abs(v))", 3, 0},
                           Case{"if(x > b, k*(x - b)*v, 0)", 1, 0},
                           Case{"if(x > b, k*x - k*b, 0)", 1, 0},

@@ -331,6 +331,52 @@ class Quotients {
     return of(make(Operation::subtract, a, b));
   }
 
+  // slope*lhs + offset.
+  struct Line {
+    double slope = 0.0, offset = 0.0;
+  };
+
+  // Of what numbers alone make of the left side.
+  std::optional<Line> line_of(NodeId id) const {
+    if (id == border_.lhs) return Line{1.0, 0.0};
+    const Node& node = (*graph_)[id];
+    if (node.operation == Operation::number) return Line{0.0, node.number};
+    std::vector<Line> of;
+    for (const NodeId argument : node.arguments) {
+      const std::optional<Line> line = line_of(argument);
+      if (!line) return std::nullopt;
+      of.push_back(*line);
+    }
+    switch (node.operation) {
+      case Operation::negate:
+        return Line{-of[0].slope, -of[0].offset};
+      case Operation::add:
+        return Line{of[0].slope + of[1].slope, of[0].offset + of[1].offset};
+      case Operation::subtract:
+        return Line{of[0].slope - of[1].slope, of[0].offset - of[1].offset};
+      case Operation::multiply:
+        if (of[0].slope != 0.0) std::swap(of[0], of[1]);
+        if (of[0].slope != 0.0) return std::nullopt;
+        return Line{of[0].offset * of[1].slope, of[0].offset * of[1].offset};
+      case Operation::divide:
+        if (of[1].slope != 0.0) return std::nullopt;
+        return Line{of[0].slope / of[1].offset, of[0].offset / of[1].offset};
+      default:
+        return std::nullopt;
+    }
+  }
+
+  // c of what is c*(lhs - rhs) but for rounding, where rhs is a number.
+  std::optional<double> factor_of_line(NodeId id) const {
+    if (!graph_->is_number(border_.rhs)) return std::nullopt;
+    const std::optional<Line> line = line_of(id);
+    if (!line || line->slope == 0.0) return std::nullopt;
+    const double at_rhs = line->slope * (*graph_)[border_.rhs].number;
+    constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+    if (!(std::fabs(at_rhs + line->offset) <= kRounding * std::fabs(at_rhs))) return std::nullopt;
+    return line->slope;
+  }
+
   NodeId make(Operation operation, NodeId a, NodeId b) { return graph_->make(operation, {a, b}); }
 
   std::optional<NodeId> of(NodeId id) {
@@ -345,6 +391,7 @@ class Quotients {
     if (id == one_way_) return graph_->number(1.0);
     if (id == other_way_) return graph_->number(-1.0);
     if (graph_->is_number(id, 0.0)) return id;
+    if (const std::optional<double> factor = factor_of_line(id)) return graph_->number(*factor);
     const Node node = (*graph_)[id];
     switch (node.operation) {
       case Operation::negate:

@@ -55,7 +55,7 @@ class CornerFinder {
       corners_.uncorrected.push_back(std::move(place));
       return;
     }
-    Corner corner{place.expression, border.lhs, border.rhs, {}};
+    Corner corner{place.expression, taken_over(border.lhs), taken_over(border.rhs), {}};
     for (const NodeId id : *steeper) corner.direction.push_back(taken_over(id));
     corners_.list.push_back(std::move(corner));
   }
