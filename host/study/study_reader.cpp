@@ -113,10 +113,11 @@ void check_starts(const toml::table& root, const Study& study) {
     if (initial != nullptr) check(*initial, i, study.initial.state[i]);
   }
   for (const Axis& axis : study.axes) {
-    const toml::node& place = *root.get(axis.is_list ? "points" : "axes");
+    const toml::node* place = root.get(axis.is_list ? "points" : "axes");
+    if (place == nullptr) continue;  // the axis of a study without any
     for (const Swept& swept : axis.swept()) {
       for (const double start : swept.values) {
-        if (swept.is_state) check(place, swept.index, start);
+        if (swept.is_state) check(*place, swept.index, start);
       }
     }
   }
