@@ -11,7 +11,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAimedError = 5e-8, kMaxError = 1e-4;  // of the steps that are taken
 constexpr double kFirstStep = 0.01;                     // times the fastest rate
 // Terms of this size and more, in roundings, stand out from them.
@@ -86,8 +85,8 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       }
     }
     // At rest no error holds the step back.
-    const double max_length = std::min(stretch.rate > 0.0 ? 1.0 / stretch.rate : period_,
-                                       is_forced_ ? period_ / kForcedSteps : kInfinity);
+    double max_length = stretch.rate > 0.0 ? 1.0 / stretch.rate : period_;
+    if (is_forced_) max_length = std::min(max_length, period_ / kForcedSteps);
     if (length_ == 0.0) length_ = stretch.rate > 0.0 ? kFirstStep / stretch.rate : period_ / 1024;
     const double left = (bounds_[segment_ + 1] - phase_) * period_;
     const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
