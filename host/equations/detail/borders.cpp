@@ -337,9 +337,17 @@ class Quotients {
   };
 
   // Of what numbers alone make of the left side.
-  std::optional<Line> line_of(NodeId id) const {
+  std::optional<Line> line_of(NodeId id) {
+    const auto known = lines_.find(id);
+    if (known != lines_.end()) return known->second;
+    const std::optional<Line> found = look_for_line(id);
+    lines_.emplace(id, found);
+    return found;
+  }
+
+  std::optional<Line> look_for_line(NodeId id) {
     if (id == border_.lhs) return Line{1.0, 0.0};
-    const Node& node = (*graph_)[id];
+    const Node node = (*graph_)[id];
     if (node.operation == Operation::number) return Line{0.0, node.number};
     std::vector<Line> of;
     for (const NodeId argument : node.arguments) {
@@ -367,7 +375,7 @@ class Quotients {
   }
 
   // c of what is c*(lhs - rhs) but for rounding, where rhs is a number.
-  std::optional<double> factor_of_line(NodeId id) const {
+  std::optional<double> factor_of_line(NodeId id) {
     if (!graph_->is_number(border_.rhs)) return std::nullopt;
     const std::optional<Line> line = line_of(id);
     if (!line || line->slope == 0.0) return std::nullopt;
@@ -437,6 +445,7 @@ class Quotients {
   Rewriter at_border_;
   const NodeId one_way_, other_way_;
   std::map<NodeId, std::optional<NodeId>> known_;
+  std::map<NodeId, std::optional<Line>> lines_;
   std::map<std::pair<NodeId, NodeId>, std::optional<NodeId>> known_pairs_;
 };
 
