@@ -48,16 +48,22 @@ void ContactField::jacobian(const double* coefs, const Eigen::VectorXd& state, c
     if (held[i] == actual[i]) continue;
     RowMatrix turned(out->rows(), out->cols());
     point_.force_direction_slope(limits_[i].contact, coefs, state.data(), turned.data());
-    *out +=
-        (held[i] ? 1.0 : -1.0) * (gained(coefs, state, i) + limits_[i].flank * seen[i] * turned);
+    *out += (held[i] ? 1.0 : -1.0) * (force_at(coefs, state, i) * gradient_at(coefs, state, i) +
+                                      limits_[i].flank * seen[i] * turned);
   }
 }
 
-RowMatrix ContactField::gained(const double* coefs, const Eigen::VectorXd& state,
-                               std::size_t limit) {
+const Eigen::VectorXd& ContactField::force_at(const double* coefs, const Eigen::VectorXd& state,
+                                              std::size_t limit) {
   point_.force_direction(limits_[limit].contact, coefs, state.data(), force_direction_.data());
+  return force_direction_;
+}
+
+const Eigen::RowVectorXd& ContactField::gradient_at(const double* coefs,
+                                                    const Eigen::VectorXd& state,
+                                                    std::size_t limit) {
   point_.penetration_gradient(limits_[limit], coefs, state.data(), gradient_.data());
-  return force_direction_ * gradient_;
+  return gradient_;
 }
 
 }  // namespace gearsweep

@@ -33,8 +33,12 @@ class ContactField {
   // Writes the slope's derivative by the state.
   void jacobian(const double* coefs, const Eigen::VectorXd& state, const Contact& held,
                 RowMatrix* out);
-  // What the Jacobian gains where a flank begins to touch at its limit.
-  RowMatrix gained(const double* coefs, const Eigen::VectorXd& state, std::size_t limit);
+  // What the field gains per depth where a flank touches, and the depth's derivative by the state:
+  // their product is what the Jacobian gains where the flank begins to touch.
+  const Eigen::VectorXd& force_at(const double* coefs, const Eigen::VectorXd& state,
+                                  std::size_t limit);
+  const Eigen::RowVectorXd& gradient_at(const double* coefs, const Eigen::VectorXd& state,
+                                        std::size_t limit);
 
  private:
   const PreparedPoint& point_;

@@ -16,12 +16,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Arclength is measured in state sizes and parameter ranges.
+// Arclength is measured in sizes of states, the largest met so far, and in parameter ranges.
 constexpr double kFirstStep = 2e-3, kMaxStep = 0.02, kMinStep = 1e-7;
 constexpr std::size_t kMaxOrbits = 4000;
 constexpr int kMaxCorrections = 12;
 constexpr int kQuickCorrection = 4;      // so many iterations or fewer: the next step is longer
-constexpr double kCorrected = 1e-12;     // residual, of the state's size
+constexpr double kCorrected = 1e-12;     // residual, of the states' sizes
 constexpr double kBracket = 1e-6;        // arclength around a bifurcation
 constexpr double kLineRounding = 1e-11;  // of the range: what the straight line leaves
 constexpr double kGrazing = 10.0;        // brackets: so near to a limit the motion may touch or not
@@ -45,17 +45,29 @@ class Follower {
       : request_(request),
         steps_(steps),
         period_(start.period),
-        size_(scale_of(start.state)),
+        sizes_(start.sizes),
         range_(request.to - request.from) {}
 
   double parameter_of(const Solution& s) const { return s.z[s.z.size() - 1] * range_; }
   double range() const { return range_; }
-  double size() const { return size_; }
+  const VectorXd& sizes() const { return sizes_; }
+
+  // Takes over the sizes of an orbit where they are larger; the solution in them.
+  Solution grow_to(const Solution& s) {
+    const VectorXd before = sizes_;
+    sizes_ = sizes_.cwiseMax(s.orbit.sizes);
+    const auto told = [&](const VectorXd& z) {
+      VectorXd out = z;
+      out.head(sizes_.size()).array() *= before.array() / sizes_.array();
+      return out;
+    };
+    return {told(s.z), told(s.tangent).normalized(), s.orbit, s.iterations};
+  }
 
   std::optional<Solution> start(const Orbit& orbit) const {
     const double parameter = request_.setting.parameters[request_.parameter];
     VectorXd z(orbit.state.size() + 1);
-    z << orbit.state / size_, parameter / range_;
+    z << orbit.state.cwiseQuotient(sizes_), parameter / range_;
     VectorXd along = VectorXd::Zero(z.size());
     along[z.size() - 1] = request_.upwards ? 1.0 : -1.0;
     return correct(z, along);
@@ -67,7 +79,7 @@ class Follower {
     if (period_ % 2 != 0) return far;
     const std::optional<VectorXd> half =
         map_at(parameter_of(s)).advance(s.orbit.state, period_ / 2);
-    return half ? (*half - s.orbit.state).cwiseAbs().maxCoeff() / size_ : far;
+    return half ? (*half - s.orbit.state).cwiseQuotient(sizes_).cwiseAbs().maxCoeff() : far;
   }
 
   // The solution on the plane through `guess` across `along`. Its tangent points along `along`.
@@ -75,21 +87,24 @@ class Follower {
     VectorXd z = guess;
     const Index states = z.size() - 1;
     for (int iteration = 0; iteration <= kMaxCorrections; ++iteration) {
-      const VectorXd state = size_ * z.head(states);
+      const VectorXd state = sizes_.cwiseProduct(z.head(states));
       if (!allowed(z[states] * range_)) return std::nullopt;
       const std::optional<PeriodImage> image = map_at(z[states] * range_).linearize(state, period_);
       const std::optional<VectorXd> slope = by_parameter(z[states] * range_, state);
       if (!image || !slope) return std::nullopt;
       MatrixXd bordered(states + 1, states + 1);
       bordered.topLeftCorner(states, states) =
-          image->monodromy - MatrixXd::Identity(states, states);
-      bordered.topRightCorner(states, 1) = *slope * (range_ / size_);
+          sizes_.cwiseInverse().asDiagonal() * image->monodromy * sizes_.asDiagonal();
+      bordered.topLeftCorner(states, states).diagonal().array() -= 1.0;
+      bordered.topRightCorner(states, 1) = range_ * slope->cwiseQuotient(sizes_);
       bordered.bottomRows(1) = along.transpose();
       const Eigen::FullPivLU<MatrixXd> solver(bordered);
       VectorXd residual(states + 1);
-      residual << (image->state - state) / size_, along.dot(z - guess);
-      const double stretch = std::max(1.0, 1e-2 * image->monodromy.cwiseAbs().maxCoeff());
-      if (residual.cwiseAbs().maxCoeff() <= kCorrected * stretch) {
+      residual << (image->state - state).cwiseQuotient(sizes_), along.dot(z - guess);
+      VectorXd allowed_residual = VectorXd::Constant(states + 1, kCorrected);
+      allowed_residual.head(states).array() *=
+          rounding_sizes(*image, sizes_).array() / sizes_.array();
+      if ((residual.cwiseAbs().array() <= allowed_residual.array()).all()) {
         VectorXd tangent = solver.solve(VectorXd::Unit(states + 1, states));
         return Solution{z, tangent.normalized(), make_orbit(state, *image, period_), iteration};
       }
@@ -130,7 +145,8 @@ class Follower {
   const FollowRequest& request_;
   std::size_t steps_;
   std::size_t period_;
-  double size_, range_;
+  VectorXd sizes_;
+  double range_;
 };
 
 // Functions of an orbit that change sign where a multiplier crosses the unit circle.
@@ -185,7 +201,8 @@ void estimate_error(const Follower& coarser, Test test, Bracket* bracket) {
   bracket->error = std::numeric_limits<double>::infinity();
   if (!low || !high) return;
   const double again = zero_parameter(coarser, test, *low, *high);
-  bracket->grazing = bracket->low.orbit.graze.distance < kGrazing * kBracket * coarser.size();
+  bracket->grazing =
+      bracket->low.orbit.graze_within(kGrazing * kBracket * coarser.sizes()) != nullptr;
   if (!std::isfinite(again)) return;
   bracket->error =
       kErrorPerChange * std::fabs(again - bracket->parameter) + kLineRounding * coarser.range();
@@ -248,8 +265,8 @@ bool add_bifurcations(const Follower& follower, const Follower& coarser,
 
 Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
   const std::string& name = request.model->parameters[request.parameter].name;
-  const Follower follower(request, start, request.steps);
-  const Follower coarser(request, start, request.steps / 2);
+  Follower follower(request, start, request.steps);
+  Follower coarser(request, start, request.steps / 2);
   Branch branch;
   branch.upwards = request.upwards;
   std::optional<Solution> last = follower.start(start);
@@ -278,7 +295,8 @@ Branch follow_orbit(const FollowRequest& request, const Orbit& start) {
           fmt::format("the branch begins near {} = {:.8g}", name, follower.parameter_of(*next));
       return branch;
     }
-    last = next;
+    last = follower.grow_to(*next);
+    coarser.grow_to(*next);
     const double parameter = follower.parameter_of(*last);
     if (parameter < request.from || parameter > request.to) {
       branch.ended = fmt::format("reached {} = {:.8g}", name,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "model/eigenvalues.hpp"
 #include "model/error.hpp"
@@ -16,16 +17,22 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kResidual = 1e-12;  // of the state's size, per norm of the monodromy matrix
+constexpr double kResidual = 1e-12;  // of the states' sizes
+constexpr double kCarried = 1e-2;    // of what a period makes of magnitudes: the same for residuals
+constexpr double kLeastSize = 1e-6;  // of a state's magnitude, and of what is carried into it
 constexpr int kMaxIterations = 40;
 constexpr int kMaxHalvings = 10;     // of a Newton step
-constexpr double kSameOrbit = 1e-8;  // of the state's size: two states of one orbit
+constexpr std::size_t kGuesses = 8;  // of an orbit inside chaos
+constexpr double kSameOrbit = 1e-8;  // of the states' sizes: two states of one orbit
 
-double size_of(const VectorXd& v) { return v.cwiseAbs().maxCoeff(); }
+// The largest component of a difference of states, in their sizes.
+double distance_of(const VectorXd& difference, const VectorXd& sizes) {
+  return difference.cwiseQuotient(sizes).cwiseAbs().maxCoeff();
+}
 
-// Rounding of the end state is that of the start, as far as the flow stretches it.
-double reachable_residual(const VectorXd& state, const MatrixXd& monodromy) {
-  return kResidual * scale_of(state) * std::max(1.0, 1e-2 * monodromy.cwiseAbs().maxCoeff());
+// What sizes of all states become in each of them, at most.
+VectorXd carried(const VectorXd& sizes, const MatrixXd& monodromy) {
+  return monodromy.cwiseAbs() * sizes;
 }
 
 // The smallest divisor of the orbit's period after which the state is back.
@@ -35,12 +42,15 @@ std::size_t min_period(const PeriodMap& map, const Orbit& orbit) {
     const std::optional<VectorXd> next = map.advance(state, 1);
     if (!next) break;
     state = *next;
-    if (orbit.period % divisor == 0 &&
-        size_of(state - orbit.state) < kSameOrbit * scale_of(orbit.state)) {
+    if (orbit.period % divisor == 0 && distance_of(state - orbit.state, orbit.sizes) < kSameOrbit) {
       return divisor;
     }
   }
   return orbit.period;
+}
+
+RunError left_range() {
+  return RunError("the trajectory left the finite range while an orbit was looked for");
 }
 
 // The states at phase 0 of a trajectory, its start first.
@@ -48,39 +58,48 @@ std::vector<VectorXd> section(const PeriodMap& map, const VectorXd& start, std::
   std::vector<VectorXd> states = {start};
   while (states.size() <= periods) {
     const std::optional<VectorXd> next = map.advance(states.back(), 1);
-    if (!next) throw RunError("the trajectory left the finite range while an orbit was looked for");
+    if (!next) throw left_range();
     states.push_back(*next);
   }
   return states;
 }
 
+// The sizes of states on a trajectory, of which `states` are a section.
+VectorXd sizes_of_section(const PeriodMap& map, const std::vector<VectorXd>& states) {
+  std::optional<PeriodImage> image = map.linearize(states.back(), 1);
+  if (!image) throw left_range();
+  for (const VectorXd& state : states) image->extent.take(state);
+  return sizes_of(*image);
+}
+
 // The smallest period after which the last state of a trajectory repeats an earlier one. Close
 // returns come first: a coarse tolerance would take an orbit that has just doubled for the one
 // before. 0 when there is none.
-std::size_t return_period(const std::vector<VectorXd>& states) {
+std::size_t return_period(const std::vector<VectorXd>& states, const VectorXd& sizes) {
   const VectorXd& last = states.back();
   for (int digits = 9; digits >= 3; --digits) {
     const double tolerance = std::pow(10.0, -digits);
     for (std::size_t period = 1; period < states.size(); ++period) {
       const VectorXd& earlier = states[states.size() - 1 - period];
-      if (size_of(last - earlier) < tolerance * scale_of(last)) return period;
+      if (distance_of(last - earlier, sizes) < tolerance) return period;
     }
   }
   return 0;
 }
 
-// The state of a trajectory that the `period`-th iterate moves least.
-VectorXd closest_return(const std::vector<VectorXd>& states, std::size_t period) {
-  double min = std::numeric_limits<double>::infinity();
-  std::size_t best = 0;
+// The states of a trajectory that the `period`-th iterate moves least, the best first.
+std::vector<VectorXd> closest_returns(const std::vector<VectorXd>& states, const VectorXd& sizes,
+                                      std::size_t period) {
+  std::vector<std::pair<double, std::size_t>> moved;
   for (std::size_t i = 0; i + period < states.size(); ++i) {
-    const double moved = size_of(states[i + period] - states[i]);
-    if (moved < min) {
-      min = moved;
-      best = i;
-    }
+    moved.emplace_back(distance_of(states[i + period] - states[i], sizes), i);
   }
-  return states[best];
+  std::sort(moved.begin(), moved.end());
+  std::vector<VectorXd> out;
+  for (std::size_t i = 0; i < std::min(kGuesses, moved.size()); ++i) {
+    out.push_back(states[moved[i].second]);
+  }
+  return out;
 }
 
 }  // namespace
@@ -103,6 +122,19 @@ bool Orbit::stable() const { return unstable_count() == 0; }
 
 std::size_t Orbit::unstable_count() const {
   return static_cast<std::size_t>((multipliers.cwiseAbs().array() > 1.0).count());
+}
+
+const Graze* Orbit::graze_within(const VectorXd& errors) const {
+  const Graze* nearest = nullptr;
+  double share = 1.0;  // of what the distance is known by
+  for (const Graze& graze : grazes) {
+    if (!std::isfinite(graze.distance)) continue;
+    const double known = graze.gradient.cwiseAbs().dot(errors);
+    if (graze.distance >= share * known) continue;
+    share = graze.distance / known;
+    nearest = &graze;
+  }
+  return nearest;
 }
 
 Nearest nearest_bifurcation(const Orbit& orbit) {
@@ -130,34 +162,54 @@ Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t pe
   const std::vector<std::complex<double>> multipliers =
       eigenvalues(image.monodromy.data(), static_cast<std::size_t>(image.monodromy.rows()));
   if (multipliers.empty()) throw RunError("the multipliers of an orbit cannot be computed");
-  Orbit orbit{state, period, image.monodromy,
+  Orbit orbit{state,
+              period,
+              image.monodromy,
               Eigen::Map<const Eigen::VectorXcd>(multipliers.data(),
                                                  static_cast<Eigen::Index>(multipliers.size())),
-              image.graze};
+              image.grazes,
+              sizes_of(image),
+              image.extent.reach()};
   // Of a complex pair, which has one modulus, the member above the real axis comes first.
   std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
                    [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
   return orbit;
 }
 
-double scale_of(const VectorXd& state) { return std::max(1.0, size_of(state)); }
+VectorXd sizes_of(const PeriodImage& image) {
+  const VectorXd swing = image.extent.swing();
+  const VectorXd sizes = swing.cwiseMax(kLeastSize * image.extent.reach())
+                             .cwiseMax(kLeastSize * carried(swing, image.monodromy));
+  return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
+}
+
+VectorXd rounding_sizes(const PeriodImage& image, const VectorXd& sizes) {
+  const VectorXd reach = image.extent.reach();
+  return sizes.cwiseMax(reach).cwiseMax(kCarried * carried(reach, image.monodromy));
+}
+
+double stretch_of(const MatrixXd& matrix, const VectorXd& sizes) {
+  return (sizes.cwiseInverse().asDiagonal() * matrix * sizes.asDiagonal()).cwiseAbs().maxCoeff();
+}
 
 std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::size_t period) {
   const MatrixXd identity = MatrixXd::Identity(guess.size(), guess.size());
   VectorXd state = guess;
   std::optional<PeriodImage> image = map.linearize(state, period);
+  if (!image) return std::nullopt;
+  const VectorXd sizes = sizes_of(*image);
   for (int iteration = 0; image && iteration < kMaxIterations; ++iteration) {
     const VectorXd residual = image->state - state;
-    const double before = size_of(residual);
-    if (before <= reachable_residual(state, image->monodromy)) {
+    if (distance_of(residual, rounding_sizes(*image, sizes)) <= kResidual) {
       return make_orbit(state, *image, period);
     }
+    const double before = distance_of(residual, sizes);
     const VectorXd step = (image->monodromy - identity).fullPivLu().solve(-residual);
     std::optional<PeriodImage> next;
     double damping = 1.0;
     for (int halvings = 0; halvings < kMaxHalvings; ++halvings, damping *= 0.5) {
       next = map.linearize(state + damping * step, period);
-      if (next && size_of(next->state - (state + damping * step)) < before) break;
+      if (next && distance_of(next->state - (state + damping * step), sizes) < before) break;
       next.reset();
     }
     state += damping * step;
@@ -169,7 +221,8 @@ std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::siz
 Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<std::size_t> period) {
   const std::vector<VectorXd> states =
       section(map, settled, kLongestPeriod + 4 * period.value_or(0));
-  const std::size_t wanted = period ? *period : return_period(states);
+  const VectorXd sizes = sizes_of_section(map, states);
+  const std::size_t wanted = period ? *period : return_period(states, sizes);
   if (wanted == 0) {
     throw RunError(
         fmt::format("the trajectory does not repeat itself within {} periods: it is chaotic, or "
@@ -177,8 +230,10 @@ Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<st
                     "found with --period",
                     kLongestPeriod));
   }
-  const VectorXd guess = period ? closest_return(states, wanted) : states.back();
-  const std::optional<Orbit> found = shoot(map, guess, wanted);
+  const std::vector<VectorXd> guesses =
+      period ? closest_returns(states, sizes, wanted) : std::vector<VectorXd>{states.back()};
+  std::optional<Orbit> found;
+  for (std::size_t i = 0; !found && i < guesses.size(); ++i) found = shoot(map, guesses[i], wanted);
   if (!found) {
     throw RunError(
         fmt::format("Newton's method found no orbit of period {}: try a longer integrate.settle, "

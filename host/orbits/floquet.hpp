@@ -29,11 +29,18 @@ struct Orbit {
   std::size_t period = 1;  // in forcing periods; the smallest
   Eigen::MatrixXd monodromy;
   Eigen::VectorXcd multipliers;  // largest modulus first
-  Graze graze;
+  std::vector<Graze> grazes;
+  // What counts as the size of each state, above 0: see sizes_of. Residuals and distances are
+  // judged in these sizes, so that no unit of a state or of the time decides anything.
+  Eigen::VectorXd sizes;
+  Eigen::VectorXd reach;  // largest magnitude of each state on the orbit
 
   bool stable() const;
   // How many multipliers lie outside the unit circle.
   std::size_t unstable_count() const;
+  // The turn nearest to a limit of a backlash among those that are nearer to it than states are
+  // known; null when there is none. errors: of each state.
+  const Graze* graze_within(const Eigen::VectorXd& errors) const;
 };
 
 // The multiplier nearest to the unit circle and the bifurcation that it would make by crossing it.
@@ -50,10 +57,19 @@ std::string name_of(const Nearest& nearest);
 // The orbit through a state that `image` brings back; multipliers computed.
 Orbit make_orbit(const Eigen::VectorXd& state, const PeriodImage& image, std::size_t period);
 
-// What counts as the size of a state when residuals are judged.
-double scale_of(const Eigen::VectorXd& state);
+// The size of each state on a way: half of its extent there, which does not know from where a state
+// is counted; at least a millionth of its magnitude, and of what the others' sizes become in it; 1
+// where that is 0.
+Eigen::VectorXd sizes_of(const PeriodImage& image);
 
-// Damped Newton's method on the `period`-th iterate from `guess`, to 1e-12 of the state's size.
+// The sizes that the residual of shooting is judged in: rounding of the end state is that of the
+// start, as far as the flow stretches it.
+Eigen::VectorXd rounding_sizes(const PeriodImage& image, const Eigen::VectorXd& sizes);
+
+// Of a matrix that carries states to states, its largest entry between states in their own sizes.
+double stretch_of(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& sizes);
+
+// Damped Newton's method on the `period`-th iterate from `guess`, to 1e-12 of the states' sizes.
 // Nothing when it does not converge. The result's period is `period`, be it the smallest or not.
 std::optional<Orbit> shoot(const PeriodMap& map, const Eigen::VectorXd& guess, std::size_t period);
 

@@ -13,6 +13,11 @@ constexpr double kTurnFound = 1e-9;  // of a step: a minimum is flat
 
 }  // namespace
 
+void Extent::take(const Eigen::VectorXd& state) {
+  min = min.cwiseMin(state);
+  max = max.cwiseMax(state);
+}
+
 Flow::Flow(const Model& model, const ModelSetting& setting, const PreparedPoint& point,
            const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents)
     : model_(model),
@@ -21,6 +26,8 @@ Flow::Flow(const Model& model, const ModelSetting& setting, const PreparedPoint&
       period_(point.period()),
       row_width_(model.phase_coefs.size()),
       field_(model, point),
+      grazes_(model.contact_limits().size()),
+      extent_{state, state},
       at_{state, tangents},
       start_(at_),
       moving_{at_, at_, at_},
@@ -39,6 +46,7 @@ void Flow::advance_period() {
     const double inside = phase + 0.5 * length * count;
     for (std::uint32_t i = 0; i < count; ++i) {
       advance({coefs, phase + length * i, length, inside});
+      extent_.take(at_.state);
       coefs += 2 * row_width_;
     }
     phase += length * count;
@@ -146,10 +154,11 @@ std::optional<double> Flow::share_beyond(const Part& part, std::size_t flank, co
   // Far from the limit the parabola is good enough.
   if (turn.clearance < bend) turn = find_turn(part, flank);
   const double distance = std::fabs(turn.clearance);
-  if (distance < graze_.distance) {
+  if (distance < grazes_[flank].distance) {
     const double h = (1.0 - part.from) * part.step.length * period_;
-    graze_ = {distance, 2.0 * bend / (h * h),
-              field_.gained(part.step.coefs, start_.state, flank).cwiseAbs().maxCoeff()};
+    grazes_[flank] = {distance, 2.0 * bend / (h * h),
+                      field_.force_at(part.step.coefs, start_.state, flank),
+                      field_.gradient_at(part.step.coefs, start_.state, flank)};
   }
   if (turn.clearance > 0.0) return std::nullopt;
   return turn.share;

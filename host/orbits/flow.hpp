@@ -15,11 +15,22 @@
 
 namespace gearsweep {
 
-// Where a motion turns nearest to a limit of the backlash: it nearly touches, or hardly parts.
+// Where a motion turns nearest to a limit of a backlash: it nearly touches, or hardly parts.
 struct Graze {
   double distance = std::numeric_limits<double>::infinity();  // from the limit
   double bend = 0.0;                                          // second derivative by time there
-  double jump = 0.0;  // largest entry of what the field's Jacobian gains at the limit
+  // The field's Jacobian gains force * gradient at the limit; the gradient is the distance's own.
+  Eigen::VectorXd force;
+  Eigen::RowVectorXd gradient;
+};
+
+// The least and the largest value of each state.
+struct Extent {
+  Eigen::VectorXd min, max;
+
+  void take(const Eigen::VectorXd& state);
+  Eigen::VectorXd reach() const { return min.cwiseAbs().cwiseMax(max.cwiseAbs()); }
+  Eigen::VectorXd swing() const { return 0.5 * (max - min); }
 };
 
 class Flow {
@@ -32,8 +43,10 @@ class Flow {
 
   const Eigen::VectorXd& state() const { return at_.state; }
   const Eigen::MatrixXd& tangents() const { return at_.tangents; }
-  // Of the way so far.
-  const Graze& nearest_graze() const { return graze_; }
+  // Of the way so far: the nearest of each limit of a backlash, in the order of contact_limits().
+  const std::vector<Graze>& nearest_grazes() const { return grazes_; }
+  // Of the way so far, at the ends of its steps.
+  const Extent& extent() const { return extent_; }
 
  private:
   struct Place {
@@ -89,7 +102,8 @@ class Flow {
   double period_;
   std::size_t row_width_;
   ContactField field_;
-  Graze graze_;
+  std::vector<Graze> grazes_;
+  Extent extent_;
   Place at_;     // where the trajectory is
   Place start_;  // where the part of the step began that is being tried
   // Kept from step to step: allocating them anew costs more than a small model's right-hand side.

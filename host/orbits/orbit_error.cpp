@@ -8,10 +8,9 @@
 namespace gearsweep {
 namespace {
 
-// What rounding and the end of Newton's iteration leave, of the size of the numbers.
+// What rounding and the end of Newton's iteration leave, of the states' magnitudes.
 constexpr double kRounding = 1e-12;
-// The error at any phase, in errors at phase 0: what the flow makes of it, and the deflection is a
-// sum of states.
+// The error at any phase, in errors at phase 0: what the flow makes of it.
 constexpr double kWorstPhase = 10.0;
 
 // The distance of each multiplier to its own counterpart.
@@ -32,21 +31,27 @@ Eigen::VectorXd shifts(const Eigen::VectorXcd& fine, const Eigen::VectorXcd& coa
 }  // namespace
 
 OrbitError error_of(const Orbit& orbit, const PeriodMap& coarser) {
-  const double none = std::numeric_limits<double>::infinity();
-  OrbitError error{none, Eigen::VectorXd::Constant(orbit.multipliers.size(), none), false};
+  const Eigen::VectorXd none =
+      Eigen::VectorXd::Constant(orbit.state.size(), std::numeric_limits<double>::infinity());
+  OrbitError error{none, none, std::nullopt};
   const std::optional<Orbit> coarse = shoot(coarser, orbit.state, orbit.period);
   if (!coarse) return error;
-  error.state = kErrorPerChange * (coarse->state - orbit.state).cwiseAbs().maxCoeff() +
-                kRounding * scale_of(orbit.state);
-  const double stretch = std::max(1.0, orbit.monodromy.cwiseAbs().maxCoeff());
+  // Each state's own change may be small by chance.
+  const double change =
+      (coarse->state - orbit.state).cwiseQuotient(orbit.sizes).cwiseAbs().maxCoeff();
+  error.state = kErrorPerChange * change * orbit.sizes + kRounding * orbit.reach;
+  const double stretch = std::max(1.0, stretch_of(orbit.monodromy, orbit.sizes));
   error.multipliers = kErrorPerChange * shifts(orbit.multipliers, coarse->multipliers).array() +
                       kRounding * stretch;
-  const double depth = kWorstPhase * error.state;
-  error.grazing = orbit.graze.distance < depth;
-  if (error.grazing) {
+  const Eigen::VectorXd at_worst = kWorstPhase * error.state;
+  const Graze* const graze = orbit.graze_within(at_worst);
+  if (graze != nullptr) {
+    error.graze_distance = graze->distance;
+    const double depth = graze->gradient.cwiseAbs().dot(at_worst);
     // So long may a flank touch that does not, or the other way round.
-    const double time = 2.0 * std::sqrt(2.0 * (orbit.graze.distance + depth) / orbit.graze.bend);
-    error.multipliers.array() += time * orbit.graze.jump * stretch;
+    const double time = 2.0 * std::sqrt(2.0 * (graze->distance + depth) / graze->bend);
+    error.multipliers.array() +=
+        time * stretch_of(graze->force * graze->gradient, orbit.sizes) * stretch;
   }
   return error;
 }

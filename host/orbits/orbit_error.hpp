@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "orbits/floquet.hpp"
 
@@ -15,11 +16,14 @@ namespace gearsweep {
 constexpr double kErrorPerChange = 2.0;
 
 struct OrbitError {
-  double state = 0.0;           // of each component
+  Eigen::VectorXd state;        // of each state
   Eigen::VectorXd multipliers;  // of their real and imaginary parts, in the orbit's order
-  // Whether the motion turns so near to a limit of the backlash that the state's error decides if
-  // it touches. The multipliers change there with the root of the distance.
-  bool grazing = false;
+  // How near the motion turns to a limit of a backlash, where that is nearer than the states are
+  // known: their error decides if it touches. The multipliers change there with the root of the
+  // distance.
+  std::optional<double> graze_distance;
+
+  bool grazing() const { return graze_distance.has_value(); }
 };
 
 // The error of `orbit`, found with finer steps than those of `coarser`. Infinite when no orbit is

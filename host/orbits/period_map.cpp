@@ -43,7 +43,7 @@ std::optional<PeriodImage> PeriodMap::linearize(const VectorXd& state, std::size
   Flow flow(*model_, setting_, *point_, grid_, state,
             MatrixXd::Identity(state.size(), state.size()));
   if (!advance(&flow, periods)) return std::nullopt;
-  return PeriodImage{flow.state(), flow.tangents(), flow.nearest_graze()};
+  return PeriodImage{flow.state(), flow.tangents(), flow.nearest_grazes(), flow.extent()};
 }
 
 }  // namespace gearsweep

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "orbits/flow.hpp"
 
@@ -16,7 +17,9 @@ namespace gearsweep {
 struct PeriodImage {
   Eigen::VectorXd state;
   Eigen::MatrixXd monodromy;
-  Graze graze;  // of the way there
+  // Of the way there, as Flow tells them.
+  std::vector<Graze> grazes;
+  Extent extent;
 };
 
 // Thrown by a map that is told to stop.

@@ -152,15 +152,15 @@ class OrbitDescription {
   void add_errors() {
     const OrbitError& error = findings_.error;
     const std::string of_start = findings_.range ? " of the orbit at the start" : "";
-    add("section_error", Stored::real, {},
-        notes_.describe("", "error of each component of the state" + of_start + " at most"),
-        {error.state});
+    add("section_error", Stored::real, {"state"},
+        notes_.describe(model_.states, "state", "error of each state" + of_start + " at most"),
+        {error.state.begin(), error.state.end()});
     add("multiplier_error", Stored::real, {"multiplier"},
         notes_.describe("1", "error of each part of the multipliers" + of_start + " at most"),
         {error.multipliers.begin(), error.multipliers.end()});
     add("grazing", Stored::byte, {},
         notes_.describe("", "whether the motion" + of_start + " grazes a limit of the backlash"),
-        {error.grazing ? 1.0 : 0.0});
+        {error.grazing() ? 1.0 : 0.0});
   }
 
   void add_bifurcations() {

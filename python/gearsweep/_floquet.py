@@ -59,8 +59,8 @@ def floquet(
     xarray.Dataset
         Of one orbit, without `along`: ``period`` in forcing periods, ``stable``, ``section``
         (state), which is the state at phase 0, and ``multipliers`` (multiplier), complex, largest
-        modulus first. ``section_error`` and ``multiplier_error`` (multiplier) say how far they
-        may be off at most, ``grazing`` why.
+        modulus first. ``section_error`` (state) and ``multiplier_error`` (multiplier) say how far
+        they may be off at most, ``grazing`` why.
 
         With `along`, all orbits of the branch stand along the dimension ``orbit``, in one line
         from the first value to the second, with the parameter as a coordinate; the errors are

@@ -66,7 +66,7 @@ def test_one_orbit_is_that_of_the_command(tmp_path):
     assert dict(own.sizes) == {"state": 2, "multiplier": 2}
     assert_same_orbit(own, told)
     assert own.state.values.tolist() == told["states"]
-    assert own.section_error == told["state_error"]
+    assert own.section_error.values.tolist() == told["state_error"]
     assert own.multiplier_error.values.tolist() == [m["error"] for m in told["multipliers"]]
     assert own.grazing == told["grazing"]
     assert own.damping == told["parameters"]["damping"]

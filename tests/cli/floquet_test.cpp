@@ -201,6 +201,36 @@ TEST(FloquetCommand, ChaosIsNoOrbitAndSaysWhatToTry) {
   EXPECT_THAT(outcome.err, HasSubstr("--period"));
 }
 
+// x'' = x - x^3 - 0.3 x' + g cos(1.2 t) with x in another unit of length and t in another of time.
+// Periods are those of the plain equations, 1, 2 and 5 at g = 0.2, 0.28 and 0.37; so are
+// multipliers and the doubling at 0.26558178, which DOP853 finds too.
+TEST(FloquetCommand, DoesNotDependOnUnits) {
+  const Folder folder;
+  for (const auto& [length, time] :
+       std::vector<std::pair<double, double>>{{1e-9, 1e-6}, {1.0, 1.0}, {1e6, 1e5}}) {
+    folder.write("wells.model",
+                 "[model]\nname = 'wells'\n[states]\nx = {}\nv = {}\n[parameters]\ng = 0.2\n"
+                 "[equations]\nx = 'v'\n" +
+                     fmt::format("v = 'x/{1}^2 - x^3/({0}^2*{1}^2) - 0.3*v/{1} + "
+                                 "{0}*g/{1}^2*cos(phase)'\n[forcing]\nperiod = '2*pi/1.2*{1}'\n",
+                                 length, time));
+    folder.write("wells.toml",
+                 fmt::format("[model]\nfile = 'wells.model'\n[[axes]]\nname = 'g'\nvalues = [0.2]\n"
+                             "[initial]\nstate = {{x = {}, v = {}}}\n[integrate]\nsettle = 400\n",
+                             0.5 * length, 0.1 * length / time));
+    const auto floquet = [&](const std::string& words) {
+      const Outcome outcome = gearsweep(folder, "floquet wells.toml " + words);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      return outcome.out;
+    };
+    const std::string along = floquet("--along g=0.2:0.28");
+    EXPECT_THAT(along, HasSubstr("0.455938128    0.039064949 +0.454261495i"));
+    EXPECT_THAT(along, HasSubstr("flip               g = 0.26558178"));
+    EXPECT_THAT(floquet("--at g=0.28"), HasSubstr("orbit of period 2 (stable)"));
+    EXPECT_THAT(floquet("--at g=0.37"), HasSubstr("orbit of period 5 (stable)"));
+  }
+}
+
 TEST(FloquetCommand, AutonomousModelsAreRefused) {
   const Folder folder;
   folder.write("lorenz.toml",

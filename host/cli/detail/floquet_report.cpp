@@ -22,13 +22,13 @@ std::string describe_multipliers(const OrbitFindings& findings) {
                         with_digits(m.real(), error), m.imag() < 0.0 ? "-" : "+",
                         with_digits(std::fabs(m.imag()), error));
   }
-  if (findings.error.grazing) {
+  if (findings.error.grazing()) {
     text += fmt::format(
         "the motion grazes a limit of the backlash: it turns {:.1g} from it, nearer than it is "
         "known,\n"
         "and multipliers change like the root of that: few digits hold\n",
-        orbit.graze.distance);
-  } else if (!std::isfinite(findings.error.state)) {
+        *findings.error.graze_distance);
+  } else if (!findings.error.state.allFinite()) {
     text +=
         "steps of twice the length find no such orbit, so no digit is sure: give more --steps\n";
   }
@@ -63,10 +63,9 @@ std::string describe_orbit(const OrbitFindings& findings) {
                                  : fmt::format("unstable, {} of {} multipliers outside",
                                                orbit.unstable_count(), orbit.multipliers.size()),
                   static_cast<double>(orbit.period) * findings.forcing_period);
-  for (std::size_t i = 0; i < model.states.size(); ++i) {
-    text +=
-        fmt::format("  {:<4} {}\n", model.states[i].name,
-                    with_digits(orbit.state[static_cast<Eigen::Index>(i)], findings.error.state));
+  for (Eigen::Index i = 0; i < orbit.state.size(); ++i) {
+    text += fmt::format("  {:<4} {}\n", model.states[static_cast<std::size_t>(i)].name,
+                        with_digits(orbit.state[i], findings.error.state[i]));
   }
   text += describe_multipliers(findings);
   const Nearest nearest = nearest_bifurcation(orbit);
@@ -113,8 +112,9 @@ std::string describe_floquet(const OrbitFindings& findings) {
 std::string floquet_as_json(const OrbitFindings& findings) {
   const Model& model = *findings.study.model;
   nlohmann::json json = json_of(findings.orbit);
-  json["grazing"] = findings.error.grazing;
-  json["state_error"] = findings.error.state;
+  json["grazing"] = findings.error.grazing();
+  json["state_error"] =
+      std::vector<double>(findings.error.state.begin(), findings.error.state.end());
   for (std::size_t i = 0; i < json["multipliers"].size(); ++i) {
     json["multipliers"][i]["error"] = findings.error.multipliers[static_cast<Eigen::Index>(i)];
   }
