@@ -1,0 +1,55 @@
+#include "equations/detail/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "equations/detail/state_jumps.hpp"
+#include "expression/print.hpp"
+
+namespace gearsweep {
+
+std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
+                                     const Lowered& lowered, const PhaseBreaks& breaks) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) { lines.push_back(line); };
+  const ExpressionGraph& graph = formula.graph;
+  if (lowered.is_second_order) add("second order: positions, then their velocities");
+  for (const StateJump& jump : state_jumps_of(definition, lowered.jumps)) {
+    add(
+        fmt::format("jumps with a state: {} (in {}); steps are of first order there, and there are "
+                    "no exponents, periods and kinds of motion",
+                    jump.expression, jump.place));
+  }
+  for (const Contact& contact : lowered.contacts.list) {
+    if (contact.is_hidden) {
+      add(fmt::format("corner of {}: steps that cross it are corrected", contact.name));
+      continue;
+    }
+    const std::string name = contact.name.empty() ? "" : fmt::format(" '{}'", contact.name);
+    const bool has_slope = std::ranges::any_of(
+        contact.direction, [&](NodeId id) { return !graph.is_number(id, 0.0); });
+    add(fmt::format("{}{}: {}", contact.is_one_sided ? "stop" : "backlash", name,
+                    has_slope ? "steps that cross its limits are corrected"
+                              : "the force does not begin with a slope: steps are not corrected"));
+  }
+  for (const RoughPlace& place : lowered.uncorrected) {
+    add(fmt::format("corner of {} (in {}): steps are not corrected, and of second order there",
+                    place.expression, equation_of(definition, place)));
+  }
+  for (const NodeId id : lowered.coef_values) {
+    add(fmt::format("tabulated over the phase: {}", to_short_text(graph, id)));
+  }
+  for (const std::string& text : breaks.texts()) {
+    add(fmt::format("steps end at the phases where this jumps or bends: {}", text));
+  }
+  for (const std::string& line : breaks.tables_left_out()) add(line);
+  for (std::size_t i = 0; i < definition.parameters.size(); ++i) {
+    if (!lowered.shapes_phase[i] || !formula.are_swept[i]) continue;
+    add(fmt::format("'{}' cannot be parted from the phase: each of its values has a table",
+                    definition.parameters[i].name));
+  }
+  return lines;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,108 @@
+#include "equations/detail/listed_jumps.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Break phases closer than this are one (plan/phase_grid.cpp).
+constexpr double kSamePhase = 1e-9;
+
+double share_of(double phase) {
+  const double share = phase / kWholePhase;
+  return share - std::floor(share);
+}
+
+// In [0, 1): phase 0 and what the model's file lists.
+std::vector<double> listed_phases(const Tapes& tapes, const ModelSetting& setting) {
+  std::vector<double> phases(tapes.listed + 1);
+  tapes.jumps.run(inputs_of(tapes, setting).data(), phases.data() + 1);
+  for (double& phase : phases) phase = share_of(phase);
+  return phases;
+}
+
+std::vector<double> found_phases(const Tapes& tapes, const ModelSetting& setting) {
+  try {
+    std::vector<double> phases = tapes.breaks.find(inputs_of(tapes, setting));
+    for (double& phase : phases) phase = share_of(phase);
+    return phases;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", tapes.file, error.what()));
+  }
+}
+
+bool is_near(double phase, const std::vector<double>& phases) {
+  return std::ranges::any_of(phases, [&](double other) {
+    const double distance = std::fabs(phase - other);
+    return std::min(distance, 1.0 - distance) <= kSamePhase;
+  });
+}
+
+// The breaks at which a coefficient has two values; breaks: rising, within (0, 1).
+std::vector<double> jumps_among(const Tapes& tapes, const ModelSetting& setting,
+                                const std::vector<double>& breaks) {
+  constexpr double kRounding = 1e-9;
+  std::vector<double> jumps, before(tapes.coef_count), after(tapes.coef_count);
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    const double from = i == 0 ? 0.0 : breaks[i - 1];
+    const double to = i + 1 < breaks.size() ? breaks[i + 1] : 1.0;
+    coefs_at(tapes, setting, breaks[i], 0.5 * (from + breaks[i]), before.data());
+    coefs_at(tapes, setting, breaks[i], 0.5 * (breaks[i] + to), after.data());
+    bool jumps_here = false;
+    for (std::size_t j = 0; j < before.size(); ++j) {
+      const double size = std::max(std::fabs(before[j]), std::fabs(after[j]));
+      jumps_here |= std::fabs(after[j] - before[j]) > kRounding * size;
+    }
+    if (jumps_here) jumps.push_back(breaks[i]);
+  }
+  return jumps;
+}
+
+std::string radians(const std::vector<double>& phases) {
+  std::vector<std::string> texts;
+  for (const double phase : phases) texts.push_back(fmt::format("{:.6g}", kWholePhase * phase));
+  return fmt::format("{} {}", phases.size() == 1 ? "phase" : "phases", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+std::vector<double> break_phases_of(const Tapes& tapes, const ModelSetting& setting) {
+  std::vector<double> phases = listed_phases(tapes, setting);
+  const std::vector<double> listed = phases;
+  for (const double phase : found_phases(tapes, setting)) {
+    if (!is_near(phase, listed)) phases.push_back(phase);
+  }
+  return phases;
+}
+
+std::vector<std::string> broken_promises(const Tapes& tapes, const ModelSetting& setting) {
+  if (tapes.listed == 0) return {};
+  const std::vector<double> found = found_phases(tapes, setting);
+  const std::vector<double> listed = listed_phases(tapes, setting);
+  std::vector<double> missed, idle;
+  for (const double phase : jumps_among(tapes, setting, found)) {
+    if (!is_near(phase, listed)) missed.push_back(phase);
+  }
+  for (const double phase : listed) {
+    if (!is_near(phase, found) && !is_near(phase, {0.0})) idle.push_back(phase);
+  }
+  std::vector<std::string> notices;
+  if (!missed.empty()) {
+    notices.push_back(fmt::format(
+        "{}: the equations jump at {}, which [forcing] jumps does not list; steps end there, too",
+        tapes.file, radians(missed)));
+  }
+  if (!idle.empty()) {
+    notices.push_back(fmt::format("{}: [forcing] jumps lists {}, where no equation jumps",
+                                  tapes.file, radians(idle)));
+  }
+  return notices;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,80 @@
+#include "equations/detail/tapes.hpp"
+
+#include "equations/definition.hpp"
+#include "equations/detail/one_sided.hpp"
+#include "expression/differentiate.hpp"
+
+namespace gearsweep {
+
+Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Formula* formula) {
+  const ExpressionGraph& graph = formula->graph;
+  std::vector<NodeId> parameters = formula->parameters;
+  parameters.insert(parameters.end(), formula->choices.begin(), formula->choices.end());
+  Tapes tapes;
+  tapes.states = formula->states.size();
+  tapes.points = lowered.point.size();
+  tapes.coef_count = lowered.coefs.size();
+  tapes.listed = formula->jumps.size();
+  tapes.file = definition.period.file;
+  for (const OptionInfo& option : definition.options)
+    tapes.choices.push_back(option.choices.size());
+  tapes.breaks = PhaseBreaks(graph, parameters, formula->phase, lowered.coef_values);
+  tapes.waves = PhaseWaves(&formula->graph, parameters, formula->phase, lowered.coef_values);
+  // No name of a user's has a space.
+  const NodeId inside = formula->graph.symbol("phase inside");
+  const std::vector<NodeId> coefs =
+      one_sided(&formula->graph, formula->phase, inside, lowered.coef_values);
+  std::vector<NodeId> phased = parameters;
+  phased.push_back(formula->phase);
+  phased.push_back(inside);
+  std::vector<NodeId> moment = formula->states;
+  moment.insert(moment.end(), lowered.point.begin(), lowered.point.end());
+  moment.insert(moment.end(), lowered.coefs.begin(), lowered.coefs.end());
+  tapes.period = Tape(graph, parameters, {formula->period});
+  tapes.start = Tape(graph, parameters, formula->start);
+  tapes.jumps = Tape(graph, parameters, formula->jumps);
+  tapes.coefs = Tape(graph, phased, coefs);
+  tapes.point = Tape(graph, parameters, lowered.point_values);
+  tapes.rhs = Tape(graph, moment, lowered.equations);
+  tapes.jacobian = Tape(graph, moment, lowered.jacobian);
+  tapes.signals = Tape(graph, moment, lowered.signals);
+  std::vector<NodeId> places;
+  for (const Contact& contact : lowered.contacts.list) {
+    places.push_back(contact.deflection);
+    places.push_back(contact.backlash);
+    const auto slopes = [&](const std::vector<NodeId>& of) {
+      std::vector<NodeId> out;
+      for (const NodeId id : of) {
+        for (const NodeId state : formula->states) {
+          out.push_back(derivative(&formula->graph, id, state));
+        }
+      }
+      return Tape(graph, moment, out);
+    };
+    tapes.contacts.push_back({Tape(graph, moment, contact.direction), slopes(contact.direction),
+                              slopes({contact.deflection, contact.backlash})});
+  }
+  tapes.contact_places = Tape(graph, moment, places);
+  return tapes;
+}
+
+std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting) {
+  std::vector<double> inputs = setting.parameters;
+  for (std::size_t i = 0; i < tapes.choices.size(); ++i) {
+    for (std::size_t choice = 0; choice < tapes.choices[i]; ++choice) {
+      inputs.push_back(setting.options[i] == static_cast<int>(choice) ? 1.0 : 0.0);
+    }
+  }
+  return inputs;
+}
+
+void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
+              double* row) {
+  row[0] = 1.0;  // of a model without coefficients
+  std::vector<double> inputs = inputs_of(tapes, setting);
+  inputs.push_back(kWholePhase * psi);
+  inputs.push_back(kWholePhase * inside);
+  tapes.coefs.run(inputs.data(), row);
+}
+
+}  // namespace gearsweep

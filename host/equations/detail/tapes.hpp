@@ -1,0 +1,47 @@
+// All that the host works out of a model that is text, in double.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equations/detail/formula.hpp"
+#include "equations/detail/lowering.hpp"
+#include "equations/detail/phase_breaks.hpp"
+#include "equations/detail/phase_waves.hpp"
+#include "expression/tape.hpp"
+#include "model/model.hpp"
+
+namespace gearsweep {
+
+struct Tapes {
+  // Of parameters and choices of options; coefs: then of the phase and one inside.
+  Tape period, start, jumps, coefs, point;
+  // Of states, point and coefs.
+  Tape rhs, jacobian, signals;
+  // Of coefs.
+  PhaseBreaks breaks;
+  PhaseWaves waves;
+  struct OfContact {
+    Tape direction, direction_slope;  // [state], [state][state]
+    Tape gradients;                   // of the deflection, then of the backlash, [state]
+  };
+  Tape contact_places;  // deflection and backlash of each
+  std::vector<OfContact> contacts;
+  std::size_t states = 0, points = 0, coef_count = 0;
+  std::vector<std::size_t> choices;  // [option]: how many there are
+  std::size_t listed = 0;            // jumps that the model's file lists
+  std::string file;                  // of the model, for messages
+};
+
+// definition: for its options and its file. The formula's graph gains what is worked out.
+Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Formula* formula);
+
+// Parameters, then 1 for each choice that is made and 0 for the others.
+std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting);
+
+// The coefficients at a phase, seen from the segment that `inside` lies in; both in forcing
+// periods.
+void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
+              double* row);
+
+}  // namespace gearsweep
