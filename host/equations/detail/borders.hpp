@@ -1,10 +1,10 @@
-// Where the equations bend or jump with a state, found in their graph: at the borders of what
+// Where the equations change their form with a state, found in their graph: at the borders of what
 // chooses between two expressions. These are comparisons, abs, sign, min, max, floor and atan2;
 // `backlash` and `stop` are contacts (contacts.hpp), which bend and never jump.
 #pragma once
 
 #include <map>
-#include <optional>
+#include <set>
 #include <vector>
 
 #include "equations/detail/formula.hpp"
@@ -21,15 +21,10 @@ struct Border {
 // All borders of these equations. An `==` has none: it holds for a moment only, if at all.
 std::vector<Border> find_borders(Formula* formula, const std::vector<NodeId>& equations);
 
-// The first equation that jumps at a border, that is, of which it cannot be shown that both sides
-// are the same where lhs = rhs: by putting either for the other.
-std::optional<std::size_t> first_jump(Formula* formula, const std::vector<NodeId>& equations,
-                                      const Border& border);
+// The nodes, among what `roots` are made of, that any of `sources` changes.
+std::set<NodeId> changed_by(const ExpressionGraph& graph, const std::vector<NodeId>& roots,
+                            const std::set<NodeId>& sources);
 
-// How much steeper each equation is above a border than below, per lhs - rhs: above - below is that
-// times (lhs - rhs), exactly or to first order. Nothing where the graph does not show it.
-std::optional<std::vector<NodeId>> steeper_above(Formula* formula,
-                                                 const std::vector<NodeId>& equations,
-                                                 const Border& border);
+std::set<NodeId> states_of(const Formula& formula);
 
 }  // namespace gearsweep

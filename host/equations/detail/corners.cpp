@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "equations/detail/border_jump.hpp"
+#include "equations/detail/border_slopes.hpp"
 #include "equations/detail/borders.hpp"
 #include "equations/detail/contacts.hpp"
 #include "expression/print.hpp"
