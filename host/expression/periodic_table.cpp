@@ -152,10 +152,7 @@ PeriodicTable::Place PeriodicTable::place_of(double phase, double toward) const 
   const auto after =
       std::ranges::upper_bound(begin + static_cast<std::ptrdiff_t>(first) + 1,
                                begin + static_cast<std::ptrdiff_t>(last), x, {}, &Knot::phase);
-  const Knot &left = *(after - 1), &right = *after;
-  const double length = right.phase - left.phase;
-  const double b = (x - left.phase) / length;
-  return {&left, &right, 1.0 - b, b};
+  return place_in(static_cast<std::size_t>(after - 1 - begin), x);
 }
 
 double PeriodicTable::bend_at(double phase, double toward) const {
@@ -167,13 +164,7 @@ double PeriodicTable::at(double phase, double toward) const {
   if (!std::isfinite(phase) || !std::isfinite(toward)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const Place place = place_of(phase, toward);
-  const Knot &left = *place.left, &right = *place.right;
-  const double length = right.phase - left.phase;
-  const double b = place.b, a = place.a;
-  const double line = left.value + b * (right.value - left.value);
-  const double bent = (a * a - 1.0) * a * left.bend + (b * b - 1.0) * b * right.bend;
-  return line + bent * length * length / 6.0;
+  return value_at(place_of(phase, toward));
 }
 
 std::vector<double> PeriodicTable::corners() const {
@@ -198,19 +189,25 @@ std::vector<double> PeriodicTable::corners() const {
   return corners;
 }
 
-double PeriodicTable::value_at(std::size_t interval, double phase) const {
+PeriodicTable::Place PeriodicTable::place_in(std::size_t interval, double phase) const {
   const Knot &left = knots_[interval], &right = knots_[interval + 1];
+  const double b = (phase - left.phase) / (right.phase - left.phase);
+  return {&left, &right, 1.0 - b, b};
+}
+
+double PeriodicTable::value_at(const Place& place) {
+  const Knot &left = *place.left, &right = *place.right;
   const double length = right.phase - left.phase;
-  const double b = (phase - left.phase) / length, a = 1.0 - b;
+  const double a = place.a, b = place.b;
   const double line = left.value + b * (right.value - left.value);
   const double bent = (a * a - 1.0) * a * left.bend + (b * b - 1.0) * b * right.bend;
   return line + bent * length * length / 6.0;
 }
 
-double PeriodicTable::slope_at(std::size_t interval, double phase) const {
-  const Knot &left = knots_[interval], &right = knots_[interval + 1];
+double PeriodicTable::slope_at(const Place& place) {
+  const Knot &left = *place.left, &right = *place.right;
   const double length = right.phase - left.phase;
-  const double b = (phase - left.phase) / length, a = 1.0 - b;
+  const double a = place.a, b = place.b;
   const double bent = (1.0 - 3.0 * a * a) * left.bend + (3.0 * b * b - 1.0) * right.bend;
   return (right.value - left.value) / length + bent * length / 6.0;
 }
@@ -224,7 +221,8 @@ void PeriodicTable::take_in(std::size_t interval, double from, double to, Range*
   const double turn = std::fabs(right.bend - left.bend) / (right.phase - left.phase);
   const double off = bend * length * length / 8.0, slope_off = turn * length * length / 8.0;
   for (const double phase : {from, to}) {
-    const double value = value_at(interval, phase), slope = slope_at(interval, phase);
+    const Place place = place_in(interval, phase);
+    const double value = value_at(place), slope = slope_at(place);
     range->low = std::min(range->low, value - off);
     range->high = std::max(range->high, value + off);
     range->slope_low = std::min(range->slope_low, slope - slope_off);

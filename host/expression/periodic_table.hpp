@@ -62,8 +62,9 @@ class PeriodicTable {
     double a, b;
   };
   Place place_of(double phase, double toward) const;
-  double value_at(std::size_t interval, double phase) const;
-  double slope_at(std::size_t interval, double phase) const;
+  Place place_in(std::size_t interval, double phase) const;
+  static double value_at(const Place& place);
+  static double slope_at(const Place& place);
   void take_in(double low, double high, Range* range) const;
   void take_in(std::size_t interval, double from, double to, Range* range) const;
   void bend_period();

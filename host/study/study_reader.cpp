@@ -13,7 +13,9 @@
 #include "study/detail/gear_files.hpp"
 #include "study/detail/gear_table.hpp"
 #include "study/detail/initial_reader.hpp"
+#include "study/detail/integrate_reader.hpp"
 #include "study/detail/model_table.hpp"
+#include "study/detail/observe_reader.hpp"
 #include "study/detail/overrides.hpp"
 #include "study/detail/point_reader.hpp"
 #include "study/detail/rough_model.hpp"
@@ -123,35 +125,6 @@ void check_starts(const toml::table& root, const Study& study) {
   }
 }
 
-// Mesh periods in a period of the study: the fewest of its points.
-double mesh_periods_of(const Study& study) {
-  const std::optional<std::size_t> periods = study.model->parameter_of(Role::mesh_periods);
-  if (!periods) return 1.0;
-  const Swept* swept = study.find_swept(false, *periods);
-  return swept == nullptr ? study.model->mesh_periods(study.setting)
-                          : std::ranges::min(swept->values);
-}
-
-// A study that does not say how long takes about as many mesh periods, whatever its periods have.
-void set_default_windows(const TableReader& reader, Study* study) {
-  const double cycle = mesh_periods_of(*study);
-  if (cycle <= 1.0) return;
-  Integrate& integrate = study->integrate;
-  const auto share = [](double whole, double part) {
-    return static_cast<std::size_t>(std::ceil(whole / part));
-  };
-  const auto longest = static_cast<double>(integrate.extend * integrate.record);
-  integrate.settle = share(static_cast<double>(integrate.settle), cycle);
-  integrate.record = share(static_cast<double>(integrate.record), cycle);
-  integrate.warm_up = share(static_cast<double>(integrate.warm_up), cycle);
-  integrate.extend = share(longest, cycle * static_cast<double>(integrate.record));
-  if (reader.has("settle") && reader.has("record")) return;
-  study->notices.push_back(fmt::format(
-      "a period of this study is {} mesh periods: unless given, settle = {}, record = {}, "
-      "warm_up = {} and extend = {}",
-      cycle, integrate.settle, integrate.record, integrate.warm_up, integrate.extend));
-}
-
 // A key that a table has, but not the study itself: a parameter without [parameters] before it, or
 // --set mu=0.1.
 void refuse_misplaced(const toml::table& root, const Model& model) {
@@ -164,108 +137,6 @@ void refuse_misplaced(const toml::table& root, const Model& model) {
     if (paths.empty()) continue;
     fail_at(node, fmt::format("unknown key '{}' in {}; did you mean '{}'?", name, study.heading,
                               fmt::join(paths, "' or '")));
-  }
-}
-
-void read_integrate(const toml::table* table, Study* study) {
-  TableReader reader(table, study_table("integrate"));
-  Integrate& integrate = study->integrate;
-  integrate.fp64 = reader.choice("precision", 1) == 1;
-  integrate.max_step = reader.number("max_step", study->model->max_step);
-  integrate.steps_per_period = reader.count("steps_per_period", 0);
-  if (reader.find("max_step") != nullptr && integrate.steps_per_period > 0) {
-    fail_at(*reader.find("steps_per_period"), "give max_step or steps_per_period, not both");
-  }
-  constexpr double kTolerance = 1e-3;
-  const bool has_step = reader.find("max_step") != nullptr || integrate.steps_per_period > 0;
-  integrate.tolerance = reader.number("tolerance", has_step ? 0.0 : kTolerance);
-  if (integrate.tolerance > 0.0 && integrate.tolerance < kMinTolerance) {
-    fail_at(*reader.find("tolerance"),
-            fmt::format("tolerance = {} is out of range; 0, or from {} to {} is allowed",
-                        integrate.tolerance, kMinTolerance,
-                        find_key(study_table("integrate"), "tolerance")->max));
-  }
-  integrate.exponent_tolerance = reader.number("exponent_tolerance", integrate.tolerance);
-  const toml::node* exponents = reader.find("exponent_tolerance");
-  integrate.is_map_tolerance_given = reader.find("tolerance") != nullptr;
-  integrate.is_tolerance_asked = integrate.is_map_tolerance_given || exponents != nullptr;
-  if (integrate.tolerance > 0.0 && has_step) {
-    fail_at(*reader.find("tolerance"),
-            "give tolerance, from which the step follows, or the step, not both");
-  }
-  if (exponents != nullptr && reader.find("tolerance") == nullptr && has_step) {
-    fail_at(*exponents,
-            "give exponent_tolerance, from which the step follows, or the step, not both");
-  }
-  integrate.events = reader.boolean("events", integrate.events);
-  reader.know("diverged_above");  // bind_limits(), once the model is the study's
-  set_default_windows(reader, study);
-  integrate.settle = reader.count("settle", integrate.settle);
-  integrate.record = reader.count("record", integrate.record);
-  integrate.warm_up = reader.count("warm_up", integrate.warm_up);
-  integrate.extend = reader.count("extend", integrate.extend);
-  integrate.stop = reader.choice("stop", 0) == 0 ? Stop::orbit : Stop::never;
-  integrate.states = reader.choice("states", 0) == 0 ? States::driving : States::all;
-  integrate.engine = reader.choice("engine", 0) == 0 ? EngineKind::opencl : EngineKind::reference;
-  integrate.lanes = reader.count("lanes", 0);
-  if ((integrate.lanes & (integrate.lanes - 1)) != 0) {
-    fail_at(*reader.find("lanes"), "lanes must be 1, 2, 4, 8 or 16 (0: the engine chooses)");
-  }
-  integrate.tile = reader.count("tile", 0);
-  integrate.local_size = reader.count("local_size", 0);
-  integrate.round = reader.count("round", 0);
-  integrate.contract = reader.boolean("contract", true);
-  reader.refuse_unknown();
-}
-
-// Of which orders amplitudes and phases are asked for.
-std::vector<double> read_orders(TableReader* reader) {
-  constexpr std::size_t kMost = 32;
-  const toml::node* node = reader->find("orders");
-  if (node == nullptr) return kDefaultOrders;
-  const StudyKey& key = *find_key(study_table("observe"), "orders");
-  const std::vector<double> orders = reader->numbers("orders", key.min, key.max);
-  if (orders.empty() || orders.size() > kMost) {
-    fail_at(*node, fmt::format("observe.orders has {} numbers; from 1 to {} are possible",
-                               orders.size(), kMost));
-  }
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    if (std::find(orders.begin(), orders.begin() + static_cast<std::ptrdiff_t>(i), orders[i]) !=
-        orders.begin() + static_cast<std::ptrdiff_t>(i)) {
-      fail_at(*node, fmt::format("observe.orders lists {} twice", orders[i]));
-    }
-  }
-  return orders;
-}
-
-void read_observe(const toml::table* table, const toml::table& root, Study* study) {
-  TableReader reader(table, study_table("observe"));
-  const std::string first_state = study->model->states.front().name;
-  std::vector<std::string> quantities = reader.texts("quantities");
-  std::vector<std::string> states = reader.texts("poincare");
-  if (reader.find("quantities") == nullptr) {
-    quantities = {first_state + "_rms"};
-    if (study->axes.size() == 1 && !study->axes.front().is_list) quantities.push_back("poincare");
-  }
-  if (reader.find("poincare") == nullptr) states = {first_state};
-  // What rounding leaves of a stable orbit's recurrence, with some room.
-  const double rounding = study->integrate.fp64 ? 1e-6 : 1e-4;
-  const double tolerance = reader.number("period_tolerance", rounding);
-  const std::vector<double> orders = read_orders(&reader);
-  reader.refuse_unknown();
-  const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
-  if (const toml::node* node = reader.find("quantities")) place = node;
-  if (quantities.empty()) {
-    fail_at(*place,
-            fmt::format("observe.quantities is empty, so there would be no map; name at least "
-                        "one, such as '{}_rms'",
-                        first_state));
-  }
-  try {
-    study->selection = select_quantities(*study->model, quantities, states, orders);
-    study->selection.period_tolerance = tolerance;
-  } catch (const InputError& error) {
-    fail_at(*place, error.what());
   }
 }
 
