@@ -14,7 +14,7 @@ long register return short signed sizeof static struct switch typedef union unsi
 inline restrict bool true false class delete friend mutable namespace new operator private protected
 public template this throw try using virtual typename explicit export alignas constexpr nullptr
 half uint uchar ushort ulong size_t ptrdiff_t float4 double2 double4 double8 int4 kernel global local
-constant private __kernel image2d_t event_t NULL NAN INFINITY M_PI M_E HUGE_VAL FLT_MAX DBL_MAX LANES
+constant private image2d_t event_t NULL NAN INFINITY M_PI M_E HUGE_VAL FLT_MAX DBL_MAX LANES
 X TABLE UNROLL SHARED_FN real scalar mask ModelPoint ModelSignals scale point x dx w base out inside
 lane_max lane_select fma pow mad dot cross length rint round ceil trunc sincos
 stdin errno main printf assert lambda def None True pass yield import global raise""".split()
@@ -187,4 +187,12 @@ def padded(model, rng):
     return out, {name: (name, 1.0) for name, _, _ in model.states}
 
 
-REWRITINGS = {"renamed": renamed, "rescaled": rescaled, "padded": padded}
+def turned(model, rng):
+    """The phase counted from whole turns earlier or later."""
+    turns = ("*", rng.choice((-6, -2, 2, 4, 10)), Name("pi"))
+    meanings = {"phase": ("+", Name("phase"), turns)}
+    states = [(name, start, replace(equation, meanings)) for name, start, equation in model.states]
+    return dataclasses.replace(model, states=states), {name: (name, 1.0) for name, _, _ in model.states}
+
+
+REWRITINGS = {"renamed": renamed, "rescaled": rescaled, "padded": padded, "turned": turned}

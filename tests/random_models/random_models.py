@@ -5,8 +5,8 @@ usage: random_models.py --gearsweep BINARY [--first SEED] [--count N] [--long] [
 
 Each seed is a model (models.py). gearsweep integrates it at four values of one of its parameters, and
 reference.py does so from the model's text. Sections, extremes, means and rms must agree within what the
-motion itself makes of small differences. Then the model is written otherwise, with other names, other units
-or a state that drives nothing, and gearsweep must give the same. With --long, periods and classes must not
+motion itself makes of small differences. Then the model is written otherwise, with other names, other units,
+a state that drives nothing or a phase that is whole turns on, and gearsweep must give the same. With --long, periods and classes must not
 contradict a recurrence that the other program sees, or a growth that it measures.
 
 It prints a line for each finding, and counts at the end. The exit status is 1 if there is a finding.

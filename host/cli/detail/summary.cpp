@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/attractor_report.hpp"
+#include "cli/detail/exponent_checks.hpp"
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
@@ -229,6 +230,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
   text += describe_attractors(result);
   text += describe_tolerances(result);
   text += describe_agreement(result);
+  text += describe_exponent_checks(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
   if (result.steps > 0.0) {
     text += fmt::format(", {:.3g} steps, {:.1f} M steps/s", result.steps,
@@ -253,6 +255,9 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   }
   json["not_finite"] = counts_as_json(count_not_finite(result));
   if (result.study.selection.census) json["attractors"] = attractors_as_json(result);
+  if (const nlohmann::json checks = exponent_checks_as_json(result); !checks.is_null()) {
+    json["exponent_checks"] = checks;
+  }
   json["seconds"] = result.seconds;
   json["kernel_seconds"] = result.kernel_seconds;
   json["steps"] = result.steps;
