@@ -188,10 +188,18 @@ def padded(model, rng):
 
 
 def turned(model, rng):
-    """The phase counted from whole turns earlier or later."""
+    """The phase of sines and cosines counted from whole turns earlier or later."""
     turns = ("*", rng.choice((-6, -2, 2, 4, 10)), Name("pi"))
     meanings = {"phase": ("+", Name("phase"), turns)}
-    states = [(name, start, replace(equation, meanings)) for name, start, equation in model.states]
+
+    def turn(tree):
+        if not isinstance(tree, tuple):
+            return tree
+        if tree[0] == "call" and tree[1] in ("sin", "cos"):
+            return replace(tree, meanings)
+        return tuple(turn(part) for part in tree)
+
+    states = [(name, start, turn(equation)) for name, start, equation in model.states]
     return dataclasses.replace(model, states=states), {name: (name, 1.0) for name, _, _ in model.states}
 
 
