@@ -148,7 +148,7 @@ def jumps_with_state(tree, states):
 
 def renamed(model, rng):
     """Other names, other orders."""
-    words = rng.sample(WORDS, len(model.names()))
+    words = rng.sample(sorted(set(WORDS)), len(model.names()))
     new = dict(zip(model.names(), words))
     meanings = {old: Name(word) for old, word in new.items()}
     states = [(new[name], replace(start, meanings), replace(equation, meanings))
