@@ -8,6 +8,7 @@
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/floquet_report.hpp"
 #include "cli/detail/place_text.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "point/point_orbit.hpp"
@@ -34,6 +35,7 @@ OrbitFindings compute(const FloquetArguments& arguments) {
   request.place = read_place(whole, arguments.at);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
+  tell_long_compiles(options.open.get(), arguments.as_json);
   return *find_point_orbit(whole, request, options);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -101,13 +102,30 @@ void print_parameters(const Study& study) {
   answer("{}", options.text());
 }
 
-void print_channels(const Model& model) {
-  for (const auto& [title, channels] :
-       {std::pair("states", &model.states), std::pair("signals", &model.signals)}) {
-    TextTable rows;
-    for (const ChannelInfo& info : *channels) rows.add({info.name, info.unit, meaning_of(info)});
-    answer("\n{}\n{}", title, rows.text());
+// What decides for a state when its motion recurs, and when it has left for good.
+std::string judged_by(const Model& model, std::size_t state) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    const bool shares = i != state && model.range_groups[i] == model.range_groups[state];
+    if (shares) others.push_back(model.states[i].name);
   }
+  std::string text;
+  if (!others.empty()) text += fmt::format("; shares a range with {}", fmt::join(others, ", "));
+  const double bound = model.diverged_above[state];
+  if (std::isfinite(bound)) text += fmt::format("; diverged above {:g}", bound);
+  return text;
+}
+
+void print_channels(const Model& model) {
+  TextTable states, signals;
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    const ChannelInfo& info = model.states[i];
+    states.add({info.name, info.unit, meaning_of(info) + judged_by(model, i)});
+  }
+  for (const ChannelInfo& info : model.signals) {
+    signals.add({info.name, info.unit, meaning_of(info)});
+  }
+  answer("\nstates\n{}\nsignals\n{}", states.text(), signals.text());
 }
 
 // Quantities that every channel has are listed once, by their suffix.

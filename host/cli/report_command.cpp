@@ -8,6 +8,7 @@
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "report/report.hpp"
@@ -32,7 +33,6 @@ int run_report(const ReportArguments& arguments, SignalWatch* signals) {
   const Study study = load_study(arguments.study, arguments.overrides);
   ReportOptions options;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals->interrupted();
   options.command_line = report_command_line(arguments);
   if (!arguments.quiet) {
     options.on_step = [&](const std::string& what) {
@@ -40,7 +40,7 @@ int run_report(const ReportArguments& arguments, SignalWatch* signals) {
       tell("{:>8}  {}\n", format_duration(spent.count()), what);
     };
   }
-  signals->set(OnSignal::stop);
+  options.stop = stop_on_signals(signals, arguments.quiet, options.open);
   if (!write_report(study, arguments.output, options)) {
     tell("gearsweep: interrupted\n");
     return kInterrupted;

@@ -8,6 +8,7 @@
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/detail/signal_watch.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/standard_streams.hpp"
 #include "reproduce/reproduce.hpp"
 
@@ -28,14 +29,13 @@ int run(const ReproduceArguments& arguments, SignalWatch* signals) {
   options.folder = arguments.folder;
   options.overrides = arguments.overrides;
   options.devices = chosen_devices(arguments.device);
-  options.stop = &signals->interrupted();
   if (!arguments.quiet) {
     options.on_step = [&](const std::string& what) {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       tell("{:>8}  {}\n", format_duration(spent.count()), what);
     };
   }
-  signals->set(OnSignal::stop);
+  options.stop = stop_on_signals(signals, arguments.quiet, options.open);
   if (!reproduce(options)) {
     tell("gearsweep: interrupted\n");
     return kInterrupted;

@@ -17,7 +17,7 @@ RunReport::RunReport(const RunRequest& request, const RunOutput& output)
 
 void RunReport::watch(SweepOptions* options) {
   options->on_trouble = warn;
-  stop_on_signals(request_.signals, request_.quiet, options);
+  options->stop = stop_on_signals(request_.signals, request_.quiet, options->open);
   options->on_pilot = [this](std::size_t points) {
     if (!request_.quiet) tell("finding the step by a pilot run of {} points\n", points);
   };

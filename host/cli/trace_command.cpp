@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/place_text.hpp"
+#include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
@@ -75,6 +76,7 @@ void run(const TraceArguments& arguments) {
   ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
+  tell_long_compiles(options.open.get(), arguments.quiet);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
   PointTraces found;

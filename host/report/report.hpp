@@ -4,16 +4,19 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/device_choice.hpp"
+#include "opencl/open_devices.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
 struct ReportOptions {
   std::vector<DeviceChoice> devices;  // the order map uses the first of them
+  std::shared_ptr<OpenDevices> open = std::make_shared<OpenDevices>();  // as SweepOptions::open
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const std::string&)> on_step;  // what is done next
   std::string command_line;

@@ -3,10 +3,12 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/device_choice.hpp"
+#include "opencl/open_devices.hpp"
 
 namespace gearsweep {
 
@@ -15,6 +17,7 @@ struct ReproduceOptions {
   std::string folder;                               // made when it is not there
   std::vector<std::string> overrides;               // of each study: "parameters.F1=0.1"
   std::vector<DeviceChoice> devices;                // empty: the default one
+  std::shared_ptr<OpenDevices> open = std::make_shared<OpenDevices>();  // as SweepOptions::open
   std::function<void(const std::string&)> on_step;  // what is being done now
   const std::atomic<bool>* stop = nullptr;
 };

@@ -156,6 +156,8 @@ TEST(Commands, ScriptsReadJson) {
   EXPECT_THAT(gearsweep(folder, "devices --json").out, HasSubstr("\"number\": 0"));
   EXPECT_THAT(gearsweep(folder, "studies --json").out, HasSubstr("\"coarse-map\""));
   EXPECT_THAT(gearsweep(folder, "model gear5 --json").out, HasSubstr("\"omega\""));
+  EXPECT_THAT(gearsweep(folder, "model gear5").out,
+              HasSubstr("shares a range with v1, v2, v3, v4; diverged above 1e+06"));
 }
 
 TEST(Commands, AModelIsShownWithTheOriginOfEachValue) {

@@ -4,14 +4,17 @@
 
 namespace gearsweep {
 
-void stop_on_signals(SignalWatch* signals, bool quiet, SweepOptions* options) {
-  const std::shared_ptr<OpenDevices> open = options->open;
-  if (!quiet) {
-    open->compile_watch().on_long([] { tell("compiling the kernels for this study\n"); });
-  }
+void tell_long_compiles(OpenDevices* open, bool quiet) {
+  if (quiet) return;
+  open->compile_watch().on_long([] { tell("compiling the kernels for this study\n"); });
+}
+
+const std::atomic<bool>* stop_on_signals(SignalWatch* signals, bool quiet,
+                                         const std::shared_ptr<OpenDevices>& open) {
+  tell_long_compiles(open.get(), quiet);
   signals->end_while([open] { return open->compile_watch().is_at_work(); });
-  options->stop = &signals->interrupted();
   signals->set(OnSignal::stop);
+  return &signals->interrupted();
 }
 
 }  // namespace gearsweep

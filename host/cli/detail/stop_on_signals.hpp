@@ -1,13 +1,21 @@
 // A computation that a signal stops.
 #pragma once
 
+#include <atomic>
+#include <memory>
+
 #include "cli/detail/signal_watch.hpp"
-#include "sweep/sweep_options.hpp"
+#include "opencl/open_devices.hpp"
 
 namespace gearsweep {
 
-// It stops after the running round; while its kernels are compiled, the program ends. What is in
-// the journal is safe at any time. Unless `quiet`, it is told that the compiler takes long.
-void stop_on_signals(SignalWatch* signals, bool quiet, SweepOptions* options);
+// Says so when the compiler takes long, unless `quiet`.
+void tell_long_compiles(OpenDevices* open, bool quiet);
+
+// The same, and a flag for the options of a computation: it is to stop after the running round.
+// While its kernels are compiled, a signal ends the program instead. What is in the journal is safe
+// at any time.
+const std::atomic<bool>* stop_on_signals(SignalWatch* signals, bool quiet,
+                                         const std::shared_ptr<OpenDevices>& open);
 
 }  // namespace gearsweep

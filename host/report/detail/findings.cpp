@@ -82,6 +82,7 @@ class Runs {
  public:
   Runs(const ReportOptions& options, ReportFindings* out) : options_(options), out_(*out) {
     sweep_.devices = options.devices;
+    sweep_.open = options.open;
     sweep_.stop = options.stop;
   }
 

@@ -77,6 +77,7 @@ class Runs {
   SweepOptions sweep_options() const {
     SweepOptions options;
     options.devices = options_.devices;
+    options.open = options_.open;
     options.stop = options_.stop;
     return options;
   }
