@@ -13,12 +13,12 @@
 namespace gearsweep {
 
 struct ReproduceOptions {
-  std::string preset;                               // "paper" or "consistent"
-  std::string folder;                               // made when it is not there
-  std::vector<std::string> overrides;               // of each study: "parameters.F1=0.1"
-  std::vector<DeviceChoice> devices;                // empty: the default one
+  std::string preset;                  // "paper" or "consistent"
+  std::string folder;                  // made when it is not there
+  std::vector<std::string> overrides;  // of each study: "parameters.F1=0.1"
+  std::vector<DeviceChoice> devices;   // empty: the default one
   std::shared_ptr<OpenDevices> open = std::make_shared<OpenDevices>();  // as SweepOptions::open
-  std::function<void(const std::string&)> on_step;  // what is being done now
+  std::function<void(const std::string&)> on_step;                      // what is being done now
   const std::atomic<bool>* stop = nullptr;
 };
 
