@@ -26,8 +26,7 @@ const std::vector<double>* spectra_of(const SweepResult& result) {
 }
 
 bool lacks_zero(std::span<const double> spectrum, double near) {
-  return std::ranges::none_of(spectrum,
-                              [near](double value) { return std::fabs(value) <= near; });
+  return std::ranges::none_of(spectrum, [near](double value) { return std::fabs(value) <= near; });
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ std::optional<ExponentChecks> check_exponents(const SweepResult& result) {
       double sum = 0.0;
       for (const double exponent : spectrum) sum += exponent;
       const double off = std::fabs(sum - *right);
-      if (!checks.sum || off > checks.sum->off) checks.sum = {off, *right};
+      if (!checks.sum || off > checks.sum->off) checks.sum = SumCheck{off, *right};
     }
     const double time = study.model->period(setting) * static_cast<double>(study.integrate.record);
     const double near = kLogOfSpeeds / time;
@@ -69,20 +68,22 @@ std::string describe_exponent_checks(const SweepResult& result) {
   const char* const kShorter = "; shorter steps (integrate.max_step) may be needed";
   std::string text;
   if (checks->sum) {
-    const ExponentChecks::Sum& sum = *checks->sum;
+    const SumCheck& sum = *checks->sum;
     text += fmt::format("spectra sum to the field's divergence, {:.6g}, to within {:.1e}{}\n",
                         sum.divergence, sum.off,
                         sum.off > kFarOff * std::fabs(sum.divergence) ? kShorter : "");
   }
   if (checks->zero && checks->zero->judged > 0) {
-    const ExponentChecks::Zero& zero = *checks->zero;
+    const ZeroCheck& zero = *checks->zero;
     text += zero.lacking == 0
-                ? fmt::format("{} spectra have a positive exponent and, as must be without "
-                              "forcing, one that is 0\n",
-                              zero.judged)
-                : fmt::format("{} of {} spectra with a positive exponent have none that is 0, as "
-                              "must be without forcing{}\n",
-                              zero.lacking, zero.judged, kShorter);
+                ? fmt::format(
+                      "{} spectra have a positive exponent and, as must be without "
+                      "forcing, one that is 0\n",
+                      zero.judged)
+                : fmt::format(
+                      "{} of {} spectra with a positive exponent have none that is 0, as "
+                      "must be without forcing{}\n",
+                      zero.lacking, zero.judged, kShorter);
   }
   return text;
 }

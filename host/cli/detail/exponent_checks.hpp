@@ -10,23 +10,24 @@
 
 namespace gearsweep {
 
+// The exponents sum to the mean divergence of the field along the motion.
+struct SumCheck {
+  double off = 0.0;         // the largest difference at any point, in inverse time
+  double divergence = 0.0;  // there
+};
+
+// Along an autonomous motion that does not rest a shift in time neither grows nor decays: one
+// exponent is 0 (H. Haken, Phys. Lett. A 94, 1983). Over a time T that exponent is the logarithm of
+// the speed at its end over that at its beginning, by T.
+struct ZeroCheck {
+  std::size_t judged = 0;   // points with a positive exponent
+  std::size_t lacking = 0;  // of these, without one within 10/T of 0, T being the time of record
+};
+
 struct ExponentChecks {
-  std::size_t points = 0;  // with a spectrum
-  // The exponents sum to the mean divergence of the field along the motion. The largest difference
-  // at any point, in inverse time, and the divergence there; nothing where the divergence differs
-  // from state to state.
-  struct Sum {
-    double off = 0.0, divergence = 0.0;
-  };
-  std::optional<Sum> sum;
-  // Along an autonomous motion that does not rest a shift in time neither grows nor decays: one
-  // exponent is 0 (H. Haken, Phys. Lett. A 94, 1983). Of the points with a positive exponent, those
-  // that have none within 10/T of 0, T being the time of record: over T that exponent is the
-  // logarithm of the speed at its end over that at its beginning, by T. Nothing for forced models.
-  struct Zero {
-    std::size_t judged = 0, lacking = 0;
-  };
-  std::optional<Zero> zero;
+  std::size_t points = 0;         // with a spectrum
+  std::optional<SumCheck> sum;    // nothing where the divergence differs from state to state
+  std::optional<ZeroCheck> zero;  // nothing for forced models
 };
 
 // Nothing where the study has no spectra.
