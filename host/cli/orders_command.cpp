@@ -53,8 +53,8 @@ std::string orders_command_line(const OrderArguments& arguments) {
 }
 
 Study load_lines(const OrderArguments& arguments) {
-  Study study = with_windows(load_study(arguments.study, arguments.overrides), arguments.settle,
-                             arguments.record);
+  Study study = with_windows(load_study(arguments.study, arguments.overrides),
+                             {arguments.settle, arguments.record});
   if (!arguments.record) study.integrate.record = usual_order_record(study);
   settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &study);
   return study;

@@ -42,8 +42,8 @@ std::string command_line(const TraceArguments& arguments) {
 }
 
 Study load(const TraceArguments& arguments) {
-  Study study = with_windows(load_study(arguments.study, arguments.overrides), arguments.settle,
-                             arguments.record);
+  Study study = with_windows(load_study(arguments.study, arguments.overrides),
+                             {arguments.settle, arguments.record});
   settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &study);
   return study;
 }
@@ -89,7 +89,8 @@ void run(const TraceArguments& arguments) {
       tell("{} lies between the points of the map; the nearest is {}\n",
            label_of(*whole.model, place), nearest);
     }
-    add_point_trace(whole, place, arguments.samples_per_period, options, &found);
+    add_point_trace(whole, place, {arguments.settle, arguments.record},
+                    arguments.samples_per_period, options, &found);
     if (!arguments.quiet) tell("{}", describe(found, arguments, whole.integrate.record));
   }
   for (const std::string& notice : found.notices) tell("gearsweep: warning: {}\n", notice);

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "equations/definition.hpp"
+#include "equations/detail/borders.hpp"
 #include "equations/detail/findings.hpp"
 #include "equations/detail/kernel_size.hpp"
 #include "equations/detail/kernel_writer.hpp"
@@ -23,8 +24,14 @@ namespace {
 std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
   const std::vector<double> inputs = inputs_of(tapes, setting);
   const double period = tapes.period.run(inputs);
-  if (std::isfinite(period) && period > 0.0) return tapes.waves.check(inputs, tapes.breaks);
-  return fmt::format("the forcing period is {}; it must be a finite number above 0", period);
+  if (!std::isfinite(period) || period <= 0.0) {
+    return fmt::format("the forcing period is {}; it must be a finite number above 0", period);
+  }
+  try {
+    return tapes.waves.check(inputs, tapes.breaks);
+  } catch (const InputError& error) {
+    return error.what();
+  }
 }
 
 void set_lists(const ModelDefinition& definition, const Formula& formula, const Lowered& lowered,
@@ -57,6 +64,26 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->is_autonomous = lowered.coefs.empty();
   if (model->is_autonomous) {
     model->phase_coefs.push_back({"one", "", "1: nothing depends on the phase"});
+  }
+}
+
+// A state that counts within one turn must not tell one turn from the next.
+void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula) {
+  for (std::size_t i = 0; i < definition.states.size(); ++i) {
+    if (!definition.are_angles[i]) continue;
+    for (std::size_t row = 0; row < formula->equations.size(); ++row) {
+      if (is_taken_in_turns(&formula->graph, {formula->equations[row]}, formula->states[i],
+                            kWholePhase)) {
+        continue;
+      }
+      const ExpressionText& text = definition.equations[row];
+      const std::string& name = definition.states[i].name;
+      throw InputError(fmt::format(
+          "{}:{}: '{}' is an angle, which is counted within one turn, and the equation of {} tells "
+          "its turns apart: an angle may stand in sin, cos and tan alone, with whole numbers as "
+          "factors, as in sin(2*{} - phase); leave out 'angle = true'",
+          text.file, text.line, name, definition.states[row].name, name));
+    }
   }
 }
 
@@ -129,6 +156,7 @@ std::shared_ptr<const FieldGraph> field_graph_of(const Formula& formula, const L
 Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
+  refuse_unrolled_angles(definition, &formula);
   const auto written = std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);

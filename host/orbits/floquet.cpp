@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr double kResidual = 1e-12;  // of the states' sizes
 constexpr double kCarried = 1e-2;    // of what a period makes of magnitudes: the same for residuals
-constexpr double kLeastSize = 1e-6;  // of a state's magnitude, and of what is carried into it
+constexpr double kMinSize = 1e-6;  // of a state's magnitude, and of what is carried into it
 constexpr int kMaxIterations = 40;
 constexpr int kMaxHalvings = 10;     // of a Newton step
 constexpr std::size_t kGuesses = 8;  // of an orbit inside chaos
@@ -178,8 +178,8 @@ Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t pe
 
 VectorXd sizes_of(const PeriodImage& image) {
   const VectorXd swing = image.extent.swing();
-  const VectorXd sizes = swing.cwiseMax(kLeastSize * image.extent.reach())
-                             .cwiseMax(kLeastSize * carried(swing, image.monodromy));
+  const VectorXd sizes = swing.cwiseMax(kMinSize * image.extent.reach())
+                             .cwiseMax(kMinSize * carried(swing, image.monodromy));
   return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
 }
 

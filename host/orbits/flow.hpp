@@ -24,7 +24,7 @@ struct Graze {
   Eigen::RowVectorXd gradient;
 };
 
-// The least and the largest value of each state.
+// The smallest and the largest value of each state.
 struct Extent {
   Eigen::VectorXd min, max;
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "model/error.hpp"
+#include "plan/detail/structure.hpp"
 
 namespace gearsweep {
 namespace {
@@ -56,6 +57,13 @@ void Plan::cut(std::size_t tile_points) {
   tile_points_ = tile_points;
   stages_.clear();
   for (const std::vector<Group>& groups : groups_) stages_.push_back(stage_of(groups));
+}
+
+bool Plan::is_autonomous() const {
+  std::call_once(autonomy_->once, [this] {
+    autonomy_->is_known_to_be = study_.model->is_autonomous || Structure(study_).is_autonomous();
+  });
+  return autonomy_->is_known_to_be;
 }
 
 double Plan::total_work() const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ class Plan {
   Plan with_longer_steps() const;
 
   const Study& study() const { return study_; }
+  // Whether nothing of the study's model changes with the phase, at any of its points. Worked out
+  // once; threads may ask.
+  bool is_autonomous() const;
   std::size_t tile_points() const { return tile_points_; }  // at most, of each tile
   const std::vector<Stage>& stages() const { return stages_; }
   double total_work() const;
@@ -86,6 +90,12 @@ class Plan {
   std::vector<Group> grouped(const Span& x, const Span& y) const;
   Stage stage_of(const std::vector<Group>& groups) const;
 
+  struct Autonomy {
+    std::once_flag once;
+    bool is_known_to_be = false;
+  };
+
+  const std::shared_ptr<Autonomy> autonomy_ = std::make_shared<Autonomy>();
   // Copies of a plan share it: a list of points may be large.
   const std::shared_ptr<const Study> shared_;
   const Study& study_ = *shared_;

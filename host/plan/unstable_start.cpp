@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/eigenvalues.hpp"
-#include "plan/detail/structure.hpp"
 
 namespace gearsweep {
 namespace {
@@ -68,10 +67,6 @@ bool is_unstable(const Local& local, std::size_t states) {
 }
 
 }  // namespace
-
-bool is_autonomous(const Study& study) {
-  return study.model->is_autonomous || Structure(study).is_autonomous();
-}
 
 bool starts_unstable(const Plan& plan, std::size_t point, const std::vector<double>& start) {
   const Model& model = *plan.study().model;

@@ -9,12 +9,9 @@
 
 namespace gearsweep {
 
-// Whether nothing of a study's model changes with the phase, at any of its points.
-bool is_autonomous(const Study& study);
-
-// Whether a point of such a study is one that starts at this state of the plan's model: its
-// field vanishes to rounding, and an eigenvalue of its Jacobian has a positive real part. Both hold
-// in any units.
+// Whether a point of a plan that is autonomous is one that starts at this state of the plan's
+// model: its field vanishes to rounding, and an eigenvalue of its Jacobian has a positive real
+// part. Both hold in any units.
 bool starts_unstable(const Plan& plan, std::size_t point, const std::vector<double>& start);
 
 }  // namespace gearsweep

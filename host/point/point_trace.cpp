@@ -69,21 +69,24 @@ void add_names(const Study& whole, const Place& place, std::vector<std::string>*
   }
 }
 
+// Of mesh periods, rounded up.
+std::size_t forcing_periods(const Study& study, std::size_t mesh_periods) {
+  return static_cast<std::size_t>(
+      std::ceil(static_cast<double>(mesh_periods) / study.model->mesh_periods(study.setting)));
+}
+
 }  // namespace
 
-Study with_windows(const Study& study, std::optional<std::size_t> settle,
-                   std::optional<std::size_t> record) {
-  const double of_forcing = study.model->mesh_periods(study.setting);
+Study with_windows(const Study& study, const TraceWindows& windows) {
   std::vector<std::string> overrides;
   const auto add = [&](const char* key, std::size_t mesh_periods) {
-    overrides.push_back(fmt::format("integrate.{}={:.0f}", key,
-                                    std::ceil(static_cast<double>(mesh_periods) / of_forcing)));
+    overrides.push_back(fmt::format("integrate.{}={}", key, forcing_periods(study, mesh_periods)));
   };
-  if (settle) {
-    add("settle", *settle);
+  if (windows.settle) {
+    add("settle", *windows.settle);
     overrides.emplace_back("integrate.stop=never");
   }
-  if (record) add("record", *record);
+  if (windows.record) add("record", *windows.record);
   return overrides.empty() ? study : read_draft(study.toml, "study", overrides);
 }
 
@@ -100,11 +103,14 @@ void settle_step(std::optional<double> pilot_step, Study* study) {
   study->integrate.tolerance = 0.0;
 }
 
-bool add_point_trace(const Study& whole, Place place, std::size_t samples_per_period,
-                     const SweepOptions& options, PointTraces* out) {
+bool add_point_trace(const Study& whole, Place place, const TraceWindows& windows,
+                     std::size_t samples_per_period, const SweepOptions& options,
+                     PointTraces* out) {
   const std::string notice = move_to_chain(whole, &place);
   if (!notice.empty()) out->notices.push_back(notice);
-  const Study study = traced_study(whole, place);
+  Study study = traced_study(whole, place);
+  if (windows.settle) study.integrate.settle = forcing_periods(study, *windows.settle);
+  if (windows.record) study.integrate.record = forcing_periods(study, *windows.record);
   const auto of_forcing = static_cast<std::size_t>(study.model->mesh_periods(study.setting));
   std::optional<Trace> trace = run_trace(study, samples_per_period * of_forcing, options);
   if (!trace) return false;

@@ -65,14 +65,16 @@ void note_what_wins(const toml::table& root, const std::vector<GearParameter>& g
   }
 }
 
-// At both ends of the axes.
+// At both ends of the axes; uncertain parameters have their nominal values.
 void note_what_the_model_says(Study* study) {
   if (!study->model->notices) return;
   for (const bool is_first : {true, false}) {
     ModelSetting setting = study->setting;
-    for (const Swept* swept : study->swept()) {
-      if (swept->is_state || swept->values.empty()) continue;
-      setting.parameters[swept->index] = is_first ? swept->values.front() : swept->values.back();
+    for (const Axis& axis : study->axes) {
+      for (const Swept& swept : axis.swept()) {
+        if (swept.is_state || swept.values.empty()) continue;
+        setting.parameters[swept.index] = is_first ? swept.values.front() : swept.values.back();
+      }
     }
     if (!study->model->check(setting).empty()) continue;
     for (const std::string& notice : study->model->notices(setting)) {

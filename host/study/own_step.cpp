@@ -108,7 +108,13 @@ OwnStep find_own_step(const Study& study) {
   for (const ProbeStart& start : starts) ask_motion(study, start, &shortest);
   if (starts.empty()) return {1.0, "no point can be computed"};
   const double period = study.model->period(starts.front().setting);
-  if (!std::isfinite(shortest.step)) return {period / ProbeMotion::kForcedSteps, "nothing moves"};
+  if (!std::isfinite(shortest.step)) {
+    const bool is_defined = std::ranges::all_of(starts, [&](const ProbeStart& start) {
+      return ProbeMotion(*study.model, start.setting, start.state).has_finite_rates();
+    });
+    return {period / ProbeMotion::kForcedSteps,
+            is_defined ? "nothing moves" : "the equations are not finite at the start"};
+  }
   return {rounded_down(shortest.step, period), shortest.reason};
 }
 

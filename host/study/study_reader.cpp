@@ -160,16 +160,16 @@ void check_size(const toml::table& root, const Study& study) {
                         members > 1.0 ? fmt::format(" of {} trajectories each", members) : "",
                         kMaxPoints));
   }
-  // A census keeps the section's box of each trajectory until all are there.
-  const double boxes = study.selection.census
-                           ? members * 2.0 * static_cast<double>(study.model->states.size())
-                           : 0.0;
+  // A census keeps the place of each trajectory, and the errors of that, until all are there.
+  const double places = study.selection.census
+                            ? members * 4.0 * static_cast<double>(study.model->states.size())
+                            : 0.0;
   const double draws =
       static_cast<double>(study.uncertain.draws() * study.selection.quantities.size());
   const double numbers =
       points * (static_cast<double>(study.selection.quantities.size() + 1 +
                                     study.selection.poincare.size() * study.integrate.record) +
-                boxes + draws);
+                places + draws);
   if (numbers > kMaxNumbers) {
     throw InputError(
         fmt::format("{}: the maps would hold {:.3g} numbers; at most {:.0g} are "

@@ -60,7 +60,7 @@ class TileRun {
 
  private:
   void mark_unstable_starts(const std::vector<double>& initial) {
-    if (!is_autonomous(study_)) return;
+    if (!plan_.is_autonomous()) return;
     const std::size_t states = study_.model->states.size();
     for (std::size_t i = 0; i < tile_.points.size(); ++i) {
       const auto start = initial.begin() + static_cast<std::ptrdiff_t>(i * states);

@@ -6,11 +6,12 @@
 //   chaotic         no period, and positive growth by more than a factor exp(2), since even what
 //                   neither grows nor decays in the long run varies while it is carried round; and
 //                   a section that does not grow a hundredfold from the record's first half to its
-//                   second, as that of a motion without bounds does;
+//                   second, nor by as much as the perturbation in half the record, both of which a
+//                   motion without bounds does;
 //   quasi_periodic  no period, and for 1000 periods or more neither growth nor decay: by no more
-//                   than exp(2), or exp(10) where the errors allow no better; and a section whose
-//                   extent, relative to the ranges of the motion, differs by no more than a quarter
-//                   between the record's halves;
+//                   than the errors allow, nor than exp(10); a hundredth is nothing; and a section
+//                   whose extent, relative to the ranges of the motion, is no more than a quarter
+//                   above those of the record's halves, so that it neither grows nor drifts;
 //   undecided       all else: witnesses that contradict each other, a slow transient, a period
 //                   beyond the longest, chaos too weak for the record.
 // In the last window (host/engine/window.hpp) fewer periods do for quasi_periodic. What decays goes
@@ -35,9 +36,11 @@ enum {
 };
 enum { motion_exponent = (int)(motion_recurrence) + (int)(period_accumulators) };
 enum { motion_min = (int)(motion_exponent) + (int)(lyapunov_max_accumulators) };
-enum { motion_max = motion_min + PER_STATE };    // both: in the present half of the record
-enum { motion_early = motion_max + PER_STATE };  // extents in the first half
-enum { motion_accumulators = motion_early + PER_STATE };
+enum { motion_max = motion_min + PER_STATE };  // both: in the present half of the record
+// Both: in the first half, once it is over.
+enum { motion_early_min = motion_max + PER_STATE };
+enum { motion_early_max = motion_early_min + PER_STATE };
+enum { motion_accumulators = motion_early_max + PER_STATE };
 
 #ifdef __OPENCL_VERSION__
 enum { motion_outputs = MOTION_OUTPUTS(COUNT_OUTPUT) };
@@ -52,10 +55,9 @@ SHARED_FN void motion_begin_half(real* sums, const real* x) {
   }
 }
 
-SHARED_FN void motion_extents(const real* sums, real* extents) {
+SHARED_FN void motion_extents(const real* min, const real* max, real* extents) {
   UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i)
-    extents[i] = sums[motion_max + i] - sums[motion_min + i];
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) extents[i] = max[i] - min[i];
 }
 
 // The largest component, relative to what each is measured by; one that has no range is at rest.
@@ -74,7 +76,11 @@ SHARED_FN void motion_init(real* sums, const Moment* start) {
   period_init(sums + motion_recurrence, start);
   lyapunov_max_init(sums + motion_exponent, start);
   motion_begin_half(sums, start->x);
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) sums[motion_early + i] = 0;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[motion_early_min + i] = start->x[i];
+    sums[motion_early_max + i] = start->x[i];
+  }
 }
 
 SHARED_FN void motion_step(real* sums, const Step* step) {}
@@ -85,7 +91,11 @@ SHARED_FN void motion_end_period(real* sums, const Section* section) {
   period_end_period(sums + motion_recurrence, section);
   lyapunov_max_end_period(sums + motion_exponent, section);
   if (section->number == section->record / 2) {
-    motion_extents(sums, sums + motion_early);
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+      sums[motion_early_min + i] = sums[motion_min + i];
+      sums[motion_early_max + i] = sums[motion_max + i];
+    }
     motion_begin_half(sums, x);
   }
   UNROLL
@@ -104,18 +114,28 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const real error = (scalar)(3) * exponent[1] * time;
   const real turn = 2;
   const real much = 10;
+  const real nothing = (scalar)(0.01);
   const real size = lane_abs(log_stretching);
   const mask recurs = period_found(sums + motion_recurrence, round.record) > zero;
   const mask positive = (log_stretching > error) & (log_stretching > turn);
-  const mask neutral = (size <= turn) | ((size <= error) & (size <= much));
+  const mask neutral = (size <= nothing) | ((size <= error) & (size <= much));
   real ranges[MODEL_STATE_COUNT];
   real extents[MODEL_STATE_COUNT];
   share_ranges(sums + motion_recurrence + period_ranges, ranges);
-  motion_extents(sums, extents);
-  const real early = motion_size(sums + motion_early, ranges);
+  motion_extents(sums + motion_early_min, sums + motion_early_max, extents);
+  const real early = motion_size(extents, ranges);
+  motion_extents(sums + motion_min, sums + motion_max, extents);
   const real late = motion_size(extents, ranges);
-  const mask stays = late <= (scalar)(motion_runaway)*early;
-  const mask steady = (late <= (scalar)(1.25) * early) & (early <= (scalar)(1.25) * late);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    extents[i] = lane_max(sums[motion_early_max + i], sums[motion_max + i]) -
+                 lane_min(sums[motion_early_min + i], sums[motion_min + i]);
+  }
+  const real whole = motion_size(extents, ranges);
+  // A linear growth has exp(log_stretching / 2).
+  const real grown = lane_min(exp((scalar)(0.4) * log_stretching), (real)(motion_runaway));
+  const mask stays = late <= grown * early;
+  const mask steady = (whole <= (scalar)(1.25) * early) & (whole <= (scalar)(1.25) * late);
 
   const real undecided = MOTION_undecided;
   const real periodic = MOTION_periodic;

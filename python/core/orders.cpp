@@ -23,7 +23,7 @@ py::tuple orders(Session* session, const Study& study, const std::string& over,
                  std::optional<double> pilot_step, const std::string& device,
                  const std::string& call) {
   SweepOptions options = session->options_for(device);
-  Study whole = with_windows(study, settle, record);
+  Study whole = with_windows(study, {settle, record});
   if (!record) whole.integrate.record = usual_order_record(whole);
   settle_step(pilot_step, &whole);
   OrderRequest request;

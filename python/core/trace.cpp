@@ -18,7 +18,7 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
                 std::size_t samples_per_period, std::optional<double> pilot_step,
                 const std::string& device, const std::string& call) {
   SweepOptions options = session->options_for(device);
-  Study whole = with_windows(study, settle, record);
+  Study whole = with_windows(study, {settle, record});
   settle_step(pilot_step, &whole);
   std::vector<Place> places;
   for (const NamedValues& point : points) {
@@ -28,7 +28,7 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
   run_in_background([&](const std::atomic<bool>& stop) {
     options.stop = &stop;
     for (const Place& place : places) {
-      if (!add_point_trace(whole, place, samples_per_period, options, &found)) return;
+      if (!add_point_trace(whole, place, {settle, record}, samples_per_period, options, &found)) return;
     }
   });
   return py::make_tuple(as_tuple(dataset_of(found.traces, found.labels, found.placed, whole,

@@ -34,8 +34,7 @@ TEST(ExponentChecks, AreOfTheSumAndOfTheShiftInTime) {
   const nlohmann::json coarse = checks_of(folder, "--set integrate.max_step=0.15 --restart");
   EXPECT_GT(coarse["sum_off"], 0.1);
 
-  const Outcome told =
-      gearsweep(folder, "run study.toml -o told.nc --set integrate.max_step=0.15");
+  const Outcome told = gearsweep(folder, "run study.toml -o told.nc --set integrate.max_step=0.15");
   EXPECT_THAT(told.err + told.out, HasSubstr("spectra sum to the field's divergence, -13.6667"));
   EXPECT_THAT(told.err + told.out, HasSubstr("shorter steps"));
 }
@@ -51,6 +50,18 @@ TEST(ExponentChecks, OfAForcedMotionAreOfTheSumAlone) {
   EXPECT_DOUBLE_EQ(checks["divergence"], -0.2);
   EXPECT_LT(checks["sum_off"], 1e-4);
   EXPECT_FALSE(checks.contains("positive"));
+}
+
+// Rounding of a sum that is 0 is no sign of long steps.
+TEST(ExponentChecks, AConservativeFieldNeedsNoShorterSteps) {
+  const Folder folder;
+  folder.write("study.toml",
+               "[model]\nname = 'duffing'\npreset = 'two_well'\n[parameters]\ndamping = 0.0\n"
+               "amplitude = 0.3\n[[axes]]\nname = 'x'\nvalues = [0.1]\n[observe]\n"
+               "quantities = ['lyapunov_spectrum']\n");
+  const Outcome told = gearsweep(folder, "run study.toml -o out.nc");
+  EXPECT_THAT(told.err + told.out, HasSubstr("spectra sum to the field's divergence, 0"));
+  EXPECT_THAT(told.err + told.out, Not(HasSubstr("shorter steps")));
 }
 
 // Its divergence is a + x - c, which changes along the motion.

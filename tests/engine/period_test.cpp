@@ -174,6 +174,32 @@ TEST(Motion, TellsPeriodicQuasiPeriodicAndChaotic) {
                                  kPeriodic}));
 }
 
+// What grows without bounds, drifts or is still on its way is no motion of a class: a linear
+// oscillator of negative damping, a body under a constant force with friction alone, and a slow
+// relaxation at exactly the rate a.
+TEST(Motion, WithoutBoundsOrOnItsWayIsUndecided) {
+  const auto classes_of = [](const std::string& states, const std::string& a) {
+    const SweepResult result = run(
+        "[model]\ntext = '''\n[model]\nname = 'open'\nmax_step = 0.1\n[states]\nx = {}\ny = {}\n"
+        "[parameters]\na = 1.0\n[equations]\n" +
+        states + "[forcing]\nperiod = '2*pi/1.3'\n'''\n[[axes]]\nname = 'a'\nvalues = " + a +
+        "\n[observe]\nquantities = ['motion_class']\n");
+    return map_of(result, "motion_class");
+  };
+  for (const double found :
+       classes_of("x = 'y'\ny = 'a*y - x + sin(phase)'\n", "[0.0005, 0.001, 0.002, 0.01]")) {
+    EXPECT_EQ(found, kUndecided);
+  }
+  for (const double found :
+       classes_of("x = 'y'\ny = 'a + sin(phase) - 0.1*y'\n", "[0.01, 0.1, 1.0]")) {
+    EXPECT_EQ(found, kUndecided);
+  }
+  for (const double found :
+       classes_of("x = 'a*(y^2 - x)'\ny = '-y + 2 + cos(phase)'\n", "[3e-6, 1e-5, 3e-5]")) {
+    EXPECT_EQ(found, kUndecided);
+  }
+}
+
 // On the ridge between two wells at rest the state recurs exactly, yet what is beside it leaves by
 // exp(0.883 t), 0.883 being the positive root of s^2 + 0.25 s - 1.
 TEST(Motion, CallsAContradictionUndecided) {

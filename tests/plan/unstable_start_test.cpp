@@ -15,7 +15,7 @@ namespace {
 // Of the first point.
 bool is_unstable(const std::string& toml) {
   const Plan plan(read_study(toml, "test.toml"), 16);
-  return is_autonomous(plan.study()) && starts_unstable(plan, 0, plan.own_initial_state(0));
+  return plan.is_autonomous() && starts_unstable(plan, 0, plan.own_initial_state(0));
 }
 
 std::string lorenz(const std::string& rho, const std::string& initial) {
@@ -46,7 +46,7 @@ TEST(UnstableStarts, NoModelHasOneAtItsDefaults) {
                                  std::to_string(model.parameters.front().default_value) + "]\n",
                              "test.toml");
     const Plan plan(study, 16);
-    EXPECT_FALSE(is_autonomous(study) && starts_unstable(plan, 0, plan.own_initial_state(0)))
+    EXPECT_FALSE(plan.is_autonomous() && starts_unstable(plan, 0, plan.own_initial_state(0)))
         << model.name;
   }
 }

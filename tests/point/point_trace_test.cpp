@@ -24,7 +24,7 @@ Study oscillator() {
 
 PointTraces traces_of(const Study& study, const std::vector<NamedValue>& values) {
   PointTraces found;
-  EXPECT_TRUE(add_point_trace(study, find_place(study, values, ""), 32, {}, &found));
+  EXPECT_TRUE(add_point_trace(study, find_place(study, values, ""), {}, 32, {}, &found));
   return found;
 }
 
@@ -55,14 +55,14 @@ Study cracked() {
 }
 
 TEST(PointTrace, CountsMeshPeriods) {
-  const Study short_one = with_windows(cracked(), 20, 8);
+  const Study short_one = with_windows(cracked(), {20, 8});
   EXPECT_EQ(short_one.integrate.settle, 2U);
   EXPECT_EQ(short_one.integrate.record, 1U);
   EXPECT_EQ(short_one.integrate.stop, Stop::never);
-  EXPECT_EQ(with_windows(cracked(), {}, 39).integrate.record, 3U);
-  EXPECT_EQ(with_windows(cracked(), 0, {}).integrate.settle, 0U);
-  EXPECT_EQ(with_windows(cracked(), {}, {}).toml, cracked().toml);
-  EXPECT_EQ(with_windows(oscillator(), 7, 5).integrate.record, 5U);
+  EXPECT_EQ(with_windows(cracked(), {{}, 39}).integrate.record, 3U);
+  EXPECT_EQ(with_windows(cracked(), {0, {}}).integrate.settle, 0U);
+  EXPECT_EQ(with_windows(cracked(), {{}, {}}).toml, cracked().toml);
+  EXPECT_EQ(with_windows(oscillator(), {7, 5}).integrate.record, 5U);
   EXPECT_EQ(traces_of(short_one, {}).traces.front().tau.size(), 19U * 32U);
 }
 
@@ -83,10 +83,10 @@ double line_of(const Trace& trace, const std::vector<double>& values, double lin
 // between the sidebands. At whole orders samples of a force that jumps keep an error of the jump
 // over their number.
 TEST(PointTrace, HasTheSidebandsOfACrackedTooth) {
-  const Study study = with_windows(cracked(), {}, 19);
+  const Study study = with_windows(cracked(), {{}, 19});
   PointTraces both;
   for (const std::size_t samples : {256U, 0U}) {
-    ASSERT_TRUE(add_point_trace(study, find_place(study, {}, ""), samples, {}, &both));
+    ASSERT_TRUE(add_point_trace(study, find_place(study, {}, ""), {}, samples, {}, &both));
   }
   const Trace& sampled = both.traces.front();
   const Trace& fine = both.traces.back();
@@ -106,11 +106,11 @@ TEST(PointTrace, HasTheSidebandsOfACrackedTooth) {
 }
 
 TEST(PointTrace, SaysWhenItIsTooLong) {
-  const Study study = with_windows(oscillator(), {}, 10'000'000);
+  const Study study = with_windows(oscillator(), {{}, 10'000'000});
   PointTraces found;
   const Place place = find_place(study, {{"omega", 1.0}}, "");
   try {
-    add_point_trace(study, place, std::size_t{1} << 20U, {}, &found);
+    add_point_trace(study, place, {}, std::size_t{1} << 20U, {}, &found);
     ADD_FAILURE() << "it was taken";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("GB of memory"));
@@ -139,7 +139,7 @@ TEST(PointTrace, AddsNothingWhenItIsStopped) {
   PointTraces found;
   const Study study = oscillator();
   const Place place = find_place(study, {{"omega", 1.0}}, "");
-  EXPECT_FALSE(add_point_trace(study, place, 32, options, &found));
+  EXPECT_FALSE(add_point_trace(study, place, {}, 32, options, &found));
   EXPECT_TRUE(found.traces.empty());
 }
 

@@ -143,6 +143,29 @@ TEST(ModelFile, IsRefusedWithThePlace) {
               HasSubstr("pair.toml:"));
 }
 
+// A state that counts within one turn jumps by a turn now and then: nothing may see that.
+TEST(ModelFile, RefusesAnAngleWhoseTurnsAreTold) {
+  const auto rotor = [](const std::string& torque) {
+    return "[model]\nname = 'rotor'\n[states]\na = { angle = true }\nb = { angle = true }\nw = {}\n"
+           "[parameters]\nomega = 1.0\ng = 0.3\n[equations]\na = 'w'\nb = '0.1*sin(b)'\nw = '-w "
+           "+ " +
+           torque + "'\n[forcing]\nperiod = '2*pi/omega'\n";
+  };
+  for (const std::string torque :
+       {"a", "a - b", "sin(g*a)", "sin(0.5*a)", "if(a < 1, 1, 0)", "sin(a)*a", "tanh(a)"}) {
+    EXPECT_THAT(
+        refusal_of(rotor(torque)),
+        AllOf(HasSubstr("'a' is an angle, which is counted within one turn, and the equation "
+                        "of w tells its turns apart"),
+              HasSubstr("sin(2*a - phase)")))
+        << torque;
+  }
+  for (const std::string torque : {"sin(a)", "cos(2*a - b + phase)^2", "g*sin(a - b)", "tan(a)",
+                                   "if(sin(a) < g, 1, 0)", "g*w"}) {
+    EXPECT_EQ(refusal_of(rotor(torque)), "") << torque;
+  }
+}
+
 // What the tables of these tests hold, by file.
 std::vector<TablePoint> table_points(const std::string& file) {
   if (file == "saw.csv") return parse_table("1 1\n1 -1\n4 0\n", file);
@@ -262,6 +285,9 @@ TEST(ModelFile, SaysWhereItsListOfJumpsIsWrong) {
   EXPECT_THAT(notices("\"asin(z)\""),
               ElementsAre("pair.toml: the equations jump at phase 3.09157, which [forcing] jumps "
                           "does not list; steps end there, too"));
+  // Where a coefficient is 0 on both sides, rounding is no jump.
+  const auto corner = pair_with("if(phase < pi, sin(phase), 0) + sign(phase - 1)", "1");
+  EXPECT_THAT(corner->notices(corner->default_setting()), ::testing::IsEmpty());
   EXPECT_THAT(
       notices("\"asin(z)\", \"pi - asin(z)\", 2, \"2 + z\""),
       ElementsAre("pair.toml: [forcing] jumps lists phases 2, 2.05, where no equation jumps"));
@@ -295,10 +321,13 @@ TEST(ModelFile, RefusesWavesThatBreakOff) {
   EXPECT_THAT(wrong("(1 + 0.2*cos(1.5*phase + z))*sin(phase)"), HasSubstr("has 1.5 waves"));
   EXPECT_THAT(wrong("cos(z*phase)", 1.3), HasSubstr("has 1.3 waves"));
   EXPECT_THAT(wrong("if(phase < 1 or phase > 4, cos(0.3*phase), 0)"), HasSubstr("has 0.3 waves"));
+  EXPECT_THAT(wrong("if(phase < 1, sin(0.5*phase), 0)*sin(0.7*phase) + sin(0.7*phase)"),
+              HasSubstr("sin(0.7*phase) has 0.7 waves"));
   for (const std::string wave :
        {"sin(3*phase)", "cos(phase/2)^2", "abs(sin(phase/2))", "sin(phase/2)*cos(phase/2)",
         "tan(phase/2)", "phase/(2*pi)", "if(phase < 1, sin(pi*phase), 0)", "cos(z*phase)",
         "if(phase > 1 and phase < 2, cos(0.3*phase), 0)", "exp(-phase)",
+        "if(phase < 1, sin(0.7*phase), 0) + if(phase > 5, cos(0.3*phase), 0)",
         "cos(2*pi/5*floor(5*phase/(2*pi)))", "sin(phase + 0.3*sin(2*phase))"}) {
     EXPECT_EQ(wrong(wave, 2.0), "") << wave;
   }

@@ -136,6 +136,35 @@ TEST(OwnStep, IsLongForASlowModel) {
   EXPECT_LT(step, 3600.0 * 0.3);
 }
 
+// A narrow pulse anywhere in the period: some steps must fall within it.
+TEST(OwnStep, SeesPulses) {
+  for (const double width : {0.001, 0.003, 0.03}) {
+    for (const double at : {0.5, 2.0, 4.7, 5.9, 6.2}) {
+      const System system = {
+          "own_pulse",
+          {{"x", "v"}, {"v", fmt::format("exp(-((phase - {})/{})^2) - 0.3*v - k*x", at, width)}},
+          {0.0, 0.0},
+          "k",
+          0.9,
+          1.1,
+          "2*pi"};
+      EXPECT_LT(step_of(system), width) << at;
+      EXPECT_GT(step_of(system), 0.01 * width) << at;
+    }
+  }
+}
+
+TEST(OwnStep, SaysThatTheStartIsNowhere) {
+  const Study study = study_of({"own_radius",
+                                {{"x", "-k*x/sqrt(x^2 + y^2)"}, {"y", "-y/sqrt(x^2 + y^2)"}},
+                                {0.0, 0.0},
+                                "k",
+                                1.0,
+                                2.0,
+                                "1"});
+  EXPECT_THAT(study.step_reason, HasSubstr("the equations are not finite at the start"));
+}
+
 // What a result or a journal keeps is the study's text.
 TEST(OwnStep, IsTheSameWhenTheStudyIsReadAgain) {
   const Study study = study_of(kLorenz);

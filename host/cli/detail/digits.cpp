@@ -9,7 +9,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kMaxDigits = 10.0;
-constexpr double kLeastWhole = -3.0;  // a number with more zeros behind its point has an exponent
+constexpr double kMinWhole = -3.0;  // a number with more zeros behind its point has an exponent
 
 }  // namespace
 
@@ -20,12 +20,12 @@ std::string with_digits(double value, double error) {
     const double whole = std::floor(std::log10(std::fabs(value))) + 1.0;
     const double digits = std::min(whole + decimals, kMaxDigits);
     if (decimals <= 0.0 && digits <= 0.0) return "?";
-    if (digits > 0.0 && (whole < kLeastWhole || whole > kMaxDigits)) {
+    if (digits > 0.0 && (whole < kMinWhole || whole > kMaxDigits)) {
       return fmt::format("{:.{}e}", value, static_cast<int>(digits) - 1);
     }
     decimals = std::min(decimals, kMaxDigits - whole);
   }
-  decimals = std::min(decimals, kMaxDigits - kLeastWhole);
+  decimals = std::min(decimals, kMaxDigits - kMinWhole);
   const double unit = std::pow(10.0, -decimals);
   const double rounded = std::round(value / unit) * unit;
   // No sign of a zero.

@@ -10,7 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/attractor_report.hpp"
-#include "cli/detail/exponent_checks.hpp"
+#include "cli/detail/exponent_report.hpp"
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"

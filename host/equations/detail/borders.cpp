@@ -62,13 +62,13 @@ class BorderFinder {
       case Operation::max:
         return add(id, argument(0), argument(1), argument(0), argument(1));
       case Operation::floor: {
-        if (is_taken_in_turns(id, 1.0)) return;
+        if (is_taken_in_turns(graph_, equations_, id, 1.0)) return;
         const NodeId below = graph_->symbol(fmt::format("whole[{}]", id));
         const NodeId above = graph_->make(Operation::add, {below, number(1.0)});
         return add(id, argument(0), above, above, below);
       }
       case Operation::arctangent_of_two:  // jumps by a turn where its second argument is below 0
-        if (is_taken_in_turns(id, 2.0 * std::numbers::pi)) return;
+        if (is_taken_in_turns(graph_, equations_, id, 2.0 * std::numbers::pi)) return;
         return add(id, argument(0), number(0.0), number(std::numbers::pi),
                    number(-std::numbers::pi));
       default:
@@ -121,31 +121,6 @@ class BorderFinder {
     return 1.0;
   }
 
-  // Whether a node is met only in sines, cosines and tangents, times what makes `jump` of it a
-  // number of whole turns.
-  bool is_taken_in_turns(NodeId id, double jump) {
-    const std::set<NodeId> above = changed_by(*graph_, equations_, {id});
-    const auto is_round = [&](NodeId parent) {
-      const Node node = (*graph_)[parent];
-      const bool turns = node.operation == Operation::sine || node.operation == Operation::cosine ||
-                         node.operation == Operation::tangent;
-      if (!turns || !above.contains(parent)) return false;
-      const NodeId slope = derivative(graph_, node.arguments[0], id);
-      if (!graph_->is_number(slope)) return false;
-      const double count = (*graph_)[slope].number * jump / (2.0 * std::numbers::pi);
-      return std::fabs(count - std::round(count)) < 1e-12 * (1.0 + std::fabs(count));
-    };
-    std::set<NodeId> open(equations_.begin(), equations_.end());
-    while (!open.empty()) {
-      const NodeId next = *open.rbegin();
-      open.erase(next);
-      if (next == id) return false;
-      if (!above.contains(next) || is_round(next)) continue;
-      for (const NodeId argument : (*graph_)[next].arguments) open.insert(argument);
-    }
-    return true;
-  }
-
   ExpressionGraph* graph_;
   const std::vector<NodeId>& equations_;
   const std::set<NodeId> with_state_;
@@ -170,6 +145,30 @@ std::set<NodeId> changed_by(const ExpressionGraph& graph, const std::vector<Node
 
 std::set<NodeId> states_of(const Formula& formula) {
   return {formula.states.begin(), formula.states.end()};
+}
+
+bool is_taken_in_turns(ExpressionGraph* graph, const std::vector<NodeId>& roots, NodeId id,
+                       double jump) {
+  const std::set<NodeId> above = changed_by(*graph, roots, {id});
+  const auto is_round = [&](NodeId parent) {
+    const Node node = (*graph)[parent];
+    const bool turns = node.operation == Operation::sine || node.operation == Operation::cosine ||
+                       node.operation == Operation::tangent;
+    if (!turns || !above.contains(parent)) return false;
+    const NodeId slope = derivative(graph, node.arguments[0], id);
+    if (!graph->is_number(slope)) return false;
+    const double count = (*graph)[slope].number * jump / (2.0 * std::numbers::pi);
+    return std::fabs(count - std::round(count)) < 1e-12 * (1.0 + std::fabs(count));
+  };
+  std::set<NodeId> open(roots.begin(), roots.end());
+  while (!open.empty()) {
+    const NodeId next = *open.rbegin();
+    open.erase(next);
+    if (next == id) return false;
+    if (!above.contains(next) || is_round(next)) continue;
+    for (const NodeId argument : (*graph)[next].arguments) open.insert(argument);
+  }
+  return true;
 }
 
 std::vector<Border> find_borders(Formula* formula, const std::vector<NodeId>& equations) {

@@ -27,4 +27,9 @@ std::set<NodeId> changed_by(const ExpressionGraph& graph, const std::vector<Node
 
 std::set<NodeId> states_of(const Formula& formula);
 
+// Whether a node is met only in sines, cosines and tangents, times numbers that make `jump` of it
+// whole turns.
+bool is_taken_in_turns(ExpressionGraph* graph, const std::vector<NodeId>& roots, NodeId id,
+                       double jump);
+
 }  // namespace gearsweep

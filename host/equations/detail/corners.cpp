@@ -64,8 +64,11 @@ class CornerFinder {
 
   std::size_t equation_of(const Border& border) const {
     const auto has = [&](NodeId row) {
-      return std::ranges::any_of(parts_of(worked_on_.graph, {row}),
-                                 [&](NodeId part) { return border.above.contains(part); });
+      return std::ranges::any_of(parts_of(worked_on_.graph, {row}), [&](NodeId part) {
+        const auto above = border.above.find(part);
+        // An `==` is the same on both sides of every border.
+        return above != border.above.end() && above->second != border.below.at(part);
+      });
     };
     return static_cast<std::size_t>(std::ranges::find_if(equations_, has) - equations_.begin());
   }

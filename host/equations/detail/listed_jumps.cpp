@@ -49,6 +49,18 @@ std::vector<double> jumps_among(const Tapes& tapes, const ModelSetting& setting,
                                 const std::vector<double>& breaks) {
   constexpr double kRounding = 1e-9;
   std::vector<double> jumps, before(tapes.coef_count), after(tapes.coef_count);
+  std::vector<double> sizes(tapes.coef_count);  // over the period: one may vanish where it bends
+  for (std::size_t i = 0; i <= breaks.size(); ++i) {
+    const double from = i == 0 ? 0.0 : breaks[i - 1];
+    const double to = i < breaks.size() ? breaks[i] : 1.0;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double phase = from + share * (to - from);
+      coefs_at(tapes, setting, phase, phase, before.data());
+      for (std::size_t j = 0; j < sizes.size(); ++j) {
+        sizes[j] = std::max(sizes[j], std::fabs(before[j]));
+      }
+    }
+  }
   for (std::size_t i = 0; i < breaks.size(); ++i) {
     const double from = i == 0 ? 0.0 : breaks[i - 1];
     const double to = i + 1 < breaks.size() ? breaks[i + 1] : 1.0;
@@ -56,7 +68,7 @@ std::vector<double> jumps_among(const Tapes& tapes, const ModelSetting& setting,
     coefs_at(tapes, setting, breaks[i], 0.5 * (breaks[i] + to), after.data());
     bool jumps_here = false;
     for (std::size_t j = 0; j < before.size(); ++j) {
-      const double size = std::max(std::fabs(before[j]), std::fabs(after[j]));
+      const double size = std::max({std::fabs(before[j]), std::fabs(after[j]), sizes[j]});
       jumps_here |= std::fabs(after[j] - before[j]) > kRounding * size;
     }
     if (jumps_here) jumps.push_back(breaks[i]);

@@ -26,7 +26,8 @@ inline constexpr std::size_t kMaxTableCorners = 100;
 // How they are found: breaks of inner parts first. Between these, all inner choices are fixed, so
 // that an argument is a smooth function of the phase. Its values and slopes over an interval are
 // enclosed; the interval is halved until the enclosure excludes a break, or the slope has one sign.
-// So no break is missed but pairs that are closer than 1e-9 of a period.
+// So no break is missed but those that are closer than 2e-8 of a period to another one or to phase
+// 0, and so change no more than that short piece.
 class PhaseBreaks {
  public:
   PhaseBreaks() = default;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "expression/differentiate.hpp"
 #include "expression/print.hpp"
@@ -48,7 +46,8 @@ bool contains(const std::vector<NodeId>& parts, NodeId id) {
 
 PhaseWaves::PhaseWaves(ExpressionGraph* graph, const std::vector<NodeId>& inputs, NodeId phase,
                        const std::vector<NodeId>& roots) {
-  std::map<NodeId, NodeId> in_next_period;
+  std::vector<NodeId> given = inputs;
+  given.push_back(phase);
   for (const NodeId id : parts_of(*graph, roots)) {
     const Operation operation = (*graph)[id].operation;
     if (!is_wave(operation)) continue;
@@ -64,46 +63,53 @@ PhaseWaves::PhaseWaves(ExpressionGraph* graph, const std::vector<NodeId>& inputs
     const NodeId turn = graph->number(kWholePhase);
     const NodeId turns = graph->make(Operation::multiply, {turn, factor});
     const NodeId later = graph->make(Operation::add, {angle, turns});
-    in_next_period[id] = graph->make(operation, {later});
-    waves_.push_back({to_short_text(*graph, id), Tape(*graph, inputs, {factor})});
+    Rewriter in_next_period(graph, {{id, graph->make(operation, {later})}});
+    std::vector<NodeId> values;
+    for (const NodeId root : roots) {
+      if (!contains(parts_of(*graph, {root}), id)) continue;
+      values.push_back(root);
+      values.push_back(in_next_period(root));
+    }
+    waves_.push_back({to_short_text(*graph, id), Tape(*graph, inputs, {factor}),
+                      Tape(*graph, given, values), values.size() / 2});
   }
-  if (waves_.empty()) return;
-  Rewriter rewrite(graph, std::move(in_next_period));
-  std::vector<NodeId> given = inputs, values = roots;
-  given.push_back(phase);
-  for (const NodeId root : roots) values.push_back(rewrite(root));
-  values_ = Tape(*graph, given, values);
-  roots_ = roots.size();
 }
 
-// Whether a value differs between the periods, between two breaks.
-bool PhaseWaves::is_read(const std::vector<double>& inputs, double from, double to) const {
+// Of each root that has the wave, whether its value differs between the periods, between two
+// breaks.
+std::vector<bool> PhaseWaves::reads(const Wave& wave, const std::vector<double>& inputs,
+                                    double from, double to) {
   constexpr double kRounding = 1e-9;
-  std::vector<double> given = inputs, values(2 * roots_);
+  std::vector<double> given = inputs, values(2 * wave.roots);
+  std::vector<bool> out(wave.roots);
   given.push_back(0.0);
   for (const double share : {0.19, 0.45, 0.83}) {
     given.back() = from + share * (to - from);
-    values_.run(given.data(), values.data());
-    for (std::size_t i = 0; i < roots_; ++i) {
-      const double here = values[i], next = values[roots_ + i];
+    wave.values.run(given.data(), values.data());
+    for (std::size_t i = 0; i < wave.roots; ++i) {
+      const double here = values[2 * i], next = values[2 * i + 1];
       const double size = std::max(std::fabs(here), std::fabs(next));
-      if (std::fabs(here - next) > kRounding * size) return true;
+      if (std::fabs(here - next) > kRounding * size) out[i] = true;
     }
   }
-  return false;
+  return out;
 }
 
 std::string PhaseWaves::check(const std::vector<double>& inputs, const PhaseBreaks& breaks) const {
+  std::vector<double> bounds;
   for (const Wave& wave : waves_) {
     const double factor = wave.factor.run(inputs);
     if (is_whole(factor)) continue;
-    std::vector<double> bounds = breaks.find(inputs);
-    bounds.insert(bounds.begin(), 0.0);
-    bounds.push_back(kWholePhase);
-    const bool is_read_at_begin = is_read(inputs, bounds[0], bounds[1]);
-    if (!is_read_at_begin || !is_read(inputs, bounds[bounds.size() - 2], bounds.back())) {
-      continue;
+    if (bounds.empty()) {
+      bounds = breaks.find(inputs);
+      bounds.insert(bounds.begin(), 0.0);
+      bounds.push_back(kWholePhase);
     }
+    const std::vector<bool> at_begin = reads(wave, inputs, bounds[0], bounds[1]);
+    const std::vector<bool> at_end = reads(wave, inputs, bounds[bounds.size() - 2], bounds.back());
+    bool is_read_at_both = false;
+    for (std::size_t i = 0; i < wave.roots; ++i) is_read_at_both |= at_begin[i] && at_end[i];
+    if (!is_read_at_both) continue;
     return fmt::format(
         "{} has {:.6g} waves in a period of the forcing and breaks off at its end, as the phase "
         "goes from 0 to 2*pi in each period: give it a whole number of waves; for a second "

@@ -23,19 +23,21 @@ class PhaseWaves {
   // What is wrong with the first wave that does not go on from the end of a period into the next
   // one; empty if nothing. A wave that is read at one end of the period alone, as a pulse is, may
   // have any factor; so may one whose square or size is read, which goes on.
-  // breaks: of the same roots.
+  // breaks: of the same roots. Throws InputError as PhaseBreaks::find().
   std::string check(const std::vector<double>& inputs, const PhaseBreaks& breaks) const;
 
  private:
   struct Wave {
     std::string text;
     Tape factor;  // of the inputs
+    Tape values;  // of inputs and phase: each root that has the wave, and with that of the next
+                  // period
+    std::size_t roots = 0;
   };
-  bool is_read(const std::vector<double>& inputs, double from, double to) const;
+  static std::vector<bool> reads(const Wave& wave, const std::vector<double>& inputs, double from,
+                                 double to);
 
   std::vector<Wave> waves_;  // those whose factor need not be whole
-  Tape values_;  // of inputs and phase: roots with the waves, then with those of the next period
-  std::size_t roots_ = 0;
 };
 
 }  // namespace gearsweep

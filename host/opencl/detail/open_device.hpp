@@ -53,10 +53,12 @@ class OpenDevice {
       return launch(width);
     }
     const std::lock_guard alone(launches());
-    const CompileWatch::Work compiling(compile_watch_.get());
     // Few launches are to run alone.
     const std::size_t wider = local_size * std::bit_ceil(width / local_size);
-    load(wider);
+    {
+      const CompileWatch::Work compiling(compile_watch_.get());
+      load(wider);
+    }
     launch(wider);
     const std::lock_guard lock(mutex_);
     widest_[key] = std::max(widest_[key], wider);

@@ -192,10 +192,13 @@ class Motion final : public SectionObservable {
     const double error = 3.0 * exponent[1] * time_;
     if (sections().recurrence().period > 0) return log_stretching > error ? undecided : periodic;
     const double early = extent(true), late = extent(false);
-    if (log_stretching > std::max(error, 2.0) && late <= kRunaway * early) return chaotic;
-    const bool neutral = std::abs(log_stretching) <= std::max(2.0, std::min(error, 10.0));
+    // In half the record a linear growth takes half of the stretching.
+    const double grown = std::min(std::exp(0.4 * log_stretching), kRunaway);
+    if (log_stretching > std::max(error, 2.0) && late <= grown * early) return chaotic;
+    const bool neutral = std::abs(log_stretching) <= std::max(0.01, std::min(error, 10.0));
     const bool is_long = window.is_last || window.record >= 1000;
-    const bool is_steady = std::max(early, late) <= 1.25 * std::min(early, late);
+    const double whole = sections().extent(0, sections().last());
+    const bool is_steady = whole <= 1.25 * std::min(early, late);
     if (neutral && is_long && is_steady) return quasi_periodic;
     return undecided;
   }

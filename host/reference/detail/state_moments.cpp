@@ -25,6 +25,9 @@ class StateMoments final : public ReferenceObservable {
     ends_.push_back(weights_.size());
   }
   std::vector<double> finish(const Window&) const override {
+    if (ends_.empty()) {  // it diverged before
+      return std::vector<double>(4 * values_.size(), std::numeric_limits<double>::quiet_NaN());
+    }
     constexpr std::size_t kBlocks = 16;
     const std::size_t length = std::max<std::size_t>(ends_.size() / kBlocks, 1);
     const std::size_t blocks = ends_.size() / length;

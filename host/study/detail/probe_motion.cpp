@@ -32,6 +32,8 @@ std::vector<double> bounds_of(const Model& model, const ModelSetting& setting) {
   return bounds;
 }
 
+constexpr std::size_t kPhaseSamples = 4096;  // of a period, to find pulses: some 2 ms
+
 // An eigenvalue takes as many operations as 25 products of matrices.
 std::size_t steps_between_rates(std::size_t states) {
   return std::clamp<std::size_t>(states * states / 8, 10, 200);
@@ -63,7 +65,50 @@ ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<d
       point_(model.prepare(setting_)),
       period_(point_->period()),
       bounds_(bounds_of(model, setting_)),
-      x_(std::move(start)) {}
+      x_(std::move(start)) {
+  if (is_forced_) find_pulses();
+}
+
+void ProbeMotion::find_pulses() {
+  constexpr double kFast = 8.0;  // times the average
+  constexpr std::size_t kMaxPulses = 100;
+  const std::size_t width = model_.phase_coefs.size();
+  std::vector<double> before(width), now(width), all(width);
+  const auto is_inside = [&](std::size_t i) {  // the samples i and i + 1 lie in one segment
+    return std::ranges::none_of(bounds_, [&](double bound) {
+      return bound * kPhaseSamples > static_cast<double>(i) &&
+             bound * kPhaseSamples < static_cast<double>(i + 1);
+    });
+  };
+  std::vector<std::vector<double>> changes(kPhaseSamples, std::vector<double>(width));
+  for (std::size_t i = 0; i <= kPhaseSamples; ++i) {
+    const double phase = static_cast<double>(i) / kPhaseSamples;
+    const double within = std::min(phase, 1.0 - 0.5 / kPhaseSamples);
+    model_.phase_coefs_at(setting_, phase, within, now.data());
+    for (std::size_t j = 0; i > 0 && j < width; ++j) {
+      const double change = is_inside(i - 1) ? std::abs(now[j] - before[j]) : 0.0;
+      changes[i - 1][j] = change;
+      all[j] += change;
+    }
+    before = now;
+  }
+  bool was_fast = true;  // what a period begins with is seen
+  for (std::size_t i = 0; i < kPhaseSamples && pulses_.size() < kMaxPulses; ++i) {
+    bool is_fast = false;
+    for (std::size_t j = 0; j < width; ++j) {
+      is_fast |= changes[i][j] > kFast * all[j] / kPhaseSamples;
+    }
+    if (is_fast && !was_fast) {
+      pulses_.push_back(std::max(static_cast<double>(i) - 4.0, 0.5) / kPhaseSamples);
+    }
+    was_fast = is_fast;
+  }
+}
+
+double ProbeMotion::next_pulse(double phase) const {
+  const auto next = std::ranges::upper_bound(pulses_, phase + 1e-9);
+  return next == pulses_.end() ? 2.0 : *next;
+}
 
 ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
   Stretch stretch;
@@ -78,8 +123,9 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       // A forcing may be slower than all this: look at each part of its period.
       const double due = static_cast<double>(done) / static_cast<double>(steps);
       if (is_forced_ && turns < due) {
-        phase_ = std::fmod(phase_ + due - turns, 1.0);
-        turns = due;
+        const double ahead = std::min(due - turns, next_pulse(phase_) - phase_);
+        phase_ = std::fmod(phase_ + ahead, 1.0);
+        turns += ahead;
         segment_ = 0;
         while (bounds_[segment_ + 1] <= phase_) ++segment_;
       }
@@ -91,6 +137,9 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     const double left = (bounds_[segment_ + 1] - phase_) * period_;
     const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
     double length = std::min(ends_segment ? left : length_, max_length);
+    const double pulse = is_forced_ ? next_pulse(phase_) : 2.0;
+    const bool meets_pulse = phase_ + length / period_ > pulse;
+    if (meets_pulse) length = (pulse - phase_) * period_;
     Trial trial = attempt(stretch, length);
     bool is_smooth = true;
     while (!(trial.excess <= kMaxError)) {
@@ -104,8 +153,8 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     }
     const bool is_at_end = ends_segment && length == left;
     const double end_phase = is_at_end ? bounds_[segment_ + 1] : phase_ + length / period_;
-    // A short step to the end of a segment has an error of rounding alone.
-    const bool is_short = is_at_end && length < 0.5 * length_;
+    // A short step to the end of a segment or to a pulse has an error of rounding alone.
+    const bool is_short = (is_at_end || meets_pulse) && length < 0.5 * length_;
     if (is_smooth && !is_short && !crosses_limit(trial.end, end_phase)) {
       stretch.steps.push_back({length, std::move(trial.errors)});
     }
@@ -126,6 +175,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     if (is_smooth && !is_short) {
       length_ = length * std::clamp(factor, 0.3, 2.0);
     }
+    if (meets_pulse) length_ = std::min(length_, period_ / kPhaseSamples);
     length_ = std::min(length_, max_length);
     escapes_ = length_ < kShortestStep * time_;
   }
@@ -152,6 +202,15 @@ void ProbeMotion::look_at_signals(Stretch* stretch) const {
 
 // What rounding may leave of a state: of itself, and of the terms of its rate over the time in
 // which the motion changes.
+bool ProbeMotion::has_finite_rates() const {
+  const std::size_t states = x_.size();
+  const std::vector<double> coefs = coefs_at(phase_);
+  std::vector<double> all(states + states * states);
+  point_->rhs(coefs.data(), x_.data(), all.data());
+  point_->jacobian(coefs.data(), x_.data(), all.data() + states);
+  return std::ranges::all_of(all, [](double value) { return std::isfinite(value); });
+}
+
 void ProbeMotion::look_at_rates(Stretch* stretch) const {
   const std::size_t states = x_.size();
   std::vector<double> jacobian(states * states);

@@ -37,6 +37,8 @@ class ProbeMotion {
   // the forcing. Ends early where a number overflows.
   Stretch go_on(std::size_t steps);
 
+  // Whether the equations and their Jacobian are numbers where it is.
+  bool has_finite_rates() const;
   // Whether it went to infinity.
   bool escapes() const { return escapes_; }
   double period() const { return period_; }
@@ -48,13 +50,15 @@ class ProbeMotion {
   };
 
   std::vector<double> coefs_at(double phase) const;
+  void find_pulses();
+  // The next phase, behind this one, at which a pulse begins; above 1 where there is none.
+  double next_pulse(double phase) const;
   void look_at_signals(Stretch* stretch) const;
   void look_at_rates(Stretch* stretch) const;
   std::vector<double> step(const std::vector<double>* coefs, const std::vector<double>& from,
                            double length) const;
   Trial attempt(const Stretch& stretch, double length) const;
   bool crosses_limit(const std::vector<double>& end, double end_phase) const;
-  double segment_end() const;
 
   const Model& model_;
   const ModelSetting setting_;
@@ -62,6 +66,9 @@ class ProbeMotion {
   const std::unique_ptr<PreparedPoint> point_;
   const double period_;
   std::vector<double> bounds_;  // of the segments between jumps, from 0 to 1
+  // Where coefficients begin to change much faster than on average, rising. A step from well before
+  // such a place may end well behind it and see nothing.
+  std::vector<double> pulses_;
   std::vector<double> x_;
   std::size_t segment_ = 0;
   double phase_ = 0.0;

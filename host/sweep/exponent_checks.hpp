@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 
 #include "engine/result.hpp"
 
@@ -14,6 +12,9 @@ namespace gearsweep {
 struct SumCheck {
   double off = 0.0;         // the largest difference at any point, in inverse time
   double divergence = 0.0;  // there
+  double largest = 0.0;     // modulus of an exponent there
+  // Whether the difference is more than a thousandth of the numbers that are summed.
+  bool is_far_off() const;
 };
 
 // Along an autonomous motion that does not rest a shift in time neither grows nor decays: one
@@ -32,10 +33,5 @@ struct ExponentChecks {
 
 // Nothing where the study has no spectra.
 std::optional<ExponentChecks> check_exponents(const SweepResult& result);
-
-// A line for each check; empty without spectra.
-std::string describe_exponent_checks(const SweepResult& result);
-// Null without spectra.
-nlohmann::json exponent_checks_as_json(const SweepResult& result);
 
 }  // namespace gearsweep
