@@ -28,6 +28,13 @@ struct NamedExpression {
   ExpressionText expression;
 };
 
+// "hertz(p)" = "max(p, 0)^1.5"
+struct NamedFunction {
+  std::string name;
+  std::vector<std::string> arguments;
+  ExpressionText expression;  // of its arguments, and of all else that expressions may use
+};
+
 struct ModelDefinition {
   std::string name, summary;
   std::vector<std::string> assumptions;  // of Model
@@ -40,7 +47,8 @@ struct ModelDefinition {
   // `option.choice` is a condition in expressions.
   std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
-  std::vector<NamedExpression> constants;     // used by what follows, and by each other
+  std::vector<NamedFunction> functions;       // used by what follows, and by each other
+  std::vector<NamedExpression> constants;     // the same
   std::vector<ExpressionText> equations;      // [state]
   std::vector<ExpressionText> start;          // [state]; of parameters alone
   std::vector<ExpressionText> signal_values;  // [signal]

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
+#include <utility>
 
+#include "expression/detail/cursor.hpp"
 #include "model/names.hpp"
 
 namespace gearsweep {
@@ -15,19 +18,18 @@ namespace {
 // A model that a person can read is far below these.
 constexpr std::size_t kMaxDepth = 256;
 constexpr std::size_t kMaxNodes = 4000;
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr double kMaxTerms = 1000.0;  // of a sum
 
 class Parser {
  public:
   Parser(std::string_view text, const ExpressionNames& names, ExpressionGraph* graph)
-      : text_(text), names_(names), graph_(graph) {}
+      : cursor_(text), names_(names), graph_(graph) {}
 
   NodeId run() {
     const NodeId result = expression();
-    skip_spaces();
-    if (at_ < text_.size()) fail(at_, fmt::format("'{}' is not expected here", text_[at_]));
+    if (const char c = cursor_.next(); c != '\0') {
+      fail(here(), fmt::format("'{}' is not expected here", c));
+    }
     return number_at(0, result);
   }
 
@@ -38,7 +40,7 @@ class Parser {
     explicit Level(Parser* parser) : parser_(parser) {
       if (++parser_->depth_ <= kMaxDepth) return;
       --parser_->depth_;
-      parser_->fail(parser_->at_, fmt::format("nested more than {} deep", kMaxDepth));
+      parser_->fail(parser_->here(), fmt::format("nested more than {} deep", kMaxDepth));
     }
     Level(const Level&) = delete;
     Level& operator=(const Level&) = delete;
@@ -47,10 +49,6 @@ class Parser {
    private:
     Parser* parser_;
   };
-
-  [[noreturn]] void fail(std::size_t position, const std::string& message) const {
-    throw ExpressionError(position, message);
-  }
 
   NodeId make(std::size_t position, Operation operation, const std::vector<NodeId>& arguments) {
     return checked(position, graph_->as_written(operation, arguments));
@@ -81,30 +79,10 @@ class Parser {
     return id;
   }
 
-  void skip_spaces() {
-    while (at_ < text_.size() &&
-           (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r')) {
-      ++at_;
-    }
-  }
-  std::size_t here() {
-    skip_spaces();
-    return at_;
-  }
-  bool take(std::string_view token) {
-    skip_spaces();
-    if (!text_.substr(at_).starts_with(token)) return false;
-    at_ += token.size();
-    return true;
-  }
-  // A word as a whole: not the beginning of a name.
-  bool take_word(std::string_view word) {
-    skip_spaces();
-    if (!text_.substr(at_).starts_with(word)) return false;
-    const std::size_t end = at_ + word.size();
-    if (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) return false;
-    at_ = end;
-    return true;
+  std::size_t here() { return cursor_.here(); }
+  bool take(std::string_view token) { return cursor_.take(token); }
+  [[noreturn]] static void fail(std::size_t position, const std::string& message) {
+    throw ExpressionError(position, message);
   }
 
   NodeId expression() {
@@ -117,7 +95,7 @@ class Parser {
   NodeId chain(std::string_view word, Operation operation, const Part& part) {
     const std::size_t start = here();
     NodeId left = part();
-    while (take_word(word)) {
+    while (cursor_.take_word(word)) {
       condition_at(start, left);
       const std::size_t place = here();
       left = make(start, operation, {left, condition_at(place, part())});
@@ -126,7 +104,7 @@ class Parser {
   }
 
   NodeId negation() {
-    if (!take_word("not")) return comparison();
+    if (!cursor_.take_word("not")) return comparison();
     const Level level(this);
     const std::size_t place = here();
     return make(place, Operation::negation, {condition_at(place, negation())});
@@ -164,16 +142,11 @@ class Parser {
     }
   }
 
-  bool take_times() {
-    skip_spaces();
-    return !text_.substr(at_).starts_with("**") && take("*");
-  }
-
   NodeId product() {
     const std::size_t start = here();
     NodeId left = with_sign();
     while (true) {
-      const bool is_times = take_times();
+      const bool is_times = cursor_.take_times();
       if (!is_times && !take("/")) return left;
       number_at(start, left);
       const std::size_t place = here();
@@ -202,43 +175,23 @@ class Parser {
 
   NodeId primary() {
     const std::size_t start = here();
-    if (at_ == text_.size()) {
-      fail(at_, text_.empty() ? "the expression is empty" : "the expression ends too early");
+    const char c = cursor_.next();
+    if (c == '\0') {
+      fail(start,
+           cursor_.is_text_empty() ? "the expression is empty" : "the expression ends too early");
     }
-    const char c = text_[at_];
-    if (is_digit(c) || c == '.') return literal();
-    if (is_letter(c)) return named();
+    if ((c >= '0' && c <= '9') || c == '.') return graph_->number(cursor_.take_number());
+    if (const std::string name = cursor_.take_name(true); !name.empty()) return named(start, name);
     if (!take("(")) fail(start, fmt::format("'{}' is not expected here", c));
     const NodeId inner = expression();
     if (!take(")")) fail(here(), "')' is missing");
     return inner;
   }
 
-  NodeId literal() {
-    double value = 0.0;
-    const char* begin = text_.data() + at_;
-    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (error == std::errc::result_out_of_range) fail(at_, "the number is too large or too small");
-    if (error != std::errc() || !std::isfinite(value)) fail(at_, "this is no number");
-    const std::size_t after = at_ + static_cast<std::size_t>(end - begin);
-    if (after < text_.size() && (is_letter(text_[after]) || text_[after] == '.')) {
-      fail(after,
-           fmt::format("'{}' follows a number; a product is written with '*'", text_[after]));
-    }
-    at_ = after;
-    return graph_->number(value);
-  }
-
-  NodeId named() {
-    const std::size_t start = at_;
-    const auto goes_on = [this](std::size_t at) {
-      return at < text_.size() && (is_letter(text_[at]) || is_digit(text_[at]));
-    };
-    while (goes_on(at_)) ++at_;
-    if (at_ < text_.size() && text_[at_] == '.' && goes_on(at_ + 1)) ++at_;  // option.choice
-    while (goes_on(at_)) ++at_;
-    const std::string name(text_.substr(start, at_ - start));
+  NodeId named(std::size_t start, const std::string& name) {
     if (take("(")) return called(start, name);
+    if (const std::optional<NodeId> index = index_named(name)) return *index;
+    if (take("[")) return entry(start, name);
     if (name == "pi") return graph_->number(std::numbers::pi);
     if (const std::optional<NodeId> known = names_.find(name)) return *known;
     if (name == "table") fail(start, "'table' is a function: table(\"file.csv\", phase)");
@@ -252,42 +205,110 @@ class Parser {
                                     : suggest_name(name, known_names())));
   }
 
+  std::optional<NodeId> index_named(const std::string& name) const {
+    const auto found = std::find_if(indices_.rbegin(), indices_.rend(),
+                                    [&](const auto& index) { return index.first == name; });
+    if (found == indices_.rend()) return std::nullopt;
+    return graph_->number(found->second);
+  }
+
+  // What stands in the brackets of a list's entry.
+  NodeId entry(std::size_t start, const std::string& list) {
+    const std::size_t place = here();
+    const double index = whole_number(place, expression());
+    if (!take("]")) fail(here(), "']' is missing");
+    const std::string name = fmt::format("{}_{}", list, index);
+    if (const std::optional<NodeId> known = names_.find(name)) return *known;
+    fail(start, fmt::format("there is no '{}[{}]'; the first entry of a list is [1]", list, index));
+  }
+
+  // Of what is made of numbers alone.
+  double whole_number(std::size_t position, NodeId id) const {
+    const double value = value_of(id);
+    if (std::isfinite(value) && value == std::floor(value)) return value;
+    fail(position, "a whole number must stand here, made of numbers and indices of sums alone");
+  }
+  double value_of(NodeId id) const {
+    const Node& node = (*graph_)[id];
+    if (node.operation == Operation::number) return node.number;
+    if (node.operation == Operation::symbol || node.operation == Operation::table) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto argument = [&](std::size_t i) {
+      return i < node.arguments.size() ? value_of(node.arguments[i]) : 0.0;
+    };
+    return apply(node.operation, argument(0), argument(1), argument(2));
+  }
+
+  // What stands in the parentheses of sum(index, first, last, term).
+  NodeId sum_of_terms(std::size_t start) {
+    const char* const kForm = "a sum is written sum(i, 1, 3, term)";
+    const std::size_t place = here();
+    const std::string index = cursor_.take_name(false);
+    if (index.empty() || !take(",")) fail(place, kForm);
+    const std::size_t first_at = here();
+    const double first = whole_number(first_at, expression());
+    if (!take(",")) fail(here(), kForm);
+    const std::size_t last_at = here();
+    const double last = whole_number(last_at, expression());
+    if (!take(",")) fail(here(), kForm);
+    if (last - first >= kMaxTerms) {
+      fail(start, fmt::format("a sum has at most {} terms", kMaxTerms));
+    }
+    const std::size_t term_at = here();
+    NodeId total = graph_->number(0.0);
+    // A sum without terms is read all the same.
+    for (double i = first; i <= std::max(first, last); i += 1.0) {
+      cursor_.go_to(term_at);
+      indices_.emplace_back(index, i);
+      const NodeId term = number_at(term_at, expression());
+      indices_.pop_back();
+      if (i > last) continue;
+      total = i == first ? term : make(start, Operation::add, {total, term});
+    }
+    if (!take(")")) fail(here(), "')' is missing");
+    return total;
+  }
+
+  NodeId called_own(std::size_t start, const std::string& name, std::size_t wanted) {
+    const std::vector<NodeId> arguments = numbers_in_parentheses();
+    refuse_other_count(start, name, wanted, arguments.size());
+    return checked(start, names_.call(name, arguments));
+  }
+  std::vector<NodeId> numbers_in_parentheses() {
+    std::vector<NodeId> arguments;
+    do {
+      const std::size_t place = here();
+      arguments.push_back(number_at(place, expression()));
+    } while (take(","));
+    if (!take(")")) fail(here(), "')' or ',' is missing");
+    return arguments;
+  }
+  void refuse_other_count(std::size_t start, const std::string& name, std::size_t wanted,
+                          std::size_t count) const {
+    if (count == wanted) return;
+    fail(start, fmt::format("{}() takes {} argument{}, not {}", name, wanted,
+                            wanted == 1 ? "" : "s", count));
+  }
+
   std::vector<std::string> known_names() const {
     std::vector<std::string> known = names_.known();
     known.emplace_back("pi");
     return known;
   }
 
-  // Between quotes of either kind; there is no way to write such a quote within.
-  std::string quoted() {
-    const std::size_t start = here();
-    const char quote = start < text_.size() ? text_[start] : ' ';
-    if (quote != '"' && quote != '\'') {
-      fail(start, "the name of a file must stand here, in quotes: table(\"file.csv\", phase)");
-    }
-    const std::size_t end = text_.find(quote, start + 1);
-    if (end == std::string_view::npos) fail(start, "the name of a file has no quote at its end");
-    const std::string_view name = text_.substr(start + 1, end - start - 1);
-    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
-    if (name.empty() || std::ranges::any_of(name, is_control)) {
-      fail(start, "this cannot be the name of a file");
-    }
-    at_ = end + 1;
-    return std::string(name);
-  }
-
   // What stands in the parentheses of table().
   NodeId table(std::size_t start) {
     TableCall call;
     call.file_at = here();
-    call.file = quoted();
+    call.file = cursor_.take_file();
     if (!take(",")) fail(here(), "',' and the phase are missing: table(\"file.csv\", phase)");
     call.argument_at = here();
     call.argument = number_at(call.argument_at, expression());
     if (take(",")) {
-      if (take_word("cubic")) {
+      if (cursor_.take_word("cubic")) {
         call.interpolation = Interpolation::cubic;
-      } else if (!take_word("linear")) {
+      } else if (!cursor_.take_word("linear")) {
         fail(here(), "a table is read as 'linear' or 'cubic'");
       }
     }
@@ -298,11 +319,17 @@ class Parser {
 
   NodeId called(std::size_t start, const std::string& name) {
     if (name == "table") return table(start);
+    if (name == "sum") return sum_of_terms(start);
+    if (const auto own = names_.arguments_of ? names_.arguments_of(name) : std::nullopt) {
+      return called_own(start, name, *own);
+    }
     const auto info = std::ranges::find(functions(), name, &FunctionInfo::name);
     const bool is_clamp = name == "clamp";
     const bool is_step = name == "step";
     if (info == functions().end() && !is_clamp && !is_step) {
-      std::vector<std::string> known = {"clamp", "step", "table"};
+      std::vector<std::string> known = {"clamp", "step", "sum", "table"};
+      if (names_.known_functions)
+        std::ranges::copy(names_.known_functions(), std::back_inserter(known));
       for (const FunctionInfo& function : functions()) known.emplace_back(function.name);
       fail(start, fmt::format("unknown function '{}'{}", name, suggest_name(name, known)));
     }
@@ -316,10 +343,7 @@ class Parser {
                                                          : number_at(place, argument));
     } while (take(","));
     if (!take(")")) fail(here(), "')' or ',' is missing");
-    if (arguments.size() != wanted) {
-      fail(start, fmt::format("{}() takes {} argument{}, not {}", name, wanted,
-                              wanted == 1 ? "" : "s", arguments.size()));
-    }
+    refuse_other_count(start, name, wanted, arguments.size());
     if (is_clamp) {
       const NodeId least = make(start, Operation::max, {arguments[0], arguments[1]});
       return make(start, Operation::min, {least, arguments[2]});
@@ -332,11 +356,11 @@ class Parser {
     return make(start, info->operation, arguments);
   }
 
-  const std::string_view text_;
+  Cursor cursor_;
   const ExpressionNames& names_;
   ExpressionGraph* graph_;
-  std::size_t at_ = 0;
   std::size_t depth_ = 0;
+  std::vector<std::pair<std::string, double>> indices_;  // of the sums around, outermost first
 };
 
 }  // namespace
@@ -344,23 +368,6 @@ class Parser {
 NodeId parse_expression(std::string_view text, const ExpressionNames& names,
                         ExpressionGraph* graph) {
   return Parser(text, names, graph).run();
-}
-
-std::string with_caret(std::string_view text, std::size_t position) {
-  constexpr std::size_t kBefore = 60, kWidth = 90;
-  position = std::min(position, text.size());
-  const std::size_t newline =
-      position == 0 ? std::string_view::npos : text.rfind('\n', position - 1);
-  const std::size_t line = newline == std::string_view::npos ? 0 : newline + 1;
-  const std::size_t begin = std::max(line, position > kBefore ? position - kBefore : 0);
-  const std::size_t end = std::min({text.find('\n', position), text.size(), begin + kWidth});
-  std::string shown(text.substr(begin, end - begin));
-  std::ranges::replace(shown, '\t', ' ');
-  // A character of several bytes takes one column.
-  const auto columns =
-      std::count_if(shown.begin(), shown.begin() + static_cast<std::ptrdiff_t>(position - begin),
-                    [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  return fmt::format("  {}\n  {}^", shown, std::string(static_cast<std::size_t>(columns), ' '));
 }
 
 }  // namespace gearsweep

@@ -5,21 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "expression/expression.hpp"
+#include "expression/expression_error.hpp"
 
 namespace gearsweep {
-
-// The text is wrong; `position` is the byte where.
-struct ExpressionError : std::runtime_error {
-  ExpressionError(std::size_t at, const std::string& message)
-      : std::runtime_error(message), position(at) {}
-  std::size_t position;
-};
 
 // table("file.csv", argument, interpolation), as a text has it.
 struct TableCall {
@@ -33,17 +26,20 @@ struct TableCall {
 struct ExpressionNames {
   std::function<std::optional<NodeId>(const std::string& name)> find;
   std::function<std::vector<std::string>()> known;  // for the message about another name
+  // Functions of the text's own: how many arguments one takes, nothing where there is none of the
+  // name; what a call comes to; their names.
+  std::function<std::optional<std::size_t>(const std::string& name)> arguments_of = {};
+  std::function<NodeId(const std::string& name, const std::vector<NodeId>& arguments)> call = {};
+  std::function<std::vector<std::string>()> known_functions = {};
   // The same one for each call that asks for the same. Throws ExpressionError. Empty where a text
   // may read no tables.
   std::function<std::shared_ptr<const PeriodicTable>(const TableCall&)> table = {};
 };
 
-// The node as written; clamp, step and pi are written out. A condition only where is_condition.
-// Throws ExpressionError, also for what is nested too deeply or too large.
+// The node as written; clamp, step, sum, indices and pi are written out. a[2] is the name a_2. A
+// condition only where is_condition. Throws ExpressionError, also for what is nested too deeply or
+// too large.
 NodeId parse_expression(std::string_view text, const ExpressionNames& names,
                         ExpressionGraph* graph);
-
-// The line of a text with a caret under a position, in two lines; a long line is cut around it.
-std::string with_caret(std::string_view text, std::size_t position);
 
 }  // namespace gearsweep

@@ -118,7 +118,7 @@ struct MirrorPairs {
 // What a text of equations defines and neither an equation, a start, a signal, a jump nor the
 // period depends on.
 struct UnusedName {
-  std::string kind;  // "parameter" or "constant"
+  std::string kind;  // "parameter", "constant" or "function"
   std::string name;
   std::string place;  // "impact.toml:12"
 };

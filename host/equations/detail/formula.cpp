@@ -43,6 +43,7 @@ class FormulaReader {
     }
     formula_.phase = formula_.graph.symbol("phase");
     // Those that nothing uses, too: a mistake in one is a mistake.
+    for (const NamedFunction& function : definition_.functions) read_by_itself(function);
     for (const NamedExpression& constant : definition_.constants) value_of(constant);
     for (const ExpressionText& text : definition_.equations) {
       formula_.equations.push_back(parse(text));
@@ -63,10 +64,37 @@ class FormulaReader {
   }
 
  private:
-  NodeId parse(const ExpressionText& text) {
+  using Arguments = std::map<std::string, NodeId>;  // of a function, by name
+
+  NodeId parse(const ExpressionText& text, const Arguments& given = {}) {
     const ExpressionNames names = {
-        .find = [this](const std::string& name) { return find(name); },
-        .known = [this] { return known_names(); },
+        .find =
+            [&](const std::string& name) {
+              const auto argument = given.find(name);
+              return argument != given.end() ? argument->second : find(name);
+            },
+        .known =
+            [&] {
+              std::vector<std::string> known = known_names();
+              for (const auto& [name, id] : given) known.push_back(name);
+              return known;
+            },
+        .arguments_of = [this](const std::string& name) -> std::optional<std::size_t> {
+          const NamedFunction* function = find_function(name);
+          if (function == nullptr) return std::nullopt;
+          return function->arguments.size();
+        },
+        .call =
+            [this](const std::string& name, const std::vector<NodeId>& arguments) {
+              uses_[user()].insert(name);
+              return value_of(*find_function(name), arguments);
+            },
+        .known_functions =
+            [this] {
+              std::vector<std::string> known;
+              for (const NamedFunction& one : definition_.functions) known.push_back(one.name);
+              return known;
+            },
         .table = [this](const TableCall& call) { return tables_.read(call, formula_); }};
     try {
       return parse_expression(text.text, names, &formula_.graph);
@@ -91,7 +119,7 @@ class FormulaReader {
   }
 
   std::optional<NodeId> find(const std::string& name) {
-    uses_[open_.empty() ? kModel : open_.back()].insert(name);
+    uses_[user()].insert(name);
     if (name == "phase") return formula_.phase;
     for (const std::vector<NodeId>* symbols : {&formula_.states, &formula_.parameters}) {
       for (const NodeId id : *symbols) {
@@ -107,20 +135,49 @@ class FormulaReader {
     return value_of(*constant);
   }
 
+  // The constant or function that is being read.
+  std::string user() const { return open_.empty() ? kModel : open_.back(); }
+
   NodeId value_of(const NamedExpression& constant) {
     const auto known = constants_.find(constant.name);
     if (known != constants_.end()) return known->second;
-    const auto begun = std::ranges::find(open_, constant.name);
+    const NodeId id = read(constant.name, constant.expression, {});
+    constants_.emplace(constant.name, id);
+    return id;
+  }
+
+  const NamedFunction* find_function(const std::string& name) const {
+    const auto found = std::ranges::find(definition_.functions, name, &NamedFunction::name);
+    return found == definition_.functions.end() ? nullptr : &*found;
+  }
+
+  NodeId value_of(const NamedFunction& function, const std::vector<NodeId>& arguments) {
+    Arguments given;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      given[function.arguments[i]] = arguments[i];
+    }
+    return read(function.name, function.expression, given);
+  }
+
+  void read_by_itself(const NamedFunction& function) {
+    std::vector<NodeId> arguments;
+    for (const std::string& name : function.arguments) {
+      // No name of a user's has a space.
+      arguments.push_back(formula_.graph.symbol("argument " + name));
+    }
+    value_of(function, arguments);
+  }
+
+  NodeId read(const std::string& name, const ExpressionText& text, const Arguments& given) {
+    const auto begun = std::ranges::find(open_, name);
     if (begun != open_.end()) {
       std::vector<std::string> way(begun, open_.end());
-      way.push_back(constant.name);
-      fail_in(constant.expression, 0,
-              fmt::format("'{}' is defined by itself: {}", constant.name, fmt::join(way, " -> ")));
+      way.push_back(name);
+      fail_in(text, 0, fmt::format("'{}' is defined by itself: {}", name, fmt::join(way, " -> ")));
     }
-    open_.push_back(constant.name);
-    const NodeId id = parse(constant.expression);
+    open_.push_back(name);
+    const NodeId id = parse(text, given);
     open_.pop_back();
-    constants_.emplace(constant.name, id);
     return id;
   }
 
@@ -156,6 +213,9 @@ class FormulaReader {
     for (const NamedExpression& constant : definition_.constants) {
       if (!used.contains(constant.name)) add("constant", constant.name, constant.expression);
     }
+    for (const NamedFunction& function : definition_.functions) {
+      if (!used.contains(function.name)) add("function", function.name, function.expression);
+    }
   }
 
   std::vector<std::string> known_names() const {
@@ -171,8 +231,8 @@ class FormulaReader {
   Formula formula_;
   Tables tables_;
   std::map<std::string, NodeId> constants_;
-  std::vector<std::string> open_;  // constants that are being read, outermost first
-  // The names in each constant; under kModel those in all that is no constant.
+  std::vector<std::string> open_;  // constants and functions that are being read, outermost first
+  // The names in each of these; under kModel those in all else.
   std::map<std::string, std::set<std::string>> uses_;
 };
 

@@ -6,20 +6,19 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/detail/definition_entries.hpp"
 #include "study/detail/model_names.hpp"
+#include "study/detail/preset_reader.hpp"
 #include "study/detail/toml_access.hpp"
-#include "study/initial_policy.hpp"
 #include "study/study_keys.hpp"
 
 namespace gearsweep {
 namespace {
 
-constexpr double kLargest = 1e12;      // of a parameter that names no range
-constexpr std::size_t kMaxNames = 64;  // states; parameters may be more
+constexpr double kLargest = 1e12;  // of a parameter that names no range
 
 class DefinitionReader {
  public:
@@ -35,72 +34,23 @@ class DefinitionReader {
     read_limits(*reader.table("model"));
     read_parameters(reader.table("parameters"));
     read_options(reader.table("options"));
+    read_functions(reader.table("functions"));
     read_constants(reader.table("constants"));
     read_equations(required(&reader, "equations"));
     read_forcing(required(&reader, "forcing"));
     read_signals(reader.table("signals"));
-    read_presets(reader.table("presets"));
+    read_presets(reader.table("presets"), &definition_);
     reader.refuse_unknown();
     return std::move(definition_);
   }
 
  private:
-  struct Entry {
-    std::string name;
-    const toml::key* key;
-    const toml::node* node;
-  };
-
   const toml::table* required(TableReader* reader, const std::string& name) const {
     const toml::table* table = reader->table(name);
     if (table == nullptr) {
       throw InputError(fmt::format("{}: the model has no [{}]", source_, name));
     }
     return table;
-  }
-
-  // In the order of the file.
-  static std::vector<Entry> entries_of(const toml::table* table) {
-    std::vector<Entry> entries;
-    if (table == nullptr) return entries;
-    for (const auto& [key, node] : *table) {
-      entries.push_back({std::string(key.str()), &key, &node});
-    }
-    const auto place = [](const Entry& entry) {
-      const toml::source_position begin = entry.key->source().begin;
-      return std::pair(begin.line, begin.column);
-    };
-    std::ranges::sort(entries, {}, place);
-    return entries;
-  }
-
-  ExpressionText expression_of(const toml::node& node, const std::string& what) const {
-    if (node.is_number()) {
-      std::ostringstream text;
-      text << toml::node_view<const toml::node>(node);
-      return place_text(text.str(), node, 0);
-    }
-    if (!node.is_string()) {
-      fail_at(node, fmt::format("{} must be an expression in quotes", what));
-    }
-    return place_text(node.as_string()->get(), node, 1);
-  }
-  static ExpressionText place_text(const std::string& text, const toml::node& node,
-                                   std::size_t quote) {
-    const toml::source_region& region = node.source();
-    return {.text = text,
-            .file = region.path ? *region.path : std::string("model"),
-            .line = region.begin.line,
-            .column = region.begin.column + quote};
-  }
-
-  // The table of an entry, or nullptr where something shorter stands for it.
-  static const toml::table& table_of(const Entry& entry, const std::string& form) {
-    if (!entry.node->is_table()) {
-      fail_at(*entry.node,
-              fmt::format("'{}' must be a table: {} = {{ {} }}", entry.name, entry.name, form));
-    }
-    return *entry.node->as_table();
   }
 
   void read_model(const toml::table* table) {
@@ -157,20 +107,14 @@ class DefinitionReader {
 
   void read_parameters(const toml::table* table) {
     for (const Entry& entry : entries_of(table)) {
-      ParameterInfo info;
-      info.name = entry.name;
-      if (entry.node->is_number()) {
-        names_.take(*entry.node, entry.name);
-        info.unit = "1";
-        info.default_value = read_number(*entry.node, entry.name, -kLargest, kLargest);
-        info.min = -kLargest;
-        info.max = kLargest;
-        info.meaning = entry.name;
-        definition_.symbols.push_back(place_text(entry.name, *entry.node, 0));
-      } else {
-        read_parameter(entry, &info);
+      const toml::array* list = list_of(entry);
+      if (list == nullptr) {
+        read_parameter(entry, entry.name, nullptr);
+        continue;
       }
-      definition_.parameters.push_back(std::move(info));
+      for (std::size_t i = 0; i < list->size(); ++i) {
+        read_parameter(entry, name_in_list(entry.name, i), &(*list)[i]);
+      }
     }
     if (definition_.parameters.empty()) {
       throw InputError(
@@ -178,16 +122,36 @@ class DefinitionReader {
     }
   }
 
-  void read_parameter(const Entry& entry, ParameterInfo* info) {
+  // value: of a list, whose entry says the rest.
+  void read_parameter(const Entry& entry, const std::string& name, const toml::node* value) {
+    ParameterInfo info;
+    info.name = name;
+    if (entry.node->is_table()) {
+      read_parameter_table(entry, value, &info);
+    } else {
+      const toml::node& number = value == nullptr ? *entry.node : *value;
+      names_.take(number, name);
+      info.unit = "1";
+      info.default_value = read_number(number, name, -kLargest, kLargest);
+      info.min = -kLargest;
+      info.max = kLargest;
+      info.meaning = name;
+      definition_.symbols.push_back(place_text(name, number, 0));
+    }
+    definition_.parameters.push_back(std::move(info));
+  }
+
+  void read_parameter_table(const Entry& entry, const toml::node* value, ParameterInfo* info) {
     const toml::table& row = table_of(entry, "value = 1.0, min = 0.0, max = 10.0");
     TableReader reader(&row, fmt::format("parameter '{}'", entry.name));
-    std::string symbol = entry.name;
+    std::string symbol = info->name;
     if (const toml::node* as = reader.find("as")) {
+      if (value != nullptr) fail_at(*as, "a list has no other name in expressions");
       symbol = reader.text("as", "");
-      names_.take_outside(row, entry.name);
+      names_.take_outside(row, info->name);
       names_.take(*as, symbol);
     } else {
-      names_.take(*entry.node, entry.name);
+      names_.take(*entry.node, info->name);
     }
     definition_.symbols.push_back(place_text(symbol, row, 0));
     info->unit = reader.text("unit", "1");
@@ -196,14 +160,16 @@ class DefinitionReader {
     if (reader.find("value") == nullptr) {
       fail_at(row, fmt::format("parameter '{}' has no value", entry.name));
     }
-    info->default_value = reader.number("value", 0.0, info->min, info->max);
+    info->default_value = value != nullptr ? read_number(*value, info->name, info->min, info->max)
+                                           : reader.number("value", 0.0, info->min, info->max);
     info->meaning = reader.text("meaning", entry.name);
+    if (value != nullptr) info->meaning += fmt::format(" ({})", info->name);
     info->role = read_role(&reader, roles_of_parameters());
     const auto is_same = [&](const ParameterInfo& other) { return other.role == info->role; };
     if (info->role != Role::none && std::ranges::any_of(definition_.parameters, is_same)) {
       fail_at(*row.get("role"), fmt::format("a model has one parameter of the role '{}'; '{}' is a "
                                             "second one",
-                                            name_of(info->role), entry.name));
+                                            name_of(info->role), info->name));
     }
     reader.refuse_unknown();
   }
@@ -235,10 +201,44 @@ class DefinitionReader {
     }
   }
 
-  void read_constants(const toml::table* table) {
+  static std::string without_spaces_around(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+  }
+
+  void read_functions(const toml::table* table) {
     for (const Entry& entry : entries_of(table)) {
-      names_.take(*entry.node, entry.name);
-      definition_.constants.push_back({entry.name, expression_of(*entry.node, entry.name)});
+      const std::size_t open = entry.name.find('('), close = entry.name.rfind(')');
+      if (open == std::string::npos || close != entry.name.size() - 1) {
+        fail_at(*entry.node, fmt::format("'{}' must name its arguments, in quotes: "
+                                         "\"hertz(p)\" = \"max(p, 0)^1.5\"",
+                                         entry.name));
+      }
+      NamedFunction function{without_spaces_around(entry.name.substr(0, open)),
+                             {},
+                             expression_of(*entry.node, entry.name)};
+      names_.take(*entry.node, function.name);
+      ModelNames own;
+      for (const std::string& text : split(entry.name.substr(open + 1, close - open - 1), ',')) {
+        function.arguments.push_back(without_spaces_around(text));
+        own.take(*entry.node, function.arguments.back());
+      }
+      definition_.functions.push_back(std::move(function));
+    }
+  }
+
+  void read_constants(const toml::table* table) {
+    const auto add = [this](const toml::node& node, const std::string& name) {
+      names_.take(node, name);
+      definition_.constants.push_back({name, expression_of(node, name)});
+    };
+    for (const Entry& entry : entries_of(table)) {
+      const toml::array* list = list_of(entry);
+      if (list == nullptr) add(*entry.node, entry.name);
+      for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        add((*list)[i], name_in_list(entry.name, i));
+      }
     }
   }
 
@@ -301,80 +301,6 @@ class DefinitionReader {
       }
       definition_.signals.push_back(std::move(info));
     }
-  }
-
-  // The values of the file are a preset, too: the first one of the file, if that changes nothing.
-  void read_presets(const toml::table* table) {
-    bool is_first = true;
-    for (const Entry& entry : entries_of(table)) {
-      const toml::table& row = table_of(entry, "k = 1.0");
-      TableReader reader(&row, fmt::format("preset '{}'", entry.name));
-      PresetInfo preset{entry.name, reader.text("meaning", ""), ""};
-      if (reader.find("policy") != nullptr) {
-        const std::size_t policy = reader.choice("policy", 0, policy_names());
-        preset.toml += fmt::format("policy = '{}'\n", policy_names()[policy]);
-      }
-      if (const toml::table* state = reader.table("state")) {
-        const auto fixed = fmt::format("policy = '{}'\n", info_of(InitialPolicy::fixed).name);
-        if (reader.find("policy") == nullptr) preset.toml += fixed;
-        if (!preset.toml.ends_with(fixed)) {
-          fail_at(*state,
-                  fmt::format("preset '{}' has a state, so its policy is 'fixed'", preset.name));
-        }
-        preset.toml += fmt::format("state = {{{}}}\n", state_values(state));
-      }
-      const std::string values = preset_values(row, &reader);
-      reader.refuse_unknown();
-      if (is_first && !values.empty()) {
-        definition_.presets.push_back({"default", "the values of the model's file", ""});
-      }
-      is_first = false;
-      preset.toml += values;
-      definition_.presets.push_back(std::move(preset));
-    }
-    if (is_first) {
-      definition_.presets.push_back({"default", "the values of the model's file", ""});
-    }
-  }
-
-  // Where it starts, as TOML.
-  std::string state_values(const toml::table* table) const {
-    TableReader reader(table, "state");
-    std::vector<std::string> values;
-    for (const ChannelInfo& info : definition_.states) {
-      const toml::node* node = reader.find(info.name);
-      if (node == nullptr) continue;
-      values.push_back(fmt::format("{} = {}", info.name,
-                                   read_toml_number(*node, info.name, -kMaxState, kMaxState)));
-    }
-    reader.refuse_unknown();
-    return fmt::format("{}", fmt::join(values, ", "));
-  }
-
-  // What it gives to options and parameters, as TOML.
-  std::string preset_values(const toml::table& row, TableReader* reader) const {
-    std::string values;
-    for (const OptionInfo& option : definition_.options) {
-      reader->know(option.name);
-      if (!row.contains(option.name)) continue;
-      values += fmt::format("{} = '{}'\n", option.name,
-                            option.choices[reader->choice(option.name, 0, option.choices)]);
-    }
-    for (const ParameterInfo& info : definition_.parameters) {
-      reader->know(info.name);
-      const toml::node* node = row.get(info.name);
-      if (node == nullptr) continue;
-      values += fmt::format("{} = {}\n", info.name,
-                            read_toml_number(*node, info.name, info.min, info.max));
-    }
-    return values;
-  }
-
-  // As TOML, where a number without point is an integer.
-  static std::string read_toml_number(const toml::node& node, const std::string& name, double min,
-                                      double max) {
-    const std::string text = fmt::format("{}", read_number(node, name, min, max));
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
   }
 
   const toml::table& root_;
