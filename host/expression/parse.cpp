@@ -18,7 +18,7 @@ namespace {
 // A model that a person can read is far below these.
 constexpr std::size_t kMaxDepth = 256;
 constexpr std::size_t kMaxNodes = 4000;
-constexpr double kMaxTerms = 1000.0;  // of a sum
+constexpr double kMaxTerms = 1000.0;  // of all sums of a text
 
 class Parser {
  public:
@@ -38,9 +38,10 @@ class Parser {
   class Level {
    public:
     explicit Level(Parser* parser) : parser_(parser) {
-      if (++parser_->depth_ <= kMaxDepth) return;
+      const std::size_t max = parser_->names_.max_depth;
+      if (++parser_->depth_ <= max) return;
       --parser_->depth_;
-      parser_->fail(parser_->here(), fmt::format("nested more than {} deep", kMaxDepth));
+      parser_->fail(parser_->here(), fmt::format("nested more than {} deep", max));
     }
     Level(const Level&) = delete;
     Level& operator=(const Level&) = delete;
@@ -252,13 +253,13 @@ class Parser {
     const std::size_t last_at = here();
     const double last = whole_number(last_at, expression());
     if (!take(",")) fail(here(), kForm);
-    if (last - first >= kMaxTerms) {
-      fail(start, fmt::format("a sum has at most {} terms", kMaxTerms));
-    }
     const std::size_t term_at = here();
     NodeId total = graph_->number(0.0);
     // A sum without terms is read all the same.
     for (double i = first; i <= std::max(first, last); i += 1.0) {
+      if (++terms_ > kMaxTerms) {
+        fail(start, fmt::format("sums have at most {} terms in an expression", kMaxTerms));
+      }
       cursor_.go_to(term_at);
       indices_.emplace_back(index, i);
       const NodeId term = number_at(term_at, expression());
@@ -360,6 +361,7 @@ class Parser {
   const ExpressionNames& names_;
   ExpressionGraph* graph_;
   std::size_t depth_ = 0;
+  double terms_ = 0.0;                                   // of sums, so far
   std::vector<std::pair<std::string, double>> indices_;  // of the sums around, outermost first
 };
 

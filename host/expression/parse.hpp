@@ -31,6 +31,7 @@ struct ExpressionNames {
   std::function<std::optional<std::size_t>(const std::string& name)> arguments_of = {};
   std::function<NodeId(const std::string& name, const std::vector<NodeId>& arguments)> call = {};
   std::function<std::vector<std::string>()> known_functions = {};
+  std::size_t max_depth = 256;  // of what is nested; less where texts are read within others
   // The same one for each call that asks for the same. Throws ExpressionError. Empty where a text
   // may read no tables.
   std::function<std::shared_ptr<const PeriodicTable>(const TableCall&)> table = {};

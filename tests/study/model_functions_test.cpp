@@ -111,7 +111,7 @@ TEST(ModelFunctions, MistakesAreToldWithTheirPlace) {
            {"e[i]", "e[x]", "a whole number must stand here"},
            {"e[i]", "e[i", "']' is missing"},
            {"sum(i, 1, 3", "sum(i, 1, omega", "a whole number must stand here"},
-           {"sum(i, 1, 3", "sum(i, 1, 1e9", "a sum has at most 1000 terms"},
+           {"sum(i, 1, 3", "sum(i, 1, 1e9", "sums have at most 1000 terms in an expression"},
            {"sum(i, 1, 3,", "sum(i, 1, 3", "a sum is written sum(i, 1, 3, term)"},
            {"sum(i, 1, 3,", "sum(3, 1, 3,", "a sum is written sum(i, 1, 3, term)"},
            {"[1.0, 2.0]", "[1.0, 20.0]", "m.toml:9: w_2 = 20 is out of range"},
@@ -126,6 +126,31 @@ TEST(ModelFunctions, MistakesAreToldWithTheirPlace) {
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(mistake.message));
     }
+  }
+}
+
+// Each of these would take for ever, or a deep stack, if all was read that is written.
+TEST(ModelFunctions, HostileDefinitionsAreReadAtOnce) {
+  const auto model_with = [](const std::string& functions, const std::string& equation) {
+    return "[model]\nname = 'deep'\n[states]\nx = {}\n[parameters]\nomega = 1.0\n[functions]\n" +
+           functions + "[equations]\nx = '" + equation + "'\n[forcing]\nperiod = '2*pi/omega'\n";
+  };
+  std::string doubled = "'f0(p)' = 'p'\n", chained = doubled;
+  for (int i = 1; i <= 14; ++i) {
+    doubled += fmt::format("'f{}(p)' = 'f{}(p) + f{}(p)'\n", i, i - 1, i - 1);
+  }
+  const std::string parentheses(250, '(');
+  for (int i = 1; i <= 200; ++i) {
+    chained += fmt::format("'f{}(p)' = '{}f{}(p){}'\n", i, parentheses, i - 1,
+                           std::string(parentheses.size(), ')'));
+  }
+  EXPECT_NO_THROW(read_model_text(model_with(doubled, "f14(x)"), "m.toml"));
+  for (const std::string& text :
+       {model_with(chained, "f200(x)"), model_with(doubled, "f14(x) + f15(x)"),
+        model_with("", "sum(i, 1, 999, sum(j, 1, 999, sum(k, 1, 999, x)))"),
+        model_with("'g(p)' = 'sum(i, 1, 999, p)'\n'f(p)' = 'sum(i, 1, 999, g(p + i))'\n",
+                   "sum(i, 1, 999, f(i))")}) {
+    EXPECT_THROW(read_model_text(text, "m.toml"), InputError);
   }
 }
 

@@ -7,11 +7,15 @@
 #include "sweep/exponent_checks.hpp"
 
 namespace gearsweep {
+namespace {
+
+constexpr const char* kShorter = "; shorter steps (integrate.max_step) may be needed";
+
+}  // namespace
 
 std::string describe_exponent_checks(const SweepResult& result) {
   const std::optional<ExponentChecks> checks = check_exponents(result);
   if (!checks || checks->points == 0) return "";
-  const char* const kShorter = "; shorter steps (integrate.max_step) may be needed";
   std::string text;
   if (checks->sum) {
     const SumCheck& sum = *checks->sum;

@@ -16,6 +16,9 @@ namespace gearsweep {
 namespace {
 
 const char* const kModel = "";  // no name of a constant
+// Texts are read within texts, each some levels deep: so many, and so much less deep each time.
+constexpr std::size_t kMaxOpen = 15, kLessDepth = 16;
+constexpr std::size_t kMaxCalls = 4000;  // of functions
 
 [[noreturn]] void fail_in(const ExpressionText& text, std::size_t position,
                           const std::string& message) {
@@ -67,7 +70,7 @@ class FormulaReader {
   using Arguments = std::map<std::string, NodeId>;  // of a function, by name
 
   NodeId parse(const ExpressionText& text, const Arguments& given = {}) {
-    const ExpressionNames names = {
+    ExpressionNames names = {
         .find =
             [&](const std::string& name) {
               const auto argument = given.find(name);
@@ -96,6 +99,7 @@ class FormulaReader {
               return known;
             },
         .table = [this](const TableCall& call) { return tables_.read(call, formula_); }};
+    names.max_depth -= kLessDepth * open_.size();
     try {
       return parse_expression(text.text, names, &formula_.graph);
     } catch (const ExpressionError& error) {
@@ -152,11 +156,20 @@ class FormulaReader {
   }
 
   NodeId value_of(const NamedFunction& function, const std::vector<NodeId>& arguments) {
+    const auto call = std::pair(function.name, arguments);
+    const auto known = calls_.find(call);
+    if (known != calls_.end()) return known->second;
+    if (calls_.size() == kMaxCalls) {
+      fail_in(function.expression, 0,
+              fmt::format("functions are called with more than {} arguments", kMaxCalls));
+    }
     Arguments given;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
       given[function.arguments[i]] = arguments[i];
     }
-    return read(function.name, function.expression, given);
+    const NodeId id = read(function.name, function.expression, given);
+    calls_.emplace(call, id);
+    return id;
   }
 
   void read_by_itself(const NamedFunction& function) {
@@ -174,6 +187,9 @@ class FormulaReader {
       std::vector<std::string> way(begun, open_.end());
       way.push_back(name);
       fail_in(text, 0, fmt::format("'{}' is defined by itself: {}", name, fmt::join(way, " -> ")));
+    }
+    if (open_.size() == kMaxOpen) {
+      fail_in(text, 0, fmt::format("definitions use each other more than {} deep", kMaxOpen));
     }
     open_.push_back(name);
     const NodeId id = parse(text, given);
@@ -231,6 +247,7 @@ class FormulaReader {
   Formula formula_;
   Tables tables_;
   std::map<std::string, NodeId> constants_;
+  std::map<std::pair<std::string, std::vector<NodeId>>, NodeId> calls_;  // what each comes to
   std::vector<std::string> open_;  // constants and functions that are being read, outermost first
   // The names in each of these; under kModel those in all else.
   std::map<std::string, std::set<std::string>> uses_;

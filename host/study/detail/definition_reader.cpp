@@ -126,7 +126,7 @@ class DefinitionReader {
   void read_parameter(const Entry& entry, const std::string& name, const toml::node* value) {
     ParameterInfo info;
     info.name = name;
-    if (entry.node->is_table()) {
+    if (!entry.node->is_number() && !entry.node->is_array()) {
       read_parameter_table(entry, value, &info);
     } else {
       const toml::node& number = value == nullptr ? *entry.node : *value;
