@@ -11,7 +11,8 @@
 //   quasi_periodic  no period, and for 1000 periods or more neither growth nor decay: by no more
 //                   than the errors allow, nor than exp(10); a hundredth is nothing; and a section
 //                   whose extent, relative to the ranges of the motion, is no more than a quarter
-//                   above those of the record's halves, so that it neither grows nor drifts;
+//                   above those of the record's halves, so that it neither grows nor drifts, or is
+//                   a tenth of the ranges: a cycle seen by a clock that nearly agrees with it;
 //   undecided       all else: witnesses that contradict each other, a slow transient, a period
 //                   beyond the longest, chaos too weak for the record.
 // In the last window (host/engine/window.hpp) fewer periods do for quasi_periodic. What decays goes
@@ -135,7 +136,8 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   // A linear growth has exp(log_stretching / 2).
   const real grown = lane_min(exp((scalar)(0.4) * log_stretching), (real)(motion_runaway));
   const mask stays = late <= grown * early;
-  const mask steady = (whole <= (scalar)(1.25) * early) & (whole <= (scalar)(1.25) * late);
+  const mask steady = (whole <= (scalar)(0.1)) |
+                      ((whole <= (scalar)(1.25) * early) & (whole <= (scalar)(1.25) * late));
 
   const real undecided = MOTION_undecided;
   const real periodic = MOTION_periodic;

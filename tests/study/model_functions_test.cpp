@@ -97,7 +97,7 @@ struct Mistake {
 
 TEST(ModelFunctions, MistakesAreToldWithTheirPlace) {
   for (const Mistake& mistake : std::vector<Mistake>{
-           {"both(2*x, 0.2)", "both(2*x)", "m.toml:17:39: both() takes 2 arguments, not 1"},
+           {"both(2*x, 0.2)", "both(2*x)", "m.toml:17:40: both() takes 2 arguments, not 1"},
            {"both(2*x, 0.2)", "bothe(2*x)", "unknown function 'bothe'; did you mean 'both'?"},
            {"max(p, 0)^1.5", "max(q, 0)^1.5", "m.toml:11:19: unknown name 'q'"},
            {"max(p, 0)^1.5", "both(p, 1)", "'hertz' is defined by itself: hertz -> both -> hertz"},
@@ -109,9 +109,10 @@ TEST(ModelFunctions, MistakesAreToldWithTheirPlace) {
            {"\"hertz(p)\"", "\"omega(p)\"", "m.toml:11: 'omega' is defined twice"},
            {"e[i]", "e[i + 1]", "there is no 'e[4]'; the first entry of a list is [1]"},
            {"e[i]", "e[x]", "a whole number must stand here"},
-           {"e[i]", "e[i", "']' is missing"},
+           {"e[i]", "e[1 cos", "']' is missing"},
            {"sum(i, 1, 3", "sum(i, 1, omega", "a whole number must stand here"},
-           {"sum(i, 1, 3", "sum(i, 1, 1e9", "sums have at most 1000 terms in an expression"},
+           {"sum(i, 1, 3, e[i]", "sum(i, 1, 1e9, x",
+            "more than 256 operations follow one from another"},
            {"sum(i, 1, 3,", "sum(i, 1, 3", "a sum is written sum(i, 1, 3, term)"},
            {"sum(i, 1, 3,", "sum(3, 1, 3,", "a sum is written sum(i, 1, 3, term)"},
            {"[1.0, 2.0]", "[1.0, 20.0]", "m.toml:9: w_2 = 20 is out of range"},

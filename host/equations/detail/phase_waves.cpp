@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "expression/differentiate.hpp"
 #include "expression/print.hpp"
@@ -48,6 +49,17 @@ PhaseWaves::PhaseWaves(ExpressionGraph* graph, const std::vector<NodeId>& inputs
                        const std::vector<NodeId>& roots) {
   std::vector<NodeId> given = inputs;
   given.push_back(phase);
+  // Each root as it is, and with what these are in the next period.
+  const auto in_both_periods = [&](const std::map<NodeId, NodeId>& next) {
+    Rewriter rewrite(graph, next);
+    std::vector<NodeId> values;
+    for (const NodeId root : roots) {
+      values.push_back(root);
+      values.push_back(rewrite(root));
+    }
+    return Tape(*graph, given, values);
+  };
+  std::map<NodeId, NodeId> all_next;
   for (const NodeId id : parts_of(*graph, roots)) {
     const Operation operation = (*graph)[id].operation;
     if (!is_wave(operation)) continue;
@@ -63,31 +75,40 @@ PhaseWaves::PhaseWaves(ExpressionGraph* graph, const std::vector<NodeId>& inputs
     const NodeId turn = graph->number(kWholePhase);
     const NodeId turns = graph->make(Operation::multiply, {turn, factor});
     const NodeId later = graph->make(Operation::add, {angle, turns});
-    Rewriter in_next_period(graph, {{id, graph->make(operation, {later})}});
-    std::vector<NodeId> values;
-    for (const NodeId root : roots) {
-      if (!contains(parts_of(*graph, {root}), id)) continue;
-      values.push_back(root);
-      values.push_back(in_next_period(root));
-    }
-    waves_.push_back({to_short_text(*graph, id), Tape(*graph, inputs, {factor}),
-                      Tape(*graph, given, values), values.size() / 2});
+    const NodeId next = graph->make(operation, {later});
+    all_next[id] = next;
+    waves_.push_back(
+        {to_short_text(*graph, id), Tape(*graph, inputs, {factor}), in_both_periods({{id, next}})});
   }
+  if (waves_.empty()) return;
+  all_ = in_both_periods(all_next);
+  roots_ = roots.size();
 }
 
-// Of each root that has the wave, whether its value differs between the periods, between two
-// breaks.
-std::vector<bool> PhaseWaves::reads(const Wave& wave, const std::vector<double>& inputs,
-                                    double from, double to) {
+// Whether the value of some root differs between the periods at both ends: between the first two of
+// the bounds and between the last two.
+bool PhaseWaves::breaks_off(const Tape& values, const std::vector<double>& inputs,
+                            const std::vector<double>& bounds) const {
+  const std::vector<bool> at_begin = differ(values, inputs, bounds[0], bounds[1]);
+  const std::vector<bool> at_end = differ(values, inputs, bounds[bounds.size() - 2], bounds.back());
+  for (std::size_t i = 0; i < roots_; ++i) {
+    if (at_begin[i] && at_end[i]) return true;
+  }
+  return false;
+}
+
+// Of each root, whether its value differs between the periods, between two breaks.
+std::vector<bool> PhaseWaves::differ(const Tape& values, const std::vector<double>& inputs,
+                                     double from, double to) const {
   constexpr double kRounding = 1e-9;
-  std::vector<double> given = inputs, values(2 * wave.roots);
-  std::vector<bool> out(wave.roots);
+  std::vector<double> given = inputs, found(2 * roots_);
+  std::vector<bool> out(roots_);
   given.push_back(0.0);
   for (const double share : {0.19, 0.45, 0.83}) {
     given.back() = from + share * (to - from);
-    wave.values.run(given.data(), values.data());
-    for (std::size_t i = 0; i < wave.roots; ++i) {
-      const double here = values[2 * i], next = values[2 * i + 1];
+    values.run(given.data(), found.data());
+    for (std::size_t i = 0; i < roots_; ++i) {
+      const double here = found[2 * i], next = found[2 * i + 1];
       const double size = std::max(std::fabs(here), std::fabs(next));
       if (std::fabs(here - next) > kRounding * size) out[i] = true;
     }
@@ -105,11 +126,8 @@ std::string PhaseWaves::check(const std::vector<double>& inputs, const PhaseBrea
       bounds.insert(bounds.begin(), 0.0);
       bounds.push_back(kWholePhase);
     }
-    const std::vector<bool> at_begin = reads(wave, inputs, bounds[0], bounds[1]);
-    const std::vector<bool> at_end = reads(wave, inputs, bounds[bounds.size() - 2], bounds.back());
-    bool is_read_at_both = false;
-    for (std::size_t i = 0; i < wave.roots; ++i) is_read_at_both |= at_begin[i] && at_end[i];
-    if (!is_read_at_both) continue;
+    if (!breaks_off(all_, inputs, bounds)) return "";
+    if (!breaks_off(wave.values, inputs, bounds)) continue;
     return fmt::format(
         "{} has {:.6g} waves in a period of the forcing and breaks off at its end, as the phase "
         "goes from 0 to 2*pi in each period: give it a whole number of waves; for a second "

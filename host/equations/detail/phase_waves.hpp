@@ -30,13 +30,15 @@ class PhaseWaves {
   struct Wave {
     std::string text;
     Tape factor;  // of the inputs
-    Tape values;  // of inputs and phase: each root that has the wave, and with that of the next
-                  // period
-    std::size_t roots = 0;
+    Tape values;  // of inputs and phase: each root, and with this wave of the next period
   };
-  static std::vector<bool> reads(const Wave& wave, const std::vector<double>& inputs, double from,
-                                 double to);
+  bool breaks_off(const Tape& values, const std::vector<double>& inputs,
+                  const std::vector<double>& bounds) const;
+  std::vector<bool> differ(const Tape& values, const std::vector<double>& inputs, double from,
+                           double to) const;
 
+  Tape all_;  // the same with all waves of the next period
+  std::size_t roots_ = 0;
   std::vector<Wave> waves_;  // those whose factor need not be whole
 };
 

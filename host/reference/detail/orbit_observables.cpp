@@ -198,7 +198,7 @@ class Motion final : public SectionObservable {
     const bool neutral = std::abs(log_stretching) <= std::max(0.01, std::min(error, 10.0));
     const bool is_long = window.is_last || window.record >= 1000;
     const double whole = sections().extent(0, sections().last());
-    const bool is_steady = whole <= 1.25 * std::min(early, late);
+    const bool is_steady = whole <= std::max(0.1, 1.25 * std::min(early, late));
     if (neutral && is_long && is_steady) return quasi_periodic;
     return undecided;
   }

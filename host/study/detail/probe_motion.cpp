@@ -137,8 +137,8 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     const double left = (bounds_[segment_ + 1] - phase_) * period_;
     const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
     double length = std::min(ends_segment ? left : length_, max_length);
-    const double pulse = is_forced_ ? next_pulse(phase_) : 2.0;
-    const bool meets_pulse = phase_ + length / period_ > pulse;
+    const double pulse = next_pulse(phase_);
+    const bool meets_pulse = is_forced_ && phase_ + length / period_ > pulse;
     if (meets_pulse) length = (pulse - phase_) * period_;
     Trial trial = attempt(stretch, length);
     bool is_smooth = true;
