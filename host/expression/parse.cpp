@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t kMaxDepth = 256;
 constexpr std::size_t kMaxNodes = 4000;
 constexpr double kMaxTerms = 1000.0;  // of all sums of a text
+constexpr const char* kSumForm = "a sum is written sum(i, 1, 3, term)";
 
 class Parser {
  public:
@@ -243,16 +244,15 @@ class Parser {
 
   // What stands in the parentheses of sum(index, first, last, term).
   NodeId sum_of_terms(std::size_t start) {
-    const char* const kForm = "a sum is written sum(i, 1, 3, term)";
     const std::size_t place = here();
     const std::string index = cursor_.take_name(false);
-    if (index.empty() || !take(",")) fail(place, kForm);
+    if (index.empty() || !take(",")) fail(place, kSumForm);
     const std::size_t first_at = here();
     const double first = whole_number(first_at, expression());
-    if (!take(",")) fail(here(), kForm);
+    if (!take(",")) fail(here(), kSumForm);
     const std::size_t last_at = here();
     const double last = whole_number(last_at, expression());
-    if (!take(",")) fail(here(), kForm);
+    if (!take(",")) fail(here(), kSumForm);
     const std::size_t term_at = here();
     NodeId total = graph_->number(0.0);
     // A sum without terms is read all the same.
