@@ -79,12 +79,14 @@ std::string model_of(const std::vector<std::string>& names, std::size_t from) {
   for (std::size_t i = 0; i < kOfEach; ++i) {
     const std::string state = name(i), parameter = name(kOfEach + i);
     const std::string constant = name(2 * kOfEach + i), option = name(4 * kOfEach + i);
-    states += fmt::format("{} = {{ unit = '1', angle = {} }}\n", state, i == 7);
+    const bool is_angle = i == 7;
+    const std::string value = is_angle ? fmt::format("sin({})", state) : state;
+    states += fmt::format("{} = {{ unit = '1', angle = {} }}\n", state, is_angle);
     parameters += fmt::format("{} = 0.5\n", parameter);
-    constants += fmt::format("{} = \"{}*{} + sin({}*phase)\"\n", constant, parameter, state, i + 1);
+    constants += fmt::format("{} = \"{}*{} + sin({}*phase)\"\n", constant, parameter, value, i + 1);
     const std::string choice = name(5 * kOfEach + i);
     options += fmt::format("{} = {{ choices = ['{}', 'another_choice'] }}\n", option, choice);
-    const std::string force = i == 3 ? fmt::format("stop({}, 0.1)", state) : state;
+    const std::string force = i == 3 ? fmt::format("stop({}, 0.1)", state) : value;
     equations += fmt::format("{} = \"if({}.{}, -{}, {}*{})\"\n", state, option, choice, force,
                              parameter, constant);
     signals +=
