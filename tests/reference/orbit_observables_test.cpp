@@ -257,7 +257,10 @@ TEST(ReferenceMotion, FollowsFromAPeriodAndFromGrowth) {
 }
 
 TEST(ReferenceMotion, DecidesMoreInTheLastWindow) {
-  EXPECT_EQ(motion_of(kLast, wander, grows(1.9)), kQuasiPeriodic);
+  EXPECT_EQ(motion_of(kLast, wander, grows(1.9, 2.0)), kQuasiPeriodic);
+  EXPECT_EQ(motion_of(kLast, wander, grows(1.9, 1.8)), kUndecided);
+  EXPECT_EQ(motion_of(kLast, wander, grows(-1.9, 1.8)), kUndecided);
+  EXPECT_EQ(motion_of(kLast, wander, grows(0.009)), kQuasiPeriodic);
   EXPECT_EQ(motion_of(kLast, wander, grows(5.0, 5.5)), kQuasiPeriodic);
   EXPECT_EQ(motion_of(kLast, wander, grows(-5.0, 4.5)), kUndecided);
   EXPECT_EQ(motion_of(kLast, wander, grows(10.5, 11.0)), kUndecided);
@@ -275,6 +278,9 @@ TEST(ReferenceMotion, IsNotChaoticWhereItHasNoBounds) {
   const Sequence runaway = [](std::size_t i) { return std::pow(1.2, static_cast<double>(i)); };
   EXPECT_EQ(motion_of(kLast, runaway, grows(29.0)), kUndecided);
   EXPECT_EQ(motion_of(kLast, wander, grows(29.0)), kChaotic);
+  // As slow a growth as that of the perturbation: of a linear motion.
+  const Sequence linear = [](std::size_t i) { return std::exp(0.02 * static_cast<double>(i)); };
+  EXPECT_EQ(motion_of(kLast, linear, grows(3.2)), kUndecided);
 }
 
 TEST(ReferenceMotion, IsQuasiPeriodicOnlyWhereTheSectionStaysAsLarge) {
@@ -284,6 +290,8 @@ TEST(ReferenceMotion, IsQuasiPeriodicOnlyWhereTheSectionStaysAsLarge) {
   EXPECT_EQ(motion_of(kLast, widens(1.2), grows(0.0)), kQuasiPeriodic);
   EXPECT_EQ(motion_of(kLast, widens(1.3), grows(0.0)), kUndecided);
   EXPECT_EQ(motion_of(kLast, widens(1.0 / 1.3), grows(0.0)), kUndecided);
+  const Sequence drifts = [](std::size_t i) { return wander(i) + 0.1 * static_cast<double>(i); };
+  EXPECT_EQ(motion_of(kLast, drifts, grows(0.0)), kUndecided);
   const Sequence nothing = [](std::size_t) { return 0.0; };
   EXPECT_EQ(motion_of({.settle = 100, .record = 1000, .is_last = false}, wander, nothing),
             kQuasiPeriodic);
