@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr double kResidual = 1e-12;  // of the states' sizes
 constexpr double kCarried = 1e-2;    // of what a period makes of magnitudes: the same for residuals
-constexpr double kMinSize = 1e-6;  // of a state's magnitude, and of what is carried into it
+constexpr double kMinSize = 1e-6;    // of a state's magnitude, and of what is carried into it
 constexpr int kMaxIterations = 40;
 constexpr int kMaxHalvings = 10;     // of a Newton step
 constexpr std::size_t kGuesses = 8;  // of an orbit inside chaos
