@@ -55,8 +55,9 @@ std::optional<ExponentChecks> check_exponents(const SweepResult& result) {
         largest = std::max(largest, std::fabs(exponent));
       }
       const double off = std::fabs(sum - *right);
-      if (!checks.sum || off > checks.sum->off)
+      if (!checks.sum || off > checks.sum->off) {
         checks.sum = SumCheck{off, *right + 0.0, largest};  // no sign of a zero
+      }
     }
     const double time = study.model->period(setting) * static_cast<double>(study.integrate.record);
     const double near = kLogOfSpeeds / time;

@@ -28,8 +28,9 @@ py::tuple trace(Session* session, const Study& study, const std::vector<NamedVal
   run_in_background([&](const std::atomic<bool>& stop) {
     options.stop = &stop;
     for (const Place& place : places) {
-      if (!add_point_trace(whole, place, {settle, record}, samples_per_period, options, &found))
-        return;
+      const bool is_done =
+          add_point_trace(whole, place, {settle, record}, samples_per_period, options, &found);
+      if (!is_done) return;
     }
   });
   return py::make_tuple(as_tuple(dataset_of(found.traces, found.labels, found.placed, whole,
