@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -225,13 +226,18 @@ class Parser {
   }
 
   // Of what is made of numbers alone.
-  double whole_number(std::size_t position, NodeId id) const {
+  double whole_number(std::size_t position, NodeId id) {
     const double value = value_of(id);
     if (std::isfinite(value) && value == std::floor(value)) return value;
     fail(position, "a whole number must stand here, made of numbers and indices of sums alone");
   }
-  double value_of(NodeId id) const {
-    const Node& node = (*graph_)[id];
+  // Each part once: what is called twice with one argument shares its nodes.
+  double value_of(NodeId id) {
+    const auto known = values_.find(id);
+    if (known != values_.end()) return known->second;
+    return values_[id] = value_of((*graph_)[id]);
+  }
+  double value_of(const Node& node) {
     if (node.operation == Operation::number) return node.number;
     if (node.operation == Operation::symbol || node.operation == Operation::table) {
       return std::numeric_limits<double>::quiet_NaN();
@@ -329,8 +335,9 @@ class Parser {
     const bool is_step = name == "step";
     if (info == functions().end() && !is_clamp && !is_step) {
       std::vector<std::string> known = {"clamp", "step", "sum", "table"};
-      if (names_.known_functions)
+      if (names_.known_functions) {
         std::ranges::copy(names_.known_functions(), std::back_inserter(known));
+      }
       for (const FunctionInfo& function : functions()) known.emplace_back(function.name);
       fail(start, fmt::format("unknown function '{}'{}", name, suggest_name(name, known)));
     }
@@ -362,6 +369,7 @@ class Parser {
   ExpressionGraph* graph_;
   std::size_t depth_ = 0;
   double terms_ = 0.0;                                   // of sums, so far
+  std::map<NodeId, double> values_;                      // of parts of indices
   std::vector<std::pair<std::string, double>> indices_;  // of the sums around, outermost first
 };
 

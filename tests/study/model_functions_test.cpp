@@ -146,6 +146,10 @@ TEST(ModelFunctions, HostileDefinitionsAreReadAtOnce) {
                            std::string(parentheses.size(), ')'));
   }
   EXPECT_NO_THROW(read_model_text(model_with(doubled, "f14(x)"), "m.toml"));
+  // 2^100 as an index: its parts are shared.
+  std::string called = "1";
+  for (int i = 0; i < 100; ++i) called = "f1(" + called + ")";
+  EXPECT_THROW(read_model_text(model_with(doubled, "e[" + called + "]"), "m.toml"), InputError);
   for (const std::string& text :
        {model_with(chained, "f200(x)"), model_with(doubled, "f14(x) + f15(x)"),
         model_with("", "sum(i, 1, 999, sum(j, 1, 999, sum(k, 1, 999, x)))"),

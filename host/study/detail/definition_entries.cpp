@@ -43,6 +43,7 @@ ExpressionText expression_of(const toml::node& node, const std::string& what) {
   }
   return place_text(node.as_string()->get(), node, 1);
 }
+
 const toml::table& table_of(const Entry& entry, const std::string& form) {
   if (!entry.node->is_table()) {
     fail_at(*entry.node,
@@ -60,6 +61,7 @@ const toml::array* list_of(const Entry& entry) {
   }
   return list;
 }
+
 std::string name_in_list(const std::string& list, std::size_t i) {
   return fmt::format("{}_{}", list, i + 1);
 }
