@@ -13,14 +13,14 @@
 #include <thread>
 
 #include "dialect.h"
+#include "header_points.hpp"
 
 namespace gearsweep::bench {
 namespace {
 
 using real = double;
 using scalar = double;
-#define MODEL_HOST_PART
-#include "models/gear5.h"
+#include "equations/headers/gear5.h"
 
 namespace odeint = boost::numeric::odeint;
 
@@ -107,7 +107,7 @@ struct DopriSweep::Point {
 
 DopriSweep::DopriSweep(const Plan& plan, const std::vector<std::size_t>& points) {
   for (const std::size_t number : points) {
-    const ModelSetting setting = plan.setting_of(number);
+    const ModelSetting setting = header_setting(plan, number);
     ModelParameters parameters;
     std::memcpy(&parameters, setting.parameters.data(), sizeof parameters);
     ModelOptions options;
@@ -116,10 +116,9 @@ DopriSweep::DopriSweep(const Plan& plan, const std::vector<std::size_t>& points)
     model_prepare(&parameters, options, &point.model);
     const std::vector<double> start = plan.own_initial_state(number);
     std::copy(start.begin(), start.end(), point.start.begin());
-    const std::vector<double> bounds = segment_bounds(*plan.study().model, setting);
+    const std::vector<double> bounds = segment_bounds(gear5_header(), setting);
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
-      point.segments.push_back(
-          make_segment(*plan.study().model, setting, bounds[i], bounds[i + 1]));
+      point.segments.push_back(make_segment(gear5_header(), setting, bounds[i], bounds[i + 1]));
     }
     points_.push_back(std::move(point));
   }

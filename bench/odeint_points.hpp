@@ -1,7 +1,7 @@
 // Points of gear5 that Boost.odeint advances. Included into a namespace that has `real` (one number
 // for each of kLanes points), `scalar` and `fill_lanes`; so no include guard and no includes of the
 // standard library.
-#include "models/gear5.h"
+#include "equations/headers/gear5.h"
 
 using State = std::array<real, MODEL_STATE_COUNT>;
 using Generic = boost::numeric::odeint::runge_kutta4<State, scalar, State, real>;
@@ -53,10 +53,12 @@ void advance(const Grid& grid, std::size_t periods, Pack* pack) {
   pack->x = x;
 }
 
-inline Grid make_grid(const PhaseGrid& grid) {
-  Grid result{grid, {}};
-  const double* coef = grid.coefs.data();
-  result.rows.resize(grid.coefs.size() * sizeof(scalar) / sizeof(PhaseCoefs));
+// Of a point, with the steps that it has in the plan.
+inline Grid make_grid(const Plan& plan, std::size_t point) {
+  Grid result{plan.phase_grid_of(point), {}};
+  const std::vector<double> coefs = header_coefs(result.grid, header_setting(plan, point));
+  const double* coef = coefs.data();
+  result.rows.resize(coefs.size() * sizeof(scalar) / sizeof(PhaseCoefs));
 #define SET_COEF(name, meaning) row.name = static_cast<scalar>(*coef++);
   for (PhaseCoefs& row : result.rows) {
     MODEL_PHASE_COEFS(SET_COEF)
@@ -71,7 +73,7 @@ inline Pack make_pack(const Plan& plan, const PointList& points, std::size_t fir
   std::vector<ModelSetting> settings;
   std::vector<std::vector<double>> starts;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    settings.push_back(plan.setting_of(points[first + lane]));
+    settings.push_back(header_setting(plan, points[first + lane]));
     starts.push_back(plan.own_initial_state(points[first + lane]));
   }
   ModelParameters parameters;
@@ -99,7 +101,7 @@ class Points final : public OdeintSweep {
   Points(const Plan& plan, const Tile& tile, const std::vector<Run>& runs) {
     static_assert(kRunPoints % kLanes == 0);
     for (const std::size_t start : tile.grid_starts) {
-      grids_.push_back(make_grid(plan.phase_grid_of(tile.points[start])));
+      grids_.push_back(make_grid(plan, tile.points[start]));
     }
     for (const Run& run : runs) {
       for (std::size_t lane = 0; lane < kRunPoints; lane += kLanes) {

@@ -18,6 +18,7 @@
 
 #define REAL_BITS ((int)(8 * sizeof(scalar)))
 #include "dialect.h"
+#include "header_points.hpp"
 // The same for a type whose comparisons give a mask.
 #undef lane_select
 #undef all_lanes

@@ -1,5 +1,5 @@
-# What is generated at configure time: bindings of each model and observable in kernels/, and the
-# embedded kernels and studies. A new file in kernels/ is picked up by globbing; nothing lists it.
+# What is generated at configure time: bindings of each observable in kernels/, and the embedded
+# kernels, models and studies. A new file in kernels/ is picked up by globbing; nothing lists it.
 
 function(gearsweep_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
@@ -10,41 +10,19 @@ set(GENERATED ${CMAKE_CURRENT_BINARY_DIR}/generated)
 set(KERNELS ${PROJECT_SOURCE_DIR}/kernels)
 
 set(DECLARATIONS "")
-foreach(kind model observable)
-  string(TOUPPER ${kind}S list)
-  string(SUBSTRING ${kind} 0 1 first)
-  string(TOUPPER ${first} first)
-  string(SUBSTRING ${kind} 1 -1 rest)
-  set(${list} "")
-  file(GLOB headers CONFIGURE_DEPENDS ${KERNELS}/${kind}s/*.h)
-  foreach(header ${headers})
-    get_filename_component(NAME ${header} NAME_WE)
-    string(TOUPPER ${NAME} UPPER)
-    set(HEADER ${kind}s/${NAME}.h)
-    configure_file(model/bind_${kind}.cpp.in ${GENERATED}/${kind}_${NAME}.cpp @ONLY)
-    list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/${kind}_${NAME}.cpp)
-    string(APPEND DECLARATIONS "namespace ${kind}_${NAME} {\n${first}${rest} bind();\n}\n")
-    string(APPEND ${list} "${kind}_${NAME}::bind(), ")
-  endforeach()
-endforeach()
-configure_file(model/registry.cpp.in ${GENERATED}/registry.cpp @ONLY)
-list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/registry.cpp)
-
-# The headers of models once more, as graphs.
-set(TRACE_DECLARATIONS "")
-set(TRACES "")
-file(GLOB headers CONFIGURE_DEPENDS ${KERNELS}/models/*.h)
+set(OBSERVABLES "")
+file(GLOB headers CONFIGURE_DEPENDS ${KERNELS}/observables/*.h)
 foreach(header ${headers})
   get_filename_component(NAME ${header} NAME_WE)
-  set(HEADER models/${NAME}.h)
-  configure_file(equations/trace_model.cpp.in ${GENERATED}/trace_${NAME}.cpp @ONLY)
-  list(APPEND GEARSWEEP_TRACE_SOURCES ${GENERATED}/trace_${NAME}.cpp)
-  string(APPEND TRACE_DECLARATIONS
-         "namespace traced_${NAME} {\nFieldGraph trace(const std::vector<int>& options);\n}\n")
-  string(APPEND TRACES "{\"${NAME}\", traced_${NAME}::trace}, ")
+  string(TOUPPER ${NAME} UPPER)
+  set(HEADER observables/${NAME}.h)
+  configure_file(model/bind_observable.cpp.in ${GENERATED}/observable_${NAME}.cpp @ONLY)
+  list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/observable_${NAME}.cpp)
+  string(APPEND DECLARATIONS "namespace observable_${NAME} {\nObservable bind();\n}\n")
+  string(APPEND OBSERVABLES "observable_${NAME}::bind(), ")
 endforeach()
-configure_file(equations/traced_models.cpp.in ${GENERATED}/traced_models.cpp @ONLY)
-list(APPEND GEARSWEEP_TRACE_SOURCES ${GENERATED}/traced_models.cpp)
+configure_file(model/observables.cpp.in ${GENERATED}/observables.cpp @ONLY)
+list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/observables.cpp)
 
 # gearsweep_embed(OUTPUT FUNCTION HEADER FILES...): a C++ file that defines
 # FUNCTION() -> map from relative path to text, declared in HEADER.
@@ -79,6 +57,6 @@ add_custom_command(OUTPUT ${GENERATED}/version.cpp
           -DBASE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/host/hash.cmake
   DEPENDS ${hashed_files} ${PROJECT_SOURCE_DIR}/host/hash.cmake VERBATIM)
 list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/version.cpp)
-# The lists of two models have the same names, and clang-tidy has nothing to say of what is generated.
-set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} ${GEARSWEEP_TRACE_SOURCES}
-                            ${GEARSWEEP_KERNEL_SOURCES} ${GEARSWEEP_STUDY_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# The lists of two observables have the same names, and clang-tidy has nothing to say of what is
+# generated.
+set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} ${GEARSWEEP_KERNEL_SOURCES} ${GEARSWEEP_STUDY_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -1,12 +1,8 @@
-// The types that every model has, made from its lists, and defaults. A model file defines
-// MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any, MODEL_PHASE_COEFS,
-// MODEL_OPTIONS, MODEL_CURVES (what may be measured), MODEL_ANGLES (X(state) of each that means the
-// same after a full turn, in radians), MODEL_RANGE_GROUPS (X(states), names that share the largest
-// of their ranges where distances between states are measured), MODEL_DIVERGED_ABOVE (a state
-// beyond it has diverged) and MODEL_MIRROR_PAIRS (X(states, parameters), names pair after pair:
-// while both parameters of each pair are equal, a motion with the second state of each pair the
-// negative of the first keeps that), then includes this file, then defines its functions. No
-// include guard: the host includes each model into a namespace of its own.
+// The types that every model has, made from its lists, and defaults. The header that is written for
+// a model defines MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any,
+// MODEL_PHASE_COEFS, MODEL_OPTIONS and MODEL_ANGLES (X(state) of each that means the same after a
+// full turn, in radians), then includes this file, then defines its functions. No include guard:
+// the host includes a model into a namespace of its own.
 
 #include "functions.h"
 
@@ -37,12 +33,6 @@ typedef struct {
 #endif
 #ifndef MODEL_ANGLES
 #define MODEL_ANGLES(X)
-#endif
-#ifndef MODEL_RANGE_GROUPS
-#define MODEL_RANGE_GROUPS(X)
-#endif
-#ifndef MODEL_DIVERGED_ABOVE
-#define MODEL_DIVERGED_ABOVE INFINITY
 #endif
 #define MODEL_TAKE_TURNS(name) \
   x[STATE_##name] = x[STATE_##name] - turn * lane_rint(x[STATE_##name] / turn);
@@ -86,44 +76,5 @@ typedef struct {
 #define MODEL_ONE_SIDED(contact) 0
 // X(contact, signals: deflection, backlash)
 #define MODEL_CONTACT_SIGNALS(X) X(0, deflection, backlash)
-#endif
-#endif
-
-#ifdef MODEL_HOST_PART
-// X(name, meaning) of each curve that a study may measure (Curve of the host). Functions that take
-// such a model's curves have them as their last argument.
-#ifdef MODEL_CURVES
-#define MODEL_CURVE_FIELD(name, meaning) Curve name;
-struct ModelCurves {
-  MODEL_CURVES(MODEL_CURVE_FIELD)
-};
-#endif
-
-// What holds for most models. A model for which it does not defines a function of the same name,
-// which the compiler prefers to these templates.
-
-// All parameters go together; otherwise it says what is wrong.
-template <class Parameters, class Options>
-std::string model_check(const Parameters&, const Options&) {
-  return "";
-}
-
-// Nothing jumps within a period.
-template <class Parameters, class Options>
-std::vector<double> model_break_phases(const Parameters&, const Options&) {
-  return {0.0};
-}
-
-// At rest without forcing, all states are zero.
-template <class Parameters, class Options>
-void model_equilibrium(const Parameters&, const Options&, double* x) {
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = 0.0;
-}
-
-#ifdef MODEL_AUTONOMOUS
-template <class Parameters, class Options>
-PhaseCoefs model_phase_coefs(const Parameters&, const Options&, double, double) {
-  return {1.0};
-}
 #endif
 #endif

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,6 +36,12 @@ struct NamedFunction {
   ExpressionText expression;  // of its arguments, and of all else that expressions may use
 };
 
+// "rho_p + rho_g must be 1" = "abs(rho_p + rho_g - 1) <= 1e-6"
+struct ModelCheck {
+  std::string message;       // {expression} in it stands for its value
+  ExpressionText condition;  // of parameters, choices and curves
+};
+
 struct ModelDefinition {
   std::string name, summary;
   std::vector<std::string> assumptions;  // of Model
@@ -46,6 +53,11 @@ struct ModelDefinition {
   std::vector<ExpressionText> symbols;    // [parameter]: its name in expressions
   // `option.choice` is a condition in expressions.
   std::vector<OptionInfo> options;
+  std::vector<int> choices;         // [option]: those that are made; empty: none is made yet
+  std::vector<std::string> curves;  // names: name(phase) is its value, name.given a condition
+  Curves given_curves;              // those that are measured; another one is 0 everywhere
+  std::vector<ModelCheck> checks;
+  std::vector<MirrorPairs> mirrors;
   std::vector<PresetInfo> presets;
   std::vector<NamedFunction> functions;       // used by what follows, and by each other
   std::vector<NamedExpression> constants;     // the same
@@ -53,8 +65,11 @@ struct ModelDefinition {
   std::vector<ExpressionText> start;          // [state]; of parameters alone
   std::vector<ExpressionText> signal_values;  // [signal]
   ExpressionText period;                      // in dimensionless time; of parameters alone
-  std::vector<ExpressionText> jumps;          // phases, in radians; of parameters alone
-  double max_step = 0.0;                      // 0: none (Model::max_step)
+  // How many of these make a period of the forcing, whole, of parameters alone: `turn` counts them
+  // from 0 on, and `phase` begins anew in each. Empty: one.
+  std::optional<ExpressionText> cycle;
+  std::vector<ExpressionText> jumps;  // phases, in radians; of parameters alone
+  double max_step = 0.0;              // 0: none (Model::max_step)
   // Parameters in which the points of a study differ: what depends on the phase and on none of
   // these is tabulated whole.
   std::set<std::string> swept;

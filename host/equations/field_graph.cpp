@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
-
-#include "equations/detail/traced_models.hpp"
 
 namespace gearsweep {
 namespace {
 
 void choose(const Model& model, const std::vector<int>& options, FieldGraph* field) {
+  if (field->choices.empty()) return;
   std::map<NodeId, NodeId> numbers;
   std::size_t symbol = 0;
   for (std::size_t option = 0; option < model.options.size(); ++option) {
@@ -27,14 +25,9 @@ void choose(const Model& model, const std::vector<int>& options, FieldGraph* fie
 }  // namespace
 
 FieldGraph field_of(const Model& model, const std::vector<int>& options) {
-  if (model.field != nullptr) {
-    FieldGraph field = *model.field;
-    choose(model, options, &field);
-    return field;
-  }
-  const auto traced = traced_models().find(model.name);
-  if (traced == traced_models().end()) throw std::logic_error("no graph of '" + model.name + "'");
-  return traced->second(options);
+  FieldGraph field = *model.field;
+  choose(model, options, &field);
+  return field;
 }
 
 std::vector<std::size_t> symbols_in(const ExpressionGraph& graph, const std::vector<NodeId>& nodes,

@@ -20,8 +20,7 @@ struct FieldGraph {
   std::vector<NodeId> signals;  // [signal]
 };
 
-// Of a whole model, simplified, with its options chosen (ModelSetting::options). Throws
-// std::logic_error for a header that is none of kernels/models/.
+// Of a whole model, simplified, with its options chosen (ModelSetting::options).
 FieldGraph field_of(const Model& model, const std::vector<int>& options);
 
 // Of the nodes that these are made of: the place of each among `symbols`.

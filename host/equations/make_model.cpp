@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "equations/definition.hpp"
 #include "equations/detail/borders.hpp"
@@ -12,6 +13,7 @@
 #include "equations/detail/kernel_writer.hpp"
 #include "equations/detail/listed_jumps.hpp"
 #include "equations/detail/state_jumps.hpp"
+#include "equations/detail/step_work.hpp"
 #include "equations/detail/text_point.hpp"
 #include "equations/field_graph.hpp"
 #include "expression/print.hpp"
@@ -21,8 +23,21 @@
 namespace gearsweep {
 namespace {
 
+constexpr double kMaxCycle = 1e6;
+
 std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
   const std::vector<double> inputs = inputs_of(tapes, setting);
+  const std::vector<double> checks = tapes.checks.run_all(inputs);
+  std::size_t value = tapes.messages.size();
+  for (std::size_t i = 0; i < tapes.messages.size(); ++i) {
+    if (checks[i] != 1.0) return filled(tapes.messages[i], checks.data() + value);
+    value += tapes.messages[i].values.size();
+  }
+  const double cycle = tapes.cycle.run(inputs);
+  if (!(cycle >= 1.0 && cycle <= kMaxCycle && cycle == std::floor(cycle))) {
+    return fmt::format("the cycle is {}; it must be a whole number from 1 to {:.0g}", cycle,
+                       kMaxCycle);
+  }
   const double period = tapes.period.run(inputs);
   if (!std::isfinite(period) || period <= 0.0) {
     return fmt::format("the forcing period is {}; it must be a finite number above 0", period);
@@ -44,6 +59,8 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->parameters = definition.parameters;
   model->options = definition.options;
   model->presets = definition.presets;
+  model->curves = definition.curves;
+  model->mirror_pairs = definition.mirrors;
   model->max_step = definition.max_step;
   model->text = definition.text;
   for (std::size_t i = 0; i < model->parameters.size(); ++i) {
@@ -133,10 +150,10 @@ std::vector<ContactInfo> add_contact_signals(const Formula& formula, ModelDefini
 }
 
 // The signals of contacts are lowered ones: back to what these are made of.
-std::shared_ptr<const FieldGraph> field_graph_of(const Formula& formula, const Lowered& lowered) {
-  auto field =
-      std::make_shared<FieldGraph>(FieldGraph{formula.graph, formula.states, formula.parameters,
-                                              formula.choices, formula.equations, formula.signals});
+std::shared_ptr<const FieldGraph> field_graph_of(Formula formula, const Lowered& lowered) {
+  auto field = std::make_shared<FieldGraph>(FieldGraph{std::move(formula.graph), formula.states,
+                                                       formula.parameters, formula.choices,
+                                                       formula.equations, formula.signals});
   std::map<NodeId, NodeId> values;
   for (std::size_t i = 0; i < lowered.point.size(); ++i) {
     values[lowered.point[i]] = lowered.point_values[i];
@@ -151,13 +168,25 @@ std::shared_ptr<const FieldGraph> field_graph_of(const Formula& formula, const L
   return field;
 }
 
+ModelDefinition bound(ModelDefinition definition, const Binding& binding) {
+  for (const auto& [name, curve] : binding.curves) {
+    const bool is_known = std::ranges::find(definition.curves, name) != definition.curves.end();
+    if (!is_known) throw std::out_of_range("no curve '" + name + "'");
+  }
+  definition.given_curves = binding.curves;
+  definition.choices = binding.options;
+  definition.swept = binding.parameters;
+  return definition;
+}
+
 }  // namespace
 
 Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
-  const auto written = std::make_shared<const Formula>(formula);
+  // Of a model whose options are not chosen yet.
+  const auto written = formula.choices.empty() ? nullptr : std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);
   const auto tapes = std::make_shared<const Tapes>(make_tapes(definition, lowered, &formula));
@@ -172,17 +201,24 @@ Model make_model(const ModelDefinition& given) {
   model.state_jumps = state_jumps_by_setting(definition, written, lowered);
   model.findings = findings_of(definition, formula, lowered, tapes->breaks);
   model.is_rough = !tapes->breaks.tables_left_out().empty();
-  model.field = field_graph_of(formula, lowered);
   model.unused = formula.unused;
-  model.kernel = kernel_of(definition, &formula, lowered, model.is_rough);
+  const TangentProgram tangent = tangent_program(&formula, lowered);
+  model.kernel = kernel_of(definition, &formula, lowered, tangent, model.is_rough);
+  model.work = step_work_of(formula, lowered, tangent);
   refuse_large_kernel(definition, formula, lowered, model.kernel);
+  model.field = field_graph_of(std::move(formula), lowered);
   model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };
   model.notices = [tapes](const ModelSetting& setting) { return broken_promises(*tapes, setting); };
   model.break_phases = [tapes](const ModelSetting& setting) {
     return break_phases_of(*tapes, setting);
   };
   model.phase_coefs_at = [tapes](const ModelSetting& setting, double psi, double inside,
-                                 double* row) { coefs_at(*tapes, setting, psi, inside, row); };
+                                 double* row) { CoefsAt(*tapes, setting)(psi, inside, row); };
+  model.phase_rows = [tapes](const ModelSetting& setting) -> Model::PhaseRow {
+    return [coefs = CoefsAt(*tapes, setting)](double psi, double inside, double* row) {
+      coefs(psi, inside, row);
+    };
+  };
   model.equilibrium = [tapes](const ModelSetting& setting) {
     std::vector<double> x(tapes->states);
     tapes->start.run(inputs_of(*tapes, setting).data(), x.data());
@@ -193,6 +229,15 @@ Model make_model(const ModelDefinition& given) {
   };
   model.period = [tapes](const ModelSetting& setting) {
     return tapes->period.run(inputs_of(*tapes, setting));
+  };
+  if (given.cycle) {
+    model.cycle = [tapes](const ModelSetting& setting) {
+      return tapes->cycle.run(inputs_of(*tapes, setting));
+    };
+  }
+  model.binding = {given.given_curves, given.choices, given.swept};
+  model.bound = [defined = std::make_shared<const ModelDefinition>(given)](const Binding& binding) {
+    return make_model(bound(*defined, binding));
   };
   return model;
 }

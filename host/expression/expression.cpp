@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <set>
 
 namespace gearsweep {
 namespace {
@@ -343,17 +342,24 @@ NodeId ExpressionGraph::make_whole_power(NodeId base, unsigned exponent) {
   return exponent % 2 == 0 ? square : make_product(square, base);
 }
 
-Rewriter::Rewriter(ExpressionGraph* graph, std::map<NodeId, NodeId> replaced)
-    : graph_(graph), known_(std::move(replaced)) {}
+Rewriter::Rewriter(ExpressionGraph* graph, const std::map<NodeId, NodeId>& replaced)
+    : graph_(graph), known_(replaced.begin(), replaced.end()) {}
 
 NodeId Rewriter::operator()(NodeId id) {
-  for (const NodeId part : parts_of(*graph_, {id})) {
-    if (known_.contains(part)) continue;
+  // Those that are not known yet, arguments first.
+  std::vector<NodeId> parts, open = {id};
+  while (!open.empty()) {
+    const NodeId part = open.back();
+    open.pop_back();
+    if (!known_.emplace(part, part).second) continue;
+    parts.push_back(part);
+    const std::vector<NodeId>& arguments = (*graph_)[part].arguments;
+    open.insert(open.end(), arguments.begin(), arguments.end());
+  }
+  std::ranges::sort(parts);
+  for (const NodeId part : parts) {
     std::vector<NodeId> arguments = (*graph_)[part].arguments;
-    if (arguments.empty()) {
-      known_[part] = part;
-      continue;
-    }
+    if (arguments.empty()) continue;
     for (NodeId& argument : arguments) argument = known_.at(argument);
     known_[part] = graph_->with_arguments(part, arguments);
   }
@@ -361,15 +367,23 @@ NodeId Rewriter::operator()(NodeId id) {
 }
 
 std::vector<NodeId> parts_of(const ExpressionGraph& graph, const std::vector<NodeId>& roots) {
-  std::set<NodeId> parts;
-  std::vector<NodeId> open = roots;
-  while (!open.empty()) {
-    const NodeId id = open.back();
-    open.pop_back();
-    if (!parts.insert(id).second) continue;
-    for (const NodeId argument : graph[id].arguments) open.push_back(argument);
+  // Arguments have smaller ids.
+  std::size_t end = 0;
+  for (const NodeId root : roots) end = std::max<std::size_t>(end, root + 1);
+  std::vector<bool> is_part(end);
+  for (const NodeId root : roots) is_part[root] = true;
+  std::size_t count = 0;
+  for (std::size_t id = end; id-- > 0;) {
+    if (!is_part[id]) continue;
+    ++count;
+    for (const NodeId argument : graph[static_cast<NodeId>(id)].arguments) is_part[argument] = true;
   }
-  return {parts.begin(), parts.end()};
+  std::vector<NodeId> parts;
+  parts.reserve(count);
+  for (std::size_t id = 0; id < end; ++id) {
+    if (is_part[id]) parts.push_back(static_cast<NodeId>(id));
+  }
+  return parts;
 }
 
 }  // namespace gearsweep

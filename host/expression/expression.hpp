@@ -25,6 +25,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "expression/periodic_table.hpp"
@@ -142,12 +143,12 @@ class ExpressionGraph {
 // call of one Rewriter makes a node once.
 class Rewriter {
  public:
-  Rewriter(ExpressionGraph* graph, std::map<NodeId, NodeId> replaced);
+  Rewriter(ExpressionGraph* graph, const std::map<NodeId, NodeId>& replaced);
   NodeId operator()(NodeId id);
 
  private:
   ExpressionGraph* graph_;
-  std::map<NodeId, NodeId> known_;
+  std::unordered_map<NodeId, NodeId> known_;
 };
 
 // The nodes that these are made of, themselves included, arguments first.

@@ -18,7 +18,7 @@ namespace {
 
 // A model that a person can read is far below these.
 constexpr std::size_t kMaxDepth = 256;
-constexpr std::size_t kMaxNodes = 4000;
+constexpr std::size_t kMaxNodes = 16000;
 constexpr double kMaxTerms = 1000.0;  // of all sums of a text
 constexpr const char* kSumForm = "a sum is written sum(i, 1, 3, term)";
 
@@ -222,6 +222,7 @@ class Parser {
     if (!take("]")) fail(here(), "']' is missing");
     const std::string name = fmt::format("{}_{}", list, index);
     if (const std::optional<NodeId> known = names_.find(name)) return *known;
+    if (const auto plain = index == 1.0 ? names_.find(list) : std::nullopt) return *plain;
     fail(start, fmt::format("there is no '{}[{}]'; the first entry of a list is [1]", list, index));
   }
 
@@ -324,9 +325,18 @@ class Parser {
     return checked(start, graph_->table(names_.table(call), call.argument, call.argument));
   }
 
+  // What stands in its parentheses.
+  NodeId curve(std::size_t start, const std::string& name) {
+    const std::size_t place = here();
+    const std::vector<NodeId> arguments = numbers_in_parentheses();
+    refuse_other_count(start, name, 1, arguments.size());
+    return checked(start, names_.curve(name, arguments.front(), place));
+  }
+
   NodeId called(std::size_t start, const std::string& name) {
     if (name == "table") return table(start);
     if (name == "sum") return sum_of_terms(start);
+    if (names_.is_curve && names_.is_curve(name)) return curve(start, name);
     if (const auto own = names_.arguments_of ? names_.arguments_of(name) : std::nullopt) {
       return called_own(start, name, *own);
     }

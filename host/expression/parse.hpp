@@ -35,11 +35,15 @@ struct ExpressionNames {
   // The same one for each call that asks for the same. Throws ExpressionError. Empty where a text
   // may read no tables.
   std::function<std::shared_ptr<const PeriodicTable>(const TableCall&)> table = {};
+  // Curves, and the value of one at an angle in radians. position: byte of the text where the
+  // argument begins.
+  std::function<bool(const std::string& name)> is_curve = {};
+  std::function<NodeId(const std::string& name, NodeId argument, std::size_t position)> curve = {};
 };
 
-// The node as written; clamp, step, sum, indices and pi are written out. a[2] is the name a_2. A
-// condition only where is_condition. Throws ExpressionError, also for what is nested too deeply or
-// too large.
+// The node as written; clamp, step, sum, indices and pi are written out. a[2] is the name a_2, and
+// a[1] is a_1 or a. A condition only where is_condition. Throws ExpressionError, also for what is
+// nested too deeply or too large.
 NodeId parse_expression(std::string_view text, const ExpressionNames& names,
                         ExpressionGraph* graph);
 

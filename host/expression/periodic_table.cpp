@@ -155,9 +155,20 @@ PeriodicTable::Place PeriodicTable::place_of(double phase, double toward) const 
   return place_in(static_cast<std::size_t>(after - 1 - begin), x);
 }
 
-double PeriodicTable::bend_at(double phase, double toward) const {
-  const Place place = place_of(phase, toward);
-  return place.a * place.left->bend + place.b * place.right->bend;
+PeriodicTable PeriodicTable::times(double factor) const {
+  PeriodicTable scaled = *this;
+  for (Knot& knot : scaled.knots_) {
+    knot.value *= factor;
+    knot.bend *= factor;
+  }
+  return scaled;
+}
+
+PeriodicTable PeriodicTable::bend() const {
+  std::vector<TablePoint> points;
+  for (const Knot& knot : knots_) points.push_back({knot.phase, knot.bend});
+  points.pop_back();  // the first one, a period later
+  return {name_, points, Interpolation::linear};
 }
 
 double PeriodicTable::at(double phase, double toward) const {

@@ -41,8 +41,10 @@ class PeriodicTable {
   // The value at any phase, in radians; at a jump that of the side on which `toward` lies, which is
   // a phase with no jump in between. NaN where a phase is not finite.
   double at(double phase, double toward) const;
-  // The second derivative there; of a linear table 0.
-  double bend_at(double phase, double toward) const;
+  // The same curve times a factor.
+  PeriodicTable times(double factor) const;
+  // The second derivative of a cubic one without jumps, which is linear.
+  PeriodicTable bend() const;
   // Bounds of the value and of the slope between two phases that no jump parts from `toward`.
   struct Range {
     double low, high, slope_low, slope_high;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <vector>
 
 namespace gearsweep {
 namespace {
@@ -17,7 +17,7 @@ struct Binding {
 };
 
 constexpr int kSigned = 7, kPrimary = 9;
-constexpr double kReadAtAGlance = 100.0;  // parts of a text that is read at a glance
+constexpr std::size_t kReadAtAGlance = 100;  // parts of a text that is read at a glance
 
 Binding binding_of(Operation operation) {
   switch (operation) {
@@ -94,13 +94,16 @@ std::string to_text(const ExpressionGraph& graph, NodeId id) { return text_of(gr
 
 std::string to_short_text(const ExpressionGraph& graph, NodeId id) {
   // A part counts as often as the text would have it.
-  std::map<NodeId, double> sizes;
-  for (const NodeId part : parts_of(graph, {id})) {
-    double size = 1.0;
-    for (const NodeId argument : graph[part].arguments) size += sizes.at(argument);
-    sizes[part] = size;
+  std::vector<NodeId> open = {id};
+  std::size_t size = 0;
+  while (!open.empty()) {
+    const std::vector<NodeId>& arguments = graph[open.back()].arguments;
+    open.pop_back();
+    open.insert(open.end(), arguments.begin(), arguments.end());
+    if (++size > kReadAtAGlance) {
+      return fmt::format("an expression of {} parts", parts_of(graph, {id}).size());
+    }
   }
-  if (sizes.at(id) > kReadAtAGlance) return fmt::format("an expression of {} parts", sizes.size());
   std::string text = to_text(graph, id);
   std::ranges::replace_if(
       text, [](char c) { return c < ' ' || c > '~' || c == '\\' || c == '?'; }, '_');

@@ -18,6 +18,11 @@ class Tape {
   Tape(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
        const std::vector<NodeId>& outputs);
 
+  // The same outputs as functions of the other inputs alone, where the first ones have these
+  // values: what follows from these is worked out, and what a choice or a factor 0 leaves out is
+  // dropped.
+  Tape given(const std::vector<double>& first) const;
+
   // inputs, outputs: one number for each, in the constructor's order. They may not overlap.
   void run(const double* inputs, double* outputs) const;
   // The same for what has one output.

@@ -1,33 +1,16 @@
 #include "measure/flop_count.hpp"
 
-#include <cstring>
-#include <vector>
-
-#include "measure/detail/counted.hpp"
-// Some models need less work in fp32.
-#define REAL_BITS (real::kBits)
-#include "dialect.h"
-
 namespace gearsweep {
-namespace {
 
-namespace fp64 {
-using real = Counted<64>;
-using scalar = real;
-#include "measure/detail/counted_step.hpp"
-}  // namespace fp64
-
-namespace fp32 {
-using real = Counted<32>;
-using scalar = real;
-#include "measure/detail/counted_step.hpp"
-}  // namespace fp32
-
-}  // namespace
-
+// rk4/rk4.h: four evaluations at three phases and eight advances of the state, each a product and a
+// sum; of a tangent vector four products with the derivative, and six operations to join them.
 double flops_per_step(const Study& study, std::size_t tangents) {
-  return study.integrate.fp64 ? fp64::count_step(study.setting, study.integrate.events, tangents)
-                              : fp32::count_step(study.setting, study.integrate.events, tangents);
+  const StepWork& work = study.model->work;
+  const auto states = static_cast<double>(study.model->states.size());
+  const double alone = 4.0 * work.of_state + 3.0 * work.of_phase + 16.0 * states;
+  if (tangents == 0) return alone;
+  const double each = 4.0 * work.of_tangent + 6.0 * states;
+  return alone + 4.0 * work.of_linearization + static_cast<double>(tangents) * each;
 }
 
 }  // namespace gearsweep

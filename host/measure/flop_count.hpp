@@ -1,14 +1,13 @@
-// The floating-point operations of a step, counted by running the kernel's own source on numbers
-// that count.
+// The floating-point operations of a step.
 #pragma once
 
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// Of one point over one Runge-Kutta step of gear5 with the study's options, and with so many
-// tangent vectors; what counts is said at Tally (detail/counted.hpp). What observables do with a
-// step is not in it.
+// Of one point over one Runge-Kutta step with the study's model and options, all of its states, and
+// with so many tangent vectors; what counts is said at StepWork (model/model.hpp). The correction
+// of a step that crosses a contact and what observables do with a step are not in it.
 double flops_per_step(const Study& study, std::size_t tangents);
 
 }  // namespace gearsweep

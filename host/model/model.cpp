@@ -79,8 +79,7 @@ void Model::set_role(std::string_view name_of_it, Role role) {
 }
 
 double Model::mesh_periods(const ModelSetting& setting) const {
-  const std::optional<std::size_t> periods = parameter_of(Role::mesh_periods);
-  return periods ? setting.parameters[*periods] : 1.0;
+  return cycle ? cycle(setting) : 1.0;
 }
 
 ModelSetting Model::default_setting() const {
@@ -98,9 +97,7 @@ std::vector<std::string> Model::state_names() const {
   return names;
 }
 
-std::string Model::name_in_kernel(const std::string& channel) const {
-  return text.empty() ? channel : kernel_name(channel);
-}
+std::string Model::name_in_kernel(const std::string& channel) const { return kernel_name(channel); }
 
 Model Model::reduced(const Reduction& to) const {
   Model out = *this;

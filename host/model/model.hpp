@@ -1,12 +1,12 @@
-// A model as the host sees it: its lists, and its functions in double precision. A header of
-// kernels/models/ is bound by a generated file (bind_model.cpp.in); what is given as equations is
-// made by make_model() (equations/definition.hpp).
+// A model as the host sees it: its lists, and its functions in double precision. make_model() makes
+// it of a text of equations (equations/definition.hpp).
 #pragma once
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,15 +48,11 @@ struct ModelSetting {
   std::vector<int> options;
 };
 
-// What is measured of a system and no parameter: a function of the phase of its own period, in
-// [0, 1]. At a jump it has the value of the side on which `toward` lies.
-struct Curve {
-  std::function<double(double phase, double toward)> at;  // empty where nothing is measured
-  std::vector<double> jumps;                              // phases; of damage where it bends
-};
+class PeriodicTable;  // expression/periodic_table.hpp
 
-// By the names that a model gives them.
-using Curves = std::map<std::string, Curve, std::less<>>;
+// What a study binds to a model: functions of the phase, measured or computed, by the names that
+// the model gives them.
+using Curves = std::map<std::string, std::shared_ptr<const PeriodicTable>, std::less<>>;
 
 // A place where a force begins: at both limits of a backlash, or at the one limit of a stop. Its
 // drive flank touches where the deflection D is beyond the backlash b', its back flank where D is
@@ -134,7 +130,24 @@ struct Reduction {
   std::function<std::vector<double>(const ModelSetting&)> block;
 };
 
+// Floating-point operations of a model's equations: + - * / and each function 1, a comparison 1,
+// choosing by it and a change of sign none.
+struct StepWork {
+  double of_state = 0.0;          // of one evaluation, what changes with the state
+  double of_phase = 0.0;          // and what changes with the phase alone
+  double of_linearization = 0.0;  // of the derivative at a state
+  double of_tangent = 0.0;        // of that times one tangent vector
+};
+
 struct FieldGraph;  // equations/field_graph.hpp
+
+// What a study makes of a model.
+struct Binding {
+  Curves curves;
+  std::vector<int> options;          // the choices; kernels have nothing of the others
+  std::set<std::string> parameters;  // in which points differ
+  bool operator==(const Binding&) const = default;
+};
 
 struct Model {
   std::string name, summary;
@@ -143,6 +156,7 @@ struct Model {
   std::vector<ParameterInfo> parameters;
   std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
+  std::vector<std::string> curves;  // names of those that a study may give
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   bool is_autonomous = false;       // no equation depends on the phase
@@ -170,11 +184,11 @@ struct Model {
   // thousandth of the largest of them. 0: the model brings none, so each study finds its own
   // (study/own_step.hpp).
   double max_step = 0.0;
-  // Of a model that is given as a text of equations: that text, the header for the device compiler
-  // that is made of it, and what the program found in it, a line each. Empty where kernels/models/
-  // has the header.
+  // The text of its equations, the header for the device compiler that is made of it, and what the
+  // program found in it, a line each.
   std::string text, kernel;
   std::vector<std::string> findings;
+  StepWork work;
   std::shared_ptr<const FieldGraph> field;  // of its equations; see field_of()
   std::vector<UnusedName> unused;
 
@@ -189,12 +203,15 @@ struct Model {
   // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
   // `inside`, a phase strictly between the break phases that enclose psi.
   std::function<void(const ModelSetting&, double psi, double inside, double* row)> phase_coefs_at;
+  // The same for many phases at one setting.
+  using PhaseRow = std::function<void(double psi, double inside, double* row)>;
+  std::function<PhaseRow(const ModelSetting&)> phase_rows;
   // The static equilibrium, one number per state: where the policy "shifted" starts.
   std::function<std::vector<double>(const ModelSetting&)> equilibrium;
   std::function<std::unique_ptr<PreparedPoint>(const ModelSetting&)> prepare;
-  // This model with measured curves; empty where it takes none. Throws std::out_of_range for a name
-  // that is none of its curves.
-  std::function<Model(const Curves&)> with_curves;
+  // What it was made for, and the same model for another study.
+  Binding binding;
+  std::function<Model(const Binding&)> bound;
   // Where the equations jump with a state, with the options of a setting. Steps are of first order
   // there, and tangents miss what a jump does to them.
   std::function<std::vector<StateJump>(const ModelSetting&)> state_jumps = [](const ModelSetting&) {
@@ -202,6 +219,8 @@ struct Model {
   };
   // As of prepare(), without the rest: a plan asks for each point of a study.
   std::function<double(const ModelSetting&)> period;
+  // How many times the phase of the equations begins anew in that; empty: once.
+  std::function<double(const ModelSetting&)> cycle;
 
   // Whether anything depends on a parameter: false of those in `unused`.
   bool uses_parameter(std::string_view parameter) const;
@@ -227,7 +246,7 @@ struct Model {
   const ChannelInfo* contact_force() const;
   // Gives a role to the parameter or signal of this name. Throws std::out_of_range.
   void set_role(std::string_view name_of_it, Role role);
-  // Mesh periods in a forcing period: the parameter of that role, and 1 of a model without it.
+  // Mesh periods in a forcing period: its cycle.
   double mesh_periods(const ModelSetting& setting) const;
 
   ModelSetting default_setting() const;

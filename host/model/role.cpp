@@ -30,7 +30,8 @@ Role role_of(std::string_view name) {
 }
 
 const std::vector<Role>& roles_of_parameters() {
-  static const std::vector<Role> kRoles = {Role::load, Role::mesh_damping};
+  static const std::vector<Role> kRoles = {Role::load, Role::mesh_damping, Role::mesh_periods,
+                                           Role::pinion_teeth, Role::teeth_ratio};
   return kRoles;
 }
 

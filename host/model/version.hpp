@@ -5,7 +5,7 @@
 
 namespace gearsweep {
 
-// "0.1.0".
+// "0.2.0".
 std::string version();
 
 // SHA-256 over the sources that decide numbers (host/hash.cmake), so that a result tells what

@@ -20,8 +20,7 @@ void Extent::take(const Eigen::VectorXd& state) {
 
 Flow::Flow(const Model& model, const ModelSetting& setting, const PreparedPoint& point,
            const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents)
-    : model_(model),
-      setting_(setting),
+    : row_at_(model.phase_rows(setting)),
       grid_(grid),
       period_(point.period()),
       row_width_(model.phase_coefs.size()),
@@ -114,7 +113,7 @@ const double* Flow::coefs_at(const GridStep& step, double share, std::vector<dou
   if (share == 0.0) return step.coefs;
   if (share == 0.5) return step.coefs + row_width_;
   if (share == 1.0) return step.coefs + 2 * row_width_;
-  model_.phase_coefs_at(setting_, step.phase + share * step.length, step.inside, row->data());
+  row_at_(step.phase + share * step.length, step.inside, row->data());
   return row->data();
 }
 

@@ -96,8 +96,7 @@ class Flow {
   // of how near it comes.
   std::optional<double> share_beyond(const Part& part, std::size_t flank, const Seen& seen);
 
-  const Model& model_;
-  const ModelSetting& setting_;
+  Model::PhaseRow row_at_;
   const PhaseGrid& grid_;
   double period_;
   std::size_t row_width_;

@@ -20,6 +20,7 @@ std::vector<double> mean_jacobian(const Model& model, const ModelSetting& settin
   const std::vector<double> equilibrium = model.equilibrium(setting);
   const std::unique_ptr<PreparedPoint> point = model.prepare(setting);
   const std::vector<double> bounds = segment_bounds(model, setting);
+  const Model::PhaseRow row_at = model.phase_rows(setting);
   std::vector<double> coefs(model.phase_coefs.size()), rows(states * states);
   std::vector<double> mean(states * states, 0.0);
   for (std::size_t segment = 0; segment + 1 < bounds.size(); ++segment) {
@@ -29,7 +30,7 @@ std::vector<double> mean_jacobian(const Model& model, const ModelSetting& settin
     for (double part = 0.0; part < parts; part += 1.0) {
       for (const double place : {0.5 - gauss, 0.5 + gauss}) {
         const double phase = bounds[segment] + (part + place) * length / parts;
-        model.phase_coefs_at(setting, phase, inside, coefs.data());
+        row_at(phase, inside, coefs.data());
         point->jacobian(coefs.data(), equilibrium.data(), rows.data());
         for (std::size_t i = 0; i < rows.size(); ++i) {
           mean[i % states * states + i / states] += 0.5 * length / parts * rows[i];

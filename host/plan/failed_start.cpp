@@ -24,7 +24,8 @@ class Values {
       values_[field.parameters[i]] = setting.parameters[i];
     }
     std::size_t symbol = 0;
-    for (std::size_t option = 0; option < model.options.size(); ++option) {
+    const std::size_t open = field.choices.empty() ? 0 : model.options.size();
+    for (std::size_t option = 0; option < open; ++option) {
       for (std::size_t choice = 0; choice < model.options[option].choices.size(); ++choice) {
         const bool is_made = setting.options[option] == static_cast<int>(choice);
         values_[field.choices[symbol++]] = is_made ? 1.0 : 0.0;
@@ -76,7 +77,7 @@ std::string described(const ExpressionGraph& graph, const Values& values, NodeId
 
 std::string failure_at_start(const Plan& plan, std::size_t point) {
   const Model& model = *plan.study().model;
-  if (model.field == nullptr || model.whole != nullptr) return "";
+  if (model.whole != nullptr) return "";
   const std::vector<double> x = plan.own_initial_state(point);
   const Values values(model, plan.setting_of(point), x);
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -29,6 +29,7 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
   const std::vector<double> bounds = segment_bounds(model, setting);
   PhaseGrid grid;
   const std::size_t width = model.phase_coefs.size();
+  const Model::PhaseRow row_at = model.phase_rows(setting);
   for (std::size_t segment = 0; segment + 1 < bounds.size(); ++segment) {
     const double from = bounds[segment];
     const double length = bounds[segment + 1] - from;
@@ -42,8 +43,7 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
       const double psi =
           row == 2 * count ? bounds[segment + 1] : from + length * row / (2.0 * count);
       grid.coefs.resize(grid.coefs.size() + width);
-      model.phase_coefs_at(setting, psi, from + 0.5 * length,
-                           grid.coefs.data() + (grid.coefs.size() - width));
+      row_at(psi, from + 0.5 * length, grid.coefs.data() + (grid.coefs.size() - width));
     }
   }
   return grid;

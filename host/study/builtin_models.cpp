@@ -4,14 +4,12 @@
 #include <memory>
 #include <mutex>
 
-#include "model/registry.hpp"
 #include "study/model_file.hpp"
 
 namespace gearsweep {
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names;
-  for (const Model& model : header_models()) names.push_back(model.name);
   for (const auto& [file, text] : model_texts()) names.push_back(file.substr(0, file.find('.')));
   std::ranges::sort(names);
   return names;
@@ -27,9 +25,6 @@ const std::vector<Model>& models() {
 }
 
 const Model* find_model(std::string_view name) {
-  for (const Model& model : header_models()) {
-    if (model.name == name) return &model;
-  }
   const std::string* text = model_text(name);
   if (text == nullptr) return nullptr;
   static std::mutex mutex;

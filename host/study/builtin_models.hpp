@@ -1,5 +1,4 @@
-// The built-in models: headers of kernels/models/, and its files of equations, embedded in the
-// binary.
+// The built-in models: the files of kernels/models/, embedded in the binary.
 #pragma once
 
 #include <map>
@@ -18,7 +17,7 @@ const std::vector<Model>& models();
 // nullptr when there is none of that name.
 const Model* find_model(std::string_view name);
 
-// The text of a model that is a file; nullptr of all others.
+// The text of one; nullptr when there is none of that name.
 const std::string* model_text(std::string_view name);
 
 // All texts, by file name, as in "duffing.toml".

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "model/error.hpp"
@@ -19,6 +20,30 @@ std::set<std::string> parameter_names(const ModelDefinition& definition) {
   std::set<std::string> names;
   for (const ParameterInfo& parameter : definition.parameters) names.insert(parameter.name);
   return names;
+}
+
+// The choices of a preset, and of the keys that a study gives. What is none of the model's is
+// refused where the study is read.
+std::vector<int> choices_of(const ModelDefinition& definition, const ModelKeys& keys) {
+  ModelKeys all;
+  const auto named = keys.find("preset");
+  for (const PresetInfo& preset : definition.presets) {
+    const bool is_first = &preset == &definition.presets.front();
+    if (named == keys.end() ? !is_first : preset.name != named->second) continue;
+    for (const auto& [key, node] : toml::parse(preset.toml)) {
+      if (node.is_string()) all[std::string(key.str())] = node.as_string()->get();
+    }
+  }
+  for (const auto& [name, choice] : keys) all[name] = choice;
+  std::vector<int> choices;
+  for (const OptionInfo& option : definition.options) {
+    const auto given = all.find(option.name);
+    const auto found = given == all.end() ? option.choices.end()
+                                          : std::ranges::find(option.choices, given->second);
+    const bool is_default = found == option.choices.end();
+    choices.push_back(is_default ? 0 : static_cast<int>(found - option.choices.begin()));
+  }
+  return choices;
 }
 
 }  // namespace
@@ -38,7 +63,8 @@ std::string model_file_text(const std::string& path) {
 
 std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source,
                                              const std::optional<std::set<std::string>>& swept,
-                                             const TablePoints& table_points) {
+                                             const TablePoints& table_points,
+                                             const std::optional<ModelKeys>& keys) {
   if (text.size() > kMaxBytes) {
     throw InputError(
         fmt::format("{}: too large for a model; at most {} bytes are possible", source, kMaxBytes));
@@ -50,7 +76,11 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
   try {
     const toml::table root = toml::parse(text, source);
     ModelDefinition definition = read_definition(root, text, source);
-    definition.swept = swept ? *swept : parameter_names(definition);
+    definition.swept = parameter_names(definition);
+    if (swept) {
+      std::erase_if(definition.swept, [&](const auto& name) { return !swept->contains(name); });
+    }
+    if (keys) definition.choices = choices_of(definition, *keys);
     definition.table_points = table_points;
     return std::make_shared<const Model>(make_model(definition));
   } catch (const toml::parse_error& error) {

@@ -1,6 +1,7 @@
 // A model's file: TOML with equations to a Model.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,12 +15,15 @@ namespace gearsweep {
 // The text of the file at `path`. Throws InputError.
 std::string model_file_text(const std::string& path);
 
+// Of a study's [model]: the preset and the options that it names.
+using ModelKeys = std::map<std::string, std::string>;
+
 // source: names the text in messages. swept: names in which the points of a study differ
-// (ModelDefinition); all, if nothing is given. table_points: of the files that it names. Throws
-// InputError with the place.
+// (ModelDefinition); all, if nothing is given. table_points: of the files that it names. keys: its
+// options are chosen so; none is, if nothing is given. Throws InputError with the place.
 std::shared_ptr<const Model> read_model_text(
     const std::string& text, const std::string& source,
     const std::optional<std::set<std::string>>& swept = std::nullopt,
-    const TablePoints& table_points = {});
+    const TablePoints& table_points = {}, const std::optional<ModelKeys>& keys = std::nullopt);
 
 }  // namespace gearsweep

@@ -71,6 +71,9 @@ StudyTable model_table() {
            {"tables", "table", "",
             "The numbers of the files that its table() reads, where a result holds the study: a "
             "phase in radians and a value per line, by the file's name."},
+           {"curves", "table", "",
+            "The model's curves by name, each with the file of its points, beside the study: "
+            "NAME = \"file.csv\", or NAME = { file = \"file.csv\", interpolation = \"cubic\" }."},
            {"preset", "string", "the model's first",
             "Values to start from: 'gearsweep model NAME' lists them."},
            option}};

@@ -9,6 +9,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/detail/axis_reader.hpp"
+#include "study/detail/curve_reader.hpp"
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/gear_files.hpp"
 #include "study/detail/gear_table.hpp"
@@ -58,7 +59,7 @@ toml::table parse(const std::string& text, const std::string& source) {
 // What the table gives. own: [model], whose options win.
 GearConversion read_gear(const toml::table* gear, const toml::table* own, Study* study) {
   if (gear == nullptr) return {};
-  if (study->model != &gear_table_model()) {
+  if (!is_gear_table_model(*study->model)) {
     fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
   }
   GearConversion conversion = convert_gear(*gear, first_values(*study->model, study->axes));
@@ -82,10 +83,19 @@ GearConversion read_gear(const toml::table* gear, const toml::table* own, Study*
   return conversion;
 }
 
-// The model that reads the study's measured curves.
-void bind_curves(const Curves& curves, Study* study) {
-  if (curves.empty()) return;
-  study->own_model = std::make_shared<const Model>(study->model->with_curves(curves));
+// The model with the study's options, which reads its measured curves.
+void bind_model(const toml::table* model, const GearConversion& gear, Study* study) {
+  Binding binding{read_given_curves(model, *study->model), study->setting.options, {}};
+  binding.curves.insert(gear.curves.begin(), gear.curves.end());
+  const auto add = [&](const Axis& axis) {
+    for (const Swept& swept : axis.swept()) {
+      if (!swept.is_state) binding.parameters.insert(study->model->parameters[swept.index].name);
+    }
+  };
+  for (const Axis& axis : study->axes) add(axis);
+  for (const UncertainParameter& parameter : study->uncertain.parameters) add(parameter.draws);
+  if (binding == study->model->binding) return;
+  study->own_model = std::make_shared<const Model>(study->model->bound(binding));
   study->model = study->own_model.get();
 }
 
@@ -193,6 +203,7 @@ StudyText take_in(const std::string& text, const std::string& source,
   for (const std::string& assignment : overrides) apply_override(assignment, &study.root);
   for (const std::string& zoom : zooms) apply_zoom(zoom, &study.root);
   take_in_model_file(files, &study.root);
+  take_in_curve_files(files, &study.root);
   take_in_gear_files(files, &study.root);
   study.points = take_in_points(files, given_points, &study.root);
   take_in_sample_files(files, &study.root);
@@ -241,8 +252,8 @@ Study read_tables(const StudyText& text) {
   if (study.axes.empty() && study.uncertain.draws() > 0) study.axes.push_back(resting_axis(study));
   check_size(root, study);
   note_what_wins(root, gear.parameters, &study);
+  bind_model(root["model"].as_table(), gear, &study);
   note_what_the_model_says(&study);
-  bind_curves(gear.curves, &study);
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);
 

@@ -153,8 +153,7 @@ def test_a_built_in_model_is_one_of_these():
     assert Study(duffing) == Study.of("duffing")
     assert "name = 'duffing'" in Study(duffing).toml
     gear = gearsweep.model("gear5")
-    assert gear.text == ""
-    assert str(gear) == repr(gear)
+    assert "[equations]" in gear.text
     assert gear != duffing
     assert pickle.loads(pickle.dumps(gear)) == gear
 

@@ -66,7 +66,8 @@ def test_each_may_have_all_values_of_an_axis():
     made = STUDY.points({"mu": [0.0, 0.1]}).sweep(omega=(0.5, 1.5, 4)).run()
     assert made.dmf_max.dims == ("point", "omega")
     alone = STUDY.parameters(mu=0.1).sweep(omega=(0.5, 1.5, 4)).run()
-    numpy.testing.assert_array_equal(made.dmf_max[1], alone.dmf_max)
+    # What is tabulated depends on the columns.
+    numpy.testing.assert_allclose(made.dmf_max[1], alone.dmf_max, rtol=1e-12)
 
 
 def test_their_result_runs_again_whole_and_in_part():
@@ -82,7 +83,8 @@ def test_have_traces_by_their_number():
     made = gearsweep.run(STUDY, points=POINTS)
     trace = gearsweep.trace(made, point=2)
     direct = gearsweep.trace(STUDY, omega=0.71, mu=0.08, x1=0.2)
-    numpy.testing.assert_array_equal(trace.x1, direct.x1)
+    # What is tabulated depends on the axes.
+    numpy.testing.assert_allclose(trace.x1, direct.x1, rtol=1e-12)
     with pytest.raises(InputError, match="numbered from 1 to 3"):
         gearsweep.trace(made, point=4)
     assert gearsweep.floquet(made, point=1).omega.item() == 0.62

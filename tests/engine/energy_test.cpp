@@ -99,6 +99,7 @@ Works works_of(const std::string& toml) {
   Trajectory trajectory(plan, 0, Eigen::Map<const Eigen::VectorXd>(start.data(), Eigen::Index{10}));
   for (int period = 0; period < 200; ++period) trajectory.advance_period();
 
+  const std::size_t of_backlash = signal_index(gear5(), "backlash");
   const double zeta = parameter_of(setting, "zeta");
   const double c = parameter_of(setting, "c1");
   const double omega = parameter_of(setting, "omega");
@@ -109,9 +110,9 @@ Works works_of(const std::string& toml) {
   };
   const auto powers = [&](const Moment& moment, double psi, const MeshSums& s) {
     const Eigen::VectorXd& x = moment.state;
-    const double D = moment.signals[0];
-    const double drive = std::max(D - moment.signals[1], 0.0);
-    const double back = std::min(D + moment.signals[1], 0.0);
+    const double D = moment.signals[signal_index(gear5(), "deflection")];
+    const double drive = std::max(D - moment.signals[of_backlash], 0.0);
+    const double back = std::min(D + moment.signals[of_backlash], 0.0);
     const double f = drive + back;
     const double rate = x[5] - x[7] + x[9];
     const double across = x[8] - x[6];
@@ -147,8 +148,8 @@ Works works_of(const std::string& toml) {
     sum.parametric += 0.5 * p0.squares * (s0.B - stiffness_before) +
                       0.25 * (p0.squares + p1.squares) * (s1.B - s0.B);
     stiffness_before = s1.B;
-    sum.backlash +=
-        0.5 * (s0.B * p0.sizes + s1.B * p1.sizes) * (after.signals[1] - before.signals[1]);
+    sum.backlash += 0.5 * (s0.B * p0.sizes + s1.B * p1.sizes) *
+                    (after.signals[of_backlash] - before.signals[of_backlash]);
     sum.wedged += p0.squares != p0.sizes * p0.sizes ? share : 0.0;
     psi += share;
   });

@@ -55,10 +55,12 @@ TEST_F(Field, IsContinuousAtTheEdgesOfTheBacklash) {
   const std::vector<double> row = coefs(0.3, 0.3);
   for (int trial = 0; trial < 500; ++trial) {
     std::vector<double> x = random_state();
-    double signals[3];
-    point_->signals(row.data(), x.data(), signals);
-    const double edge = trial % 2 == 0 ? signals[1] : -signals[1];
-    x[0] += edge - signals[0];  // deflection is x1 - x3 + x5; the backlash does not know x1
+    std::vector<double> signals(gear5().signals.size());
+    point_->signals(row.data(), x.data(), signals.data());
+    const double backlash = signals[signal_index(gear5(), "backlash")];
+    const double edge = trial % 2 == 0 ? backlash : -backlash;
+    x[0] += edge - signals[signal_index(gear5(), "deflection")];  // deflection is x1 - x3 + x5; the
+                                                                  // backlash does not know x1
     std::vector<double> inner = x, outer = x, beyond = x;
     inner[0] -= std::copysign(1e-9, edge);
     outer[0] += std::copysign(1e-9, edge);

@@ -25,7 +25,9 @@ std::string any_study(const Model& model, std::mt19937* random) {
   std::string toml = "[model]\nname = '" + model.name + "'\n[parameters]\n";
   for (const ParameterInfo& info : model.parameters) {
     const double value = info.default_value * factor(*random);
-    if (info.shapes_phase || value == 0.0) continue;
+    // Shares add up, teeth and cycles are whole.
+    const bool is_bound = info.name.starts_with("rho_") || info.role == Role::mesh_periods;
+    if (info.shapes_phase || value == 0.0 || is_bound) continue;
     toml += info.name + " = " + digits(std::clamp(value, info.min, info.max)) + "\n";
   }
   toml += "[[axes]]\nname = '" + first +

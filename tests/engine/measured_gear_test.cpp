@@ -11,6 +11,7 @@
 #include "model/error.hpp"
 #include "plan/phase_grid.hpp"
 #include "support/folder.hpp"
+#include "support/mesh.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 
@@ -45,18 +46,10 @@ Study study_of(const std::string& keys, const std::string& tables = "") {
   return read_study(study_text(keys, tables), "test.toml");
 }
 
-double coef(const Study& study, const std::string& name, double psi, double inside) {
-  std::vector<double> row(study.model->phase_coefs.size());
-  study.model->phase_coefs_at(study.setting, psi, inside, row.data());
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (study.model->phase_coefs[i].name == name) return row[i];
-  }
-  throw std::logic_error("no coefficient " + name);
+Mesh mesh_of(const Study& study, double psi, double inside) {
+  return mesh_at(*study.model, study.setting, psi, inside);
 }
-
-double coef(const Study& study, const std::string& name, double psi) {
-  return coef(study, name, psi, psi);
-}
+Mesh mesh_of(const Study& study, double psi) { return mesh_of(study, psi, psi); }
 
 double mean_stiffness(const Study& study) {
   const std::vector<double> bounds = segment_bounds(*study.model, study.setting);
@@ -64,10 +57,11 @@ double mean_stiffness(const Study& study) {
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     constexpr int kParts = 2000;  // even
     const double inside = 0.5 * (bounds[i] + bounds[i + 1]), length = bounds[i + 1] - bounds[i];
+    const MeshReader mesh(*study.model, study.setting);
     for (int part = 0; part <= kParts; ++part) {
       const double weight = part == 0 || part == kParts ? 1.0 : part % 2 == 1 ? 4.0 : 2.0;
       const double psi = part == kParts ? bounds[i + 1] : bounds[i] + length * part / kParts;
-      sum += weight * length / (3.0 * kParts) * coef(study, "stiffness", psi, inside);
+      sum += weight * length / (3.0 * kParts) * mesh.at(psi, inside).stiffness;
     }
   }
   return sum;
@@ -144,7 +138,7 @@ TEST(MeasuredGear, TheLoadIsSharedAsMeasured) {
   const Study study = study_of(kOneSine + "stiffness_file = 'k.csv'\nload_share_file = 's.csv'\n",
                                "[gear.tables]\n" + stiffness + share);
   // At 0.1 the last pair approaches and the one before it recedes.
-  EXPECT_NEAR(coef(study, "slide", 0.1), 2e8 / kMeanStiffness * (0.25 - 0.75), 1e-12);
+  EXPECT_NEAR(mesh_of(study, 0.1).slide, 2e8 / kMeanStiffness * (0.25 - 0.75), 1e-12);
 }
 
 // As a measuring machine writes them.
@@ -169,7 +163,7 @@ TEST(MeasuredGear, FilesLieBesideTheStudyAndTravelInIt) {
   EXPECT_EQ(parameter_of(study.setting, "cycle"), 20.0);
   for (const double psi : {0.05, 0.3, 0.77}) {
     for (const char* name : {"stiffness", "lever", "excitation", "error"}) {
-      EXPECT_EQ(coef(again, name, psi), coef(study, name, psi)) << name;
+      EXPECT_EQ(mesh_of(again, psi).part(name), mesh_of(study, psi).part(name)) << name;
     }
   }
   // A journal is told apart by this text.
@@ -186,15 +180,15 @@ TEST(MeasuredGear, PitchErrorsAreASplineOverTheTurn) {
   for (std::size_t tooth = 0; tooth < 30; ++tooth) {
     const double psi = static_cast<double>(tooth) / 30.0;
     const double error = tooth == 29 ? 1.5 : 3.0 * std::sin(static_cast<double>(tooth * tooth));
-    EXPECT_NEAR(coef(study, "error", psi, psi + 1e-5), error / 50.0, 1e-12);
+    EXPECT_NEAR(mesh_of(study, psi, psi + 1e-5).error, error / 50.0, 1e-12);
   }
   const double h = 1e-5;
   for (const double psi : {0.022, 0.33, 0.5, 0.91}) {
     const double angle = 30.0 * 2.0 * std::numbers::pi * h;  // omega tau
-    const double second = (coef(study, "error", psi + h) - 2.0 * coef(study, "error", psi) +
-                           coef(study, "error", psi - h)) /
+    const double second = (mesh_of(study, psi + h).error - 2.0 * mesh_of(study, psi).error +
+                           mesh_of(study, psi - h).error) /
                           (angle * angle);
-    EXPECT_NEAR(coef(study, "excitation", psi), -second, 1e-5);
+    EXPECT_NEAR(mesh_of(study, psi).excitation, -second, 1e-5);
   }
 }
 
@@ -265,14 +259,17 @@ TEST(MeasuredGear, HelicalTeethAreTheMeanOverTheirSlices) {
     for (const double psi : {0.11, 0.43, 0.92}) {
       constexpr int kSlices = 20'000;
       std::map<std::string, double> sums;
+      const MeshReader slices(*spur.model, spur.setting);
       for (int i = 0; i < kSlices; ++i) {
         const double at = psi - overlap * (i + 0.5) / kSlices;
+        const double share = at - std::floor(at);
+        const Mesh slice = slices.at(share, share);
         for (const char* name : kSums) {
-          sums[name] += coef(spur, name, at - std::floor(at)) / kSlices;
+          sums[name] += slice.part(name) / kSlices;
         }
       }
       for (const char* name : kSums) {
-        EXPECT_NEAR(coef(helical, name, psi), sums[name], 1e-4)
+        EXPECT_NEAR(mesh_of(helical, psi).part(name), sums[name], 1e-4)
             << name << " " << psi << " " << overlap;
       }
     }
@@ -281,7 +278,7 @@ TEST(MeasuredGear, HelicalTeethAreTheMeanOverTheirSlices) {
   // One base pitch of overlap: as much enters as leaves.
   Study even = study_of(kOneSine);
   set_parameter(&even.setting, "overlap", 1.0);
-  for (const double psi : {0.1, 0.4, 0.8}) EXPECT_NEAR(coef(even, "stiffness", psi), 1.0, 1e-14);
+  for (const double psi : {0.1, 0.4, 0.8}) EXPECT_NEAR(mesh_of(even, psi).stiffness, 1.0, 1e-14);
 }
 
 TEST(MeasuredGear, HelixAngleAndFaceWidthGiveTheOverlap) {
@@ -352,7 +349,9 @@ TEST(MeasuredGear, ALevelCurveOfDamageIsTheDamage) {
         const double inside = 0.5 * (bounds[i] + bounds[i + 1]);
         for (const double psi : {bounds[i], inside, bounds[i + 1]}) {
           for (const char* name : {"stiffness", "lever", "slide"}) {
-            EXPECT_EQ(coef(curve, name, psi, inside), coef(factor, name, psi, inside)) << name;
+            EXPECT_NEAR(mesh_of(curve, psi, inside).part(name),
+                        mesh_of(factor, psi, inside).part(name), 1e-15)
+                << name;
           }
         }
       }
@@ -367,12 +366,12 @@ TEST(MeasuredGear, DamageGoesOverThePathOfContact) {
                                held("d.csv", "share, lost\n0, 0\n0.5, 0.2\n1, 0.6\n"));
   EXPECT_EQ(parameter_of(study.setting, "cycle"), 20.0);
   const auto left = [&](double mesh_periods) {
-    return coef(study, "stiffness", mesh_periods / 20.0) / coef(sound, "stiffness", mesh_periods);
+    return mesh_of(study, mesh_periods / 20.0).stiffness / mesh_of(sound, mesh_periods).stiffness;
   };
   EXPECT_NEAR(left(0.325), 0.9, 1e-12);
   EXPECT_NEAR(left(0.65), 0.8, 1e-12);
   EXPECT_NEAR(left(0.975), 0.6, 1e-12);
-  EXPECT_NEAR(coef(study, "stiffness", 1.5 / 20.0), coef(sound, "stiffness", 0.5), 1e-12);
+  EXPECT_NEAR(mesh_of(study, 1.5 / 20.0).stiffness, mesh_of(sound, 0.5).stiffness, 1e-12);
   const std::vector<double> bounds = segment_bounds(*study.model, study.setting);
   EXPECT_TRUE(std::ranges::any_of(
       bounds, [](double bound) { return std::fabs(bound - 0.65 / 20.0) < 1e-12; }));

@@ -46,6 +46,20 @@ void expect_same_point(const SweepResult& single, const SweepResult& result, std
   }
 }
 
+// The same where the axes differ: what is tabulated depends on them, so sums round differently. The
+// motions part by less than a hundred times in so few periods.
+void expect_near_point(const SweepResult& single, const SweepResult& result, std::size_t point) {
+  EXPECT_EQ(single.status[0], result.status[point]);
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    EXPECT_NEAR(single.values[i][0], result.values[i][point], 1e-12)
+        << result.study.selection.quantities[i].name << ", point " << point;
+  }
+  for (std::size_t i = 0; i < 10; ++i) {
+    const std::vector<double> own = samples_of(single, 0, i), other = samples_of(result, point, i);
+    for (std::size_t k = 0; k < own.size(); ++k) EXPECT_NEAR(own[k], other[k], 1e-12);
+  }
+}
+
 TEST(Policies, ShiftedIsTheStaticEquilibrium) {
   const std::string study =
       "[model]\npreset = 'consistent'\nbacklash = 'dynamic'\n[[axes]]\n"
@@ -188,7 +202,7 @@ TEST(Axes, OneThatShapesThePhaseEqualsSeparateRuns) {
           run(study + tail,
               {"parameters." + axis + "=" + digits(value),
                "axes.omega.values=[" + digits(swept.study.axes[0].values[point % 2]) + "]"});
-      expect_same_point(single, swept, point);
+      expect_near_point(single, swept, point);
     }
     // The axis does something.
     EXPECT_NE(map_of(swept, "x1_rms")[0], map_of(swept, "x1_rms")[2]) << axis;

@@ -31,31 +31,6 @@ const std::vector<double>& values_of(const SweepResult& result, const std::strin
   throw std::logic_error("no map " + name);
 }
 
-// Sums are taken in another order, so motions are the same until rounding has grown: where the
-// motion is periodic, for ever.
-TEST(TextModel, HasTheMapsOfItsHeader) {
-  const std::string rest =
-      "[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 1.8\ncount = 12\n"
-      "[[axes]]\nname = 'e0'\nfrom = 0.1\nto = 0.4\ncount = 6\n"
-      "[integrate]\nmax_step = 0.05\nsettle = 300\nrecord = 50\ncontract = false\n"
-      "[observe]\nquantities = ['x1_rms', 'dmf_max', 'period', 'contact_class', 'contact_gap', "
-      "'lyapunov_max']\n";
-  const SweepResult text = run("[model]\nname = 'gear5_equations'\n" + rest);
-  const SweepResult header = run("[model]\nname = 'gear5'\nbacklash = 'dynamic'\n" + rest);
-  const std::vector<double>& periods = values_of(header, "period");
-  std::size_t periodic = 0;
-  for (std::size_t i = 0; i < periods.size(); ++i) {
-    ASSERT_EQ(values_of(text, "period")[i], periods[i]) << i;
-    if (periods[i] == 0.0) continue;
-    ++periodic;
-    for (const char* name : {"x1_rms", "dmf_max", "contact_gap", "lyapunov_max"}) {
-      EXPECT_NEAR(values_of(text, name)[i], values_of(header, name)[i], 1e-7) << name << " " << i;
-    }
-    EXPECT_EQ(values_of(text, "contact_class")[i], values_of(header, "contact_class")[i]) << i;
-  }
-  EXPECT_GT(periodic, periods.size() / 2);
-}
-
 // The host evaluates the tree, the device compiles it: the reference engine is a second opinion.
 TEST(TextModel, IsTheSameOnTheHost) {
   const std::vector<std::string> short_run = {"integrate.settle=20", "integrate.record=10",

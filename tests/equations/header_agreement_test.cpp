@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <numbers>
 #include <random>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "equations/headers.hpp"
-#include "model/registry.hpp"
+#include "expression/periodic_table.hpp"
 #include "study/builtin_models.hpp"
 #include "study/model_file.hpp"
 
@@ -20,6 +22,7 @@ namespace {
 // Sums are taken in another order: some ten operations of half a unit in the last place each,
 // relative to the largest part of the sum.
 constexpr double kRounding = 1e-14;
+constexpr double kTurn = 2.0 * std::numbers::pi;
 
 std::vector<double> row_of(const Model& model, const ModelSetting& setting, double psi) {
   std::vector<double> row(model.phase_coefs.size());
@@ -43,32 +46,20 @@ ModelSetting random_setting(const Model& model, std::mt19937_64* random) {
   return setting;
 }
 
-// The header's values, in the order of the file's names.
-ModelSetting translated(const Model& header, const ModelSetting& values, const Model& file) {
-  ModelSetting setting = file.default_setting();
-  for (std::size_t i = 0; i < setting.parameters.size(); ++i) {
-    const int index = header.find_parameter(file.parameters[i].name);
-    EXPECT_GE(index, 0) << file.parameters[i].name;
-    setting.parameters[i] = values.parameters[static_cast<std::size_t>(index)];
-  }
-  for (std::size_t i = 0; i < setting.options.size(); ++i) {
-    const int index = header.find_option(file.options[i].name);
-    setting.options[i] = values.options[static_cast<std::size_t>(index)];
-  }
-  return setting;
-}
-
 void expect_near(const std::vector<double>& mine, const std::vector<double>& theirs,
-                 const std::vector<double>& scales, const std::string& what) {
+                 const std::vector<double>& scales, const std::string& what,
+                 double rounding = kRounding) {
   ASSERT_EQ(mine.size(), theirs.size()) << what;
   for (std::size_t i = 0; i < mine.size(); ++i) {
-    ASSERT_NEAR(mine[i], theirs[i], kRounding * scales[i]) << what << " " << i;
+    ASSERT_NEAR(mine[i], theirs[i], rounding * scales[i]) << what << " " << i;
   }
 }
 
 // Right-hand side, Jacobian and the signals that both have, at one state and phase.
+// rounding: of a number of size 1.
 void compare_at(const Model& file, const ModelSetting& own, const Model& header,
-                const ModelSetting& theirs, double psi, const std::vector<double>& x) {
+                const ModelSetting& theirs, double psi, const std::vector<double>& x,
+                double rounding = kRounding) {
   const std::size_t n = x.size();
   const std::vector<double> row = row_of(file, own, psi), their_row = row_of(header, theirs, psi);
   const auto point = file.prepare(own), their_point = header.prepare(theirs);
@@ -91,8 +82,8 @@ void compare_at(const Model& file, const ModelSetting& own, const Model& header,
     for (std::size_t j = 0; j < n; ++j) largest[i * n + j] = most;
   }
   for (double& part : parts) part = std::max(part, 1.0);
-  expect_near(dx, their_dx, parts, "rhs");
-  expect_near(jacobian, their_jacobian, largest, "jacobian");
+  expect_near(dx, their_dx, parts, "rhs", rounding);
+  expect_near(jacobian, their_jacobian, largest, "jacobian", rounding);
   std::vector<double> signals(file.signals.size()), their_signals(header.signals.size());
   point->signals(row.data(), x.data(), signals.data());
   their_point->signals(their_row.data(), x.data(), their_signals.data());
@@ -101,7 +92,7 @@ void compare_at(const Model& file, const ModelSetting& own, const Model& header,
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const int index = header.find_signal(file.signals[i].name);
     ASSERT_GE(index, 0) << file.signals[i].name;
-    ASSERT_NEAR(signals[i], their_signals[static_cast<std::size_t>(index)], kRounding * size)
+    ASSERT_NEAR(signals[i], their_signals[static_cast<std::size_t>(index)], rounding * size)
         << file.signals[i].name;
   }
 }
@@ -153,11 +144,17 @@ class Headers : public ::testing::TestWithParam<std::size_t> {
 
 TEST_P(Headers, AgreeWithTheEquationsWhateverIsSwept) {
   const std::string text = *model_text(header().name);
-  compare(*find_model(header().name), header());
+  // A table without its curve is what both refuse.
+  const auto choose = [this](ModelSetting* setting) {
+    if (const int shape = header().find_option("stiffness"); header().name == "gear5") {
+      setting->options[static_cast<std::size_t>(shape)] %= 3;
+    }
+  };
+  compare(*find_model(header().name), header(), choose);
   for (const std::set<std::string>& swept :
        {std::set<std::string>(), std::set{header().parameters.front().name},
         std::set{header().parameters.back().name}}) {
-    compare(*read_model_text(text, header().name, swept), header());
+    compare(*read_model_text(text, header().name, swept), header(), choose);
   }
 }
 
@@ -168,14 +165,18 @@ TEST_P(Headers, HaveTheSameNamesRangesAndPresets) {
   EXPECT_EQ(file.state_names(), header().state_names());
   EXPECT_EQ(file.angles, header().angles);
   ASSERT_EQ(file.parameters.size(), header().parameters.size());
-  for (std::size_t i = 0; i < file.parameters.size(); ++i) {
-    const ParameterInfo &mine = file.parameters[i], &theirs = header().parameters[i];
-    EXPECT_EQ(mine.name, theirs.name);
+  for (const ParameterInfo& mine : file.parameters) {
+    const int found = header().find_parameter(mine.name);
+    ASSERT_GE(found, 0) << mine.name;
+    const ParameterInfo& theirs = header().parameters[static_cast<std::size_t>(found)];
     EXPECT_EQ(mine.unit, theirs.unit) << mine.name;
     EXPECT_EQ(mine.default_value, theirs.default_value) << mine.name;
     EXPECT_EQ(mine.min, theirs.min) << mine.name;
     EXPECT_EQ(mine.max, theirs.max) << mine.name;
-    EXPECT_EQ(mine.meaning, theirs.meaning) << mine.name;
+    const bool is_of_list = mine.meaning.ends_with(")") && !theirs.meaning.ends_with(")");
+    if (!is_of_list) {
+      EXPECT_EQ(mine.meaning, theirs.meaning) << mine.name;
+    }
   }
   for (const ChannelInfo& signal : header().signals) {
     const int found = file.find_signal(signal.name);
@@ -193,7 +194,10 @@ TEST_P(Headers, RestAndJumpWhereTheEquationsDo) {
   const Model& file = *find_model(header().name);
   std::mt19937_64 random(2);
   for (int i = 0; i < 100; ++i) {
-    const ModelSetting theirs = random_setting(header(), &random);
+    ModelSetting theirs = random_setting(header(), &random);
+    if (const int cycle = header().find_parameter("cycle"); cycle >= 0) {
+      theirs.parameters[static_cast<std::size_t>(cycle)] = 1.0;
+    }
     const ModelSetting own = translated(header(), theirs, file);
     const std::vector<double> rest = file.equilibrium(own), expected = header().equilibrium(theirs);
     for (std::size_t state = 0; state < rest.size(); ++state) {
@@ -216,25 +220,120 @@ INSTANTIATE_TEST_SUITE_P(All, Headers,
                          ::testing::Range(std::size_t{0}, handwritten_models().size()),
                          [](const auto& model) { return handwritten_models()[model.param].name; });
 
-// gear5 itself is a header; its equations are an example to change.
-TEST(Gear5Equations, AgreeWithTheHeaderOfGear5) {
-  const Model& header = *find_model("gear5");
-  const auto as_in_the_file = [&](ModelSetting* setting) {
-    setting->options.assign(header.options.size(), 0);
-    setting->options[static_cast<std::size_t>(header.find_option("backlash"))] = 1;
-    const auto value = [&](const char* name) -> double& {
-      return setting->parameters[static_cast<std::size_t>(header.find_parameter(name))];
-    };
-    // The file has no faults of the gears.
-    for (const ParameterInfo& info : header.parameters) {
-      const bool is_in_file = find_model("gear5_equations")->find_parameter(info.name) >= 0;
-      if (!is_in_file) value(info.name.c_str()) = info.default_value;
+// The phase of 100 mesh periods is rounded to 1e-13, and curves rise by up to 30 in a radian.
+constexpr double kFarRounding = 1e-11;
+
+// A gear pair with whatever faults, errors and curves it may have.
+class FaultyGears : public ::testing::Test {
+ protected:
+  double share() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
+  bool coin() { return share() < 0.5; }
+
+  std::shared_ptr<const PeriodicTable> curve(double low, double high, std::size_t points,
+                                             Interpolation interpolation) {
+    std::vector<TablePoint> table;
+    for (std::size_t i = 0; i < points; ++i) {
+      const double turn = (static_cast<double>(i) + 0.6 * share()) / static_cast<double>(points);
+      table.push_back({kTurn * turn, low + (high - low) * share()});
     }
+    return std::make_shared<const PeriodicTable>("curve", table, interpolation);
+  }
+
+  // What the model's checks let pass.
+  void draw(const Model& header) {
+    setting_ = random_setting(header, &random_);
+    curves_.clear();
+    const auto option = [&](const char* name) -> int& {
+      return setting_.options[static_cast<std::size_t>(header.find_option(name))];
+    };
+    const auto value = [&](const std::string& name) -> double& {
+      return setting_.parameters[static_cast<std::size_t>(header.find_parameter(name))];
+    };
     value("rho_g") = 1.0 - value("rho_p");
-  };
-  compare(*find_model("gear5_equations"), header, as_in_the_file);
-  compare(*read_model_text(*model_text("gear5_equations"), "", std::set<std::string>{"omega"}),
-          header, as_in_the_file);
+    option("formulation") = 0;
+    option("error") = 1;
+    value("zp") = 5.0 + std::floor(6.0 * share());
+    const double gear = 5.0 + std::floor(6.0 * share());
+    value("teeth_ratio") = gear / value("zp");
+    value("cycle") = value("zp") * gear;
+    for (int n = 2; n <= 8; ++n) {
+      value("e0_" + std::to_string(n)) = 0.1 * share();
+      value("e0_phase_" + std::to_string(n)) = 6.0 * share();
+    }
+    for (const char* name : {"kappa_2", "kappa_3", "kappa_4"}) value(name) = 0.1 * share();
+    for (const char* name : {"runout_p", "runout_g", "damage_p", "damage_g"}) {
+      if (coin()) value(name) = share();
+    }
+    for (const char* name : {"runout_phase_p", "runout_phase_g"}) value(name) = 6.0 * share();
+    if (coin()) value("overlap") = 2.5 * share();
+    const bool is_helical = value("overlap") > 0.0;
+    if (option("stiffness") == 3) {
+      curves_["measured_stiffness"] = curve(0.8, 1.2, 7, Interpolation::cubic);
+      if (!is_helical && coin()) curves_["load_share"] = curve(0.2, 0.8, 6, Interpolation::linear);
+    }
+    for (const std::string side : {"p", "g"}) {
+      if (coin()) {
+        const auto pitch = curve(-0.1, 0.1, 8, Interpolation::cubic);
+        curves_["pitch_" + side] = pitch;
+        curves_["pitch_bend_" + side] =
+            std::make_shared<const PeriodicTable>(pitch->bend().times(-1.0));
+      }
+      if (!is_helical && coin()) {
+        const std::vector<TablePoint> points = {
+            {0.0, 0.1 * share()}, {0.3 * kTurn, share()}, {0.5 * kTurn, share()}};
+        curves_["damage_curve_" + side] =
+            std::make_shared<const PeriodicTable>("damage", points, Interpolation::linear);
+      }
+    }
+  }
+
+  std::mt19937_64 random_{5};
+  ModelSetting setting_;
+  Curves curves_;
+};
+
+TEST_F(FaultyGears, AreThoseOfTheHeader) {
+  const Model& plain = *std::ranges::find(handwritten_models(), "gear5", &Model::name);
+  const Model& text = *find_model("gear5");
+  for (int i = 0; i < 300; ++i) {
+    draw(plain);
+    const Model header = plain.bound({curves_, {}, {}});
+    const ModelSetting own = translated(header, setting_, text);
+    const Model file = text.bound({curves_, own.options, {"omega", "mu"}});
+    ASSERT_EQ(header.check(setting_), "") << i;
+    ASSERT_EQ(file.check(own), "") << i;
+    for (int place = 0; place < 40; ++place) {
+      std::vector<double> x(header.states.size());
+      for (double& state : x) state = 6.0 * share() - 3.0;
+      const double psi = share();
+      compare_at(file, own, header, setting_, psi, x, kFarRounding);
+      compare_contacts_at(file, own, header, setting_, psi, x);
+      if (::testing::Test::HasFatalFailure()) FAIL() << "model " << i << " at " << psi;
+    }
+  }
+}
+
+// Steps end where the header's do. At a corner of a curve they may end, too.
+TEST_F(FaultyGears, JumpWhereTheHeaderDoes) {
+  const Model& plain = *std::ranges::find(handwritten_models(), "gear5", &Model::name);
+  const Model& text = *find_model("gear5");
+  for (int i = 0; i < 50; ++i) {
+    draw(plain);
+    const Model header = plain.bound({curves_, {}, {}});
+    const ModelSetting own = translated(header, setting_, text);
+    const Model file = text.bound({curves_, own.options, {"omega"}});
+    std::vector<double> found = file.break_phases(own), wanted = header.break_phases(setting_);
+    std::ranges::sort(found);
+    const auto is_found = [&](double phase) {
+      const auto after = std::ranges::lower_bound(found, phase - 1e-12);
+      return after != found.end() && *after < phase + 1e-12;
+    };
+    for (const double phase : wanted) {
+      const double in_period = phase >= 1.0 - 1e-12 ? 0.0 : phase;
+      EXPECT_TRUE(is_found(in_period)) << i << " " << phase;
+    }
+    EXPECT_LE(found.size(), wanted.size() + 500) << i;
+  }
 }
 
 }  // namespace

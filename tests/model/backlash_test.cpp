@@ -27,9 +27,10 @@ class Backlash : public ::testing::Test {
     set_parameter(&setting_, "b", 0.0);  // so that no digit of what is added to b is lost
     coefs_.resize(gear5().phase_coefs.size());
     gear5().phase_coefs_at(setting_, 0.5, 0.5, coefs_.data());
-    cos_alpha_ = coef("cos_alpha");
-    sin_alpha_ = coef("sin_alpha");
-    tan_alpha_ = coef("tan_alpha");
+    const double alpha = 20.0 * std::numbers::pi / 180.0;
+    cos_alpha_ = std::cos(alpha);
+    sin_alpha_ = std::sin(alpha);
+    tan_alpha_ = std::tan(alpha);
     set_centre(2400.0);
   }
 
@@ -37,13 +38,6 @@ class Backlash : public ::testing::Test {
     centre_ = A;
     set_parameter(&setting_, "A", A);
     point_ = gear5().prepare(setting_);
-  }
-
-  double coef(const std::string& name) const {
-    for (std::size_t i = 0; i < coefs_.size(); ++i) {
-      if (gear5().phase_coefs[i].name == name) return coefs_[i];
-    }
-    throw std::logic_error("no coefficient " + name);
   }
 
   static std::vector<double> state_of(const Shafts& shafts, double x1) {

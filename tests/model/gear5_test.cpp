@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "support/mesh.hpp"
 #include "support/settings.hpp"
 
 namespace gearsweep::testing {
@@ -51,19 +52,14 @@ TEST(Gear5, MobilitySharesMustSumToOne) {
 
 const std::vector<std::string> kShapes = {"parabolic", "rectangular", "fourier"};
 
-double coef_at(const ModelSetting& setting, const std::string& name, double psi) {
-  std::vector<double> row(gear5().phase_coefs.size());
-  gear5().phase_coefs_at(setting, psi, psi, row.data());
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (gear5().phase_coefs[i].name == name) return row[i];
-  }
-  throw std::logic_error("no coefficient " + name);
-}
+Mesh at(const ModelSetting& setting, double psi) { return mesh_at(gear5(), setting, psi, psi); }
 
 // Mean over the period, segment by segment, by Simpson's rule, which is exact for a parabola and,
 // with 200 parts, good to 1e-11 for the fourth harmonic.
 double mean_stiffness(const ModelSetting& setting) {
   const double leaves = parameter_of(setting, "eps") - 1.0;
+  const MeshReader mesh(gear5(), setting);
+  const auto stiffness = [&](double psi) { return mesh.at(psi, psi).stiffness; };
   double sum = 0.0;
   for (const auto& [from, to] : {std::pair(0.0, leaves), std::pair(leaves, 1.0)}) {
     constexpr int kParts = 200;
@@ -71,10 +67,9 @@ double mean_stiffness(const ModelSetting& setting) {
     for (int i = 0; i < kParts; ++i) {
       const double left = from + h * i;
       const double tiny = 1e-13;  // stay inside at the ends
-      sum += h / 6.0 *
-             (coef_at(setting, "stiffness", left + tiny) +
-              4.0 * coef_at(setting, "stiffness", left + 0.5 * h) +
-              coef_at(setting, "stiffness", left + h - tiny));
+      sum +=
+          h / 6.0 *
+          (stiffness(left + tiny) + 4.0 * stiffness(left + 0.5 * h) + stiffness(left + h - tiny));
     }
   }
   return sum;
@@ -109,7 +104,7 @@ TEST(Gear5, FourierStiffnessIsTheSumOfItsHarmonics) {
     for (int i = 0; i < 4; ++i) {
       expected += amplitudes[i] * std::cos(2.0 * std::numbers::pi * (i + 1) * psi + phases[i]);
     }
-    EXPECT_NEAR(coef_at(setting, "stiffness", psi), expected, 1e-14);
+    EXPECT_NEAR(at(setting, psi).stiffness, expected, 1e-14);
   }
 }
 
@@ -119,9 +114,9 @@ TEST(Gear5, FrictionArmsOfEqualGearsAreTanAlpha) {
   ModelSetting setting = gear5().default_setting();
   const double tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
   for (const double psi : {0.1, 0.5, 0.75, 0.84, 0.9, 0.99}) {
-    const double directions = coef_at(setting, "slide_damping", psi);
-    EXPECT_NEAR(coef_at(setting, "lever_damping", psi), directions * tan_alpha, 1e-15);
-    EXPECT_NEAR(coef_at(setting, "lever", psi), coef_at(setting, "slide", psi) * tan_alpha, 1e-15);
+    const double directions = at(setting, psi).slide_damping;
+    EXPECT_NEAR(at(setting, psi).lever_damping, directions * tan_alpha, 1e-14);
+    EXPECT_NEAR(at(setting, psi).lever, at(setting, psi).slide * tan_alpha, 1e-14);
   }
 }
 
@@ -142,8 +137,8 @@ TEST(Gear5, FrictionArmsOfUnequalGears) {
     const double s_p = tan_alpha + (psi - pitch_point) * 2.0 * std::numbers::pi / 20.0;
     const double s_g = (3.5 * tan_alpha - s_p) / 2.5;
     const double direction = psi < pitch_point ? 1.0 : -1.0;
-    EXPECT_EQ(coef_at(setting, "slide_damping", psi), direction);
-    EXPECT_NEAR(coef_at(setting, "lever_damping", psi), direction * (0.7 * s_p + 0.3 * s_g), 1e-15);
+    EXPECT_DOUBLE_EQ(at(setting, psi).slide_damping, direction);
+    EXPECT_NEAR(at(setting, psi).lever_damping, direction * (0.7 * s_p + 0.3 * s_g), 1e-14);
   }
 }
 
@@ -155,8 +150,8 @@ TEST(Gear5, FrictionArmsAsPrinted) {
   for (const double psi : {0.75, 0.84, 0.9}) {
     const double s_g = tan_alpha - (psi - 0.859) * 2.0 * std::numbers::pi / 40.0;
     const double direction = psi < 0.859 ? 1.0 : -1.0;
-    EXPECT_NEAR(coef_at(setting, "lever_damping", psi), direction * s_g, 1e-15);
-    EXPECT_EQ(coef_at(setting, "slide_damping", psi), -direction);
+    EXPECT_NEAR(at(setting, psi).lever_damping, direction * s_g, 1e-14);
+    EXPECT_DOUBLE_EQ(at(setting, psi).slide_damping, -direction);
   }
 }
 

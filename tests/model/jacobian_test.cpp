@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/settings.hpp"
+#include "verify/whole_kernel.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -41,7 +42,7 @@ namespace dual {
 #include "dialect.h"
 using real = Dual;
 using scalar = double;
-#include "models/gear5.h"
+#include "gear5.h"
 }  // namespace dual
 
 // One right-hand side and its derivative along a state.
@@ -86,7 +87,7 @@ TEST_P(Jacobian, IsTheDerivativeOfTheField) {
   const bool dynamic = GetParam().backlash == "dynamic";
   int touching = 0, gaps = 0, wedged = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    ModelSetting setting = gear5().default_setting();
+    ModelSetting setting = whole_kernel_model().default_setting();
     set_option(&setting, "formulation", GetParam().formulation);
     set_option(&setting, "backlash", GetParam().backlash);
     set_parameter(&setting, "mu", 0.3 * uniform(random));
@@ -94,16 +95,16 @@ TEST_P(Jacobian, IsTheDerivativeOfTheField) {
     set_parameter(&setting, "b", std::pow(10.0, -2.0 + 2.0 * uniform(random)));
     set_parameter(&setting, "A", std::pow(10.0, 1.0 + 3.0 * uniform(random)));
     const double psi = 0.001 + 0.998 * uniform(random);
-    std::vector<double> coefs(gear5().phase_coefs.size());
-    gear5().phase_coefs_at(setting, psi, psi, coefs.data());
-    std::vector<double> x(gear5().states.size());
+    std::vector<double> coefs(whole_kernel_model().phase_coefs.size());
+    whole_kernel_model().phase_coefs_at(setting, psi, psi, coefs.data());
+    std::vector<double> x(whole_kernel_model().states.size());
     for (double& value : x) value = 2.0 * uniform(random) - 1.0;
 
-    const std::unique_ptr<PreparedPoint> point = gear5().prepare(setting);
-    std::vector<double> signals(gear5().signals.size());
+    const std::unique_ptr<PreparedPoint> point = whole_kernel_model().prepare(setting);
+    std::vector<double> signals(whole_kernel_model().signals.size());
     point->signals(coefs.data(), x.data(), signals.data());
-    const double deflection = std::abs(signals[signal_index(gear5(), "deflection")]);
-    const double backlash = signals[signal_index(gear5(), "backlash")];
+    const double deflection = std::abs(signals[signal_index(whole_kernel_model(), "deflection")]);
+    const double backlash = signals[signal_index(whole_kernel_model(), "backlash")];
     ++(deflection < -backlash ? wedged : deflection < backlash ? gaps : touching);
 
     const DualField field(setting, coefs);
@@ -113,8 +114,8 @@ TEST_P(Jacobian, IsTheDerivativeOfTheField) {
       const std::vector<double> column = field.derivative(x, j);
       for (std::size_t i = 0; i < x.size(); ++i) {
         ASSERT_NEAR(jacobian[i * x.size() + j], column[i], 1e-13)
-            << "d " << gear5().states[i].name << "'/d " << gear5().states[j].name << ", D "
-            << deflection << ", b' " << backlash;
+            << "d " << whole_kernel_model().states[i].name << "'/d "
+            << whole_kernel_model().states[j].name << ", D " << deflection << ", b' " << backlash;
       }
     }
   }

@@ -36,7 +36,7 @@ std::string study_of(const Laws& laws) {
 }
 
 TEST_P(BitForBit, KernelAndHost) {
-  const Study study = read_study(study_of(GetParam()), "test.toml");
+  const Study study = with_whole_kernel(read_study(study_of(GetParam()), "test.toml"));
   const Plan plan(study, 4096);
   ASSERT_EQ(plan.stages().size(), 1U);
   ASSERT_EQ(plan.stages()[0].tiles.size(), 1U);

@@ -76,10 +76,10 @@ TEST(ProgramSource, CallsEachObserverByName) {
       "sweep.cl");
   EXPECT_THAT(source,
               AllOf(HasSubstr("real moments_of_dmf_sums[moments_accumulators];"),
-                    HasSubstr("moments_init(observers->moments_of_dmf, start->signals.dmf);"),
+                    HasSubstr("moments_init(observers->moments_of_dmf, start->signals.u_dmf);"),
                     HasSubstr("contact_step(observers->contact, contact_depths("),
                     HasSubstr("period_end_period(observers->period, section);"),
-                    HasSubstr("poincare_end_period(0, section);"), HasSubstr("{STATE_v1, }")));
+                    HasSubstr("poincare_end_period(0, section);"), HasSubstr("{STATE_u_v1, }")));
 }
 
 TEST(ProgramSource, ObservesOnlyWhereItRecords) {
@@ -135,6 +135,7 @@ TEST(BuildProgram, NamesFileAndLineOfAnError) {
   std::string& text = sources["rk4/rk4.h"];
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   text += "this_is_no_type broken;\n";
+  sources["models/gear5.h"] = study.model->kernel;
   const std::string source = flatten("dialect.h", sources) + flatten("models/gear5.h", sources) +
                              flatten("rk4/rk4.h", sources);
   const std::string options = build_options(study, 1);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "support/mesh.hpp"
 #include "support/settings.hpp"
 
 namespace gearsweep::testing {
@@ -16,12 +17,8 @@ namespace {
 using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 
-double coef(const PhaseGrid& grid, std::size_t row, const std::string& name) {
-  const std::vector<ChannelInfo>& coefs = gear5().phase_coefs;
-  for (std::size_t i = 0; i < coefs.size(); ++i) {
-    if (coefs[i].name == name) return grid.coefs[row * coefs.size() + i];
-  }
-  throw std::logic_error("no coefficient " + name);
+Mesh mesh_in(const PhaseGrid& grid, const ModelSetting& setting, std::size_t row) {
+  return MeshReader(gear5(), setting).of(grid.coefs.data() + row * gear5().phase_coefs.size());
 }
 
 ModelSetting with_contact_ratio(double eps) {
@@ -72,15 +69,19 @@ TEST_P(Grids, StepsEndOnTheBreakPhases) {
   }
 }
 
-// Rows lie at the ends and middles of the steps; a row of sin(2 pi psi) tells its phase.
+// Rows lie at the ends and middles of the steps; an error that is sin(4 pi psi) tells its phase.
 TEST_P(Grids, RowsLieAtEndsAndMiddles) {
-  const PhaseGrid grid = make_phase_grid(gear5(), with_contact_ratio(GetParam()), 100);
+  ModelSetting setting = with_contact_ratio(GetParam());
+  set_option(&setting, "error", "series");
+  set_parameter(&setting, "e0_2", 1.0);
+  const PhaseGrid grid = make_phase_grid(gear5(), setting, 100);
   std::size_t row = 0;
   double from = 0.0;
   for (std::size_t i = 0; i < grid.segment_steps.size(); ++i) {
     for (std::size_t half = 0; half <= 2 * grid.segment_steps[i]; ++half) {
       const double psi = from + 0.5 * static_cast<double>(half) * grid.segment_fractions[i];
-      EXPECT_NEAR(coef(grid, row++, "sine"), std::sin(2.0 * std::numbers::pi * psi), 1e-13);
+      EXPECT_NEAR(mesh_in(grid, setting, row++).error, std::sin(4.0 * std::numbers::pi * psi),
+                  1e-12);
     }
     from += grid.segment_fractions[i] * grid.segment_steps[i];
   }
@@ -100,16 +101,16 @@ TEST(PhaseGrid, CoefficientsAreOneSidedAtBreakPhases) {
   const std::size_t second_end = first_end + 1 + 2 * grid.segment_steps[1];
   const std::size_t last = second_end + 1 + 2 * grid.segment_steps[2];
   // Two pairs, each of stiffness 1/eps, up to eps - 1; then one.
-  EXPECT_DOUBLE_EQ(coef(grid, 0, "stiffness"), 2.0 / 1.718);
-  EXPECT_DOUBLE_EQ(coef(grid, first_end, "stiffness"), 2.0 / 1.718);
-  EXPECT_DOUBLE_EQ(coef(grid, first_end + 1, "stiffness"), 1.0 / 1.718);
-  EXPECT_DOUBLE_EQ(coef(grid, last, "stiffness"), 1.0 / 1.718);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, 0).stiffness, 2.0 / 1.718);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, first_end).stiffness, 2.0 / 1.718);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, first_end + 1).stiffness, 1.0 / 1.718);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, last).stiffness, 1.0 / 1.718);
   // Pair 1 approaches up to eps/2, then recedes; pair 2 recedes.
-  EXPECT_EQ(coef(grid, first_end, "slide_damping"), 0.0);
-  EXPECT_EQ(coef(grid, first_end + 1, "slide_damping"), 1.0);
-  EXPECT_EQ(coef(grid, second_end, "slide_damping"), 1.0);
-  EXPECT_EQ(coef(grid, second_end + 1, "slide_damping"), -1.0);
-  EXPECT_EQ(coef(grid, last, "slide_damping"), -1.0);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, first_end).slide_damping, 0.0);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, first_end + 1).slide_damping, 1.0);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, second_end).slide_damping, 1.0);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, second_end + 1).slide_damping, -1.0);
+  EXPECT_DOUBLE_EQ(mesh_in(grid, setting, last).slide_damping, -1.0);
 }
 
 TEST(Ladder, HasFourRungsPerOctave) {

@@ -45,14 +45,14 @@ x = {}
 v = {}
 [parameters]
 omega = 0.9
-e_1 = 0.3
+e = 0.3
 e_2 = -0.1
 e_3 = 0.05
-w_1 = 1.0
+w = 1.0
 w_2 = 2.0
 [equations]
 x = "v"
-v = "e_1*cos(phase) + e_2*cos(2*phase) + e_3*cos(3*phase) - (max(2*x - 0.2, 0)^1.5 - max(-2*x - 0.2, 0)^1.5*(1 + 0.1*v))*(w_1 + w_2) - (0.5*omega + 1)*x"
+v = "e*cos(phase) + e_2*cos(2*phase) + e_3*cos(3*phase) - (max(2*x - 0.2, 0)^1.5 - max(-2*x - 0.2, 0)^1.5*(1 + 0.1*v))*(w + w_2) - (0.5*omega + 1)*x"
 [forcing]
 period = "2*pi/omega"
 )~";

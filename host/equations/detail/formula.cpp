@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "equations/detail/check_message.hpp"
 #include "equations/detail/tables.hpp"
 #include "expression/parse.hpp"
 #include "model/error.hpp"
@@ -41,10 +42,13 @@ class FormulaReader {
       formula_.are_negative.push_back(parameter.min < 0.0);
       formula_.are_swept.push_back(definition_.swept.contains(parameter.name));
     }
-    for (const std::string& name : choice_names()) {
-      formula_.choices.push_back(formula_.graph.symbol(name));
+    if (definition_.choices.empty()) {
+      for (const std::string& name : choice_names()) {
+        formula_.choices.push_back(formula_.graph.symbol(name));
+      }
     }
     formula_.phase = formula_.graph.symbol("phase");
+    if (definition_.cycle) formula_.turn = formula_.graph.symbol("turn");
     // Those that nothing uses, too: a mistake in one is a mistake.
     for (const NamedFunction& function : definition_.functions) read_by_itself(function);
     for (const NamedExpression& constant : definition_.constants) value_of(constant);
@@ -61,6 +65,16 @@ class FormulaReader {
       formula_.jumps.push_back(of_parameters(text, "a phase of a jump"));
     }
     formula_.period = of_parameters(definition_.period, "the period");
+    formula_.cycle = formula_.graph.number(1.0);
+    if (definition_.cycle) {
+      formula_.cycle = of_parameters(*definition_.cycle, "the cycle");
+      formula_.period =
+          formula_.graph.as_written(Operation::multiply, {formula_.cycle, formula_.period});
+    }
+    for (const ModelCheck& check : definition_.checks) {
+      formula_.checks.push_back(condition_of_parameters(check));
+      formula_.check_values.push_back(values_in_message(check));
+    }
     find_unused();
     formula_.constants.assign(constants_.begin(), constants_.end());
     return std::move(formula_);
@@ -98,7 +112,13 @@ class FormulaReader {
               for (const NamedFunction& one : definition_.functions) known.push_back(one.name);
               return known;
             },
-        .table = [this](const TableCall& call) { return tables_.read(call, formula_); }};
+        .table = [this](const TableCall& call) { return tables_.read(call, formula_); },
+        .is_curve =
+            [this](const std::string& name) {
+              return std::ranges::find(definition_.curves, name) != definition_.curves.end();
+            },
+        .curve = [this](const std::string& name, NodeId argument,
+                        std::size_t position) { return curve_at(name, argument, position); }};
     names.max_depth -= kLessDepth * open_.size();
     try {
       return parse_expression(text.text, names, &formula_.graph);
@@ -114,7 +134,7 @@ class FormulaReader {
         fail_in(text, 0, fmt::format("{} may use parameters alone, not a table", what));
       }
       const bool is_state = std::ranges::find(formula_.states, part) != formula_.states.end();
-      if (!is_state && part != formula_.phase) continue;
+      if (!is_state && part != formula_.phase && part != formula_.turn) continue;
       fail_in(
           text, 0,
           fmt::format("{} may use parameters alone, not '{}'", what, formula_.graph[part].symbol));
@@ -122,9 +142,42 @@ class FormulaReader {
     return id;
   }
 
+  // As a number that is 1 where it holds.
+  NodeId condition_of_parameters(const ModelCheck& check) {
+    ExpressionText chosen = check.condition;
+    const std::string before = "if(";
+    chosen.text = fmt::format("{}{}, 1, 0)", before, chosen.text);
+    chosen.column -= std::min(chosen.column, before.size());
+    return of_parameters(chosen, "a check");
+  }
+
+  std::vector<NodeId> values_in_message(const ModelCheck& check) {
+    std::vector<NodeId> values;
+    for (const std::string& text : split_message(check.message).values) {
+      const ExpressionText value = {text, check.condition.file, check.condition.line, 1};
+      values.push_back(of_parameters(value, "a message"));
+    }
+    return values;
+  }
+
+  // One that is not measured is 0.
+  NodeId curve_at(const std::string& name, NodeId argument, std::size_t position) {
+    refuse_states({name, argument, Interpolation::linear, position, position}, formula_);
+    const auto given = definition_.given_curves.find(name);
+    if (given == definition_.given_curves.end()) return formula_.graph.number(0.0);
+    return formula_.graph.table(given->second, argument, argument);
+  }
+
+  NodeId as_condition(bool holds) {
+    const NodeId number = formula_.graph.number(holds ? 1.0 : 0.0);
+    return formula_.graph.as_written(Operation::less, {formula_.graph.number(0.0), number});
+  }
+
   std::optional<NodeId> find(const std::string& name) {
     uses_[user()].insert(name);
     if (name == "phase") return formula_.phase;
+    if (name == "turn" && formula_.turn) return formula_.turn;
+    if (const std::optional<bool> holds = known_condition(name)) return as_condition(*holds);
     for (const std::vector<NodeId>* symbols : {&formula_.states, &formula_.parameters}) {
       for (const NodeId id : *symbols) {
         if (formula_.graph[id].symbol == name) return id;
@@ -137,6 +190,21 @@ class FormulaReader {
     const auto constant = std::ranges::find(definition_.constants, name, &NamedExpression::name);
     if (constant == definition_.constants.end()) return std::nullopt;
     return value_of(*constant);
+  }
+
+  // Of choices that are made, and of curves: option.choice and curve.given.
+  std::optional<bool> known_condition(const std::string& name) const {
+    for (const std::string& curve : definition_.curves) {
+      if (name == curve + ".given") return definition_.given_curves.contains(curve);
+    }
+    for (std::size_t i = 0; i < definition_.choices.size(); ++i) {
+      const OptionInfo& option = definition_.options[i];
+      for (std::size_t j = 0; j < option.choices.size(); ++j) {
+        if (name != fmt::format("{}.{}", option.name, option.choices[j])) continue;
+        return definition_.choices[i] == static_cast<int>(j);
+      }
+    }
+    return std::nullopt;
   }
 
   // The constant or function that is being read.
@@ -239,6 +307,8 @@ class FormulaReader {
     for (const ChannelInfo& state : definition_.states) known.push_back(state.name);
     for (const ExpressionText& symbol : definition_.symbols) known.push_back(symbol.text);
     for (const std::string& choice : choice_names()) known.push_back(choice);
+    for (const std::string& curve : definition_.curves) known.push_back(curve + ".given");
+    if (formula_.turn) known.emplace_back("turn");
     for (const NamedExpression& constant : definition_.constants) known.push_back(constant.name);
     return known;
   }

@@ -1,6 +1,7 @@
 // The expressions of a model, parsed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace gearsweep {
 
-// Symbols are the names of states and parameters, and `phase`, in radians.
+// Symbols are the names of states and parameters, `phase`, in radians, and `turn`.
 struct Formula {
   ExpressionGraph graph;
   std::vector<NodeId> states, parameters;  // symbols
@@ -20,8 +21,11 @@ struct Formula {
   std::vector<bool> are_negative;  // [parameter]: whether it may be
   std::vector<std::pair<std::string, NodeId>> constants;  // by name
   NodeId phase = 0;
+  std::optional<NodeId> turn;  // of a model with a cycle
   std::vector<NodeId> equations, start, signals, jumps;
-  NodeId period = 0;
+  NodeId period = 0, cycle = 0;  // of the whole cycle; how many times the phase begins anew in it
+  std::vector<NodeId> checks;    // conditions, as numbers that are 1 where they hold
+  std::vector<std::vector<NodeId>> check_values;  // [check]: those that its message has
   std::vector<UnusedName> unused;
 };
 

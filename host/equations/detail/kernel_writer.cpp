@@ -17,13 +17,13 @@ namespace {
 class KernelWriter {
  public:
   KernelWriter(const ModelDefinition& definition, Formula* formula, const Lowered& lowered,
-               bool is_rough)
+               const TangentProgram& tangent, bool is_rough)
       : definition_(definition),
         formula_(formula),
         graph_(&formula->graph),
         lowered_(lowered),
         is_rough_(is_rough),
-        tangent_(tangent_program(formula, lowered)) {
+        tangent_(tangent) {
     const auto name = [&](const std::vector<NodeId>& symbols) {
       for (const NodeId id : symbols) names_[id] = (*graph_)[id].symbol;
     };
@@ -39,7 +39,7 @@ class KernelWriter {
     }
     std::size_t choice = 0;
     for (const OptionInfo& option : definition.options) {
-      for (std::size_t i = 0; i < option.choices.size(); ++i) {
+      for (std::size_t i = 0; i < option.choices.size() && !formula->choices.empty(); ++i) {
         names_[formula->choices[choice++]] =
             fmt::format("(scalar)(options.{} == {})", kernel_name(option.name), i);
       }
@@ -339,7 +339,7 @@ class KernelWriter {
   ExpressionGraph* graph_;
   const Lowered& lowered_;
   const bool is_rough_;
-  const TangentProgram tangent_;
+  const TangentProgram& tangent_;
   std::map<NodeId, std::string> names_;
   std::string out_;
 };
@@ -347,8 +347,8 @@ class KernelWriter {
 }  // namespace
 
 std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered,
-                      bool is_rough) {
-  return KernelWriter(definition, formula, lowered, is_rough).text();
+                      const TangentProgram& tangent, bool is_rough) {
+  return KernelWriter(definition, formula, lowered, tangent, is_rough).text();
 }
 
 }  // namespace gearsweep

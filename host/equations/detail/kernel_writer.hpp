@@ -1,10 +1,11 @@
-// A model's header for the device compiler, as kernels/models/ has them, written from its formula.
+// A model's header for the device compiler, written from its formula.
 #pragma once
 
 #include <string>
 
 #include "equations/definition.hpp"
 #include "equations/detail/lowering.hpp"
+#include "equations/detail/tangent_program.hpp"
 
 namespace gearsweep {
 
@@ -12,6 +13,6 @@ namespace gearsweep {
 // as those.
 // is_rough: as in Model.
 std::string kernel_of(const ModelDefinition& definition, Formula* formula, const Lowered& lowered,
-                      bool is_rough);
+                      const TangentProgram& tangent, bool is_rough);
 
 }  // namespace gearsweep

@@ -16,6 +16,7 @@ struct Dependence {
   bool state = false, phase = false, parameter = false;
   bool velocity = false;  // the second half of the states, where it is the first half's slope
   bool swept = false;     // a parameter that differs from point to point
+  bool rounds = false;    // devices may differ in the last digits
 };
 
 // A part of a sum, or of a product.
@@ -40,10 +41,12 @@ class Lowering {
     for (const NodeId id : formula_->signals) signals.push_back(simplify(id));
     formula_->period = simplify(formula_->period);
     lowered_.is_second_order = is_second_order(equations);
-    std::vector<NodeId> roots = equations;
-    roots.insert(roots.end(), signals.begin(), signals.end());
-    count_uses(roots);
+    const auto changes = [this](NodeId id) { return of(id).phase; };
+    has_phase_ = std::ranges::any_of(equations, changes) || std::ranges::any_of(signals, changes);
+    // The signals are another function: that they have a part, too, is no reason to keep it whole.
+    count_uses(equations);
     for (const NodeId id : equations) lowered_.equations.push_back(inner(id));
+    count_uses(signals);
     for (const NodeId id : signals) lowered_.signals.push_back(inner(id));
     for (const NodeId row : lowered_.equations) {
       for (const NodeId state : formula_->states) {
@@ -75,7 +78,7 @@ class Lowering {
     Dependence found;
     const Node node = (*graph_)[id];
     if (node.operation == Operation::symbol) {
-      found.phase = id == formula_->phase;
+      found.phase = id == formula_->phase || id == formula_->turn;
       const auto state = std::ranges::find(formula_->states, id);
       found.state = state != formula_->states.end();
       found.velocity =
@@ -86,6 +89,7 @@ class Lowering {
     }
     // At a fixed place, too: so it is tabulated, and no device sees it.
     found.phase |= node.operation == Operation::table;
+    found.rounds = rounds(node.operation);
     for (const NodeId argument : node.arguments) {
       const Dependence below = of(argument);
       found.state |= below.state;
@@ -93,6 +97,7 @@ class Lowering {
       found.phase |= below.phase;
       found.parameter |= below.parameter;
       found.swept |= below.swept;
+      found.rounds |= below.rounds;
     }
     return dependences_.emplace(id, found).first->second;
   }
@@ -102,6 +107,29 @@ class Lowering {
     const auto parameter = std::ranges::find(formula_->parameters, id);
     return parameter == formula_->parameters.end() ||
            formula_->are_swept[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
+  }
+
+  // Whether devices may give other last digits than the host does. What is the same at all points
+  // is tabulated then, where there is a table.
+  static bool rounds(Operation operation) {
+    switch (operation) {
+      case Operation::power:
+      case Operation::sine:
+      case Operation::cosine:
+      case Operation::tangent:
+      case Operation::arcsine:
+      case Operation::arccosine:
+      case Operation::arctangent:
+      case Operation::arctangent_of_two:
+      case Operation::hyperbolic_sine:
+      case Operation::hyperbolic_cosine:
+      case Operation::hyperbolic_tangent:
+      case Operation::exponential:
+      case Operation::logarithm:
+        return true;
+      default:
+        return false;
+    }
   }
 
   NodeId make(Operation operation, NodeId a, NodeId b) { return graph_->make(operation, {a, b}); }
@@ -119,7 +147,9 @@ class Lowering {
     const Node node = (*graph_)[id];  // a copy: the graph grows
     if (graph_->is_number(id)) return id;
     const Dependence depends = of(id);
-    if (!depends.state && !depends.phase) return point_field(id);
+    if (!depends.state && !depends.phase) {
+      return has_phase_ && !depends.swept && depends.rounds ? coef(id) : point_field(id);
+    }
     if (!depends.state && !depends.swept) return coef(id);
     switch (node.operation) {
       case Operation::add:
@@ -222,7 +252,8 @@ class Lowering {
     for (const Part& part : parts) {
       const Dependence depends = of(part.id);
       if (!depends.state && !depends.phase) {
-        NodeId& constant = depends.swept ? of_point : of_all;
+        const bool is_tabulated = has_phase_ && depends.rounds;
+        NodeId& constant = depends.swept ? of_point : is_tabulated ? of_phase : of_all;
         constant = joined(constant, part, is_product);
       } else if (!depends.state && !depends.swept) {
         of_phase = joined(of_phase, part, is_product);
@@ -371,6 +402,7 @@ class Lowering {
   std::map<NodeId, std::size_t> uses_;
   std::map<NodeId, Dependence> dependences_;
   std::map<NodeId, NodeId> inner_;
+  bool has_phase_ = false;
 };
 
 }  // namespace

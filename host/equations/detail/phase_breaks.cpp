@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 #include "expression/print.hpp"
 
@@ -29,14 +30,15 @@ std::vector<double> in_turn(std::vector<double> phases) {
 
 PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
                          NodeId phase, const std::vector<NodeId>& roots) {
-  std::set<NodeId> changing = {phase};
+  std::vector<bool> is_changing(graph.size());
+  is_changing[phase] = true;
   const std::vector<NodeId> parts = parts_of(graph, roots);
   std::vector<NodeId> constants, nodes;
-  std::map<NodeId, std::size_t> places = {{phase, 0}};
-  const auto changes = [&](NodeId id) { return changing.contains(id); };
+  std::unordered_map<NodeId, std::size_t> places = {{phase, 0}};
+  const auto changes = [&](NodeId id) { return is_changing[id]; };
   for (const NodeId id : parts) {
     if (id == phase || std::ranges::none_of(graph[id].arguments, changes)) continue;
-    changing.insert(id);
+    is_changing[id] = true;
     nodes.push_back(id);
     for (const NodeId argument : graph[id].arguments) {
       if (changes(argument) || places.contains(argument)) continue;
@@ -46,23 +48,16 @@ PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>
   }
   constants_ = Tape(graph, inputs, constants);
   constant_count_ = constants.size();
-  std::vector<std::set<std::size_t>> cones;
   for (const NodeId id : nodes) {
     const Node& node = graph[id];
     const std::size_t place = first_step() + steps_.size();
     places[id] = place;
     Step step{node.operation, 0, 0, 0, node.table, is_condition(node.operation)};
     const std::array<std::size_t*, 3> arguments = {&step.a, &step.b, &step.c};
-    std::set<std::size_t> cone = {steps_.size()};
     for (std::size_t i = 0; i < node.arguments.size(); ++i) {
       *arguments[i] = places.at(node.arguments[i]);
-      if (*arguments[i] < first_step()) continue;
-      const std::set<std::size_t>& below = cones[*arguments[i] - first_step()];
-      cone.insert(below.begin(), below.end());
     }
-    cones.push_back(cone);
-    Breaker breaker{steps_.size(), {}, {cone.begin(), cone.end()}, to_short_text(graph, id)};
-    breaker.cone.pop_back();  // itself
+    Breaker breaker{steps_.size(), {}, {}, ""};
     const auto add = [&](Levels levels, double sign, double offset) {
       breaker.functions.push_back({step.a, step.b, sign, offset, levels, {}});
     };
@@ -114,7 +109,10 @@ PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>
       case Operation::table: {
         if (!node.table->jumps().empty()) add_table(node.table->jumps());
         const std::vector<double> corners = node.table->corners();
-        if (corners.size() > kMaxTableCorners) {
+        // What goes on from turn to turn has few of them in each.
+        const std::vector<NodeId> read = parts_of(graph, {node.arguments[0]});
+        const bool goes_on = !inputs.empty() && std::ranges::binary_search(read, inputs.back());
+        if (corners.size() > kMaxTableCorners && !goes_on) {
           tables_left_out_.push_back(fmt::format(
               "{} has {} corners, more than {}: steps do not end at them and are of second order "
               "there; read it as 'cubic' if it is smooth",
@@ -124,9 +122,6 @@ PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>
         }
         break;
       }
-      case Operation::select:
-        has_choices_ = true;
-        break;
       default:
         break;
     }
@@ -135,12 +130,75 @@ PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>
       return function.a < first_step() && function.a > 0 &&
              (function.sign == 0.0 || (function.b < first_step() && function.b > 0));
     });
-    if (!breaker.functions.empty()) breakers_.push_back(std::move(breaker));
+    if (breaker.functions.empty()) continue;
+    breaker.cone = steps_below(breaker.step);
+    breaker.text = to_short_text(graph, id);
+    breakers_.push_back(std::move(breaker));
   }
   for (const NodeId id : roots) {
     if (changes(id)) roots_.push_back(places.at(id));
   }
   order_breakers(roots_);
+  find_deciding();
+}
+
+// Those of the steps that a breaker is made of, of breakers themselves and of what chooses.
+void PhaseBreaks::find_deciding() {
+  std::set<std::size_t> steps, found;
+  for (const Breaker& breaker : breakers_) {
+    steps.insert(breaker.cone.begin(), breaker.cone.end());
+    steps.insert(breaker.step);
+  }
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    const bool is_select = step.operation == Operation::select;
+    const bool is_joint =
+        step.operation == Operation::conjunction || step.operation == Operation::disjunction;
+    std::vector<std::size_t> read;
+    if (steps.contains(i)) {
+      read = {step.a, step.b, step.c};
+    } else if (is_joint) {
+      read = {step.a, step.b};
+    } else if (is_select) {
+      read = {step.a};
+    }
+    for (const std::size_t place : read) {
+      if (place > 0 && place < first_step()) found.insert(place - 1);
+    }
+  }
+  deciding_.assign(found.begin(), found.end());
+}
+
+std::vector<std::vector<double>> PhaseBreaks::find_in_turns(std::vector<double> inputs,
+                                                            std::size_t turns) const {
+  std::vector<std::vector<double>> all;
+  std::map<std::vector<double>, std::size_t> known;  // what decides, and the turn that had it first
+  std::vector<double> constants(constant_count_);
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    inputs.back() = static_cast<double>(turn);
+    constants_.run(inputs.data(), constants.data());
+    std::vector<double> deciding;
+    for (const std::size_t place : deciding_) deciding.push_back(constants[place]);
+    const auto [first, is_new] = known.emplace(std::move(deciding), turn);
+    all.push_back(is_new ? find(inputs) : all[first->second]);
+  }
+  return all;
+}
+
+// Rising, without itself.
+std::vector<std::size_t> PhaseBreaks::steps_below(std::size_t step) const {
+  std::vector<bool> is_below(step + 1);
+  is_below[step] = true;
+  std::vector<std::size_t> below;
+  for (std::size_t i = step + 1; i-- > 0;) {
+    if (!is_below[i]) continue;
+    if (i != step) below.push_back(i);
+    for (const std::size_t place : {steps_[i].a, steps_[i].b, steps_[i].c}) {
+      if (place >= first_step()) is_below[place - first_step()] = true;
+    }
+  }
+  std::ranges::reverse(below);
+  return below;
 }
 
 // Depth first, a condition before what it chooses from.

@@ -32,13 +32,16 @@ class PhaseBreaks {
  public:
   PhaseBreaks() = default;
   // inputs: symbols whose values are given to find(); all that the roots depend on beside the
-  // phase.
+  // phase. The last one is the turn.
   PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>& inputs, NodeId phase,
               const std::vector<NodeId>& roots);
 
   // Phases in radians, above 0 and below 2 pi, rising. Throws InputError, with the expression,
   // where there are more than 1,000, or where it cannot be told what an expression does.
   std::vector<double> find(const std::vector<double>& inputs) const;
+  // The same for each value 0, 1, ... of the last input. What it does not change is found once.
+  std::vector<std::vector<double>> find_in_turns(std::vector<double> inputs,
+                                                 std::size_t turns) const;
   // What breaks, each once.
   std::vector<std::string> texts() const;
   // What says so of tables that have too many corners.
@@ -80,15 +83,17 @@ class PhaseBreaks {
   };
 
   std::size_t first_step() const { return 1 + constant_count_; }
+  std::vector<std::size_t> steps_below(std::size_t step) const;
+  void find_deciding();
   void order_breakers(const std::vector<std::size_t>& roots);
 
   Tape constants_;
   std::size_t constant_count_ = 0;
+  std::vector<std::size_t> deciding_;  // constants that say where a break is
   std::vector<Step> steps_;
   std::vector<std::size_t> roots_;  // places
   std::vector<std::size_t> ranks_;  // [step]: when it is known, conditions before what they choose
   std::vector<Breaker> breakers_;   // by rank
-  bool has_choices_ = false;
   std::vector<std::string> tables_left_out_;
 };
 

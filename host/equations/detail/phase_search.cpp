@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "equations/detail/phase_breaks.hpp"
 #include "model/error.hpp"
@@ -35,10 +37,17 @@ class PhaseBreaks::Search {
       points_[i] = chosen_[i];
       enclosures_[i] = {{chosen_[i], chosen_[i]}, {}};
     }
+    is_live_ = reached(0);
+    for (std::size_t i = 0; i < breaks_.steps_.size(); ++i) {
+      const Step& step = breaks_.steps_[i];
+      has_choices_ |=
+          is_live_[i] && step.operation == Operation::select && step.a >= breaks_.first_step();
+    }
   }
 
   std::vector<double> run() {
     for (const Breaker& breaker : breaks_.breakers_) {
+      if (!is_live_[breaker.step]) continue;
       breaker_ = &breaker;
       std::vector<double> found;
       double from = 0.0;
@@ -83,23 +92,45 @@ class PhaseBreaks::Search {
     bounds_ = std::move(kept);
   }
 
-  void look_between(double from, double to, std::vector<double>* found) {
+  // The values in the middle between two breaks; most breakers find no other ones.
+  void choose_between(double from, double to) {
+    const auto [known, is_new] = middles_.try_emplace({from, to});
+    if (!is_new) {
+      chosen_ = known->second;
+      return;
+    }
     chosen_[0] = 0.5 * (from + to);
     for (std::size_t i = 0; i < breaks_.steps_.size(); ++i) {
+      if (!is_live_[i]) continue;
       const Step& step = breaks_.steps_[i];
       const double a = chosen_[step.a], b = chosen_[step.b];
       chosen_[breaks_.first_step() + i] = step.operation == Operation::table
                                               ? step.table->at(a, b)
                                               : apply(step.operation, a, b, chosen_[step.c]);
     }
-    if (breaks_.has_choices_ && !is_active()) return;
+    known->second = chosen_;
+  }
+
+  void look_between(double from, double to, std::vector<double>* found) {
+    choose_between(from, to);
+    if (has_choices_ && !reached(breaks_.ranks_[breaker_->step])[breaker_->step]) return;
     for (const Function& function : breaker_->functions) look_at(function, {from, to}, found);
   }
 
-  // Whether a root is made of the breaker where the choices that are known are made.
-  bool is_active() const {
+  // A part that the phase does not change decides what is joined by `and` or `or`.
+  bool is_decided(const Step& step) const {
+    const bool is_or = step.operation == Operation::disjunction;
+    if (!is_or && step.operation != Operation::conjunction) return false;
+    const auto decides = [&](std::size_t place) {
+      return place > 0 && place < breaks_.first_step() && (chosen_[place] != 0.0) == is_or;
+    };
+    return decides(step.a) || decides(step.b);
+  }
+
+  // The steps that a root is made of where the choices that are known are made: those of conditions
+  // below a rank, and those that the phase does not change.
+  std::vector<bool> reached(std::size_t rank) const {
     const std::size_t first = breaks_.first_step();
-    const std::size_t own_rank = breaks_.ranks_[breaker_->step];
     std::vector<bool> seen(breaks_.steps_.size(), false);
     std::vector<std::size_t> open;
     const auto push = [&](std::size_t place) {
@@ -111,14 +142,14 @@ class PhaseBreaks::Search {
     while (!open.empty()) {
       const Step& step = breaks_.steps_[open.back()];
       open.pop_back();
+      if (is_decided(step)) continue;
       const bool is_choice = step.operation == Operation::select;
-      const bool is_known =
-          is_choice && (step.a < first || breaks_.ranks_[step.a - first] < own_rank);
+      const bool is_known = is_choice && (step.a < first || breaks_.ranks_[step.a - first] < rank);
       push(step.a);
       if (!is_known || chosen_[step.a] != 0.0) push(step.b);
       if (!is_known || chosen_[step.a] == 0.0) push(step.c);
     }
-    return seen[breaker_->step];
+    return seen;
   }
 
   // Of what does not only choose.
@@ -303,6 +334,9 @@ class PhaseBreaks::Search {
   // [place]: in the middle between two breaks, at a phase, over an interval.
   std::vector<double> chosen_, points_;
   std::vector<Enclosure> enclosures_;
+  std::map<std::pair<double, double>, std::vector<double>> middles_;  // chosen_ between breaks
+  std::vector<bool> is_live_;  // [step]: whatever the phase is
+  bool has_choices_ = false;   // that the phase makes
   std::vector<double> bounds_;
 };
 

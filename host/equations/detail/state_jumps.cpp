@@ -49,7 +49,7 @@ std::function<std::vector<StateJump>(const ModelSetting&)> state_jumps_by_settin
     const Lowered& lowered) {
   std::vector<StateJump> all = state_jumps_of(definition, lowered.jumps);
   // No option changes these: there are none, or nothing jumps whatever they are.
-  if (all.empty() || definition.options.empty()) {
+  if (all.empty() || written == nullptr) {
     return [all = std::move(all)](const ModelSetting&) { return all; };
   }
   const auto defined = std::make_shared<const ModelDefinition>(definition);

@@ -12,6 +12,8 @@ namespace {
 // A study holds the numbers of all.
 constexpr std::size_t kMaxTables = 16;
 
+}  // namespace
+
 void refuse_states(const TableCall& call, const Formula& formula) {
   const std::vector<NodeId> parts = parts_of(formula.graph, {call.argument});
   for (const NodeId state : formula.states) {
@@ -21,8 +23,6 @@ void refuse_states(const TableCall& call, const Formula& formula) {
                                       formula.graph[state].symbol));
   }
 }
-
-}  // namespace
 
 std::shared_ptr<const PeriodicTable> Tables::read(const TableCall& call, const Formula& formula) {
   refuse_states(call, formula);

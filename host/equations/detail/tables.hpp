@@ -13,6 +13,9 @@
 
 namespace gearsweep {
 
+// Throws ExpressionError where a table or curve is read at a state.
+void refuse_states(const TableCall& call, const Formula& formula);
+
 class Tables {
  public:
   explicit Tables(const TablePoints& points_of) : points_of_(points_of) {}

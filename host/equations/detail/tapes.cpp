@@ -1,5 +1,8 @@
 #include "equations/detail/tapes.hpp"
 
+#include <array>
+#include <cmath>
+
 #include "equations/definition.hpp"
 #include "equations/detail/one_sided.hpp"
 #include "expression/differentiate.hpp"
@@ -16,21 +19,34 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   tapes.coef_count = lowered.coefs.size();
   tapes.listed = formula->jumps.size();
   tapes.file = definition.period.file;
-  for (const OptionInfo& option : definition.options)
-    tapes.choices.push_back(option.choices.size());
-  tapes.breaks = PhaseBreaks(graph, parameters, formula->phase, lowered.coef_values);
-  tapes.waves = PhaseWaves(&formula->graph, parameters, formula->phase, lowered.coef_values);
+  for (const OptionInfo& option : definition.options) {
+    if (definition.choices.empty()) tapes.choices.push_back(option.choices.size());
+  }
+  std::vector<NodeId> checks = formula->checks;
+  for (std::size_t i = 0; i < formula->checks.size(); ++i) {
+    tapes.messages.push_back(split_message(definition.checks[i].message));
+    const std::vector<NodeId>& values = formula->check_values[i];
+    checks.insert(checks.end(), values.begin(), values.end());
+  }
   // No name of a user's has a space.
+  const NodeId turn = formula->turn.value_or(formula->graph.symbol("no turn"));
+  std::vector<NodeId> turned = parameters;
+  turned.push_back(turn);
+  tapes.breaks = PhaseBreaks(graph, turned, formula->phase, lowered.coef_values);
+  tapes.waves = PhaseWaves(&formula->graph, parameters, {formula->phase, turn, formula->cycle},
+                           lowered.coef_values);
   const NodeId inside = formula->graph.symbol("phase inside");
   const std::vector<NodeId> coefs =
       one_sided(&formula->graph, formula->phase, inside, lowered.coef_values);
-  std::vector<NodeId> phased = parameters;
+  std::vector<NodeId> phased = turned;
   phased.push_back(formula->phase);
   phased.push_back(inside);
   std::vector<NodeId> moment = formula->states;
   moment.insert(moment.end(), lowered.point.begin(), lowered.point.end());
   moment.insert(moment.end(), lowered.coefs.begin(), lowered.coefs.end());
   tapes.period = Tape(graph, parameters, {formula->period});
+  tapes.cycle = Tape(graph, parameters, {formula->cycle});
+  tapes.checks = Tape(graph, parameters, checks);
   tapes.start = Tape(graph, parameters, formula->start);
   tapes.jumps = Tape(graph, parameters, formula->jumps);
   tapes.coefs = Tape(graph, phased, coefs);
@@ -68,13 +84,20 @@ std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting) {
   return inputs;
 }
 
-void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
-              double* row) {
+std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting) {
+  return static_cast<std::size_t>(tapes.cycle.run(inputs_of(tapes, setting)));
+}
+
+CoefsAt::CoefsAt(const Tapes& tapes, const ModelSetting& setting)
+    : cycle_(tapes.cycle.run(inputs_of(tapes, setting))),
+      coefs_(tapes.coefs.given(inputs_of(tapes, setting))) {}
+
+void CoefsAt::operator()(double psi, double inside, double* row) const {
   row[0] = 1.0;  // of a model without coefficients
-  std::vector<double> inputs = inputs_of(tapes, setting);
-  inputs.push_back(kWholePhase * psi);
-  inputs.push_back(kWholePhase * inside);
-  tapes.coefs.run(inputs.data(), row);
+  const double turn = std::floor(cycle_ * inside);
+  const std::array<double, 3> phases = {turn, kWholePhase * (cycle_ * psi - turn),
+                                        kWholePhase * (cycle_ * inside - turn)};
+  coefs_.run(phases.data(), row);
 }
 
 }  // namespace gearsweep

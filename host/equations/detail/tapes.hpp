@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "equations/detail/check_message.hpp"
 #include "equations/detail/formula.hpp"
 #include "equations/detail/lowering.hpp"
 #include "equations/detail/phase_breaks.hpp"
@@ -14,11 +15,12 @@
 namespace gearsweep {
 
 struct Tapes {
-  // Of parameters and choices of options; coefs: then of the phase and one inside.
-  Tape period, start, jumps, coefs, point;
+  // Of parameters and choices of options; checks: whether each holds, then the values of all of
+  // their messages; coefs: then of the turn, the phase and one inside.
+  Tape period, cycle, start, jumps, checks, coefs, point;
   // Of states, point and coefs.
   Tape rhs, jacobian, signals;
-  // Of coefs.
+  // Of coefs, given the turn, too.
   PhaseBreaks breaks;
   PhaseWaves waves;
   struct OfContact {
@@ -28,9 +30,10 @@ struct Tapes {
   Tape contact_places;  // deflection and backlash of each
   std::vector<OfContact> contacts;
   std::size_t states = 0, points = 0, coef_count = 0;
-  std::vector<std::size_t> choices;  // [option]: how many there are
-  std::size_t listed = 0;            // jumps that the model's file lists
-  std::string file;                  // of the model, for messages
+  std::vector<std::size_t> choices;    // [option]: how many there are; empty where they are made
+  std::vector<CheckMessage> messages;  // [check]
+  std::size_t listed = 0;              // jumps that the model's file lists
+  std::string file;                    // of the model, for messages
 };
 
 // definition: for its options and its file. The formula's graph gains what is worked out.
@@ -39,9 +42,19 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
 // Parameters, then 1 for each choice that is made and 0 for the others.
 std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting);
 
+// How many times the phase begins anew in a period of the forcing.
+std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting);
+
 // The coefficients at a phase, seen from the segment that `inside` lies in; both in forcing
-// periods.
-void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
-              double* row);
+// periods. What a setting decides is worked out once.
+class CoefsAt {
+ public:
+  CoefsAt(const Tapes& tapes, const ModelSetting& setting);
+  void operator()(double psi, double inside, double* row) const;
+
+ private:
+  double cycle_;
+  Tape coefs_;  // of the turn, the phase and one inside
+};
 
 }  // namespace gearsweep

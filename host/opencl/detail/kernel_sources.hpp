@@ -6,7 +6,7 @@
 
 namespace gearsweep {
 
-// By path relative to kernels/, as in "models/gear5.h".
+// By path relative to kernels/, as in "rk4/rk4.h".
 const std::map<std::string, std::string>& kernel_sources();
 
 }  // namespace gearsweep

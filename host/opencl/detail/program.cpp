@@ -131,7 +131,7 @@ std::string program_source(const Study& study, const std::string& file) {
     seen.selection.orders = study.selection.orders;  // but these are in the tables of all
   }
   const Model& model = *seen.model;
-  if (!model.kernel.empty()) sources[fmt::format("models/{}.h", model.name)] = model.kernel;
+  sources[fmt::format("models/{}.h", model.name)] = model.kernel;
   sources["selection.h"] = selection_header(seen);
   sources["observers.h"] = observers_header(seen);
   return flatten(file, sources);

@@ -7,21 +7,23 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kPhases = 2000;  // compared in a period
-constexpr double kSame = 1e-7;         // phases that are one
+constexpr std::size_t kPhases = 2000;     // compared in a period of the forcing, at least
+constexpr std::size_t kMeshPhases = 100;  // in one of the mesh
+constexpr double kSame = 1e-7;            // phases that are one
 
 // Coefficients at phases of one setting.
 class Scan {
  public:
   Scan(const Model& model, const ModelSetting& setting)
-      : model_(model),
-        setting_(setting),
+      : phases_(
+            std::max(kPhases, kMeshPhases * static_cast<std::size_t>(model.mesh_periods(setting)))),
+        row_at_(model.phase_rows(setting)),
         here_(model.phase_coefs.size()),
         continued_(model.phase_coefs.size()) {}
 
   std::vector<double> breaks() {
     std::vector<double> found;
-    for (std::size_t i = 0; i + 1 < kPhases; ++i) {
+    for (std::size_t i = 0; i + 1 < phases_; ++i) {
       const double from = phase(i), to = phase(i + 1);
       if (!goes_on(from, to)) found.push_back(place(from, to));
     }
@@ -30,12 +32,14 @@ class Scan {
 
  private:
   // At no simple fraction of a period, where breaks may be.
-  static double phase(std::size_t i) { return (static_cast<double>(i) + 0.382) / kPhases; }
+  double phase(std::size_t i) const {
+    return (static_cast<double>(i) + 0.382) / static_cast<double>(phases_);
+  }
 
   // Whether the coefficients at `to` are those that the choices made at `from` give there.
   bool goes_on(double from, double to) {
-    model_.phase_coefs_at(setting_, to, to, here_.data());
-    model_.phase_coefs_at(setting_, to, from, continued_.data());
+    row_at_(to, to, here_.data());
+    row_at_(to, from, continued_.data());
     return std::ranges::equal(here_, continued_, [](double one, double other) {
       constexpr double kRounding = 1e-9;
       const double size = std::max(std::fabs(one), std::fabs(other));
@@ -53,8 +57,8 @@ class Scan {
     return to;
   }
 
-  const Model& model_;
-  const ModelSetting& setting_;
+  const std::size_t phases_;
+  const Model::PhaseRow row_at_;
   std::vector<double> here_, continued_;
 };
 
@@ -66,7 +70,6 @@ bool is_among(double phase, const std::vector<double>& bounds) {
 }  // namespace
 
 PhaseGrid scanned_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps) {
-  if (model.text.empty()) return make_phase_grid(model, setting, steps);
   const std::vector<double> bounds = segment_bounds(model, setting);
   std::vector<double> missed = Scan(model, setting).breaks();
   std::erase_if(missed, [&](double phase) { return is_among(phase, bounds); });

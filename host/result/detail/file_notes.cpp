@@ -28,7 +28,8 @@ std::vector<Attribute> turns_of(const Study& study) {
   const Model& model = *study.model;
   const double periods = model.mesh_periods(study.setting);
   const std::optional<std::size_t> swept = model.parameter_of(Role::mesh_periods);
-  if (periods == 1.0 || study.find_swept(false, *swept) != nullptr) return {};
+  const bool varies = swept && study.find_swept(false, *swept) != nullptr;
+  if (periods == 1.0 || varies) return {};
   std::vector<Attribute> notes = {{kMeshPeriods, periods}};
   const std::optional<std::size_t> teeth = model.parameter_of(Role::pinion_teeth);
   const std::optional<std::size_t> ratio = model.parameter_of(Role::teeth_ratio);

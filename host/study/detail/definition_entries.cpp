@@ -63,7 +63,7 @@ const toml::array* list_of(const Entry& entry) {
 }
 
 std::string name_in_list(const std::string& list, std::size_t i) {
-  return fmt::format("{}_{}", list, i + 1);
+  return i == 0 ? list : fmt::format("{}_{}", list, i + 1);
 }
 
 }  // namespace gearsweep

@@ -32,7 +32,7 @@ ExpressionText expression_of(const toml::node& node, const std::string& what);
 // The table of an entry. form: what would be right, for the message. Throws InputError.
 const toml::table& table_of(const Entry& entry, const std::string& form);
 
-// a = [1.0, 2.0] and a = { value = [1.0, 2.0], min = 0.0 } stand for a_1 and a_2, which expressions
+// a = [1.0, 2.0] and a = { value = [1.0, 2.0], min = 0.0 } stand for a and a_2, which expressions
 // call a[1] and a[2]. Null where the entry is no list. Throws InputError.
 const toml::array* list_of(const Entry& entry);
 // Of its entry number i, counted from 0.

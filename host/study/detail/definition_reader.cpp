@@ -10,6 +10,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/detail/definition_entries.hpp"
+#include "study/detail/definition_lists.hpp"
 #include "study/detail/model_names.hpp"
 #include "study/detail/preset_reader.hpp"
 #include "study/detail/toml_access.hpp"
@@ -34,12 +35,15 @@ class DefinitionReader {
     read_limits(*reader.table("model"));
     read_parameters(reader.table("parameters"));
     read_options(reader.table("options"));
+    read_curves(reader.table("curves"), &names_, &definition_);
     read_functions(reader.table("functions"));
     read_constants(reader.table("constants"));
     read_equations(required(&reader, "equations"));
     read_forcing(required(&reader, "forcing"));
     read_signals(reader.table("signals"));
     read_presets(reader.table("presets"), &definition_);
+    read_checks(reader.table("checks"), &definition_);
+    read_mirrors(root_["model"].as_table()->get("mirrors"), &definition_);
     reader.refuse_unknown();
     return std::move(definition_);
   }
@@ -69,7 +73,9 @@ class DefinitionReader {
     definition_.max_step =
         reader.number("max_step", definition_.max_step, kMinMaxStep, kMaxMaxStep);
     definition_.assumptions = reader.texts("assumptions");
-    reader.know("diverged_above");  // read_limits(), once the states are known
+    // Once the states are known: read_limits(), read_mirrors().
+    reader.know("diverged_above");
+    reader.know("mirrors");
     reader.refuse_unknown();
   }
 
@@ -146,8 +152,7 @@ class DefinitionReader {
     TableReader reader(&row, fmt::format("parameter '{}'", entry.name));
     std::string symbol = info->name;
     if (const toml::node* as = reader.find("as")) {
-      if (value != nullptr) fail_at(*as, "a list has no other name in expressions");
-      symbol = reader.text("as", "");
+      symbol = reader.text("as", "") + info->name.substr(entry.name.size());
       names_.take_outside(row, info->name);
       names_.take(*as, symbol);
     } else {
@@ -183,7 +188,7 @@ class DefinitionReader {
 
   void read_options(const toml::table* table) {
     for (const Entry& entry : entries_of(table)) {
-      names_.take(*entry.node, entry.name);
+      names_.take_outside(*entry.node, entry.name);
       const toml::table& row = table_of(entry, "choices = [\"a\", \"b\"]");
       TableReader reader(&row, fmt::format("option '{}'", entry.name));
       const OptionInfo info{entry.name, reader.texts("choices"),
@@ -269,6 +274,10 @@ class DefinitionReader {
               "forcing the time from section to section)");
     }
     definition_.period = expression_of(*period, "period");
+    if (const toml::node* cycle = reader.find("cycle")) {
+      names_.take(*cycle, "turn");
+      definition_.cycle = expression_of(*cycle, "cycle");
+    }
     if (const toml::node* jumps = reader.find("jumps")) {
       if (!jumps->is_array()) {
         fail_at(*jumps, "jumps must be a list of phases in radians: jumps = [\"2*pi*duty\"]");

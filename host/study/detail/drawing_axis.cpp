@@ -59,7 +59,7 @@ const GearParameter* find_parameter(const GearConversion& conversion, const std:
 
 const GearKey* find_swept_key(const Model& model, const std::string& name) {
   // Another model may have a parameter of that name.
-  if (&model != &gear_table_model()) return nullptr;
+  if (!is_gear_table_model(model)) return nullptr;
   // Numbers of teeth are whole, and come in pairs.
   const auto* const found = std::ranges::find(kGearKeys, name, &GearKey::name);
   if (found == kGearKeys.end() || found->name == kTeeth.name) return nullptr;

@@ -116,29 +116,17 @@ void add_pitch_errors(const std::string& gear, const std::vector<double>& errors
   }
   const auto table =
       std::make_shared<const PeriodicTable>("pitch errors", points, Interpolation::cubic);
-  (*curves)["pitch_" + gear] = {
-      [table](double phase, double toward) { return table->at(kTurn * phase, kTurn * toward); },
-      {}};
-  (*curves)["pitch_bend_" + gear] = {[table](double phase, double toward) {
-                                       return -table->bend_at(kTurn * phase, kTurn * toward);
-                                     },
-                                     {}};
+  (*curves)["pitch_" + gear] = table;
+  (*curves)["pitch_bend_" + gear] =
+      std::make_shared<const PeriodicTable>(table->bend().times(-1.0));
 }
 
-// Where neighbouring lines of a curve over the path of contact meet at an angle.
-std::vector<double> bends_of(const std::vector<TablePoint>& points) {
-  std::vector<double> bends;
-  double slope = 0.0;  // before the first point and behind the last
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool is_last = i + 1 == points.size();
-    const double next =
-        is_last ? 0.0
-                : (points[i + 1].value - points[i].value) / (points[i + 1].phase - points[i].phase);
-    const double place = points[i].phase;
-    if (next != slope && place > 0.0 && place < 1.0) bends.push_back(place);
-    slope = next;
-  }
-  return bends;
+// The path of contact, 0 to 1, is half a turn. The other half, which nobody reads, leads back.
+std::shared_ptr<const PeriodicTable> over_half_a_turn(std::vector<TablePoint> points) {
+  if (points.front().phase > 0.0) points.insert(points.begin(), {0.0, points.front().value});
+  if (points.back().phase < 1.0) points.push_back({1.0, points.back().value});
+  for (TablePoint& point : points) point.phase *= std::numbers::pi;
+  return std::make_shared<const PeriodicTable>("damage", points, Interpolation::linear);
 }
 
 // The damage of tooth 0 over the path of contact; whether there is one.
@@ -162,23 +150,13 @@ bool add_damage_curve(GearReader& in, const GearGeometry& geometry, std::size_t 
     fail_at(in.node(key), fmt::format("{} has {} at {}; a share of the stiffness is from 0 to 1",
                                       key.name, point.value, point.phase));
   }
-  (*curves)[gear == 0 ? "damage_p" : "damage_g"] = {
-      [points = *points](double place, double) { return value_over_path(points, place); },
-      bends_of(*points)};
+  (*curves)[gear == 0 ? "damage_curve_p" : "damage_curve_g"] = over_half_a_turn(*points);
   return true;
 }
 
-// The curve divided by `unit`; phases in turns.
-Curve curve_of(const MeasuredCurve& measured, double unit) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  Curve curve;
-  curve.at = [table = measured.table, unit](double phase, double toward) {
-    return table->at(kTurn * phase, kTurn * toward) / unit;
-  };
-  for (const double jump : measured.table->jumps()) {
-    curve.jumps.push_back(jump / kTurn - std::floor(jump / kTurn));
-  }
-  return curve;
+// The curve divided by `unit`.
+std::shared_ptr<const PeriodicTable> curve_of(const MeasuredCurve& measured, double unit) {
+  return std::make_shared<const PeriodicTable>(measured.table->times(1.0 / unit));
 }
 
 }  // namespace
@@ -260,7 +238,7 @@ void add_stiffness(GearReader& in, const std::optional<MeasuredCurve>& stiffness
     if (share) fail_at(in.node(kLoadShareFile), "load_share_file goes with stiffness_file");
     return;
   }
-  out->curves["stiffness"] = curve_of(*stiffness, keeps ? bases.k0 : stiffness->mean);
+  out->curves["measured_stiffness"] = curve_of(*stiffness, keeps ? bases.k0 : stiffness->mean);
   if (share) out->curves["load_share"] = curve_of(*share, 1.0);
   out->options.push_back({"stiffness", "table"});
   out->notes.push_back(fmt::format(

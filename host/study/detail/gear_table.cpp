@@ -14,6 +14,8 @@
 namespace gearsweep {
 namespace {
 
+constexpr const char* kGearModel = "gear5";
+
 // C_B of ISO 6336-1: one factor of the dedendum, one of the normal pressure angle.
 double read_rack_factor(GearReader& in, const GearGeometry& geometry) {
   const double of_angle = 1.0 - 0.02 * (20.0 - in.optional(kPressureAngle).value_or(20.0));
@@ -176,8 +178,12 @@ void add_lengths_and_loads(GearReader& in, const GearGeometry& geometry, const G
 }  // namespace
 
 const Model& gear_table_model() {
-  static const Model& model = *find_model("gear5");
+  static const Model& model = *find_model(kGearModel);
   return model;
+}
+
+bool is_gear_table_model(const Model& model) {
+  return model.name == kGearModel && model.text == *model_text(kGearModel);
 }
 
 GearConversion convert_gear(const toml::table& gear, const GearValues& values) {

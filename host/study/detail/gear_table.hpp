@@ -16,6 +16,8 @@ namespace gearsweep {
 
 // The model whose parameters follow from the table.
 const Model& gear_table_model();
+// Whether it is this one, and no other of the same name.
+bool is_gear_table_model(const Model& model);
 
 // One parameter of that model. `note` says how the number came about, with units and the formula,
 // as in "me/mp = 0.350752 kg / 1 kg".

@@ -111,6 +111,26 @@ std::set<std::string> axis_names(const toml::table& root) {
   return names;
 }
 
+ModelKeys keys_of(const toml::table* model) {
+  ModelKeys keys;
+  if (model == nullptr) return keys;
+  for (const auto& [key, node] : *model) {
+    if (node.is_string()) keys[std::string(key.str())] = node.as_string()->get();
+  }
+  return keys;
+}
+
+// Whether the numbers of a file are those of a curve.
+bool is_of_curve(const toml::table& root, const std::string& file) {
+  const toml::table* curves = root["model"]["curves"].as_table();
+  if (curves == nullptr) return false;
+  return std::ranges::any_of(*curves, [&](const auto& entry) {
+    const toml::node& curve = entry.second;
+    const toml::node* named = curve.is_table() ? curve.as_table()->get("file") : &curve;
+    return named != nullptr && named->value_or(std::string()) == file;
+  });
+}
+
 // A model of the user's own, from the text that the study holds since the file was read.
 void read_own_model(const toml::table& root, TableReader* reader, Study* study) {
   const std::string file = reader->text("file", "the study's model");
@@ -129,7 +149,8 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
     return parse_table(node->as_string()->get(), fmt::format("'{}' in [model.tables]", table));
   };
   try {
-    study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root), points_of);
+    study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root), points_of,
+                                       keys_of(root["model"].as_table()));
   } catch (const InputError& error) {
     // The name of the file alone does not tell where it lies.
     if (const toml::node* named = reader->find("file")) fail_at(*named, error.what());
@@ -138,7 +159,8 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
   study->model = study->own_model.get();
   if (tables == nullptr) return;
   for (const auto& [key, node] : *tables) {
-    if (used.contains(std::string(key.str()))) continue;
+    if (used.contains(std::string(key.str())) || is_of_curve(root, std::string(key.str())))
+      continue;
     fail_at(node, fmt::format("'{}' is read by no expression of the model", key.str()));
   }
 }
@@ -147,15 +169,13 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
 void read_builtin_model(const toml::table& root, TableReader* reader, Study* study) {
   const std::string name = reader->text("name", kDefaultModel);
   if (const std::string* text = model_text(name)) {
-    study->own_model = read_model_text(*text, name + ".toml", axis_names(root));
+    study->own_model = read_model_text(*text, name + ".toml", axis_names(root), {},
+                                       keys_of(root["model"].as_table()));
     study->model = study->own_model.get();
     return;
   }
-  study->model = find_model(name);
-  if (study->model == nullptr) {
-    fail_at(*reader->find("name"),
-            fmt::format("unknown model '{}'{}", name, suggest_name(name, model_names())));
-  }
+  fail_at(*reader->find("name"),
+          fmt::format("unknown model '{}'{}", name, suggest_name(name, model_names())));
 }
 
 }  // namespace
@@ -167,10 +187,13 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
     read_own_model(root, &reader, study);
   } else {
     if (const toml::node* tables = reader.find("tables")) {
-      fail_at(*tables, "tables belong to the text of a model of your own");
+      if (!table->contains("curves")) {
+        fail_at(*tables, "tables belong to the text of a model of your own, or to its curves");
+      }
     }
     read_builtin_model(root, &reader, study);
   }
+  reader.find("curves");  // read_given_curves(), once the rest of the study is known
   const Model& model = *study->model;
   for (const UnusedName& unused : model.unused) {
     study->notices.push_back(fmt::format("{}: {} '{}' is used nowhere: its value changes nothing",

@@ -63,6 +63,7 @@ ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<d
       setting_(std::move(setting)),
       is_forced_(!model.is_autonomous),
       point_(model.prepare(setting_)),
+      row_at_(model.phase_rows(setting_)),
       period_(point_->period()),
       bounds_(bounds_of(model, setting_)),
       x_(std::move(start)) {
@@ -84,7 +85,7 @@ void ProbeMotion::find_pulses() {
   for (std::size_t i = 0; i <= kPhaseSamples; ++i) {
     const double phase = static_cast<double>(i) / kPhaseSamples;
     const double within = std::min(phase, 1.0 - 0.5 / kPhaseSamples);
-    model_.phase_coefs_at(setting_, phase, within, now.data());
+    row_at_(phase, within, now.data());
     for (std::size_t j = 0; i > 0 && j < width; ++j) {
       const double change = is_inside(i - 1) ? std::abs(now[j] - before[j]) : 0.0;
       changes[i - 1][j] = change;
@@ -184,8 +185,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
 
 std::vector<double> ProbeMotion::coefs_at(double phase) const {
   std::vector<double> row(model_.phase_coefs.size());
-  model_.phase_coefs_at(setting_, phase, 0.5 * (bounds_[segment_] + bounds_[segment_ + 1]),
-                        row.data());
+  row_at_(phase, 0.5 * (bounds_[segment_] + bounds_[segment_ + 1]), row.data());
   return row;
 }
 

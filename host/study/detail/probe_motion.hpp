@@ -64,6 +64,7 @@ class ProbeMotion {
   const ModelSetting setting_;
   const bool is_forced_;
   const std::unique_ptr<PreparedPoint> point_;
+  const Model::PhaseRow row_at_;
   const double period_;
   std::vector<double> bounds_;  // of the segments between jumps, from 0 to 1
   // Where coefficients begin to change much faster than on average, rising. A step from well before

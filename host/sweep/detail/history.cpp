@@ -13,6 +13,7 @@ class History {
       : model_(*plan.study().model),
         setting_(plan.setting_of(point)),
         point_(model_.prepare(setting_)),
+        row_at_(model_.phase_rows(setting_)),
         grid_(plan.phase_grid_of(point)),
         bounds_(segment_bounds(model_, setting_)),
         rows_(rows) {}
@@ -51,7 +52,7 @@ class History {
                  h * s * (1.0 - s) * ((1.0 - s) * slope_from[i] - s * slope_to[i]);
         }
         const double phase = phase_of(next) - std::floor(step.from);
-        model_.phase_coefs_at(setting_, std::min(phase, 1.0), step.inside, coefs.data());
+        row_at_(std::min(phase, 1.0), step.inside, coefs.data());
         add(phase_of(next), coefs.data(), x.data(), &trace);
       }
     });
@@ -130,6 +131,7 @@ class History {
   const Model& model_;
   const ModelSetting setting_;
   const std::unique_ptr<PreparedPoint> point_;
+  const Model::PhaseRow row_at_;
   const PhaseGrid grid_;
   const std::vector<double> bounds_;
   const std::vector<double>& rows_;

@@ -6,8 +6,15 @@
 
 #include "dialect.h"
 #include "sweep_types.h"
+#include "verify/whole_kernel.hpp"
 
 namespace gearsweep {
+namespace {
+
+constexpr double kDivergedAbove = 1e6;  // of gear5
+
+}  // namespace
+
 namespace fp64 {
 using std::fabs;
 using std::log;
@@ -25,6 +32,12 @@ using real = float;
 using scalar = float;
 #include "verify/detail/shared_stepper.h"
 }  // namespace fp32
+
+Study with_whole_kernel(Study study) {
+  study.model = &whole_kernel_model();
+  study.own_model = nullptr;
+  return study;
+}
 
 std::vector<double> step_on_host(const Plan& plan, std::size_t point, std::size_t periods) {
   const Integrate& integrate = plan.study().integrate;

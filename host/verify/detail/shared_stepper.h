@@ -1,12 +1,12 @@
 // The settle kernel's arithmetic on the host. Included into a namespace that has `real` and
 // `scalar`; so no include guard and no includes of the standard library.
-#include "models/gear5.h"
+#include "gear5.h"
 // The integrator needs the model, and the walk needs both.
 #include "rk4/rk4.h"
 #define TANGENTS 0
 #include "tangent.h"
 #include "unwatched.h"
-#define STATE_LIMIT(name, unit, meaning) MODEL_DIVERGED_ABOVE,
+#define STATE_LIMIT(name, unit, meaning) kDivergedAbove,
 #define STATE_LIMITS \
   { MODEL_STATES(STATE_LIMIT) }
 #include "walk.h"

@@ -138,15 +138,15 @@ enum { ERROR_SINE, ERROR_SERIES };
   X("The gears turn at a constant mean speed; each speed is held until the motion has settled.")
 
 // X(name, meaning): what may be measured.
-#define MODEL_CURVES(X)                                                              \
-  X(stiffness, "of stiffness table, over a mesh period: the mesh stiffness in k0")   \
-  X(load_share, "of stiffness table: the share of the pair that entered last")       \
-  X(pitch_p, "of error series, over a turn of the pinion: pitch errors in b_n")      \
-  X(pitch_g, "over a turn of the gear")                                              \
-  X(pitch_bend_p, "minus the second derivative of pitch_p by the angle of the turn") \
-  X(pitch_bend_g, "of pitch_g")                                                      \
-  X(damage_p, "over the path of contact, 0 to 1: what the pinion's tooth 0 loses")   \
-  X(damage_g, "over the path of contact: what the gear's tooth 0 loses")
+#define MODEL_CURVES(X)                                                                       \
+  X(measured_stiffness, "of stiffness table, over a mesh period: the mesh stiffness in k0")   \
+  X(load_share, "of stiffness table: the share of the pair that entered last")                \
+  X(pitch_p, "of error series, over a turn of the pinion: pitch errors in b_n")               \
+  X(pitch_g, "over a turn of the gear")                                                       \
+  X(pitch_bend_p, "minus the second derivative of pitch_p by the angle of the turn")          \
+  X(pitch_bend_g, "of pitch_g")                                                               \
+  X(damage_curve_p, "what the pinion's tooth 0 loses, over half a turn: the path of contact") \
+  X(damage_curve_g, "what the gear's tooth 0 loses")
 
 // X(name, meaning, TOML of what differs from the defaults above)
 #define MODEL_PRESETS(X)                                                                      \
@@ -188,6 +188,13 @@ enum { ERROR_SINE, ERROR_SERIES };
   X(tan_alpha, "tan(alpha), the same at all phases")
 
 #include "model_types.h"
+
+#ifdef MODEL_HOST_PART
+#define MODEL_CURVE_FIELD(name, meaning) Curve name;
+struct ModelCurves {
+  MODEL_CURVES(MODEL_CURVE_FIELD)
+};
+#endif
 
 // What a point needs in the inner loop.
 typedef struct {
@@ -564,7 +571,7 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
     return "formulation 'printed' is for equal gears: teeth_ratio must be 1";
   }
   if (p.cycle != std::floor(p.cycle)) return "cycle must be a whole number";
-  if (options.stiffness == STIFFNESS_TABLE && !curves.stiffness.at) {
+  if (options.stiffness == STIFFNESS_TABLE && !curves.measured_stiffness.at) {
     return "stiffness 'table' needs a measured curve: stiffness_file in [gear]";
   }
   if (p.overlap > 0.0 && options.stiffness == STIFFNESS_TABLE && curves.load_share.at) {
@@ -580,14 +587,14 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
       if (sine.amplitude != 0.0) return "e0_2 .. e0_8 and runout need the option error = 'series'";
     }
   }
-  if (p.overlap > 0.0 && (curves.damage_p.at || curves.damage_g.at)) {
+  if (p.overlap > 0.0 && (curves.damage_curve_p.at || curves.damage_curve_g.at)) {
     return "damage over the path of contact is for spur gears: overlap must be 0";
   }
   std::string wrong;
-  if (p.runout_p > 0.0 || p.damage_p > 0.0 || curves.pitch_p.at || curves.damage_p.at)
+  if (p.runout_p > 0.0 || p.damage_p > 0.0 || curves.pitch_p.at || curves.damage_curve_p.at)
     wrong = gear5_check_turn(p, "pinion", p.zp);
   if (!wrong.empty()) return wrong;
-  if (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at || curves.damage_g.at) {
+  if (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at || curves.damage_curve_g.at) {
     wrong = gear5_check_turn(p, "gear", p.zp * p.teeth_ratio);
   }
   return wrong;
@@ -606,7 +613,7 @@ inline std::vector<double> model_break_phases(const ModelParameters& p, const Mo
     }
   }
   if (options.stiffness == STIFFNESS_TABLE) {
-    for (const Curve* curve : {&curves.stiffness, &curves.load_share}) {
+    for (const Curve* curve : {&curves.measured_stiffness, &curves.load_share}) {
       breaks.insert(breaks.end(), curve->jumps.begin(), curve->jumps.end());
     }
   }
@@ -617,13 +624,13 @@ inline std::vector<double> model_break_phases(const ModelParameters& p, const Mo
   const auto add_bends = [&](const Curve& damage, double teeth) {
     for (double begin = 0.0; begin < p.cycle; begin += std::round(teeth)) {
       for (const double place : damage.jumps) {
-        const double phase = (begin + place * p.eps) / p.cycle;
+        const double phase = (begin + place * 2.0 * p.eps) / p.cycle;
         phases.push_back(phase - std::floor(phase));
       }
     }
   };
-  if (!curves.damage_p.jumps.empty()) add_bends(curves.damage_p, p.zp);
-  if (!curves.damage_g.jumps.empty()) add_bends(curves.damage_g, p.zp * p.teeth_ratio);
+  if (!curves.damage_curve_p.jumps.empty()) add_bends(curves.damage_curve_p, p.zp);
+  if (!curves.damage_curve_g.jumps.empty()) add_bends(curves.damage_curve_g, p.zp * p.teeth_ratio);
   return phases;
 }
 
@@ -643,11 +650,13 @@ inline double gear5_sound_share(const ModelParameters& p, double pair) {
 inline double gear5_sound_share_at(const ModelParameters& p, const ModelCurves& curves, double pair,
                                    double place) {
   double share = 1.0;
-  if (curves.damage_p.at && gear5_is_tooth_0(pair, p.zp)) {
-    share *= 1.0 - curves.damage_p.at(place, place);
+  if (curves.damage_curve_p.at && gear5_is_tooth_0(pair, p.zp)) {
+    share *=
+        1.0 - curves.damage_curve_p.at(0.5 * std::fmin(place, 1.0), 0.5 * std::fmin(place, 1.0));
   }
-  if (curves.damage_g.at && gear5_is_tooth_0(pair, p.zp * p.teeth_ratio)) {
-    share *= 1.0 - curves.damage_g.at(place, place);
+  if (curves.damage_curve_g.at && gear5_is_tooth_0(pair, p.zp * p.teeth_ratio)) {
+    share *=
+        1.0 - curves.damage_curve_g.at(0.5 * std::fmin(place, 1.0), 0.5 * std::fmin(place, 1.0));
   }
   return share;
 }
@@ -798,10 +807,10 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
   gear5_add_pairs(p, options, curves, false, period, psi, inside, &out);
   const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
   // A table without its curve is what model_check() refuses.
-  const bool is_table = options.stiffness == STIFFNESS_TABLE && curves.stiffness.at;
+  const bool is_table = options.stiffness == STIFFNESS_TABLE && curves.measured_stiffness.at;
   if (is_table || (is_fourier && p.overlap > 0.0)) {
-    const double total =
-        is_fourier ? 2.0 * gear5_fourier_stiffness(p, psi) : curves.stiffness.at(psi, inside);
+    const double total = is_fourier ? 2.0 * gear5_fourier_stiffness(p, psi)
+                                    : curves.measured_stiffness.at(psi, inside);
     gear5_share_total(p, options, curves, period, psi, inside, total, &out);
   }
   return out;

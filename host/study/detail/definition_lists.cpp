@@ -1,0 +1,72 @@
+#include "study/detail/definition_lists.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "model/names.hpp"
+#include "study/detail/definition_entries.hpp"
+#include "study/detail/toml_access.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Each of the words among the names.
+std::vector<MirrorPairs::Pair> read_pairs(const toml::node& node, const std::string& words,
+                                          const std::vector<std::string>& names) {
+  std::vector<std::size_t> places;
+  for (const std::string& word : split_words(words)) {
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end()) {
+      fail_at(node, fmt::format("there is no '{}' to mirror{}", word, suggest_name(word, names)));
+    }
+    places.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  if (places.size() % 2 != 0) {
+    fail_at(node, fmt::format("'{}' must name pairs: \"x2 x4\" for x4 = -x2", words));
+  }
+  std::vector<MirrorPairs::Pair> pairs;
+  for (std::size_t i = 0; i < places.size(); i += 2) pairs.push_back({places[i], places[i + 1]});
+  return pairs;
+}
+
+}  // namespace
+
+void read_curves(const toml::table* table, ModelNames* names, ModelDefinition* definition) {
+  for (const Entry& entry : entries_of(table)) {
+    names->take(*entry.node, entry.name);
+    if (!entry.node->is_string()) {
+      fail_at(*entry.node, fmt::format("the curve '{}' needs a text that says what it is of, in "
+                                       "quotes",
+                                       entry.name));
+    }
+    definition->curves.push_back(entry.name);
+  }
+}
+
+void read_checks(const toml::table* table, ModelDefinition* definition) {
+  for (const Entry& entry : entries_of(table)) {
+    definition->checks.push_back({entry.name, expression_of(*entry.node, "a check")});
+  }
+}
+
+void read_mirrors(const toml::node* node, ModelDefinition* definition) {
+  if (node == nullptr) return;
+  const std::string form =
+      "mirrors must be a list of tables: mirrors = [{ states = \"x2 x4\", "
+      "parameters = \"m1 m2\" }]";
+  if (!node->is_array()) fail_at(*node, form);
+  for (const toml::node& one : *node->as_array()) {
+    if (!one.is_table()) fail_at(one, form);
+    TableReader reader(one.as_table(), "a mirror");
+    const std::string states = reader.text("states", ""),
+                      parameters = reader.text("parameters", "");
+    reader.refuse_unknown();
+    definition->mirrors.push_back({read_pairs(one, states, names_of(definition->states)),
+                                   read_pairs(one, parameters, names_of(definition->parameters))});
+  }
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,22 @@
+// What a model's file says beside its equations: curves that a study measures, checks of a setting,
+// states that mirror each other.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include "equations/definition.hpp"
+#include "study/detail/model_names.hpp"
+
+namespace gearsweep {
+
+// [curves]: stiffness = "of the mesh over its period, in k0". Throws InputError.
+void read_curves(const toml::table* table, ModelNames* names, ModelDefinition* definition);
+
+// [checks]: "cycle must be a whole number" = "cycle == floor(cycle)". Throws InputError.
+void read_checks(const toml::table* table, ModelDefinition* definition);
+
+// A list of { states = "x2 x4 v2 v4", parameters = "m1 m2" }, names pair after pair (MirrorPairs).
+// Null where there is none. Throws InputError.
+void read_mirrors(const toml::node* node, ModelDefinition* definition);
+
+}  // namespace gearsweep
