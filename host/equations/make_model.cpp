@@ -23,8 +23,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMaxCycle = 1e6;
-
 std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
   const std::vector<double> inputs = inputs_of(tapes, setting);
   const std::vector<double> checks = tapes.checks.run_all(inputs);
@@ -33,11 +31,8 @@ std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
     if (checks[i] != 1.0) return filled(tapes.messages[i], checks.data() + value);
     value += tapes.messages[i].values.size();
   }
-  const double cycle = tapes.cycle.run(inputs);
-  if (!(cycle >= 1.0 && cycle <= kMaxCycle && cycle == std::floor(cycle))) {
-    return fmt::format("the cycle is {}; it must be a whole number from 1 to {:.0g}", cycle,
-                       kMaxCycle);
-  }
+  const std::string wrong = wrong_cycle(tapes.cycle.run(inputs));
+  if (!wrong.empty()) return wrong;
   const double period = tapes.period.run(inputs);
   if (!std::isfinite(period) || period <= 0.0) {
     return fmt::format("the forcing period is {}; it must be a finite number above 0", period);

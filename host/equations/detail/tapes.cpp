@@ -1,11 +1,14 @@
 #include "equations/detail/tapes.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
 #include "equations/definition.hpp"
 #include "equations/detail/one_sided.hpp"
 #include "expression/differentiate.hpp"
+#include "model/error.hpp"
 
 namespace gearsweep {
 
@@ -84,8 +87,18 @@ std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting) {
   return inputs;
 }
 
+std::string wrong_cycle(double cycle) {
+  constexpr double kMaxCycle = 1e6;
+  if (cycle >= 1.0 && cycle <= kMaxCycle && cycle == std::floor(cycle)) return "";
+  return fmt::format("the cycle is {}; it must be a whole number from 1 to {:.0g}", cycle,
+                     kMaxCycle);
+}
+
 std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting) {
-  return static_cast<std::size_t>(tapes.cycle.run(inputs_of(tapes, setting)));
+  const double cycle = tapes.cycle.run(inputs_of(tapes, setting));
+  const std::string wrong = wrong_cycle(cycle);
+  if (!wrong.empty()) throw InputError(fmt::format("{}: {}", tapes.file, wrong));
+  return static_cast<std::size_t>(cycle);
 }
 
 CoefsAt::CoefsAt(const Tapes& tapes, const ModelSetting& setting)

@@ -42,7 +42,9 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
 // Parameters, then 1 for each choice that is made and 0 for the others.
 std::vector<double> inputs_of(const Tapes& tapes, const ModelSetting& setting);
 
-// How many times the phase begins anew in a period of the forcing.
+// What is wrong with a cycle; empty if nothing.
+std::string wrong_cycle(double cycle);
+// How many times the phase begins anew in a period of the forcing. Throws InputError.
 std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting);
 
 // The coefficients at a phase, seen from the segment that `inside` lies in; both in forcing

@@ -7,16 +7,20 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kPhases = 2000;     // compared in a period of the forcing, at least
-constexpr std::size_t kMeshPhases = 100;  // in one of the mesh
-constexpr double kSame = 1e-7;            // phases that are one
+constexpr double kPhases = 2000.0;     // compared in a period of the forcing, at least
+constexpr double kMeshPhases = 100.0;  // in one of the mesh
+constexpr double kMaxPhases = 200000.0;
+constexpr double kSame = 1e-7;  // phases that are one
+
+std::size_t phases_of(double mesh_periods) {
+  return static_cast<std::size_t>(std::clamp(kMeshPhases * mesh_periods, kPhases, kMaxPhases));
+}
 
 // Coefficients at phases of one setting.
 class Scan {
  public:
   Scan(const Model& model, const ModelSetting& setting)
-      : phases_(
-            std::max(kPhases, kMeshPhases * static_cast<std::size_t>(model.mesh_periods(setting)))),
+      : phases_(phases_of(model.mesh_periods(setting))),
         row_at_(model.phase_rows(setting)),
         here_(model.phase_coefs.size()),
         continued_(model.phase_coefs.size()) {}
