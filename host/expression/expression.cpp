@@ -366,7 +366,29 @@ NodeId Rewriter::operator()(NodeId id) {
   return known_.at(id);
 }
 
+namespace {
+
+// The parts, where there are few; nothing where there are more.
+std::vector<NodeId> few_parts_of(const ExpressionGraph& graph, std::vector<NodeId> open) {
+  constexpr std::size_t kFew = 48;
+  std::vector<NodeId> parts;
+  while (!open.empty()) {
+    const NodeId id = open.back();
+    open.pop_back();
+    if (std::ranges::find(parts, id) != parts.end()) continue;
+    if (parts.size() == kFew) return {};
+    parts.push_back(id);
+    const std::vector<NodeId>& arguments = graph[id].arguments;
+    open.insert(open.end(), arguments.begin(), arguments.end());
+  }
+  std::ranges::sort(parts);
+  return parts;
+}
+
+}  // namespace
+
 std::vector<NodeId> parts_of(const ExpressionGraph& graph, const std::vector<NodeId>& roots) {
+  if (std::vector<NodeId> few = few_parts_of(graph, roots); !few.empty()) return few;
   // Arguments have smaller ids.
   std::size_t end = 0;
   for (const NodeId root : roots) end = std::max<std::size_t>(end, root + 1);

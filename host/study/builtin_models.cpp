@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-
-#include "study/model_file.hpp"
+#include <tuple>
 
 namespace gearsweep {
 
@@ -36,6 +35,23 @@ const Model* find_model(std::string_view name) {
     known = read.emplace(own, read_model_text(*text, own + ".toml")).first;
   }
   return known->second.get();
+}
+
+std::shared_ptr<const Model> built_in_model(const std::string& name,
+                                            const std::set<std::string>& swept,
+                                            const ModelKeys& keys) {
+  constexpr std::size_t kMany = 16;
+  const std::string* text = model_text(name);
+  if (text == nullptr) return nullptr;
+  static std::mutex mutex;
+  static std::map<std::tuple<std::string, std::set<std::string>, ModelKeys>,
+                  std::shared_ptr<const Model>>
+      held;
+  const std::lock_guard lock(mutex);
+  if (held.size() == kMany) held.clear();
+  auto& model = held[{name, swept, keys}];
+  if (model == nullptr) model = read_model_text(*text, name + ".toml", swept, {}, keys);
+  return model;
 }
 
 const std::string* model_text(std::string_view name) {

@@ -95,11 +95,15 @@ void apply_preset(const PresetInfo& preset, Study* study) {
   }
 }
 
-// As they stand in the text: axes are checked when the model is known.
+// What differs from point to point, as it stands in the text: axes and tolerances are checked when
+// the model is known.
 std::set<std::string> axis_names(const toml::table& root) {
   std::set<std::string> names;
   if (const toml::array* columns = root["points"]["names"].as_array()) {
     for (const toml::node& column : *columns) names.insert(column.value_or(std::string()));
+  }
+  if (const toml::table* uncertain = root["uncertain"].as_table()) {
+    for (const auto& [key, node] : *uncertain) names.insert(std::string(key.str()));
   }
   const toml::array* axes = root.contains("axes") ? root.get("axes")->as_array() : nullptr;
   if (axes == nullptr) return names;
@@ -168,12 +172,9 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
 // One of equations is read anew: what is tabulated depends on the study's axes.
 void read_builtin_model(const toml::table& root, TableReader* reader, Study* study) {
   const std::string name = reader->text("name", kDefaultModel);
-  if (const std::string* text = model_text(name)) {
-    study->own_model = read_model_text(*text, name + ".toml", axis_names(root), {},
-                                       keys_of(root["model"].as_table()));
-    study->model = study->own_model.get();
-    return;
-  }
+  study->own_model = built_in_model(name, axis_names(root), keys_of(root["model"].as_table()));
+  study->model = study->own_model.get();
+  if (study->model != nullptr) return;
   fail_at(*reader->find("name"),
           fmt::format("unknown model '{}'{}", name, suggest_name(name, model_names())));
 }
