@@ -342,7 +342,7 @@ NodeId ExpressionGraph::make_whole_power(NodeId base, unsigned exponent) {
   return exponent % 2 == 0 ? square : make_product(square, base);
 }
 
-Rewriter::Rewriter(ExpressionGraph* graph, const std::map<NodeId, NodeId>& replaced)
+Rewriter::Rewriter(ExpressionGraph* graph, std::map<NodeId, NodeId> replaced)
     : graph_(graph), known_(replaced.begin(), replaced.end()) {}
 
 NodeId Rewriter::operator()(NodeId id) {

@@ -143,7 +143,7 @@ class ExpressionGraph {
 // call of one Rewriter makes a node once.
 class Rewriter {
  public:
-  Rewriter(ExpressionGraph* graph, const std::map<NodeId, NodeId>& replaced);
+  Rewriter(ExpressionGraph* graph, std::map<NodeId, NodeId> replaced);
   NodeId operator()(NodeId id);
 
  private:

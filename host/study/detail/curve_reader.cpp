@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
 #include "expression/periodic_table.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
