@@ -184,23 +184,13 @@ void print_model(const Study& study) {
   }
   print_channels(model);
   print_quantities(model);
-  if (!model.findings.empty()) {
-    answer("\nfound in its equations\n");
-    for (const std::string& line : model.findings) answer("  {}\n", line);
-  }
+  std::vector<std::string> findings = model.findings;
+  findings.insert(findings.end(), model.phase_findings.begin(), model.phase_findings.end());
+  if (!findings.empty()) answer("\nfound in its equations\n");
+  for (const std::string& line : findings) answer("  {}\n", line);
   TextTable presets;
   for (const PresetInfo& preset : model.presets) presets.add({preset.name, preset.meaning});
   answer("\npresets\n{}", presets.text());
-}
-
-// The file of equations, or what the device's compiler gets of it.
-void print_source(const Model& model, const std::string& source) {
-  if (source.empty()) {
-    throw InputError(fmt::format(
-        "'{}' is no file of equations: it is written in OpenCL C ('gearsweep kernels' shows it)",
-        model.name));
-  }
-  answer("{}", source);
 }
 
 void print_model_as_json(const Study& study) {
@@ -224,6 +214,7 @@ void print_model_as_json(const Study& study) {
     json["options"][model.options[i].name] = model.options[i].choices[chosen];
   }
   json["findings"] = model.findings;
+  json["phase_findings"] = model.phase_findings;
   for (const ChannelInfo& info : model.states) json["states"].push_back(info.name);
   for (const ChannelInfo& info : model.signals) json["signals"].push_back(info.name);
   for (const Quantity& quantity : offered_quantities(model)) {
@@ -272,9 +263,9 @@ void add_model_command(CLI::App* app) {
     }
     const Study study = study_of(*arguments);
     if (arguments->as_text) {
-      print_source(*study.model, study.model->text);
+      answer("{}", study.model->text);
     } else if (arguments->as_kernel) {
-      print_source(*study.model, study.model->kernel);
+      answer("{}", study.model->kernel);
     } else if (arguments->as_json) {
       print_model_as_json(study);
     } else {

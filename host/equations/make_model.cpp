@@ -56,6 +56,7 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->presets = definition.presets;
   model->curves = definition.curves;
   model->mirror_pairs = definition.mirrors;
+  model->cycle_parameters = symbols_in(formula.graph, {formula.cycle}, formula.parameters);
   model->max_step = definition.max_step;
   model->text = definition.text;
   for (std::size_t i = 0; i < model->parameters.size(); ++i) {
@@ -70,7 +71,8 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->diverged_above = definition.diverged_above;
   for (std::size_t i = 0; i < lowered.coefs.size(); ++i) {
     model->phase_coefs.push_back(
-        {fmt::format("w{}", i), "", to_short_text(formula.graph, lowered.coef_values[i])});
+        {fmt::format("w{}", i), "",
+         to_short_text(formula.graph, lowered.coef_values[i], formula.names)});
   }
   // As a header without any has (kernels/model_types.h).
   model->is_autonomous = lowered.coefs.empty();
@@ -95,6 +97,51 @@ void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula)
           "its turns apart: an angle may stand in sin, cos and tan alone, with whole numbers as "
           "factors, as in sin(2*{} - phase); leave out 'angle = true'",
           text.file, text.line, name, definition.states[row].name, name));
+    }
+  }
+}
+
+// -id, with the sign as far inside as it goes.
+NodeId negated(ExpressionGraph* graph, NodeId id) {
+  const Operation operation = (*graph)[id].operation;
+  std::vector<NodeId> arguments = (*graph)[id].arguments;
+  switch (operation) {
+    case Operation::negate:
+      return arguments[0];
+    case Operation::add:
+    case Operation::subtract:
+      for (NodeId& argument : arguments) argument = negated(graph, argument);
+      break;
+    case Operation::multiply:
+    case Operation::divide:
+      arguments[0] = negated(graph, arguments[0]);
+      break;
+    default:
+      return graph->make(Operation::negate, {id});
+  }
+  return graph->make(operation, arguments);
+}
+
+// False where it cannot be told.
+bool is_minus(ExpressionGraph* graph, NodeId a, NodeId b) {
+  return graph->is_number(graph->make(Operation::add, {a, b}), 0.0) || a == negated(graph, b);
+}
+
+// Where mirrored states begin, they must mirror each other while their parameters are equal.
+void refuse_unmirrored_starts(const ModelDefinition& definition, Formula* formula) {
+  for (const MirrorPairs& mirrors : definition.mirrors) {
+    std::map<NodeId, NodeId> alike;
+    for (const auto& [first, second] : mirrors.parameters) {
+      alike[formula->parameters[second]] = formula->parameters[first];
+    }
+    Rewriter rewrite(&formula->graph, alike);
+    for (const auto& [first, second] : mirrors.states) {
+      const NodeId from = rewrite(formula->start[first]), to = rewrite(formula->start[second]);
+      if (is_minus(&formula->graph, from, to)) continue;
+      throw InputError(fmt::format(
+          "{}: '{}' and '{}' are said to mirror each other, and their starts are not shown to: one "
+          "must be minus the other where the parameters of the mirror are equal",
+          definition.period.file, definition.states[first].name, definition.states[second].name));
     }
   }
 }
@@ -180,6 +227,7 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
+  refuse_unmirrored_starts(definition, &formula);
   // Of a model whose options are not chosen yet.
   const auto written = formula.choices.empty() ? nullptr : std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
@@ -195,6 +243,7 @@ Model make_model(const ModelDefinition& given) {
   }
   model.state_jumps = state_jumps_by_setting(definition, written, lowered);
   model.findings = findings_of(definition, formula, lowered, tapes->breaks);
+  model.phase_findings = phase_findings_of(definition, formula, lowered, tapes->breaks);
   model.is_rough = !tapes->breaks.tables_left_out().empty();
   model.unused = formula.unused;
   const TangentProgram tangent = tangent_program(&formula, lowered);
@@ -208,9 +257,9 @@ Model make_model(const ModelDefinition& given) {
     return break_phases_of(*tapes, setting);
   };
   model.phase_coefs_at = [tapes](const ModelSetting& setting, double psi, double inside,
-                                 double* row) { CoefsAt(*tapes, setting)(psi, inside, row); };
+                                 double* row) { coefs_at(*tapes, setting, psi, inside, row); };
   model.phase_rows = [tapes](const ModelSetting& setting) -> Model::PhaseRow {
-    return [coefs = CoefsAt(*tapes, setting)](double psi, double inside, double* row) {
+    return [coefs = CoefsAt(*tapes, setting)](double psi, double inside, double* row) mutable {
       coefs(psi, inside, row);
     };
   };

@@ -62,49 +62,73 @@ bool is_choice(const ExpressionGraph& graph, const Node& node) {
          graph[node.arguments[1]].symbol.find('.') != std::string::npos;
 }
 
-std::string text_of(const ExpressionGraph& graph, NodeId id, int least) {
-  const Node& node = graph[id];
-  if (is_choice(graph, node)) return graph[node.arguments[1]].symbol;
-  if (binding_of(node) < least) return fmt::format("({})", text_of(graph, id, 0));
-  if (node.operation == Operation::number) return fmt::format("{}", node.number);
-  if (node.operation == Operation::symbol) return node.symbol;
-  const Binding binding = binding_of(node.operation);
-  if (binding.own < kPrimary) {
-    const std::string last = text_of(graph, node.arguments.back(), binding.right);
-    if (node.arguments.size() == 1) return binding.text + last;
-    return text_of(graph, node.arguments[0], binding.left) + binding.text + last;
+class Printer {
+ public:
+  Printer(const ExpressionGraph& graph, const NodeNames& names) : graph_(graph), names_(names) {}
+
+  std::string text_of(NodeId id, int least) const {
+    const auto named = names_.find(id);
+    if (named != names_.end()) return named->second;
+    const Node& node = graph_[id];
+    if (is_choice(graph_, node)) return graph_[node.arguments[1]].symbol;
+    if (binding_of(node) < least) return fmt::format("({})", text_of(id, 0));
+    if (node.operation == Operation::number) return fmt::format("{}", node.number);
+    if (node.operation == Operation::symbol) return node.symbol;
+    const Binding binding = binding_of(node.operation);
+    if (binding.own < kPrimary) {
+      const std::string last = text_of(node.arguments.back(), binding.right);
+      if (node.arguments.size() == 1) return binding.text + last;
+      return text_of(node.arguments[0], binding.left) + binding.text + last;
+    }
+    if (node.operation == Operation::table) return text_of_table(node);
+    std::vector<std::string> arguments;
+    for (const NodeId argument : node.arguments) arguments.push_back(text_of(argument, 0));
+    const auto info = std::ranges::find(functions(), node.operation, &FunctionInfo::operation);
+    return fmt::format("{}({})", info->name, fmt::join(arguments, ", "));
   }
-  if (node.operation == Operation::table) {
+
+  // A part counts as often as the text would have it.
+  bool is_short(NodeId id) const {
+    std::vector<NodeId> open = {id};
+    std::size_t size = 0;
+    while (!open.empty()) {
+      const NodeId part = open.back();
+      open.pop_back();
+      if (++size > kReadAtAGlance) return false;
+      if (names_.contains(part)) continue;
+      const std::vector<NodeId>& arguments = graph_[part].arguments;
+      open.insert(open.end(), arguments.begin(), arguments.end());
+    }
+    return true;
+  }
+
+ private:
+  std::string text_of_table(const Node& node) const {
     const PeriodicTable& table = *node.table;
     const char quote = table.name().find('"') == std::string::npos ? '"' : '\'';
     const bool is_linear = table.interpolation() == Interpolation::linear;
     return fmt::format("table({}{}{}, {}{})", quote, table.name(), quote,
-                       text_of(graph, node.arguments[0], 0),
+                       text_of(node.arguments[0], 0),
                        is_linear ? "" : fmt::format(", {}", name_of(table.interpolation())));
   }
-  std::vector<std::string> arguments;
-  for (const NodeId argument : node.arguments) arguments.push_back(text_of(graph, argument, 0));
-  const auto info = std::ranges::find(functions(), node.operation, &FunctionInfo::operation);
-  return fmt::format("{}({})", info->name, fmt::join(arguments, ", "));
-}
+
+  const ExpressionGraph& graph_;
+  const NodeNames& names_;
+};
 
 }  // namespace
 
-std::string to_text(const ExpressionGraph& graph, NodeId id) { return text_of(graph, id, 0); }
+std::string to_text(const ExpressionGraph& graph, NodeId id) {
+  const NodeNames none;
+  return Printer(graph, none).text_of(id, 0);
+}
 
-std::string to_short_text(const ExpressionGraph& graph, NodeId id) {
-  // A part counts as often as the text would have it.
-  std::vector<NodeId> open = {id};
-  std::size_t size = 0;
-  while (!open.empty()) {
-    const std::vector<NodeId>& arguments = graph[open.back()].arguments;
-    open.pop_back();
-    open.insert(open.end(), arguments.begin(), arguments.end());
-    if (++size > kReadAtAGlance) {
-      return fmt::format("an expression of {} parts", parts_of(graph, {id}).size());
-    }
+std::string to_short_text(const ExpressionGraph& graph, NodeId id, const NodeNames& names) {
+  const Printer printer(graph, names);
+  if (!printer.is_short(id)) {
+    return fmt::format("an expression of {} parts", parts_of(graph, {id}).size());
   }
-  std::string text = to_text(graph, id);
+  std::string text = printer.text_of(id, 0);
   std::ranges::replace_if(
       text, [](char c) { return c < ' ' || c > '~' || c == '\\' || c == '?'; }, '_');
   return text;

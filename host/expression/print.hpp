@@ -1,6 +1,7 @@
 // A node as text that parse_expression() reads as the same node.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "expression/expression.hpp"
@@ -9,8 +10,12 @@ namespace gearsweep {
 
 std::string to_text(const ExpressionGraph& graph, NodeId id);
 
-// The same for a reader, in one line; of what is long, only how long it is. Of the name of a table
-// it has the characters that can neither end a comment of C nor steer a terminal, and _ for others.
-std::string to_short_text(const ExpressionGraph& graph, NodeId id);
+// Names of constants, by the nodes that they stand for.
+using NodeNames = std::map<NodeId, std::string>;
+
+// The same for a reader, in one line, who knows these names; of what is long, only how long it is.
+// Of the name of a table it has the characters that can neither end a comment of C nor steer a
+// terminal, and _ for others.
+std::string to_short_text(const ExpressionGraph& graph, NodeId id, const NodeNames& names = {});
 
 }  // namespace gearsweep

@@ -185,9 +185,10 @@ struct Model {
   // (study/own_step.hpp).
   double max_step = 0.0;
   // The text of its equations, the header for the device compiler that is made of it, and what the
-  // program found in it, a line each.
+  // program found in it, a line each: what a motion's accuracy rests on, and how the phase is dealt
+  // with.
   std::string text, kernel;
-  std::vector<std::string> findings;
+  std::vector<std::string> findings, phase_findings;
   StepWork work;
   std::shared_ptr<const FieldGraph> field;  // of its equations; see field_of()
   std::vector<UnusedName> unused;
@@ -203,7 +204,7 @@ struct Model {
   // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
   // `inside`, a phase strictly between the break phases that enclose psi.
   std::function<void(const ModelSetting&, double psi, double inside, double* row)> phase_coefs_at;
-  // The same for many phases at one setting.
+  // The same for many phases at one setting; for one thread.
   using PhaseRow = std::function<void(double psi, double inside, double* row)>;
   std::function<PhaseRow(const ModelSetting&)> phase_rows;
   // The static equilibrium, one number per state: where the policy "shifted" starts.
@@ -221,6 +222,7 @@ struct Model {
   std::function<double(const ModelSetting&)> period;
   // How many times the phase of the equations begins anew in that; empty: once.
   std::function<double(const ModelSetting&)> cycle;
+  std::vector<std::size_t> cycle_parameters;  // that this depends on
 
   // Whether anything depends on a parameter: false of those in `unused`.
   bool uses_parameter(std::string_view parameter) const;

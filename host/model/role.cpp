@@ -7,10 +7,9 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::array<std::pair<Role, const char*>, 8> kRoleNames = {
+constexpr std::array<std::pair<Role, const char*>, 7> kRoleNames = {
     {{Role::load, "load"},
      {Role::mesh_damping, "mesh_damping"},
-     {Role::mesh_periods, "mesh_periods"},
      {Role::pinion_teeth, "pinion_teeth"},
      {Role::teeth_ratio, "teeth_ratio"},
      {Role::mesh_force, "mesh_force"},
@@ -30,8 +29,8 @@ Role role_of(std::string_view name) {
 }
 
 const std::vector<Role>& roles_of_parameters() {
-  static const std::vector<Role> kRoles = {Role::load, Role::mesh_damping, Role::mesh_periods,
-                                           Role::pinion_teeth, Role::teeth_ratio};
+  static const std::vector<Role> kRoles = {Role::load, Role::mesh_damping, Role::pinion_teeth,
+                                           Role::teeth_ratio};
   return kRoles;
 }
 

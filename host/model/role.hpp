@@ -12,7 +12,6 @@ enum class Role {
   // Of parameters.
   load,          // each force between the teeth where nothing moves
   mesh_damping,  // damping ratio cm/(2 varpi me) of the mesh, from which the unit cm follows
-  mesh_periods,  // mesh periods in one period of the forcing
   pinion_teeth,
   teeth_ratio,  // teeth of the gear over those of the pinion
   // Of signals.

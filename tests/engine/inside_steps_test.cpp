@@ -26,7 +26,7 @@ std::string any_study(const Model& model, std::mt19937* random) {
   for (const ParameterInfo& info : model.parameters) {
     const double value = info.default_value * factor(*random);
     // Shares add up, teeth and cycles are whole.
-    const bool is_bound = info.name.starts_with("rho_") || info.role == Role::mesh_periods;
+    const bool is_bound = info.name.starts_with("rho_") || info.name == "cycle";
     if (info.shapes_phase || value == 0.0 || is_bound) continue;
     toml += info.name + " = " + digits(std::clamp(value, info.min, info.max)) + "\n";
   }

@@ -41,7 +41,7 @@ struct Parsed {
   }
 
   std::vector<double> breaks(double c = 0.0, double n = 0.0) {
-    return PhaseBreaks(graph, inputs, phase, {root}).find({c, n});
+    return PhaseBreaks(graph, inputs, phase, {root}, {}).find({c, n});
   }
 
   ExpressionGraph graph;

@@ -68,6 +68,8 @@ TEST(Report, OfAGearHasEachSection) {
   }
   // The closed form of test_orders, in units of varpi = sqrt(k0/me) = 24896 rad/s.
   for (const char* mode : {"1933 Hz", "2757 Hz", "5652 Hz"}) EXPECT_THAT(html, HasSubstr(mode));
+  // What an engineer reads has no expressions of the program's.
+  EXPECT_THAT(html, Not(HasSubstr("tabulated")));
 }
 
 // The stiffness after an entry by that before, of the pairs' parabola: kappa(0) + kappa(1) over

@@ -12,6 +12,7 @@
 #include "study/model_file.hpp"
 #include "study/study.hpp"
 #include "support/folder.hpp"
+#include "support/text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -44,12 +45,6 @@ cycle = "teeth"
 [checks]
 "teeth must be a whole number, not {teeth}" = "teeth == floor(teeth)"
 )~";
-
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("no " + from);
-  return text.replace(at, from.size(), to);
-}
 
 std::string message_of(const std::string& text) {
   try {
@@ -88,7 +83,7 @@ TEST(Cycle, BreaksWhereThePhaseBeginsAnewAndWhereATurnDoes) {
 
 TEST(Cycle, MustHoldWholeWaves) {
   const auto model =
-      read_model_text(changed(kShaft, "cycle = \"teeth\"", "cycle = \"7\""), "m.toml");
+      read_model_text(replaced(kShaft, "cycle = \"teeth\"", "cycle = \"7\""), "m.toml");
   ModelSetting setting = model->default_setting();
   EXPECT_THAT(model->check(setting), HasSubstr("has 1.4 waves in a period of the forcing"));
   setting.parameters[static_cast<std::size_t>(model->find_parameter("teeth"))] = 7.0;
@@ -97,11 +92,11 @@ TEST(Cycle, MustHoldWholeWaves) {
 
 TEST(Cycle, MustBeWhole) {
   const auto model =
-      read_model_text(changed(kShaft, "cycle = \"teeth\"", "cycle = \"1.5\""), "m.toml");
+      read_model_text(replaced(kShaft, "cycle = \"teeth\"", "cycle = \"1.5\""), "m.toml");
   EXPECT_THAT(model->check(model->default_setting()), HasSubstr("the cycle is 1.5; it must be a"));
-  EXPECT_THAT(message_of(changed(kShaft, "cycle = \"teeth\"", "cycle = \"x\"")),
+  EXPECT_THAT(message_of(replaced(kShaft, "cycle = \"teeth\"", "cycle = \"x\"")),
               HasSubstr("the cycle may use parameters alone, not 'x'"));
-  EXPECT_THAT(message_of(changed(kShaft, "cycle = \"teeth\"\n", "")),
+  EXPECT_THAT(message_of(replaced(kShaft, "cycle = \"teeth\"\n", "")),
               HasSubstr("unknown name 'turn'"));
 }
 
@@ -114,9 +109,9 @@ TEST(Checks, SayWhatDoesNotHold) {
 }
 
 TEST(Checks, AreConditionsOfParameters) {
-  EXPECT_THAT(message_of(changed(kShaft, "teeth == floor(teeth)", "x < 1")),
+  EXPECT_THAT(message_of(replaced(kShaft, "teeth == floor(teeth)", "x < 1")),
               HasSubstr("a check may use parameters alone, not 'x'"));
-  EXPECT_THAT(message_of(changed(kShaft, "teeth == floor(teeth)", "teeth + 1")),
+  EXPECT_THAT(message_of(replaced(kShaft, "teeth == floor(teeth)", "teeth + 1")),
               HasSubstr("a number stands where a condition is needed"));
 }
 
@@ -124,14 +119,28 @@ TEST(Mirrors, NameStatesAndParametersInPairs) {
   const std::string mirrored =
       "name = \"shaft\"\nmirrors = [{ states = \"x v\", parameters = "
       "\"runout lost\" }]";
-  const auto model = read_model_text(changed(kShaft, "name = \"shaft\"", mirrored), "m.toml");
+  const auto model = read_model_text(replaced(kShaft, "name = \"shaft\"", mirrored), "m.toml");
   ASSERT_EQ(model->mirror_pairs.size(), 1U);
   EXPECT_EQ(model->mirror_pairs[0].states[0].second, 1U);
   EXPECT_EQ(model->mirror_pairs[0].parameters[0].first, 2U);
-  EXPECT_THAT(message_of(changed(kShaft, "name = \"shaft\"", changed(mirrored, "x v", "x w"))),
+  EXPECT_THAT(message_of(replaced(kShaft, "name = \"shaft\"", replaced(mirrored, "x v", "x w"))),
               HasSubstr("m.toml:3: there is no 'w' to mirror"));
-  EXPECT_THAT(message_of(changed(kShaft, "name = \"shaft\"", changed(mirrored, "x v", "x"))),
+  EXPECT_THAT(message_of(replaced(kShaft, "name = \"shaft\"", replaced(mirrored, "x v", "x"))),
               HasSubstr("must name pairs"));
+}
+
+// Otherwise the one that is left out would begin where the model does not.
+TEST(Mirrors, BeginMirrored) {
+  const std::string mirrored = replaced(kShaft, "name = \"shaft\"",
+                                        "name = \"shaft\"\nmirrors = [{ states = \"x v\", "
+                                        "parameters = \"runout lost\" }]");
+  const auto begins = [&](const std::string& x, const std::string& v) {
+    return message_of(replaced(replaced(mirrored, "x = {}", "x = { start = \"" + x + "\" }"),
+                               "v = {}", "v = { start = \"" + v + "\" }"));
+  };
+  EXPECT_EQ(begins("2/runout", "-2/lost"), "accepted");
+  EXPECT_THAT(begins("2/runout", "2/lost"), HasSubstr("'x' and 'v' are said to mirror each other"));
+  EXPECT_THAT(begins("omega", "0"), HasSubstr("their starts are not shown to"));
 }
 
 const std::string kMeasured = R"~([model]
@@ -179,7 +188,7 @@ TEST(Curves, AreGivenByAStudyAndHeldByIt) {
   EXPECT_NEAR(stiffness_of(again), 4.0, 1e-14);
   EXPECT_NEAR(
       stiffness_of(read_study(
-          model + changed(given, "'k.csv'", "{ file = 'k.csv', interpolation = 'linear' }") +
+          model + replaced(given, "'k.csv'", "{ file = 'k.csv', interpolation = 'linear' }") +
               kStudy,
           path)),
       4.0, 1e-14);
@@ -204,9 +213,9 @@ TEST(Curves, AreThoseOfTheModel) {
   EXPECT_THAT(refusal("stiffness = 3"), HasSubstr("the curve 'stiffness' needs a file"));
   EXPECT_THAT(refusal("stiffness = { file = 'k.csv', interpolation = 'steep' }"),
               HasSubstr("steep"));
-  EXPECT_THAT(message_of(changed(kMeasured, "stiffness(phase)", "stiffness(x)")),
+  EXPECT_THAT(message_of(replaced(kMeasured, "stiffness(phase)", "stiffness(x)")),
               HasSubstr("a table may be read at a phase alone, not at a state 'x'"));
-  EXPECT_THAT(message_of(changed(kMeasured, "stiffness(phase)", "stiffness(phase, 1)")),
+  EXPECT_THAT(message_of(replaced(kMeasured, "stiffness(phase)", "stiffness(phase, 1)")),
               HasSubstr("stiffness() takes 1 argument, not 2"));
 }
 

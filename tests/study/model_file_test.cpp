@@ -18,6 +18,7 @@
 #include "study/table_file.hpp"
 #include "support/folder.hpp"
 #include "support/pair_model.hpp"
+#include "support/text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -25,11 +26,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-std::string with(std::string text, const std::string& what, const std::string& instead) {
-  text.replace(text.find(what), what.size(), instead);
-  return text;
-}
 
 std::string refusal_of(const std::string& text) {
   try {
@@ -58,7 +54,7 @@ TEST(ModelFile, SaysWhichStatesShareARangeAndWhatIsTooLarge) {
       "[model]\nname = 'm'\n[states]\np = {}\nx = {}\ny = {}\n[parameters]\na = 1.0\n"
       "[equations]\np = 'a'\nx = 'a'\ny = 'a'\n[forcing]\nperiod = '1'\n";
   const auto read = [&](const std::string& what, const std::string& instead) {
-    return read_model_text(with(plain, what, instead), "m.toml");
+    return read_model_text(replaced(plain, what, instead), "m.toml");
   };
   const auto alone = read("p = {}", "p = {}");
   EXPECT_THAT(alone->range_groups, ElementsAre(0U, 1U, 2U));
@@ -69,10 +65,18 @@ TEST(ModelFile, SaysWhichStatesShareARangeAndWhatIsTooLarge) {
               ElementsAre(1e9, 1e9, 1e9));
   EXPECT_THAT(read("'m'\n", "'m'\ndiverged_above = {x = 2.0}\n")->diverged_above,
               ElementsAre(INFINITY, 2.0, INFINITY));
-  EXPECT_THAT(refusal_of(with(plain, "'m'\n", "'m'\ndiverged_above = {z = 2.0}\n")),
+  EXPECT_THAT(refusal_of(replaced(plain, "'m'\n", "'m'\ndiverged_above = {z = 2.0}\n")),
               HasSubstr("pair.toml:3: unknown key 'z' in diverged_above"));
-  EXPECT_THAT(refusal_of(with(plain, "'m'\n", "'m'\ndiverged_above = 0\n")),
+  EXPECT_THAT(refusal_of(replaced(plain, "'m'\n", "'m'\ndiverged_above = 0\n")),
               HasSubstr("diverged_above = 0 is out of range"));
+}
+
+// Where a part of the text has a name, a reader knows it by that.
+TEST(ModelFile, CallsWhatItTabulatesByTheNamesOfConstants) {
+  const auto model = read_model_text(pair_model(), "pair.toml", std::set<std::string>{"omega"});
+  EXPECT_THAT(model->phase_findings, ElementsAre("tabulated over the phase: drive",
+                                                 "tabulated over the phase: stiffness"));
+  EXPECT_THAT(model->kernel, HasSubstr("w1 = stiffness\n"));
 }
 
 // What differs from point to point is parted from the phase, where it can be.
@@ -94,7 +98,7 @@ TEST(ModelFile, TabulatesWhatIsTheSameForAllPoints) {
 
 TEST(ModelFile, TabulatesWhatCannotBeTakenApart) {
   const auto model =
-      read_model_text(with(pair_model(), "k*cos(phase)", "k*cos(phase + Fm)"), "pair.toml",
+      read_model_text(replaced(pair_model(), "k*cos(phase)", "k*cos(phase + Fm)"), "pair.toml",
                       std::set<std::string>{"k", "k_2", "k_3", "Fm", "Fte", "Fte_2", "Fte_3"});
   for (const ParameterInfo& parameter : model->parameters) {
     EXPECT_EQ(parameter.shapes_phase, parameter.name == "Fm") << parameter.name;
@@ -104,8 +108,8 @@ TEST(ModelFile, TabulatesWhatCannotBeTakenApart) {
 // At a jump, the value of the side that is asked for.
 TEST(ModelFile, HasBothSidesOfAJump) {
   const auto model = read_model_text(
-      with(with(pair_model(), "k*cos(phase)", "k*if(phase < 2*pi*z, 1, -1)"),
-           "period = \"2*pi/omega\"", "period = \"2*pi/omega\"\njumps = [\"2*pi*z\"]"),
+      replaced(replaced(pair_model(), "k*cos(phase)", "k*if(phase < 2*pi*z, 1, -1)"),
+               "period = \"2*pi/omega\"", "period = \"2*pi/omega\"\njumps = [\"2*pi*z\"]"),
       "pair.toml");
   const ModelSetting setting = model->default_setting();
   EXPECT_THAT(model->break_phases(setting), ElementsAre(0.0, ::testing::DoubleEq(0.05)));
@@ -121,25 +125,28 @@ TEST(ModelFile, HasBothSidesOfAJump) {
 
 TEST(ModelFile, IsRefusedWithThePlace) {
   EXPECT_THAT(
-      refusal_of(with(pair_model(), "2*z*v", "2*z*v*stifness")),
+      refusal_of(replaced(pair_model(), "2*z*v", "2*z*v*stifness")),
       AllOf(HasSubstr("pair.toml:24:33: unknown name 'stifness'; did you mean 'stiffness'?"),
             HasSubstr("- 2*z*v*stifness"), HasSubstr("^")));
-  EXPECT_THAT(refusal_of(with(pair_model(), "f = \"backlash(x, b)\"", "f = \"backlash(f, b)\"")),
-              HasSubstr("pair.toml:20:6: 'f' is defined by itself: f -> f"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "\nx = \"v\"", "")), HasSubstr("'x' has no equation"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "x = \"v\"", "x = \"v\"\ny = \"v\"")),
+  EXPECT_THAT(
+      refusal_of(replaced(pair_model(), "f = \"backlash(x, b)\"", "f = \"backlash(f, b)\"")),
+      HasSubstr("pair.toml:20:6: 'f' is defined by itself: f -> f"));
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "\nx = \"v\"", "")),
+              HasSubstr("'x' has no equation"));
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "x = \"v\"", "x = \"v\"\ny = \"v\"")),
               HasSubstr("'y' is not a state"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "x = 0.05")),
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "z = 0.05", "x = 0.05")),
               HasSubstr("'x' is defined twice"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "sin = 0.05")),
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "z = 0.05", "sin = 0.05")),
               HasSubstr("'sin' has a meaning of its own"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "2*pi/omega", "2*pi/v")),
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "2*pi/omega", "2*pi/v")),
               HasSubstr("the period may use parameters alone, not 'v'"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "min = 1e-4", "mni = 1e-4")),
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "min = 1e-4", "mni = 1e-4")),
               HasSubstr("unknown key 'mni'"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "[forcing]", "[forces]")), HasSubstr("no [forcing]"));
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "[forcing]", "[forces]")),
+              HasSubstr("no [forcing]"));
   EXPECT_THAT(refusal_of(std::string(10 << 20, ' ')), HasSubstr("too large for a model"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "\"v\"\n", "\"v\"); system(\"\n")),
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "\"v\"\n", "\"v\"); system(\"\n")),
               HasSubstr("pair.toml:"));
 }
 
@@ -174,7 +181,7 @@ std::vector<TablePoint> table_points(const std::string& file) {
 }
 
 std::string with_table(const std::string& table) {
-  return with(pair_model(), "k*cos(phase)", "k*" + table);
+  return replaced(pair_model(), "k*cos(phase)", "k*" + table);
 }
 
 std::shared_ptr<const Model> table_model(const std::string& table,
@@ -213,12 +220,12 @@ std::string without_comments(const std::string& kernel) {
 TEST(ModelFile, TakesNoTextOfATableIntoItsKernel) {
   // As TOML writes it: what joins lines in C. A new line is refused.
   const std::string name = R"(evil */ ?\u003F/ \\)";
-  const auto model =
-      read_model_text(with_table("table('" + name + "', phase)"), "pair.toml",
-                      std::set<std::string>{"omega"}, [](const std::string& file) {
-                        EXPECT_TRUE(file.ends_with('\\'));
-                        return std::vector<TablePoint>{{0.0, 1.0}, {1.0, 0.5}, {3.0, 1.0}};
-                      });
+  const std::string text = replaced(pair_model(), "2*z*v", "2*z*v*table('" + name + "', phase)");
+  const auto model = read_model_text(
+      text, "pair.toml", std::set<std::string>{"omega"}, [](const std::string& file) {
+        EXPECT_TRUE(file.ends_with('\\'));
+        return std::vector<TablePoint>{{0.0, 1.0}, {1.0, 0.5}, {3.0, 1.0}};
+      });
   EXPECT_NE(model->kernel.find("evil"), std::string::npos);
   EXPECT_EQ(without_comments(model->kernel).find("evil"), std::string::npos);
   EXPECT_EQ(model->kernel.find('\\', model->kernel.find("ModelPoint")), std::string::npos);
@@ -268,8 +275,8 @@ TEST(ModelFile, FollowsTheJumpsOfATable) {
 
 std::shared_ptr<const Model> pair_with(const std::string& wave, const std::string& jumps = "") {
   const std::string period = "period = \"2*pi/omega\"";
-  return read_model_text(with(with(pair_model(), "k*cos(phase)", "k*" + wave), period,
-                              period + (jumps.empty() ? "" : "\njumps = [" + jumps + "]")),
+  return read_model_text(replaced(replaced(pair_model(), "k*cos(phase)", "k*" + wave), period,
+                                  period + (jumps.empty() ? "" : "\njumps = [" + jumps + "]")),
                          "pair.toml");
 }
 
@@ -296,7 +303,7 @@ TEST(ModelFile, SaysWhereItsListOfJumpsIsWrong) {
 // The side of a jump is no name that a user could take.
 TEST(ModelFile, HasBothSidesWithAnyName) {
   for (const std::string name : {"z", "inside", "scale", "penetration0"}) {
-    std::string text = with(pair_model(), "k*cos(phase)", "k*if(phase < 2*pi*z, 1, -1)");
+    std::string text = replaced(pair_model(), "k*cos(phase)", "k*if(phase < 2*pi*z, 1, -1)");
     text = std::regex_replace(text, std::regex("\\bz\\b"), name);
     const auto model = read_model_text(text, "pair.toml");
     const ModelSetting setting = model->default_setting();
@@ -348,11 +355,11 @@ TEST(ModelFile, RefusesATableWithThePlace) {
   EXPECT_THAT(refusal(with_table("table('mesh.csv', f)")), HasSubstr("not at a state 'x'"));
   EXPECT_THAT(refusal(with_table("table('other.csv', phase)")),
               HasSubstr("pair.toml:19:26: other.csv:7: wrong\n"));
-  EXPECT_THAT(refusal(with(pair_model(), "2*pi/omega", "table('mesh.csv', 1)")),
+  EXPECT_THAT(refusal(replaced(pair_model(), "2*pi/omega", "table('mesh.csv', 1)")),
               HasSubstr("the period may use parameters alone, not a table"));
-  EXPECT_THAT(refusal(with(pair_model(), "\"b + Fm\"", "\"table('mesh.csv', Fm)\"")),
+  EXPECT_THAT(refusal(replaced(pair_model(), "\"b + Fm\"", "\"table('mesh.csv', Fm)\"")),
               HasSubstr("a start may use parameters alone, not a table"));
-  EXPECT_THAT(refusal(with(pair_model(), "z = 0.05", "table = 0.05")),
+  EXPECT_THAT(refusal(replaced(pair_model(), "z = 0.05", "table = 0.05")),
               HasSubstr("'table' has a meaning of its own"));
   EXPECT_THAT(refusal_of(with_table("table('mesh.csv', phase)")), HasSubstr("no tables here"));
   std::string sum = "0";
@@ -388,9 +395,10 @@ TEST(ModelFile, TakesItsTablesIntoTheStudy) {
   {
     const Folder folder;
     std::filesystem::create_directory(folder / "sub");
-    folder.write("sub/pair.toml", with(with_table("table('mesh \"1\".csv', phase)"),
-                                       "stiffness = \"1 - k*table('mesh \"1\".csv', phase)",
-                                       "stiffness = \"1 - k*table('mesh \\\"1\\\".csv', phase)"));
+    folder.write("sub/pair.toml",
+                 replaced(with_table("table('mesh \"1\".csv', phase)"),
+                          "stiffness = \"1 - k*table('mesh \"1\".csv', phase)",
+                          "stiffness = \"1 - k*table('mesh \\\"1\\\".csv', phase)"));
     folder.write(table, "degree,k\n0,0.1\n90,1\n360,0.1\n");
     study = read_study(text, (folder / "s.toml").string());
     EXPECT_THAT(
@@ -434,9 +442,9 @@ TEST(ModelFile, RefusesHostileTablesOfAStudy) {
 
 // The law of a spring, by name.
 std::string with_option(const std::string& choices, const std::string& condition) {
-  return with(with(pair_model(), "[constants]",
-                   "[options]\nlaw = { choices = " + choices + " }\n[constants]"),
-              "stiffness*f\"", "if(" + condition + ", stiffness*f, f^3)\"");
+  return replaced(replaced(pair_model(), "[constants]",
+                           "[options]\nlaw = { choices = " + choices + " }\n[constants]"),
+                  "stiffness*f\"", "if(" + condition + ", stiffness*f, f^3)\"");
 }
 
 TEST(ModelFile, HasOptionsByName) {
@@ -469,15 +477,17 @@ TEST(ModelFile, RefusesOptionsThatSayTooLittle) {
 
 TEST(ModelFile, MayCallAParameterByAnotherNameInExpressions) {
   const std::string text =
-      with(with(pair_model(), "z = 0.05", "phase = { as = \"z\", value = 0.05 }"), "[signals]",
-           "[presets.damped]\nphase = 0.2\n[signals]");
+      replaced(replaced(pair_model(), "z = 0.05", "phase = { as = \"z\", value = 0.05 }"),
+               "[signals]", "[presets.damped]\nphase = 0.2\n[signals]");
   const auto model = read_model_text(text, "pair.toml");
   EXPECT_EQ(model->parameters[2].name, "phase");
   EXPECT_THAT(model->presets, ::testing::SizeIs(2));
-  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "phase = { as = \"sin\", value = 0.05 }")),
-              HasSubstr("'sin' has a meaning of its own"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "z = 0.05", "phase = { as = \"b\", value = 0.05 }")),
-              HasSubstr("'b' is defined twice"));
+  EXPECT_THAT(
+      refusal_of(replaced(pair_model(), "z = 0.05", "phase = { as = \"sin\", value = 0.05 }")),
+      HasSubstr("'sin' has a meaning of its own"));
+  EXPECT_THAT(
+      refusal_of(replaced(pair_model(), "z = 0.05", "phase = { as = \"b\", value = 0.05 }")),
+      HasSubstr("'b' is defined twice"));
 }
 
 // A term that is commented out must not break a study. What the term alone used is told, with what
@@ -487,18 +497,18 @@ TEST(ModelFile, TellsWhatIsUsedNowhere) {
     return "[model]\nfile = 'pair.toml'\ntext = '''\n" + model + "'''\n[[axes]]\nname = '" + axis +
            "'\nvalues = [0.5, 1.0]\n";
   };
-  const std::string text = with(with(pair_model(), "z = 0.05", "z = 0.05\nspare = 1.0"),
-                                "[equations]", "part = \"spare/2\"\n[equations]");
+  const std::string text = replaced(replaced(pair_model(), "z = 0.05", "z = 0.05\nspare = 1.0"),
+                                    "[equations]", "part = \"spare/2\"\n[equations]");
   const Study study = read_study(study_with(text, "omega"), "s.toml");
   EXPECT_THAT(study.notices,
               ElementsAre(HasSubstr("pair.toml:11: parameter 'spare' is used nowhere"),
                           HasSubstr("pair.toml:23: constant 'part' is used nowhere")));
   EXPECT_THAT(refusal(study_with(text, "spare")),
               HasSubstr("s.toml:36: nothing in model 'pair' depends on 'spare'"));
-  const std::string used = with(text, "2*z*v", "2*z*part*v");
+  const std::string used = replaced(text, "2*z*v", "2*z*part*v");
   EXPECT_THAT(read_study(study_with(used, "spare"), "s.toml").notices, ::testing::IsEmpty());
   // A constant may have the value of one that is used.
-  const std::string same = with(pair_model(), "[equations]", "spare = \"b\"\n[equations]");
+  const std::string same = replaced(pair_model(), "[equations]", "spare = \"b\"\n[equations]");
   EXPECT_THAT(read_study(study_with(same, "b"), "s.toml").notices,
               ElementsAre(HasSubstr("constant 'spare' is used nowhere")));
 }
@@ -508,7 +518,7 @@ TEST(ModelFile, HasItsOwnValuesAsAPreset) {
   const auto names_after = [](const std::string& presets) {
     std::vector<std::string> names;
     const auto model =
-        read_model_text(with(pair_model(), "[signals]", presets + "[signals]"), "pair.toml");
+        read_model_text(replaced(pair_model(), "[signals]", presets + "[signals]"), "pair.toml");
     for (const PresetInfo& preset : model->presets) names.push_back(preset.name);
     return names;
   };
@@ -517,16 +527,16 @@ TEST(ModelFile, HasItsOwnValuesAsAPreset) {
   EXPECT_THAT(names_after("[presets.own]\npolicy = \"fixed\"\n[presets.soft]\nk = 0.5\n"),
               ElementsAre("own", "soft"));
   EXPECT_THAT(
-      refusal_of(with(pair_model(), "[signals]", "[presets.a]\npolicy = \"fix\"\n[signals]")),
+      refusal_of(replaced(pair_model(), "[signals]", "[presets.a]\npolicy = \"fix\"\n[signals]")),
       HasSubstr("fixed"));
-  EXPECT_THAT(refusal_of(with(pair_model(), "[signals]", "[presets.a]\nkk = 1.0\n[signals]")),
+  EXPECT_THAT(refusal_of(replaced(pair_model(), "[signals]", "[presets.a]\nkk = 1.0\n[signals]")),
               HasSubstr("unknown key 'kk'"));
 }
 
 TEST(ModelFile, SaysWhatWasFoundInIt) {
   using ::testing::Contains;
   const auto findings = [](const std::string& force) {
-    return read_model_text(with(pair_model(), "stiffness*f\"", force + "\""), "pair.toml")
+    return read_model_text(replaced(pair_model(), "stiffness*f\"", force + "\""), "pair.toml")
         ->findings;
   };
   EXPECT_THAT(findings("stiffness*f"),
@@ -545,8 +555,8 @@ TEST(ModelFile, TakesNoLongerForPartsOfParts) {
       const std::string joined = i % 2 == 0 ? before + " + " + before : before + "*" + before;
       constants += "c" + std::to_string(i) + " = \"if(v > 0, " + joined + ", " + before + ")\"\n";
     }
-    const std::string text =
-        with(with(pair_model(), "[equations]", constants + "[equations]"), "2*z*v", "2*z*v*c119");
+    const std::string text = replaced(
+        replaced(pair_model(), "[equations]", constants + "[equations]"), "2*z*v", "2*z*v*c119");
     EXPECT_EQ(refusal_of(text), "accepted");
   }
 }

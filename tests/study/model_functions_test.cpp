@@ -11,6 +11,7 @@
 
 #include "model/error.hpp"
 #include "study/model_file.hpp"
+#include "support/text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -56,11 +57,6 @@ v = "e*cos(phase) + e_2*cos(2*phase) + e_3*cos(3*phase) - (max(2*x - 0.2, 0)^1.5
 [forcing]
 period = "2*pi/omega"
 )~";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
 
 std::vector<double> rates(const Model& model, double phase, const std::vector<double>& x) {
   const ModelSetting setting = model.default_setting();

@@ -8,6 +8,11 @@
 #include "expression/print.hpp"
 
 namespace gearsweep {
+namespace {
+
+constexpr std::size_t kBreaksToSee = 8;
+
+}  // namespace
 
 std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
                                      const Lowered& lowered, const PhaseBreaks& breaks) {
@@ -37,13 +42,27 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
     add(fmt::format("corner of {} (in {}): steps are not corrected, and of second order there",
                     place.expression, equation_of(definition, place)));
   }
-  for (const NodeId id : lowered.coef_values) {
-    add(fmt::format("tabulated over the phase: {}", to_short_text(graph, id)));
-  }
-  for (const std::string& text : breaks.texts()) {
-    add(fmt::format("steps end at the phases where this jumps or bends: {}", text));
-  }
   for (const std::string& line : breaks.tables_left_out()) add(line);
+  return lines;
+}
+
+std::vector<std::string> phase_findings_of(const ModelDefinition& definition,
+                                           const Formula& formula, const Lowered& lowered,
+                                           const PhaseBreaks& breaks) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) { lines.push_back(line); };
+  for (const NodeId id : lowered.coef_values) {
+    add(fmt::format("tabulated over the phase: {}",
+                    to_short_text(formula.graph, id, formula.names)));
+  }
+  const std::vector<std::string> texts = breaks.texts();
+  for (std::size_t i = 0; i < texts.size() && i < kBreaksToSee; ++i) {
+    add(fmt::format("steps end at the phases where this jumps or bends: {}", texts[i]));
+  }
+  if (texts.size() > kBreaksToSee) {
+    add(fmt::format("steps end where {} other expressions jump or bend, too",
+                    texts.size() - kBreaksToSee));
+  }
   for (std::size_t i = 0; i < definition.parameters.size(); ++i) {
     if (!lowered.shapes_phase[i] || !formula.are_swept[i]) continue;
     add(fmt::format("'{}' cannot be parted from the phase: each of its values has a table",

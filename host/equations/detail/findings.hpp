@@ -14,4 +14,9 @@ namespace gearsweep {
 std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
                                      const Lowered& lowered, const PhaseBreaks& breaks);
 
+// Model::phase_findings: a line each.
+std::vector<std::string> phase_findings_of(const ModelDefinition& definition,
+                                           const Formula& formula, const Lowered& lowered,
+                                           const PhaseBreaks& breaks);
+
 }  // namespace gearsweep

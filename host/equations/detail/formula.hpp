@@ -8,6 +8,7 @@
 
 #include "equations/definition.hpp"
 #include "expression/expression.hpp"
+#include "expression/print.hpp"
 
 namespace gearsweep {
 
@@ -20,6 +21,7 @@ struct Formula {
   std::vector<bool> are_swept;     // [parameter]: whether points differ in it
   std::vector<bool> are_negative;  // [parameter]: whether it may be
   std::vector<std::pair<std::string, NodeId>> constants;  // by name
+  NodeNames names;  // of those that are more than a number or a symbol, once they are simplified
   NodeId phase = 0;
   std::optional<NodeId> turn;  // of a model with a cycle
   std::vector<NodeId> equations, start, signals, jumps;

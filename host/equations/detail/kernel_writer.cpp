@@ -96,7 +96,8 @@ class KernelWriter {
     if (lowered_.coefs.empty()) return;
     out_ += "// Tabulated over the phase:\n";
     for (std::size_t i = 0; i < lowered_.coefs.size(); ++i) {
-      out_ += fmt::format("//   w{} = {}\n", i, to_short_text(*graph_, lowered_.coef_values[i]));
+      out_ += fmt::format("//   w{} = {}\n", i,
+                          to_short_text(*graph_, lowered_.coef_values[i], formula_->names));
     }
   }
 
@@ -174,7 +175,7 @@ class KernelWriter {
     const auto add = [&](const std::vector<NodeId>& symbols, const std::vector<NodeId>& values) {
       for (std::size_t i = 0; i < symbols.size(); ++i) {
         out_ += fmt::format("  real c{};  // {}\n", assignments.size() - 1,
-                            to_short_text(*graph_, values[i]));
+                            to_short_text(*graph_, values[i], formula_->names));
         assignments.emplace_back(names_.at(symbols[i]), values[i]);
       }
     };

@@ -67,7 +67,7 @@ bool is_near(double phase, const std::vector<double>& phases) {
 std::vector<double> jumps_among(const Tapes& tapes, const ModelSetting& setting,
                                 const std::vector<double>& breaks) {
   constexpr double kRounding = 1e-9;
-  const CoefsAt coefs_at(tapes, setting);
+  CoefsAt coefs_at(tapes, setting);
   std::vector<double> jumps, before(tapes.coef_count), after(tapes.coef_count);
   std::vector<double> sizes(tapes.coef_count);  // over the period: one may vanish where it bends
   for (std::size_t i = 0; i <= breaks.size(); ++i) {

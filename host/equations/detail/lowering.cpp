@@ -6,18 +6,11 @@
 #include <array>
 #include <map>
 
+#include "equations/detail/dependence.hpp"
 #include "expression/differentiate.hpp"
 
 namespace gearsweep {
 namespace {
-
-// What a node depends on.
-struct Dependence {
-  bool state = false, phase = false, parameter = false;
-  bool velocity = false;  // the second half of the states, where it is the first half's slope
-  bool swept = false;     // a parameter that differs from point to point
-  bool rounds = false;    // devices may differ in the last digits
-};
 
 // A part of a sum, or of a product.
 struct Part {
@@ -30,7 +23,8 @@ struct Part {
 
 class Lowering {
  public:
-  explicit Lowering(Formula* formula) : formula_(formula), graph_(&formula->graph) {
+  explicit Lowering(Formula* formula)
+      : formula_(formula), graph_(&formula->graph), dependences_(*formula) {
     lowered_.shapes_phase.assign(formula->parameters.size(), false);
   }
 
@@ -40,7 +34,12 @@ class Lowering {
     for (const NodeId id : formula_->equations) equations.push_back(simplify(id));
     for (const NodeId id : formula_->signals) signals.push_back(simplify(id));
     formula_->period = simplify(formula_->period);
+    for (auto& [name, value] : formula_->constants) {
+      value = simplify(value);
+      if (!(*graph_)[value].arguments.empty()) formula_->names.emplace(value, name);
+    }
     lowered_.is_second_order = is_second_order(equations);
+    if (lowered_.is_second_order) dependences_.know_velocities();
     const auto changes = [this](NodeId id) { return of(id).phase; };
     has_phase_ = std::ranges::any_of(equations, changes) || std::ranges::any_of(signals, changes);
     // The signals are another function: that they have a part, too, is no reason to keep it whole.
@@ -72,65 +71,7 @@ class Lowering {
     for (const NodeId id : roots) ++uses_[id];
   }
 
-  const Dependence& of(NodeId id) {
-    const auto known = dependences_.find(id);
-    if (known != dependences_.end()) return known->second;
-    Dependence found;
-    const Node node = (*graph_)[id];
-    if (node.operation == Operation::symbol) {
-      found.phase = id == formula_->phase || id == formula_->turn;
-      const auto state = std::ranges::find(formula_->states, id);
-      found.state = state != formula_->states.end();
-      found.velocity =
-          lowered_.is_second_order && found.state &&
-          static_cast<std::size_t>(state - formula_->states.begin()) >= formula_->states.size() / 2;
-      found.parameter = !found.phase && !found.state;
-      found.swept = found.parameter && is_swept(id);
-    }
-    // At a fixed place, too: so it is tabulated, and no device sees it.
-    found.phase |= node.operation == Operation::table;
-    found.rounds = rounds(node.operation);
-    for (const NodeId argument : node.arguments) {
-      const Dependence below = of(argument);
-      found.state |= below.state;
-      found.velocity |= below.velocity;
-      found.phase |= below.phase;
-      found.parameter |= below.parameter;
-      found.swept |= below.swept;
-      found.rounds |= below.rounds;
-    }
-    return dependences_.emplace(id, found).first->second;
-  }
-
-  bool is_swept(NodeId id) const {
-    if (std::ranges::find(formula_->choices, id) != formula_->choices.end()) return false;
-    const auto parameter = std::ranges::find(formula_->parameters, id);
-    return parameter == formula_->parameters.end() ||
-           formula_->are_swept[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
-  }
-
-  // Whether devices may give other last digits than the host does. What is the same at all points
-  // is tabulated then, where there is a table.
-  static bool rounds(Operation operation) {
-    switch (operation) {
-      case Operation::power:
-      case Operation::sine:
-      case Operation::cosine:
-      case Operation::tangent:
-      case Operation::arcsine:
-      case Operation::arccosine:
-      case Operation::arctangent:
-      case Operation::arctangent_of_two:
-      case Operation::hyperbolic_sine:
-      case Operation::hyperbolic_cosine:
-      case Operation::hyperbolic_tangent:
-      case Operation::exponential:
-      case Operation::logarithm:
-        return true;
-      default:
-        return false;
-    }
-  }
+  const Dependence& of(NodeId id) { return dependences_.of(id); }
 
   NodeId make(Operation operation, NodeId a, NodeId b) { return graph_->make(operation, {a, b}); }
 
@@ -384,11 +325,10 @@ class Lowering {
   std::string innermost_constant(NodeId id) {
     const Operation operation = (*graph_)[id].operation;
     if (operation != Operation::backlash && operation != Operation::stop) return "";
-    Rewriter simplify(graph_, {});
     std::string name;
     std::size_t least = graph_->size() + 1;
     for (const auto& [constant, value] : formula_->constants) {
-      const std::vector<NodeId> parts = parts_of(*graph_, {simplify(value)});
+      const std::vector<NodeId> parts = parts_of(*graph_, {value});
       if (std::ranges::find(parts, id) == parts.end() || parts.size() >= least) continue;
       least = parts.size();
       name = constant;
@@ -400,7 +340,7 @@ class Lowering {
   ExpressionGraph* graph_;
   Lowered lowered_;
   std::map<NodeId, std::size_t> uses_;
-  std::map<NodeId, Dependence> dependences_;
+  Dependences dependences_;
   std::map<NodeId, NodeId> inner_;
   bool has_phase_ = false;
 };

@@ -29,7 +29,7 @@ std::vector<double> in_turn(std::vector<double> phases) {
 }  // namespace
 
 PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
-                         NodeId phase, const std::vector<NodeId>& roots) {
+                         NodeId phase, const std::vector<NodeId>& roots, const NodeNames& names) {
   std::vector<bool> is_changing(graph.size());
   is_changing[phase] = true;
   const std::vector<NodeId> parts = parts_of(graph, roots);
@@ -132,7 +132,7 @@ PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>
     });
     if (breaker.functions.empty()) continue;
     breaker.cone = steps_below(breaker.step);
-    breaker.text = to_short_text(graph, id);
+    breaker.text = to_short_text(graph, id, names);
     breakers_.push_back(std::move(breaker));
   }
   for (const NodeId id : roots) {

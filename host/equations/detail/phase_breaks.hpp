@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "expression/interval.hpp"
+#include "expression/print.hpp"
 #include "expression/tape.hpp"
 
 namespace gearsweep {
@@ -32,9 +33,9 @@ class PhaseBreaks {
  public:
   PhaseBreaks() = default;
   // inputs: symbols whose values are given to find(); all that the roots depend on beside the
-  // phase. The last one is the turn.
+  // phase. The last one is the turn. names: for texts.
   PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>& inputs, NodeId phase,
-              const std::vector<NodeId>& roots);
+              const std::vector<NodeId>& roots, const NodeNames& names);
 
   // Phases in radians, above 0 and below 2 pi, rising. Throws InputError, with the expression,
   // where there are more than 1,000, or where it cannot be told what an expression does.

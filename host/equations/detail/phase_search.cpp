@@ -29,13 +29,14 @@ class PhaseBreaks::Search {
  public:
   Search(const PhaseBreaks& breaks, const std::vector<double>& inputs)
       : breaks_(breaks),
-        chosen_(breaks.first_step() + breaks.steps_.size()),
-        points_(chosen_.size()),
-        enclosures_(chosen_.size()) {
-    breaks_.constants_.run(inputs.data(), chosen_.data() + 1);
+        constants_(breaks.first_step() + breaks.steps_.size()),
+        chosen_(&constants_),
+        points_(constants_.size()),
+        enclosures_(constants_.size()) {
+    breaks_.constants_.run(inputs.data(), constants_.data() + 1);
     for (std::size_t i = 1; i < breaks_.first_step(); ++i) {
-      points_[i] = chosen_[i];
-      enclosures_[i] = {{chosen_[i], chosen_[i]}, {}};
+      points_[i] = constants_[i];
+      enclosures_[i] = {{constants_[i], constants_[i]}, {}};
     }
     is_live_ = reached(0);
     for (std::size_t i = 0; i < breaks_.steps_.size(); ++i) {
@@ -95,20 +96,19 @@ class PhaseBreaks::Search {
   // The values in the middle between two breaks; most breakers find no other ones.
   void choose_between(double from, double to) {
     const auto [known, is_new] = middles_.try_emplace({from, to});
-    if (!is_new) {
-      chosen_ = known->second;
-      return;
-    }
-    chosen_[0] = 0.5 * (from + to);
+    std::vector<double>& values = known->second;
+    chosen_ = &values;
+    if (!is_new) return;
+    values = constants_;
+    values[0] = 0.5 * (from + to);
     for (std::size_t i = 0; i < breaks_.steps_.size(); ++i) {
       if (!is_live_[i]) continue;
       const Step& step = breaks_.steps_[i];
-      const double a = chosen_[step.a], b = chosen_[step.b];
-      chosen_[breaks_.first_step() + i] = step.operation == Operation::table
-                                              ? step.table->at(a, b)
-                                              : apply(step.operation, a, b, chosen_[step.c]);
+      const double a = values[step.a], b = values[step.b];
+      values[breaks_.first_step() + i] = step.operation == Operation::table
+                                             ? step.table->at(a, b)
+                                             : apply(step.operation, a, b, values[step.c]);
     }
-    known->second = chosen_;
   }
 
   void look_between(double from, double to, std::vector<double>* found) {
@@ -122,7 +122,7 @@ class PhaseBreaks::Search {
     const bool is_or = step.operation == Operation::disjunction;
     if (!is_or && step.operation != Operation::conjunction) return false;
     const auto decides = [&](std::size_t place) {
-      return place > 0 && place < breaks_.first_step() && (chosen_[place] != 0.0) == is_or;
+      return place > 0 && place < breaks_.first_step() && ((*chosen_)[place] != 0.0) == is_or;
     };
     return decides(step.a) || decides(step.b);
   }
@@ -146,8 +146,8 @@ class PhaseBreaks::Search {
       const bool is_choice = step.operation == Operation::select;
       const bool is_known = is_choice && (step.a < first || breaks_.ranks_[step.a - first] < rank);
       push(step.a);
-      if (!is_known || chosen_[step.a] != 0.0) push(step.b);
-      if (!is_known || chosen_[step.a] == 0.0) push(step.c);
+      if (!is_known || (*chosen_)[step.a] != 0.0) push(step.b);
+      if (!is_known || (*chosen_)[step.a] == 0.0) push(step.c);
     }
     return seen;
   }
@@ -159,10 +159,10 @@ class PhaseBreaks::Search {
   static Enclosure compute(const Step& step, const Enclosure& a, const Enclosure& b) {
     return enclose(step.operation, a, b);
   }
-  double read(const Step& step, double a) const { return step.table->at(a, chosen_[step.a]); }
+  double read(const Step& step, double a) const { return step.table->at(a, (*chosen_)[step.a]); }
   Enclosure read(const Step& step, const Enclosure& a) const {
     const PeriodicTable::Range range =
-        step.table->range(a.value.low, a.value.high, chosen_[step.a]);
+        step.table->range(a.value.low, a.value.high, (*chosen_)[step.a]);
     const Enclosure slope{rounded(range.slope_low, range.slope_high), {}};
     return {rounded(range.low, range.high),
             enclose(Operation::multiply, slope, {a.slope, {}}).value};
@@ -175,7 +175,7 @@ class PhaseBreaks::Search {
   Value value_of(std::size_t index, const std::vector<Value>& values) const {
     const Step& step = breaks_.steps_[index];
     const Value &a = values[step.a], &b = values[step.b];
-    const double at_a = chosen_[step.a], at_b = chosen_[step.b];
+    const double at_a = (*chosen_)[step.a], at_b = (*chosen_)[step.b];
     switch (step.operation) {
       case Operation::select:
         return at_a != 0.0 ? b : values[step.c];
@@ -194,13 +194,13 @@ class PhaseBreaks::Search {
       }
       case Operation::sign:
       case Operation::floor:
-        return constant(chosen_[breaks_.first_step() + index], a);
+        return constant((*chosen_)[breaks_.first_step() + index], a);
       case Operation::table:
         return read(step, a);
       default:
         break;
     }
-    if (step.is_condition) return constant(chosen_[breaks_.first_step() + index], a);
+    if (step.is_condition) return constant((*chosen_)[breaks_.first_step() + index], a);
     return compute(step, a, b);
   }
 
@@ -332,9 +332,11 @@ class PhaseBreaks::Search {
   const PhaseBreaks& breaks_;
   const Breaker* breaker_ = nullptr;
   // [place]: in the middle between two breaks, at a phase, over an interval.
-  std::vector<double> chosen_, points_;
+  std::vector<double> constants_;      // in their places; the others are 0
+  const std::vector<double>* chosen_;  // one of middles_, or the constants
+  std::vector<double> points_;
   std::vector<Enclosure> enclosures_;
-  std::map<std::pair<double, double>, std::vector<double>> middles_;  // chosen_ between breaks
+  std::map<std::pair<double, double>, std::vector<double>> middles_;
   std::vector<bool> is_live_;  // [step]: whatever the phase is
   bool has_choices_ = false;   // that the phase makes
   std::vector<double> bounds_;

@@ -12,6 +12,16 @@
 
 namespace gearsweep {
 
+namespace {
+
+// Turn, a phase inside and the phase.
+std::array<double, 3> phases_of(double cycle, double psi, double inside) {
+  const double turn = std::floor(cycle * inside);
+  return {turn, kWholePhase * (cycle * inside - turn), kWholePhase * (cycle * psi - turn)};
+}
+
+}  // namespace
+
 Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Formula* formula) {
   const ExpressionGraph& graph = formula->graph;
   std::vector<NodeId> parameters = formula->parameters;
@@ -35,15 +45,15 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   const NodeId turn = formula->turn.value_or(formula->graph.symbol("no turn"));
   std::vector<NodeId> turned = parameters;
   turned.push_back(turn);
-  tapes.breaks = PhaseBreaks(graph, turned, formula->phase, lowered.coef_values);
+  tapes.breaks = PhaseBreaks(graph, turned, formula->phase, lowered.coef_values, formula->names);
   tapes.waves = PhaseWaves(&formula->graph, parameters, {formula->phase, turn, formula->cycle},
                            lowered.coef_values);
   const NodeId inside = formula->graph.symbol("phase inside");
   const std::vector<NodeId> coefs =
       one_sided(&formula->graph, formula->phase, inside, lowered.coef_values);
   std::vector<NodeId> phased = turned;
-  phased.push_back(formula->phase);
   phased.push_back(inside);
+  phased.push_back(formula->phase);
   std::vector<NodeId> moment = formula->states;
   moment.insert(moment.end(), lowered.point.begin(), lowered.point.end());
   moment.insert(moment.end(), lowered.coefs.begin(), lowered.coefs.end());
@@ -101,16 +111,31 @@ std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting) {
   return static_cast<std::size_t>(cycle);
 }
 
+void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
+              double* row) {
+  row[0] = 1.0;  // of a model without coefficients
+  std::vector<double> inputs = inputs_of(tapes, setting);
+  const std::array<double, 3> phases = phases_of(tapes.cycle.run(inputs), psi, inside);
+  inputs.insert(inputs.end(), phases.begin(), phases.end());
+  tapes.coefs.run(inputs.data(), row);
+}
+
 CoefsAt::CoefsAt(const Tapes& tapes, const ModelSetting& setting)
     : cycle_(tapes.cycle.run(inputs_of(tapes, setting))),
       coefs_(tapes.coefs.given(inputs_of(tapes, setting))) {}
 
-void CoefsAt::operator()(double psi, double inside, double* row) const {
-  row[0] = 1.0;  // of a model without coefficients
-  const double turn = std::floor(cycle_ * inside);
-  const std::array<double, 3> phases = {turn, kWholePhase * (cycle_ * psi - turn),
-                                        kWholePhase * (cycle_ * inside - turn)};
-  coefs_.run(phases.data(), row);
+void CoefsAt::operator()(double psi, double inside, double* row) {
+  row[0] = 1.0;
+  const auto [turn, phase_inside, phase] = phases_of(cycle_, psi, inside);
+  if (inside != inside_) {
+    inside_ = inside;
+    in_segment_.reset();
+    coefs_.run(std::array{turn, phase_inside, phase}.data(), row);
+    return;
+  }
+  // A second phase of the segment: more will follow.
+  if (!in_segment_) in_segment_ = coefs_.given({turn, phase_inside});
+  in_segment_->run(&phase, row);
 }
 
 }  // namespace gearsweep

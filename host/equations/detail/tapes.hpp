@@ -1,6 +1,7 @@
 // All that the host works out of a model that is text, in double.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace gearsweep {
 
 struct Tapes {
   // Of parameters and choices of options; checks: whether each holds, then the values of all of
-  // their messages; coefs: then of the turn, the phase and one inside.
+  // their messages; coefs: then of the turn, a phase inside and the phase.
   Tape period, cycle, start, jumps, checks, coefs, point;
   // Of states, point and coefs.
   Tape rhs, jacobian, signals;
@@ -48,15 +49,22 @@ std::string wrong_cycle(double cycle);
 std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting);
 
 // The coefficients at a phase, seen from the segment that `inside` lies in; both in forcing
-// periods. What a setting decides is worked out once.
+// periods.
+void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
+              double* row);
+
+// The same for many phases: what the setting decides is worked out once, and what a segment decides
+// once for all phases of it that follow on each other. For one thread.
 class CoefsAt {
  public:
   CoefsAt(const Tapes& tapes, const ModelSetting& setting);
-  void operator()(double psi, double inside, double* row) const;
+  void operator()(double psi, double inside, double* row);
 
  private:
   double cycle_;
-  Tape coefs_;  // of the turn, the phase and one inside
+  Tape coefs_;  // of the turn, a phase inside and the phase
+  double inside_ = -1.0;
+  std::optional<Tape> in_segment_;  // of the phase, in the segment of inside_
 };
 
 }  // namespace gearsweep

@@ -27,8 +27,9 @@ double unit_of_damping(const Study& study, const std::vector<std::string>& varie
 std::vector<Attribute> turns_of(const Study& study) {
   const Model& model = *study.model;
   const double periods = model.mesh_periods(study.setting);
-  const std::optional<std::size_t> swept = model.parameter_of(Role::mesh_periods);
-  const bool varies = swept && study.find_swept(false, *swept) != nullptr;
+  const bool varies = std::ranges::any_of(model.cycle_parameters, [&](std::size_t parameter) {
+    return study.find_swept(false, parameter) != nullptr;
+  });
   if (periods == 1.0 || varies) return {};
   std::vector<Attribute> notes = {{kMeshPeriods, periods}};
   const std::optional<std::size_t> teeth = model.parameter_of(Role::pinion_teeth);

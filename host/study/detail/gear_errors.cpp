@@ -9,14 +9,11 @@
 #include <numeric>
 #include <optional>
 
+#include "study/detail/definition_entries.hpp"
 #include "study/detail/gear_parts.hpp"
 
 namespace gearsweep {
 namespace {
-
-std::string name_in_list(const std::string& name, std::size_t place) {
-  return place == 0 ? name : fmt::format("{}_{}", name, place + 1);
-}
 
 constexpr std::size_t kMostHarmonics = 8;
 

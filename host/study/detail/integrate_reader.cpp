@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "study/detail/toml_access.hpp"
 
@@ -12,11 +13,19 @@ namespace {
 
 // Mesh periods in a period of the study: the fewest of its points.
 double mesh_periods_of(const Study& study) {
-  const std::optional<std::size_t> periods = study.model->parameter_of(Role::mesh_periods);
-  if (!periods) return 1.0;
-  const Swept* swept = study.find_swept(false, *periods);
-  return swept == nullptr ? study.model->mesh_periods(study.setting)
-                          : std::ranges::min(swept->values);
+  std::optional<double> fewest;
+  ModelSetting setting = study.setting;
+  for (const std::size_t parameter : study.model->cycle_parameters) {
+    const Swept* swept = study.find_swept(false, parameter);
+    if (swept == nullptr) continue;
+    for (const double value : swept->values) {
+      setting.parameters[parameter] = value;
+      const double periods = study.model->mesh_periods(setting);
+      if (!fewest || periods < *fewest) fewest = periods;
+    }
+    setting.parameters[parameter] = study.setting.parameters[parameter];
+  }
+  return fewest.value_or(study.model->mesh_periods(study.setting));
 }
 
 // A study that does not say how long takes about as many mesh periods, whatever its periods have.

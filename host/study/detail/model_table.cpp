@@ -8,6 +8,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/builtin_models.hpp"
+#include "study/detail/definition_entries.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/model_file.hpp"
 #include "study/study_keys.hpp"
@@ -60,7 +61,7 @@ void set_parameter_or_list(const toml::node& node, const std::string& name,
     return;
   }
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string element = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
+    const std::string element = name_in_list(name, i);
     if (study->model->find_parameter(element) < 0 && study->model->find_parameter(name) >= 0) {
       fail_at(node, fmt::format("parameter '{}' takes at most {} numbers", name, i));
     }

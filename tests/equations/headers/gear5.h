@@ -25,17 +25,8 @@
 // A force that starts at the limits of a backlash: steps that cross one are corrected.
 #define MODEL_CONTACT
 
-// Some of them may rest while others move: without friction, both shafts across the line of action.
-#define MODEL_RANGE_GROUPS(X) X("x1 x2 x3 x4 x5") X("v1 v2 v3 v4 v5")
-
 // In half backlashes, and those per unit of time.
 #define MODEL_DIVERGED_ABOVE 1e6
-
-// X(states, parameters): the mesh pushes both shafts equally hard. Where they are alike, each
-// mirrors the other.
-#define MODEL_MIRROR_PAIRS(X)           \
-  X("x2 x4 v2 v4", "m1 m2 k1 k3 c1 c3") \
-  X("x3 x5 v3 v5", "m1 m2 k2 k4 c2 c4")
 
 // X(name, unit, default, min, max, shapes the phase coefficients, meaning).
 // A name followed by _2, _3, ... continues a list that is given under the plain name.
@@ -111,31 +102,6 @@ enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
 enum { STIFFNESS_PARABOLIC, STIFFNESS_RECTANGULAR, STIFFNESS_FOURIER, STIFFNESS_TABLE };
 enum { ERROR_SINE, ERROR_SERIES };
-
-// X(name, role): what parameters and signals are to the tool. One period of the forcing may be
-// several mesh periods, so that what comes back once per turn of a shaft does.
-#define MODEL_ROLES(X)        \
-  X(F1, load)                 \
-  X(zeta, mesh_damping)       \
-  X(zp, pinion_teeth)         \
-  X(teeth_ratio, teeth_ratio) \
-  X(cycle, mesh_periods)      \
-  X(dmf, mesh_force)          \
-  X(dte, transmission_error)  \
-  X(bearing_p, bearing_force) \
-  X(bearing_g, bearing_force)
-
-// X(sentence): what no option changes.
-#define MODEL_ASSUMPTIONS(X)                                                                 \
-  X("Teeth are springs, gears are rigid bodies; shafts do not bend or twist.")               \
-  X("Bearings are linear springs and dampers across and along the line of action.")          \
-  X("Friction between teeth is Coulomb's, with a constant coefficient, in the direction of " \
-    "nominal sliding.")                                                                      \
-  X("The mesh damper acts for two tooth pairs at all times, out of contact, too.")           \
-  X("A pair of teeth takes up its load at once where it enters: stiffness and force jump "   \
-    "there. A helix makes it gradual.")                                                      \
-  X("The load is constant; the transmission error acts on the mesh alone.")                  \
-  X("The gears turn at a constant mean speed; each speed is held until the motion has settled.")
 
 // X(name, meaning): what may be measured.
 #define MODEL_CURVES(X)                                                                       \
