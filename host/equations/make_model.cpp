@@ -256,8 +256,8 @@ Model make_model(const ModelDefinition& given) {
   model.break_phases = [tapes](const ModelSetting& setting) {
     return break_phases_of(*tapes, setting);
   };
-  model.phase_coefs_at = [tapes](const ModelSetting& setting, double psi, double inside,
-                                 double* row) { coefs_at(*tapes, setting, psi, inside, row); };
+  model.phase_table = [tapes](const ModelSetting& setting, std::span<const PhasePlace> places,
+                              double* rows) { write_phase_table(*tapes, setting, places, rows); };
   model.phase_rows = [tapes](const ModelSetting& setting) -> Model::PhaseRow {
     return [coefs = CoefsAt(*tapes, setting)](double psi, double inside, double* row) mutable {
       coefs(psi, inside, row);

@@ -9,6 +9,36 @@ namespace gearsweep {
 namespace {
 
 constexpr std::size_t kShort = 256;  // places that need no memory of their own
+constexpr std::size_t kBlock = 16;   // inputs that are worked out together
+using Block = std::array<double, kBlock>;
+
+// Loops of their own for what a compiler makes vectors of.
+void apply_to_block(Operation operation, const Block& a, const Block& b, const Block& c,
+                    Block* out) {
+  const auto each = [&](auto function) {
+    for (std::size_t i = 0; i < kBlock; ++i) (*out)[i] = function(i);
+  };
+  switch (operation) {
+    case Operation::add:
+      return each([&](std::size_t i) { return a[i] + b[i]; });
+    case Operation::subtract:
+      return each([&](std::size_t i) { return a[i] - b[i]; });
+    case Operation::multiply:
+      return each([&](std::size_t i) { return a[i] * b[i]; });
+    case Operation::divide:
+      return each([&](std::size_t i) { return a[i] / b[i]; });
+    case Operation::less:
+      return each([&](std::size_t i) { return a[i] < b[i] ? 1.0 : 0.0; });
+    case Operation::less_or_equal:
+      return each([&](std::size_t i) { return a[i] <= b[i] ? 1.0 : 0.0; });
+    case Operation::conjunction:
+      return each([&](std::size_t i) { return a[i] != 0.0 && b[i] != 0.0 ? 1.0 : 0.0; });
+    case Operation::select:
+      return each([&](std::size_t i) { return a[i] != 0.0 ? b[i] : c[i]; });
+    default:
+      return each([&](std::size_t i) { return apply(operation, a[i], b[i], c[i]); });
+  }
+}
 
 // What has become of the places of a tape: known numbers, or what stands where now. Earlier places
 // are known before later ones.
@@ -175,6 +205,34 @@ void Tape::run(const double* inputs, double* outputs) const {
                   : apply(step.operation, values[step.a], values[step.b], values[step.c]);
   }
   for (const std::size_t place : outputs_) *outputs++ = values[place];
+}
+
+void Tape::run_many(std::size_t count, const double* inputs, double* outputs) const {
+  const std::size_t first_step = inputs_ + numbers_.size();
+  std::vector<Block> values(first_step + steps_.size());
+  for (std::size_t i = 0; i < numbers_.size(); ++i) values[inputs_ + i].fill(numbers_[i]);
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    const std::size_t size = std::min(kBlock, count - begin);
+    // The rest of a block that is not full repeats its last input.
+    for (std::size_t k = 0; k < inputs_; ++k) {
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        values[k][i] = inputs[k * count + begin + std::min(i, size - 1)];
+      }
+    }
+    Block* next = values.data() + first_step;
+    for (const Step& step : steps_) {
+      const Block &a = values[step.a], &b = values[step.b];
+      if (step.operation == Operation::table) {
+        for (std::size_t i = 0; i < kBlock; ++i) (*next)[i] = tables_[step.c]->at(a[i], b[i]);
+      } else {
+        apply_to_block(step.operation, a, b, values[step.c], next);
+      }
+      ++next;
+    }
+    for (std::size_t k = 0; k < outputs_.size(); ++k) {
+      std::copy_n(values[outputs_[k]].data(), size, outputs + k * count + begin);
+    }
+  }
 }
 
 double Tape::run(const std::vector<double>& inputs) const {

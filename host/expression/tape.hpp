@@ -25,7 +25,9 @@ class Tape {
 
   // inputs, outputs: one number for each, in the constructor's order. They may not overlap.
   void run(const double* inputs, double* outputs) const;
-  // The same for what has one output.
+  // For many inputs at once. inputs, outputs: [input][count], [output][count]. The same bits.
+  void run_many(std::size_t count, const double* inputs, double* outputs) const;
+  // As run(), for what has one output.
   double run(const std::vector<double>& inputs) const;
   // All outputs.
   std::vector<double> run_all(const std::vector<double>& inputs) const;

@@ -149,6 +149,12 @@ struct Binding {
   bool operator==(const Binding&) const = default;
 };
 
+// A phase psi in [0, 1], seen from the side of `inside`, a phase strictly between the break phases
+// that enclose psi.
+struct PhasePlace {
+  double psi, inside;
+};
+
 struct Model {
   std::string name, summary;
   std::vector<std::string> assumptions;  // that its equations make, a sentence each
@@ -201,10 +207,12 @@ struct Model {
   // Phases in [0, 1) at which the right-hand side jumps or has a corner; unsorted, may repeat.
   // Throws InputError where they cannot be told, or are too many.
   std::function<std::vector<double>(const ModelSetting&)> break_phases;
-  // Writes one row (phase_coefs.size() numbers) for phase psi in [0, 1], taken from the side of
-  // `inside`, a phase strictly between the break phases that enclose psi.
-  std::function<void(const ModelSetting&, double psi, double inside, double* row)> phase_coefs_at;
-  // The same for many phases at one setting; for one thread.
+  // Writes a row (phase_coefs.size() numbers) for each place.
+  std::function<void(const ModelSetting&, std::span<const PhasePlace>, double* rows)> phase_table;
+  void phase_coefs_at(const ModelSetting& setting, double psi, double inside, double* row) const {
+    phase_table(setting, {{{psi, inside}}}, row);
+  }
+  // The same for phases of one setting that are asked for one after the other; for one thread.
   using PhaseRow = std::function<void(double psi, double inside, double* row)>;
   std::function<PhaseRow(const ModelSetting&)> phase_rows;
   // The static equilibrium, one number per state: where the policy "shifted" starts.

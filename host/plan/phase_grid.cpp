@@ -28,8 +28,7 @@ std::vector<double> segment_bounds(const Model& model, const ModelSetting& setti
 PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps) {
   const std::vector<double> bounds = segment_bounds(model, setting);
   PhaseGrid grid;
-  const std::size_t width = model.phase_coefs.size();
-  const Model::PhaseRow row_at = model.phase_rows(setting);
+  std::vector<PhasePlace> places;
   for (std::size_t segment = 0; segment + 1 < bounds.size(); ++segment) {
     const double from = bounds[segment];
     const double length = bounds[segment + 1] - from;
@@ -42,10 +41,11 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
     for (std::uint32_t row = 0; row <= 2 * count; ++row) {
       const double psi =
           row == 2 * count ? bounds[segment + 1] : from + length * row / (2.0 * count);
-      grid.coefs.resize(grid.coefs.size() + width);
-      row_at(psi, from + 0.5 * length, grid.coefs.data() + (grid.coefs.size() - width));
+      places.push_back({psi, from + 0.5 * length});
     }
   }
+  grid.coefs.resize(places.size() * model.phase_coefs.size());
+  model.phase_table(setting, places, grid.coefs.data());
   return grid;
 }
 

@@ -227,6 +227,33 @@ TEST(Derivative, IsFiniteWhereTheOtherBranchIsNot) {
   EXPECT_EQ(slope.run({4.0, 0.0, 1.0}), -9.0);
 }
 
+// To the bit, for a number of places that fills no block; and as well where x is known before.
+TEST(RandomTrees, HaveTheSameValuesAtManyPlacesAtOnce) {
+  constexpr std::size_t kMany = 21;
+  RandomTrees trees(4);
+  for (int i = 0; i < kTrees / 10; ++i) {
+    ExpressionGraph graph;
+    const NodeId tree = trees.number(&graph, 6);
+    const Tape tape(graph, symbols_of(&graph), {tree});
+    const double x = trees.place()[0];
+    const Tape of_x = tape.given({x});
+    std::vector<double> columns(3 * kMany), values(kMany), values_of_x(kMany);
+    for (std::size_t place = 0; place < kMany; ++place) {
+      const std::vector<double> at = trees.place();
+      for (std::size_t k = 0; k < 3; ++k) columns[k * kMany + place] = k == 0 ? x : at[k];
+    }
+    tape.run_many(kMany, columns.data(), values.data());
+    of_x.run_many(kMany, columns.data() + kMany, values_of_x.data());
+    for (std::size_t place = 0; place < kMany; ++place) {
+      const std::vector<double> at = {x, columns[kMany + place], columns[2 * kMany + place]};
+      const double expected = tape.run(at);
+      if (!is_finite_throughout(graph, tree, at)) continue;
+      ASSERT_EQ(values[place], expected) << to_text(graph, tree);
+      ASSERT_EQ(values_of_x[place], expected) << to_text(graph, tree);
+    }
+  }
+}
+
 TEST(RandomTrees, KeepTheirValuesWhenSimplified) {
   RandomTrees trees(3);
   int compared = 0;

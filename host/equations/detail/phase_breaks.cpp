@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -172,17 +171,19 @@ void PhaseBreaks::find_deciding() {
 std::vector<std::vector<double>> PhaseBreaks::find_in_turns(std::vector<double> inputs,
                                                             std::size_t turns) const {
   std::vector<std::vector<double>> all;
-  std::map<std::vector<double>, std::size_t> known;  // what decides, and the turn that had it first
-  std::vector<double> constants(constant_count_);
   for (std::size_t turn = 0; turn < turns; ++turn) {
     inputs.back() = static_cast<double>(turn);
-    constants_.run(inputs.data(), constants.data());
-    std::vector<double> deciding;
-    for (const std::size_t place : deciding_) deciding.push_back(constants[place]);
-    const auto [first, is_new] = known.emplace(std::move(deciding), turn);
-    all.push_back(is_new ? find(inputs) : all[first->second]);
+    all.push_back(find(inputs));
   }
   return all;
+}
+
+std::vector<double> PhaseBreaks::find(const std::vector<double>& inputs) const {
+  if (breakers_.empty()) return {};
+  const std::vector<double> constants = constants_.run_all(inputs);
+  std::vector<double> deciding;
+  for (const std::size_t place : deciding_) deciding.push_back(constants[place]);
+  return memory_->breaks(deciding, [&] { return search(inputs); });
 }
 
 // Rising, without itself.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equations/detail/break_memory.hpp"
 #include "expression/interval.hpp"
 #include "expression/print.hpp"
 #include "expression/tape.hpp"
@@ -40,7 +41,7 @@ class PhaseBreaks {
   // Phases in radians, above 0 and below 2 pi, rising. Throws InputError, with the expression,
   // where there are more than 1,000, or where it cannot be told what an expression does.
   std::vector<double> find(const std::vector<double>& inputs) const;
-  // The same for each value 0, 1, ... of the last input. What it does not change is found once.
+  // The same for each value 0, 1, ... of the last input.
   std::vector<std::vector<double>> find_in_turns(std::vector<double> inputs,
                                                  std::size_t turns) const;
   // What breaks, each once.
@@ -84,6 +85,7 @@ class PhaseBreaks {
   };
 
   std::size_t first_step() const { return 1 + constant_count_; }
+  std::vector<double> search(const std::vector<double>& inputs) const;
   std::vector<std::size_t> steps_below(std::size_t step) const;
   void find_deciding();
   void order_breakers(const std::vector<std::size_t>& roots);
@@ -96,6 +98,7 @@ class PhaseBreaks {
   std::vector<std::size_t> ranks_;  // [step]: when it is known, conditions before what they choose
   std::vector<Breaker> breakers_;   // by rank
   std::vector<std::string> tables_left_out_;
+  std::shared_ptr<BreakMemory> memory_ = std::make_shared<BreakMemory>();  // of all copies
 };
 
 }  // namespace gearsweep

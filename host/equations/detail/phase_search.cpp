@@ -342,8 +342,8 @@ class PhaseBreaks::Search {
   std::vector<double> bounds_;
 };
 
-std::vector<double> PhaseBreaks::find(const std::vector<double>& inputs) const {
-  return breakers_.empty() ? std::vector<double>() : Search(*this, inputs).run();
+std::vector<double> PhaseBreaks::search(const std::vector<double>& inputs) const {
+  return Search(*this, inputs).run();
 }
 
 }  // namespace gearsweep

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -111,13 +112,24 @@ std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting) {
   return static_cast<std::size_t>(cycle);
 }
 
-void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
-              double* row) {
-  row[0] = 1.0;  // of a model without coefficients
-  std::vector<double> inputs = inputs_of(tapes, setting);
-  const std::array<double, 3> phases = phases_of(tapes.cycle.run(inputs), psi, inside);
-  inputs.insert(inputs.end(), phases.begin(), phases.end());
-  tapes.coefs.run(inputs.data(), row);
+void write_phase_table(const Tapes& tapes, const ModelSetting& setting,
+                       std::span<const PhasePlace> places, double* rows) {
+  if (tapes.coef_count == 0) {  // as Model::phase_coefs has it
+    std::fill_n(rows, places.size(), 1.0);
+    return;
+  }
+  const std::vector<double> inputs = inputs_of(tapes, setting);
+  const double cycle = tapes.cycle.run(inputs);
+  const std::size_t count = places.size();
+  std::vector<double> phases(3 * count), columns(tapes.coef_count * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::array<double, 3> here = phases_of(cycle, places[i].psi, places[i].inside);
+    for (std::size_t k = 0; k < here.size(); ++k) phases[k * count + i] = here[k];
+  }
+  tapes.coefs.given(inputs).run_many(count, phases.data(), columns.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < tapes.coef_count; ++k) *rows++ = columns[k * count + i];
+  }
 }
 
 CoefsAt::CoefsAt(const Tapes& tapes, const ModelSetting& setting)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,13 +49,12 @@ std::string wrong_cycle(double cycle);
 // How many times the phase begins anew in a period of the forcing. Throws InputError.
 std::size_t turns_of(const Tapes& tapes, const ModelSetting& setting);
 
-// The coefficients at a phase, seen from the segment that `inside` lies in; both in forcing
-// periods.
-void coefs_at(const Tapes& tapes, const ModelSetting& setting, double psi, double inside,
-              double* row);
+// Model::phase_table.
+void write_phase_table(const Tapes& tapes, const ModelSetting& setting,
+                       std::span<const PhasePlace> places, double* rows);
 
-// The same for many phases: what the setting decides is worked out once, and what a segment decides
-// once for all phases of it that follow on each other. For one thread.
+// Model::phase_rows: what the setting decides is worked out once, and what a segment decides once
+// for all phases of it that follow on each other. For one thread.
 class CoefsAt {
  public:
   CoefsAt(const Tapes& tapes, const ModelSetting& setting);
