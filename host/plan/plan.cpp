@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
 #include "model/error.hpp"
 #include "plan/detail/structure.hpp"
+#include "plan/study_points.hpp"
 
 namespace gearsweep {
 namespace {
@@ -19,37 +19,18 @@ constexpr double kMaxMeshSteps = 65536, kMaxSteps = 4194304;
 // what it integrates.
 constexpr double kStepsOfWave = 8;
 
-// The same for all points, so that neighbours differ by their parameters alone. The first is zero.
-std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::size_t states) {
-  std::vector<std::vector<double>> offsets(initial.ensemble, std::vector<double>(states, 0.0));
-  std::mt19937_64 random(initial.seed);
-  for (std::size_t member = 1; member < offsets.size(); ++member) {
-    for (std::size_t i = 0; i < states; ++i) {
-      // Not std::uniform_real_distribution: its numbers differ between standard libraries.
-      const double unit = static_cast<double>(random() >> 11U) * 0x1p-53;
-      offsets[member][i] = initial.spread[i] * (2.0 * unit - 1.0);
-    }
-  }
-  return offsets;
-}
-
 }  // namespace
 
 Plan::Plan(const Study& study, std::size_t tile_points)
-    : shared_(std::make_shared<const Study>(study)), swept_(study_.swept()) {
-  const Model& model = *study_.model;
-  offsets_ = ensemble_offsets(study_.initial, (model.whole ? *model.whole : model).states.size());
-  const Span x = {0, study_.axes[0].values.size()};
-  const Span y = {0, study_.points() / x.last};
-  const bool along_x = study_.initial.along == 0;
-  const std::size_t length = (along_x ? x : y).last;
-  const int neighbour = info_of(study_.initial.policy).neighbour;
-  for (std::size_t i = 0; study_.is_chained() && i < length; ++i) {
-    const std::size_t index = neighbour < 0 ? i : length - 1 - i;
-    const Span here = {index, index + 1};
-    groups_.push_back(along_x ? grouped(here, y) : grouped(x, here));
+    : Plan(std::make_shared<const Study>(study), nullptr, tile_points) {}
+
+Plan::Plan(std::shared_ptr<const Study> study, std::shared_ptr<const PointSource> points,
+           std::size_t tile_points)
+    : shared_(std::move(study)),
+      points_(points ? std::move(points) : std::make_shared<const StudyPoints>(shared_)) {
+  for (std::size_t stage = 0; stage < points_->stages(); ++stage) {
+    groups_.push_back(groups_of(stage));
   }
-  if (!study_.is_chained()) groups_.push_back(grouped(x, y));
   cut(tile_points);
 }
 
@@ -74,48 +55,9 @@ double Plan::total_work() const {
   return work;
 }
 
-std::size_t Plan::axis_index(std::size_t axis, std::size_t point) const {
-  const std::size_t nx = study_.axes[0].values.size();
-  return axis == 0 ? point % nx : point % study_.points() / nx;
-}
-
-double Plan::axis_value(std::size_t axis, std::size_t point) const {
-  return study_.axes[axis].values[axis_index(axis, point)];
-}
-
-void Plan::place(std::size_t axis, std::size_t index, ModelSetting* setting) const {
-  if (axis >= study_.axes.size()) return;
-  for (const Swept& swept : study_.axes[axis].swept()) {
-    if (!swept.is_state) setting->parameters[swept.index] = swept.values[index];
-  }
-}
-
-void Plan::place_draw(std::size_t member, ModelSetting* setting) const {
-  for (const UncertainParameter& parameter : study_.uncertain.parameters) {
-    for (const Swept& swept : parameter.draws.swept()) {
-      double& value = setting->parameters[swept.index];
-      if (!parameter.is_factor) {
-        value = member == 0 ? study_.setting.parameters[swept.index] : swept.values[member - 1];
-        continue;
-      }
-      if (study_.find_on_axes(swept.index) == nullptr) {
-        value = study_.setting.parameters[swept.index];
-      }
-      if (member > 0) value *= swept.values[member - 1];
-    }
-  }
-}
-
-void Plan::set(std::size_t point, ModelSetting* setting) const {
-  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    place(axis, axis_index(axis, point), setting);
-  }
-  place_draw(point / study_.points(), setting);
-}
-
 ModelSetting Plan::setting_of(std::size_t point) const {
   ModelSetting setting = study_.setting;
-  set(point, &setting);
+  points_->set(point, &setting);
   return setting;
 }
 
@@ -182,58 +124,19 @@ std::vector<double> Plan::grid_key(std::size_t point) const {
 // The number of steps and the phase-shaping parameters among those that differ.
 void Plan::set_key(const ModelSetting& setting, std::vector<double>* key) const {
   key->assign(1, static_cast<double>(steps_at(setting)));
-  for (const Swept* swept : swept_) {
-    if (swept->is_state || !study_.model->parameters[swept->index].shapes_phase) continue;
-    key->push_back(setting.parameters[swept->index]);
+  for (const std::size_t parameter : points_->differing()) {
+    if (!study_.model->parameters[parameter].shapes_phase) continue;
+    key->push_back(setting.parameters[parameter]);
   }
-}
-
-std::optional<std::size_t> Plan::predecessor(std::size_t point) const {
-  const int neighbour = info_of(study_.initial.policy).neighbour;
-  if (neighbour == 0) return std::nullopt;
-  const std::size_t along = study_.initial.along;
-  const std::size_t index = axis_index(along, point);
-  const std::size_t first = neighbour < 0 ? 0 : study_.axes[along].values.size() - 1;
-  if (index == first) return std::nullopt;
-  const std::size_t stride = along == 0 ? 1 : study_.axes[0].values.size();
-  return neighbour < 0 ? point - stride : point + stride;
-}
-
-std::vector<double> Plan::start_of_policy(std::size_t point) const {
-  switch (study_.initial.policy) {
-    case InitialPolicy::fixed:
-      return study_.initial.state;
-    case InitialPolicy::shifted:
-    case InitialPolicy::forward:  // of points without a neighbour to go on from
-    case InitialPolicy::backward:
-      break;
-  }
-  return study_.model->equilibrium(setting_of(point));
 }
 
 std::vector<double> Plan::own_initial_state(std::size_t point) const {
-  std::vector<double> state = start_of_policy(point);
-  const std::size_t member = point / study_.points();
-  if (member < offsets_.size()) {
-    for (std::size_t i = 0; i < state.size(); ++i) state[i] += offsets_[member][i];
-  }
-  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    for (const Swept& swept : study_.axes[axis].swept()) {
-      if (swept.is_state) state[swept.index] = swept.values[axis_index(axis, point)];
-    }
-  }
-  return study_.model->own_state(state);
+  return study_.model->own_state(points_->start(point));
 }
 
 void Plan::refuse(std::size_t point, const std::string& wrong) const {
-  if (const std::size_t draw = point / study_.points(); draw > 0) {
-    throw InputError(fmt::format("draw {} of [uncertain]: {}", draw, wrong));
-  }
-  for (std::size_t axis = 0; axis < study_.axes.size(); ++axis) {
-    if (!study_.axes[axis].is_list) continue;
-    throw InputError(fmt::format("point {}: {}", axis_value(axis, point), wrong));
-  }
-  throw InputError(wrong);
+  const std::string name = points_->name(point);
+  throw InputError(name.empty() ? wrong : fmt::format("{}: {}", name, wrong));
 }
 
 // A study is refused here, not when a tile of it is made.
@@ -246,40 +149,29 @@ void Plan::check_breaks(std::size_t point, const ModelSetting& setting) const {
 }
 
 // In the order of their keys. What takes time for each point of a large study is here.
-std::vector<Plan::Group> Plan::grouped(const Span& x, const Span& y) const {
+std::vector<Plan::Group> Plan::groups_of(std::size_t stage) const {
   std::map<std::vector<double>, PointList> by_grid;
   using Entry = decltype(by_grid)::value_type;
-  // Mostly a point shares the grid of the one before it, or of the one in the row before.
   Entry* entry = nullptr;
-  std::vector<Entry*> row(x.last - x.first, nullptr);
+  std::vector<Entry*> row(points_->row(), nullptr);
   std::vector<double> key;
   ModelSetting setting = study_.setting;
-  const std::size_t nx = study_.axes[0].values.size();
-  const std::size_t members = study_.is_chained() ? 1 : study_.members();
-  const bool has_draws = !study_.uncertain.parameters.empty();
-  for (std::size_t line = 0; line < members * (y.last - y.first); ++line) {
-    const std::size_t member = line / (y.last - y.first);
-    const std::size_t iy = y.first + line % (y.last - y.first);
-    place(1, iy, &setting);
-    for (std::size_t ix = x.first; ix < x.last; ++ix) {
-      if (has_draws) {
-        set(member * study_.points() + iy * nx + ix, &setting);
-      } else {
-        place(0, ix, &setting);
-      }
-      const std::string wrong = study_.model->check(setting);
-      if (!wrong.empty()) refuse(member * study_.points() + iy * nx + ix, wrong);
-      set_key(setting, &key);
-      Entry*& above = row[ix - x.first];
-      if (entry == nullptr || entry->first != key) entry = above;
-      if (entry == nullptr || entry->first != key) {
-        const auto [place, is_new] = by_grid.try_emplace(key);
-        if (is_new) check_breaks(member * study_.points() + iy * nx + ix, setting);
-        entry = &*place;
-      }
-      above = entry;
-      entry->second.push_back(member * study_.points() + iy * nx + ix);
+  const std::size_t size = points_->stage_size(stage);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t point = points_->point(stage, i);
+    points_->set(point, &setting);
+    const std::string wrong = study_.model->check(setting);
+    if (!wrong.empty()) refuse(point, wrong);
+    set_key(setting, &key);
+    Entry*& above = row[i % row.size()];
+    if (entry == nullptr || entry->first != key) entry = above;
+    if (entry == nullptr || entry->first != key) {
+      const auto [place, is_new] = by_grid.try_emplace(key);
+      if (is_new) check_breaks(point, setting);
+      entry = &*place;
     }
+    above = entry;
+    entry->second.push_back(point);
   }
   std::vector<Group> groups;
   for (auto& [grid, points] : by_grid) groups.push_back({grid.front(), std::move(points)});

@@ -11,13 +11,12 @@
 
 #include "plan/phase_grid.hpp"
 #include "plan/point_list.hpp"
+#include "plan/point_source.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// The points that one launch sequence computes; those that share a phase grid stand together. With
-// an ensemble or uncertain parameters, trajectory m of point p counts as point m * study.points() +
-// p of the plan; the first one has the nominal parameters.
+// The points that one launch sequence computes; those that share a phase grid stand together.
 struct Tile {
   PointList points;
   std::vector<std::size_t> grid_starts;  // position in `points` where each phase grid begins
@@ -32,14 +31,21 @@ struct Stage {
 
 class Plan {
  public:
-  // Throws InputError when a point's setting is wrong or a period would need too many steps.
+  // The points of the study's axes (StudyPoints). Throws InputError when a point's setting is wrong
+  // or a period would need too many steps.
   Plan(const Study& study, std::size_t tile_points);
+  // Others, computed as the study says. They differ in its swept parameters alone, each of which
+  // lies between the smallest and the largest value that the study's axes give it: what is left out
+  // or tabulated holds there.
+  Plan(std::shared_ptr<const Study> study, std::shared_ptr<const PointSource> points,
+       std::size_t tile_points);
   // Cuts the same points into tiles of another size.
   void cut(std::size_t tile_points);
   // The same points and tiles with steps of twice the length: what they change tells an error.
   Plan with_longer_steps() const;
 
   const Study& study() const { return study_; }
+  const PointSource& points() const { return *points_; }
   // Whether nothing of the study's model changes with the phase, at any of its points. Worked out
   // once; threads may ask.
   bool is_autonomous() const;
@@ -48,8 +54,6 @@ class Plan {
   double total_work() const;
 
   ModelSetting setting_of(std::size_t point) const;
-  // The same into a setting that was of another point of this plan before.
-  void set(std::size_t point, ModelSetting* setting) const;
   // Steps asked of the phase grid of a point (the grid may have a few more).
   std::size_t steps_of(std::size_t point) const;
   // Integration steps of these points, each through its own number of periods.
@@ -57,11 +61,8 @@ class Plan {
   PhaseGrid phase_grid_of(std::size_t point) const;
   // Points with the same key share a phase grid.
   std::vector<double> grid_key(std::size_t point) const;
-  std::size_t axis_index(std::size_t axis, std::size_t point) const;
-  double axis_value(std::size_t axis, std::size_t point) const;
-  // The point whose final state this one goes on from; nothing for the first of a chain.
-  std::optional<std::size_t> predecessor(std::size_t point) const;
-  // The state that a point starts from when no predecessor gives one.
+  // The state that a point starts from when no predecessor gives one: of the study's model, which
+  // may be a reduced one.
   std::vector<double> own_initial_state(std::size_t point) const;
 
  private:
@@ -70,16 +71,7 @@ class Plan {
     double steps = 0.0;  // of a period
     PointList points;
   };
-  // Indices of an axis, the last excluded.
-  struct Span {
-    std::size_t first = 0, last = 0;
-  };
 
-  std::vector<double> start_of_policy(std::size_t point) const;
-  // Gives the parameters that an axis sweeps their values of this index.
-  void place(std::size_t axis, std::size_t index, ModelSetting* setting) const;
-  // Gives uncertain parameters what they have in a trajectory of a point, whose axes are placed.
-  void place_draw(std::size_t member, ModelSetting* setting) const;
   // Throws InputError. wrong: with the setting of the point.
   [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
   void check_breaks(std::size_t point, const ModelSetting& setting) const;
@@ -87,7 +79,7 @@ class Plan {
   std::size_t steps_at(const ModelSetting& setting) const;
   // So many that they tell the waves of the study's orders.
   double steps_for_orders(const ModelSetting& setting) const;
-  std::vector<Group> grouped(const Span& x, const Span& y) const;
+  std::vector<Group> groups_of(std::size_t stage) const;
   Stage stage_of(const std::vector<Group>& groups) const;
 
   struct Autonomy {
@@ -99,11 +91,10 @@ class Plan {
   // Copies of a plan share it: a list of points may be large.
   const std::shared_ptr<const Study> shared_;
   const Study& study_ = *shared_;
-  std::vector<const Swept*> swept_;  // of the study
+  const std::shared_ptr<const PointSource> points_;
   std::size_t tile_points_ = 0;
-  std::size_t step_length_ = 1;               // in steps of the study
-  std::vector<std::vector<double>> offsets_;  // [trajectory of an ensemble's point][state]
-  std::vector<std::vector<Group>> groups_;    // [stage]
+  std::size_t step_length_ = 1;             // in steps of the study
+  std::vector<std::vector<Group>> groups_;  // [stage]
   std::vector<Stage> stages_;
 };
 

@@ -54,6 +54,15 @@ std::size_t Study::points() const {
   return count;
 }
 
+std::size_t Study::axis_index(std::size_t axis, std::size_t point) const {
+  const std::size_t nx = axes[0].values.size();
+  return axis == 0 ? point % nx : point % points() / nx;
+}
+
+double Study::axis_value(std::size_t axis, std::size_t point) const {
+  return axes[axis].values[axis_index(axis, point)];
+}
+
 const Swept* Study::find_on_axes(std::size_t parameter) const {
   for (const Axis& axis : axes) {
     for (const Swept& one : axis.swept()) {

@@ -147,6 +147,9 @@ struct Study {
   // `toml` without the numbers of a list of points.
   std::string brief_toml() const;
   std::size_t points() const;
+  // The place on an axis of a point, or of any trajectory of it, and the value there.
+  std::size_t axis_index(std::size_t axis, std::size_t point) const;
+  double axis_value(std::size_t axis, std::size_t point) const;
   // The parameters and initial states that differ from point to point, or from draw to draw.
   std::vector<const Swept*> swept() const;
   // The one of them that is this parameter or initial state; nullptr if it is the same everywhere.

@@ -81,7 +81,7 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   std::vector<double> initial;
   initial.reserve(tile.points.size() * states);
   for (const std::size_t point : tile.points) {
-    const std::optional<std::size_t> before = plan.predecessor(point);
+    const std::optional<std::size_t> before = plan.points().predecessor(point);
     if (before && has_values(result_.status[*before])) {
       append(Array2(final_states_, states)[*before], &initial);
     } else {

@@ -27,7 +27,7 @@ std::optional<std::vector<double>> chained_start(const Plan& plan, const SweepOp
   const Study& study = plan.study();
   const std::size_t along = study.initial.along;
   Study before = study;
-  const std::size_t followed = plan.axis_index(along, followed_point(plan));
+  const std::size_t followed = study.axis_index(along, followed_point(plan));
   std::vector<std::size_t> places(before.axes[along].values.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::erase(places, followed);

@@ -26,7 +26,7 @@ std::string name_of(const std::string& what, const Plan& plan, std::size_t point
   std::string name = what;
   for (std::size_t axis = 0; axis < plan.study().axes.size(); ++axis) {
     name += fmt::format("{} {} = {:.4g}", axis == 0 ? " at" : ",", plan.study().axes[axis].name,
-                        plan.axis_value(axis, point));
+                        plan.study().axis_value(axis, point));
   }
   return name;
 }

@@ -107,9 +107,10 @@ std::vector<Compared> compare_exponent_sum(const Subject& subject) {
   for (std::size_t point = 0; point < result.status.size(); ++point) {
     double sum = 0.0;
     for (const double exponent : Array2(spectrum, width)[point]) sum += exponent;
-    compared.push_back({fmt::format("sum at mu = {:g}, eps = {:g}", plan.axis_value(0, point),
-                                    plan.axis_value(1, point)),
-                        gear5_exponent_sum(plan.setting_of(point)), sum, 2e-8});
+    compared.push_back(
+        {fmt::format("sum at mu = {:g}, eps = {:g}", plan.study().axis_value(0, point),
+                     plan.study().axis_value(1, point)),
+         gear5_exponent_sum(plan.setting_of(point)), sum, 2e-8});
   }
   return compared;
 }

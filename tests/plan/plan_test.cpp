@@ -142,13 +142,13 @@ TEST(Plan, AChainHasAStagePerValue) {
   ASSERT_EQ(forward.stages().size(), 3U);
   EXPECT_THAT(points_of(forward.stages()[0]), ElementsAre(0, 1));
   EXPECT_THAT(points_of(forward.stages()[2]), ElementsAre(4, 5));
-  EXPECT_FALSE(forward.predecessor(1));
-  EXPECT_EQ(forward.predecessor(5), 3U);
+  EXPECT_FALSE(forward.points().predecessor(1));
+  EXPECT_EQ(forward.points().predecessor(5), 3U);
   const Plan backward = plan_of(axes + "[initial]\npolicy = 'backward'\nalong = 'b'\n", 100);
   ASSERT_EQ(backward.stages().size(), 2U);
   EXPECT_THAT(points_of(backward.stages()[0]), ElementsAre(1, 3, 5));
-  EXPECT_FALSE(backward.predecessor(3));
-  EXPECT_EQ(backward.predecessor(2), 3U);
+  EXPECT_FALSE(backward.points().predecessor(3));
+  EXPECT_EQ(backward.points().predecessor(2), 3U);
 }
 
 // What journals and shards rely on, since they know tiles by their numbers.

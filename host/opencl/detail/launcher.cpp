@@ -140,7 +140,7 @@ TileInputs Launcher::prepare(const Plan& plan, const Tile& tile) {
   }
   inputs.arguments = {
       upload(plan.study().setting.parameters, CL_MEM_READ_ONLY),
-      upload(swept_rows(plan.study())),
+      upload(swept_rows(plan)),
       upload(swept_values(plan, tile, inputs.slots), CL_MEM_READ_ONLY),
       upload(item_grid),
   };

@@ -91,25 +91,20 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
   return tables;
 }
 
-std::vector<std::uint32_t> swept_rows(const Study& study) {
-  std::vector<std::uint32_t> rows(study.model->parameters.size(), NOT_SWEPT);
+std::vector<std::uint32_t> swept_rows(const Plan& plan) {
+  std::vector<std::uint32_t> rows(plan.study().model->parameters.size(), NOT_SWEPT);
   std::uint32_t row = 0;
-  for (const Swept* swept : study.swept()) {
-    if (!swept->is_state) rows[swept->index] = row++;
-  }
+  for (const std::size_t parameter : plan.points().differing()) rows[parameter] = row++;
   return rows;
 }
 
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots) {
-  std::vector<std::size_t> parameters;
-  for (const Swept* swept : plan.study().swept()) {
-    if (!swept->is_state) parameters.push_back(swept->index);
-  }
+  const std::vector<std::size_t>& parameters = plan.points().differing();
   const std::size_t count = slots.position.size();
   std::vector<double> values(parameters.size() * count);
   ModelSetting setting = plan.study().setting;
   for (std::size_t slot = 0; slot < count && !parameters.empty(); ++slot) {
-    plan.set(tile.points[slots.position[slot]], &setting);
+    plan.points().set(tile.points[slots.position[slot]], &setting);
     for (std::size_t row = 0; row < parameters.size(); ++row) {
       values[row * count + slot] = setting.parameters[parameters[row]];
     }

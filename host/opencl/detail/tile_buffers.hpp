@@ -40,9 +40,9 @@ std::size_t table_width(const Study& study);
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points);
 
 // Of each parameter its row among the swept ones, or NOT_SWEPT.
-std::vector<std::uint32_t> swept_rows(const Study& study);
+std::vector<std::uint32_t> swept_rows(const Plan& plan);
 
-// [swept parameter][slot]: in the order of the study's axes and their columns.
+// [swept parameter][slot]: in the order of PointSource::differing().
 std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots& slots);
 
 // [vector][state][slot]: start_tangents() of plan/, the same for all points.

@@ -65,12 +65,11 @@ class Estimate {
   std::size_t whole_slots() const { return slots(tile_.grid_starts.size()); }
 
   Buffers inputs(std::size_t slots) const {
-    const std::vector<const Swept*> all = study_.swept();
-    const auto swept = std::ranges::count_if(all, [](const Swept* one) { return !one->is_state; });
+    const std::size_t swept = plan_.points().differing().size();
     Buffers buffers;
     buffers.add(scalars(study_.setting.parameters.size()));
     buffers.add(study_.model->parameters.size() * sizeof(sweep_uint));
-    buffers.add(scalars(static_cast<std::size_t>(swept) * slots));
+    buffers.add(scalars(swept * slots));
     buffers.add(slots / layout_.lanes * sizeof(sweep_uint));
     return buffers;
   }
