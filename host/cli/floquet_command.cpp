@@ -35,7 +35,7 @@ OrbitFindings compute(const FloquetArguments& arguments) {
   request.place = read_place(whole, arguments.at);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  tell_long_compiles(options.open.get(), arguments.as_json);
+  tell_long_compiles(options.scheduler.get(), arguments.as_json);
   return *find_point_orbit(whole, request, options);
 }
 

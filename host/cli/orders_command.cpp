@@ -90,7 +90,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   if (!arguments.picture.empty()) ensure_plottable(arguments.picture);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  options.stop = stop_on_signals(signals, arguments.quiet, options.open);
+  options.stop = stop_on_signals(signals, arguments.quiet, options.scheduler);
   const std::optional<OrderMap> map = map_orders(whole, request, options);
   if (!map) {
     tell("gearsweep: interrupted\n");

@@ -1,14 +1,11 @@
 // gearsweep report: a page about a gear over speed.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/progress_bar.hpp"
-#include "cli/detail/signal_watch.hpp"
-#include "cli/detail/stop_on_signals.hpp"
+#include "cli/detail/several_runs.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "report/report.hpp"
@@ -29,24 +26,12 @@ std::string report_command_line(const ReportArguments& arguments) {
 }
 
 int run_report(const ReportArguments& arguments, SignalWatch* signals) {
-  const auto start = std::chrono::steady_clock::now();
   const Study study = load_study(arguments.study, arguments.overrides);
   ReportOptions options;
   options.devices = chosen_devices(arguments.device);
   options.command_line = report_command_line(arguments);
-  if (!arguments.quiet) {
-    options.on_step = [&](const std::string& what) {
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      tell("{:>8}  {}\n", format_duration(spent.count()), what);
-    };
-  }
-  options.stop = stop_on_signals(signals, arguments.quiet, options.open);
-  if (!write_report(study, arguments.output, options)) {
-    tell("gearsweep: interrupted\n");
-    return kInterrupted;
-  }
-  if (!arguments.quiet) tell("{}\n", arguments.output);
-  return kDone;
+  return tell_several_runs(&options, arguments.output, arguments.quiet, signals,
+                           [&] { return write_report(study, arguments.output, options); });
 }
 
 }  // namespace

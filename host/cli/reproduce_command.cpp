@@ -1,15 +1,11 @@
 // gearsweep reproduce: the paper's figures and what they say.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/progress_bar.hpp"
-#include "cli/detail/signal_watch.hpp"
-#include "cli/detail/stop_on_signals.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/detail/several_runs.hpp"
 #include "reproduce/reproduce.hpp"
 
 namespace gearsweep {
@@ -23,25 +19,13 @@ struct ReproduceArguments {
 };
 
 int run(const ReproduceArguments& arguments, SignalWatch* signals) {
-  const auto start = std::chrono::steady_clock::now();
   ReproduceOptions options;
   options.preset = arguments.preset;
   options.folder = arguments.folder;
   options.overrides = arguments.overrides;
   options.devices = chosen_devices(arguments.device);
-  if (!arguments.quiet) {
-    options.on_step = [&](const std::string& what) {
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      tell("{:>8}  {}\n", format_duration(spent.count()), what);
-    };
-  }
-  options.stop = stop_on_signals(signals, arguments.quiet, options.open);
-  if (!reproduce(options)) {
-    tell("gearsweep: interrupted\n");
-    return kInterrupted;
-  }
-  if (!arguments.quiet) tell("{}/report.md\n", arguments.folder);
-  return kDone;
+  return tell_several_runs(&options, arguments.folder + "/report.md", arguments.quiet, signals,
+                           [&] { return reproduce(options); });
 }
 
 }  // namespace

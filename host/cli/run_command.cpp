@@ -12,7 +12,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/version.hpp"
-#include "workers/cluster_service.hpp"
+#include "scheduler/cluster_service.hpp"
 
 namespace gearsweep {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/summary.hpp"
 #include "cli/standard_streams.hpp"
-#include "workers/cluster.hpp"
+#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 
@@ -17,7 +17,7 @@ RunReport::RunReport(const RunRequest& request, const RunOutput& output)
 
 void RunReport::watch(SweepOptions* options) {
   options->on_trouble = warn;
-  options->stop = stop_on_signals(request_.signals, request_.quiet, options->open);
+  options->stop = stop_on_signals(request_.signals, request_.quiet, options->scheduler);
   options->on_pilot = [this](std::size_t points) {
     if (!request_.quiet) tell("finding the step by a pilot run of {} points\n", points);
   };

@@ -76,7 +76,7 @@ void run(const TraceArguments& arguments) {
   ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
-  tell_long_compiles(options.open.get(), arguments.quiet);
+  tell_long_compiles(options.scheduler.get(), arguments.quiet);
   std::vector<std::string> points = arguments.at;
   if (points.empty()) points.emplace_back();
   PointTraces found;

@@ -53,7 +53,7 @@ int run(const VerifyArguments& arguments, SignalWatch* signals) {
       fmt::format("{} ({}, driver {})", device.name, device.platform, device.driver);
   SweepOptions options;
   options.devices = chosen;
-  options.stop = stop_on_signals(signals, arguments.as_json, options.open);
+  options.stop = stop_on_signals(signals, arguments.as_json, options.scheduler);
   const Subject subject = make_subject(device, options);
   if (!arguments.as_json) answer("gearsweep {} on {}\n", version(), title);
   flush_answers();

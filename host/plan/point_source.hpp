@@ -18,6 +18,8 @@ class PointSource {
   virtual ~PointSource() = default;
 
   virtual std::size_t size() const = 0;  // below 2^32
+  // Tells it apart from other sources of the same study's.
+  virtual std::string key() const = 0;
   // The parameters of the model in which points differ, each once.
   virtual const std::vector<std::size_t>& differing() const = 0;
   // Gives these their values at a point, in a setting that has all others.

@@ -18,6 +18,7 @@ class StudyPoints final : public PointSource {
   explicit StudyPoints(std::shared_ptr<const Study> study);
 
   std::size_t size() const override { return study_->trajectories(); }
+  std::string key() const override { return "the study's"; }
   const std::vector<std::size_t>& differing() const override { return differing_; }
   void set(std::size_t point, ModelSetting* setting) const override;
   std::vector<double> start(std::size_t point) const override;

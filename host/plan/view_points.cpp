@@ -58,6 +58,12 @@ std::size_t ViewPoints::size() const {
   return is_finer_ ? all / 4 * 3 : all;
 }
 
+std::string ViewPoints::key() const {
+  const auto& [x, y] = view_.axes;
+  return fmt::format("a view at depth {}, cells {} + {} by {} + {}{}", view_.depth, x.first, x.count,
+                     y.first, y.count, is_finer_ ? ", finer" : "");
+}
+
 // Finer: of an even row every other cell is new, of an odd one all are.
 std::array<std::size_t, 2> ViewPoints::cell_of(std::size_t point) const {
   const std::size_t columns = view_.axes[0].count;

@@ -35,6 +35,7 @@ class ViewPoints final : public PointSource {
   ViewPoints(std::shared_ptr<const Study> study, const View& view, bool is_finer = false);
 
   std::size_t size() const override;
+  std::string key() const override;
   const std::vector<std::size_t>& differing() const override { return differing_; }
   void set(std::size_t point, ModelSetting* setting) const override;
   std::vector<double> start(std::size_t point) const override;

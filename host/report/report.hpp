@@ -2,23 +2,15 @@
 // speeds, forces and contact, worst speeds, the order map, run-up and run-down, what was assumed.
 #pragma once
 
-#include <atomic>
-#include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
-#include "engine/device_choice.hpp"
-#include "opencl/open_devices.hpp"
 #include "study/study.hpp"
+#include "sweep/several_runs.hpp"
 
 namespace gearsweep {
 
-struct ReportOptions {
-  std::vector<DeviceChoice> devices;  // the order map uses the first of them
-  std::shared_ptr<OpenDevices> open = std::make_shared<OpenDevices>();  // as SweepOptions::open
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const std::string&)> on_step;  // what is done next
+// The order map uses the first of the devices.
+struct ReportOptions : SeveralRuns {
   std::string command_line;
 };
 

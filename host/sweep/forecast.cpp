@@ -7,7 +7,7 @@
 #include "sweep/run_context.hpp"
 #include "tile/subset.hpp"
 #include "tile/tile_run.hpp"
-#include "workers/cluster.hpp"
+#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 namespace {

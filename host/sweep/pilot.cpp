@@ -72,7 +72,8 @@ class PilotRuns {
         motion_ranges_(motion_ranges(study)) {
     if (options.on_pilot) options.on_pilot(study_.points());
     own_.devices = options.devices;
-    own_.open = options.open;
+    own_.scheduler = options.scheduler;
+    own_.priority = options.priority;
     own_.stop = options.stop;
   }
 

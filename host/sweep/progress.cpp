@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "workers/worker_pool.hpp"
+#include "scheduler/worker_pool.hpp"
 
 namespace gearsweep {
 

@@ -9,9 +9,9 @@
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "plan/passive_states.hpp"
+#include "scheduler/cluster_workers.hpp"
+#include "scheduler/make_engine.hpp"
 #include "sweep/tile_loop.hpp"
-#include "workers/cluster_workers.hpp"
-#include "workers/make_engine.hpp"
 
 namespace gearsweep {
 namespace {
@@ -26,9 +26,10 @@ EngineInfo describe(const Engines& engines) {
   return {joined(&EngineInfo::device), joined(&EngineInfo::driver), joined(&EngineInfo::macros)};
 }
 
-std::unique_ptr<WorkerPool> start_workers(const Plan& plan, Engines engines, Cluster* cluster) {
-  if (cluster == nullptr) return std::make_unique<ThreadWorkers>(plan, std::move(engines));
-  return std::make_unique<ClusterWorkers>(plan, std::move(engines), cluster);
+std::unique_ptr<WorkerPool> start_workers(const Plan& plan, Engines engines, Task* task,
+                                          Cluster* cluster) {
+  if (cluster == nullptr) return std::make_unique<ThreadWorkers>(plan, std::move(engines), task);
+  return std::make_unique<ClusterWorkers>(plan, std::move(engines), task, cluster);
 }
 
 Identity machine_of(const EngineInfo& info) {
@@ -91,7 +92,8 @@ void RunContext::find_engines() {
   // Before the engines, which take a moment, and the plan, which is as large as the study.
   refuse_too_large(estimate_of_study(study_, options_.delivery, options_.journal_path),
                    options_.journal_path);
-  engines_ = make_engines(computed_, options_.devices, options_.open.get(), options_.on_trouble);
+  engines_ =
+      make_engines(computed_, options_.devices, options_.scheduler.get(), options_.on_trouble);
   info_ = describe(engines_);
 }
 
@@ -122,8 +124,9 @@ void RunContext::open_journal(JournalHold* held) {
 }
 
 bool RunContext::compute_tiles() {
+  Task task(options_.scheduler, options_.priority);
   const std::unique_ptr<WorkerPool> workers =
-      start_workers(*plan_, std::move(engines_), options_.cluster);
+      start_workers(*plan_, std::move(engines_), &task, options_.cluster);
   Journal* journal = journal_ ? &*journal_ : nullptr;
   assembly_.emplace(study_, computed_.model->states.size());
   if (TileLoop(*plan_, options_, workers.get(), journal, &*assembly_).run()) return true;

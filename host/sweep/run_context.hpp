@@ -10,7 +10,7 @@
 #include "sweep/pilot.hpp"
 #include "sweep/sweep_options.hpp"
 #include "sweep/tile_plan.hpp"
-#include "workers/worker_pool.hpp"
+#include "scheduler/worker_pool.hpp"
 
 namespace gearsweep {
 

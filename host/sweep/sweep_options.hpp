@@ -11,9 +11,9 @@
 #include "engine/device_choice.hpp"
 #include "engine/result.hpp"
 #include "engine/trouble.hpp"
-#include "opencl/open_devices.hpp"
+#include "scheduler/scheduler.hpp"
+#include "scheduler/shard.hpp"
 #include "sweep/resource_estimate.hpp"
-#include "workers/shard.hpp"
 
 namespace gearsweep {
 
@@ -31,8 +31,9 @@ struct SweepProgress {
 struct SweepOptions {
   std::vector<DeviceChoice> devices;  // that share the tiles; empty: the default one
   // Runs with copies of these options share the devices that they open, and what is built for them.
-  std::shared_ptr<OpenDevices> open = std::make_shared<OpenDevices>();
-  Shard shard;  // the whole sweep, or one part of it
+  std::shared_ptr<Scheduler> scheduler = std::make_shared<Scheduler>();
+  int priority = 0;  // of the tasks of one scheduler that run at the same time (Task)
+  Shard shard;       // the whole sweep, or one part of it
   // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
   // same sweep that is already there is continued.
   std::string journal_path;

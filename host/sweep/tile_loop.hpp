@@ -11,7 +11,7 @@
 #include "sweep/assembly.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/sweep_options.hpp"
-#include "workers/worker_pool.hpp"
+#include "scheduler/worker_pool.hpp"
 
 namespace gearsweep {
 

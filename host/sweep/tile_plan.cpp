@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/error.hpp"
-#include "workers/cluster.hpp"
+#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 namespace {

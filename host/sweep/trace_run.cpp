@@ -11,7 +11,7 @@
 #include "sweep/detail/machine.hpp"
 #include "sweep/sweep.hpp"
 #include "tile/settled_point.hpp"
-#include "workers/make_engine.hpp"
+#include "scheduler/make_engine.hpp"
 
 namespace gearsweep {
 namespace {
@@ -96,7 +96,7 @@ std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_perio
   refuse_too_long(memory_of(plan, point, samples_per_period), study);
   const std::unique_ptr<Engine> engine = make_engine(
       study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()),
-      options.open.get());
+      options.scheduler.get());
   const auto after_round = [&](double) { return options.stop == nullptr || !*options.stop; };
   const std::optional<std::vector<double>> initial = initial_state(plan, options);
   if (!initial) return std::nullopt;

@@ -7,7 +7,7 @@
 
 #include "sweep/detail/history.hpp"
 #include "sweep/sweep.hpp"
-#include "workers/make_engine.hpp"
+#include "scheduler/make_engine.hpp"
 
 namespace gearsweep {
 namespace {
@@ -36,7 +36,7 @@ bool sweep_traces(const Study& study, std::size_t samples_per_period, const Swee
   if (!settled) return false;
   const std::unique_ptr<Engine> engine = make_engine(
       study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()),
-      options.open.get());
+      options.scheduler.get());
   const Plan plan(study, study.points());
   const auto after_round = [&](double) { return options.stop == nullptr || !*options.stop; };
   for (std::size_t point = 0; point < study.points(); ++point) {

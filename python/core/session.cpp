@@ -32,7 +32,7 @@ void Session::enter() {
 SweepOptions Session::options_for(const std::string& device) {
   enter();
   SweepOptions options;
-  options.open = devices_;
+  options.scheduler = scheduler_;
   if (!device.empty()) options.devices = parse_devices(device, list_devices());
   return options;
 }

@@ -25,7 +25,7 @@ class Session {
 
  private:
   std::atomic<pid_t> owner_ = 0;  // the process that uses the devices; 0: none yet
-  const std::shared_ptr<OpenDevices> devices_ = std::make_shared<OpenDevices>();
+  const std::shared_ptr<Scheduler> scheduler_ = std::make_shared<Scheduler>();
 };
 
 using SessionClass = pybind11::class_<Session>;

@@ -80,11 +80,8 @@ std::vector<double> dynamic_factors_of(const Study& study) {
 // The runs of a report.
 class Runs {
  public:
-  Runs(const ReportOptions& options, ReportFindings* out) : options_(options), out_(*out) {
-    sweep_.devices = options.devices;
-    sweep_.open = options.open;
-    sweep_.stop = options.stop;
-  }
+  Runs(const ReportOptions& options, ReportFindings* out)
+      : options_(options), out_(*out), sweep_(options.sweep_options()) {}
 
   // False when stopped.
   bool run(const Study& study, const std::string& file, const std::string& what) {

@@ -74,14 +74,6 @@ class Runs {
     return read_study(builtin_studies().at(name + ".toml"), name, all);
   }
 
-  SweepOptions sweep_options() const {
-    SweepOptions options;
-    options.devices = options_.devices;
-    options.open = options_.open;
-    options.stop = options_.stop;
-    return options;
-  }
-
   std::string path_of(const std::string& name) const {
     return options_.folder + "/" + name + ".nc";
   }
@@ -92,7 +84,7 @@ class Runs {
   }
 
   SweepResult compute(const Study& study) const {
-    std::optional<SweepResult> result = run_sweep(study, sweep_options());
+    std::optional<SweepResult> result = run_sweep(study, options_.sweep_options());
     if (!result) throw Stopped();
     return *std::move(result);
   }
@@ -119,7 +111,8 @@ class Runs {
     for (const double value : axis.values) {
       Study point = whole;
       point.axes.front().values = {value};
-      const std::optional<Trace> found = run_trace(point, samples_per_period, sweep_options());
+      const std::optional<Trace> found =
+          run_trace(point, samples_per_period, options_.sweep_options());
       if (!found) throw Stopped();
       traces.push_back(*found);
       labels.push_back(fmt::format("{}={}", axis.name, value));

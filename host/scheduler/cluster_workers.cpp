@@ -1,16 +1,16 @@
-#include "workers/cluster_workers.hpp"
+#include "scheduler/cluster_workers.hpp"
 
 #include <algorithm>
 
 #include "model/error.hpp"
-#include "workers/detail/cluster_messages.hpp"
+#include "scheduler/detail/cluster_messages.hpp"
 
 namespace gearsweep {
 
 ClusterWorkers::ClusterWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> own,
-                               Cluster* cluster)
+                               Task* task, Cluster* cluster)
     : cluster_(cluster),
-      own_(plan, std::move(own)),
+      own_(plan, std::move(own), task),
       others_(static_cast<std::size_t>(cluster->size())) {
   const ClusterJob job = {plan.study().toml, plan.study().integrate.max_step, plan.tile_points()};
   for (int rank = 1; rank < cluster->size(); ++rank) cluster->send(rank, kJob, pack(job));

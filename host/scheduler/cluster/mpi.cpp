@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <list>
 
-#include "workers/cluster.hpp"
+#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 namespace {

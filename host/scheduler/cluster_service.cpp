@@ -1,4 +1,4 @@
-#include "workers/cluster_service.hpp"
+#include "scheduler/cluster_service.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 
 #include "model/error.hpp"
 #include "plan/passive_states.hpp"
-#include "workers/detail/cluster_messages.hpp"
-#include "workers/make_engine.hpp"
-#include "workers/thread_workers.hpp"
+#include "scheduler/detail/cluster_messages.hpp"
+#include "scheduler/make_engine.hpp"
+#include "scheduler/thread_workers.hpp"
 
 namespace gearsweep {
 namespace {
@@ -20,7 +20,7 @@ class Job {
   Job(const ClusterJob& job, const std::vector<DeviceChoice>& devices, const Trouble& on_trouble)
       : study_(study_of(job)),
         plan_(study_, job.tile_points),
-        workers_(plan_, make_engines(study_, devices, &open_, on_trouble)) {}
+        workers_(plan_, make_engines(study_, devices, scheduler_.get(), on_trouble), &task_) {}
 
   ThreadWorkers& workers() { return workers_; }
 
@@ -33,7 +33,8 @@ class Job {
 
   const Study study_;
   const Plan plan_;
-  OpenDevices open_;
+  const std::shared_ptr<Scheduler> scheduler_ = std::make_shared<Scheduler>();
+  Task task_{scheduler_, 0};
   ThreadWorkers workers_;
 };
 

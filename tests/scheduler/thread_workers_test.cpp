@@ -1,5 +1,5 @@
 // Workers with engines that compute nothing: who gets which tile, who fails, who stops.
-#include "workers/thread_workers.hpp"
+#include "scheduler/thread_workers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ class ThreadWorkersTest : public ::testing::Test {
     while (engines.size() < kWorkers) {
       engines.push_back(std::make_unique<NumberingEngine>(&all_at_work_));
     }
-    return {plan_, std::move(engines)};
+    return {plan_, std::move(engines), &task_};
   }
 
   // Hands out all tiles, and again those of workers that fail; what is not a tile's end is left
@@ -126,6 +126,8 @@ class ThreadWorkersTest : public ::testing::Test {
       "[observe]\nquantities = ['x1_rms']\n",
       "test");
   const Plan plan_{study_, 2};
+  const std::shared_ptr<Scheduler> scheduler_ = std::make_shared<Scheduler>();
+  Task task_{scheduler_, 0};
   std::latch all_at_work_{kWorkers};
 };
 
@@ -156,7 +158,7 @@ TEST_F(ThreadWorkersTest, AMemberIsIdleOnceTheEndOfItsTileIsHeard) {
   std::latch one_at_work{1};
   std::vector<std::unique_ptr<Engine>> engines;
   engines.push_back(std::make_unique<NumberingEngine>(&one_at_work));
-  ThreadWorkers workers(plan_, std::move(engines));
+  ThreadWorkers workers(plan_, std::move(engines), &task_);
   workers.start(0, {});
   std::optional<WorkerReport> report = workers.wait(kPatience);
   ASSERT_TRUE(report);
@@ -177,7 +179,8 @@ TEST_F(ThreadWorkersTest, ARunningTileStopsWhenAskedAndWhenThePoolIsLeft) {
     std::latch one_at_work{1};
     std::vector<std::unique_ptr<Engine>> engines;
     engines.push_back(std::make_unique<EndlessEngine>(&one_at_work));
-    ThreadWorkers workers(plan_, std::move(engines));
+    Task task(scheduler_, 0);
+    ThreadWorkers workers(plan_, std::move(engines), &task);
     workers.start(0, {});
     one_at_work.wait();
     if (!asks) continue;  // its end is the test: it would wait for ever

@@ -4,15 +4,16 @@
 // plan the same study themselves and send back what becomes of each tile.
 #pragma once
 
-#include "workers/cluster.hpp"
-#include "workers/thread_workers.hpp"
+#include "scheduler/cluster.hpp"
+#include "scheduler/thread_workers.hpp"
 
 namespace gearsweep {
 
 class ClusterWorkers final : public WorkerPool {
  public:
-  // own: the engines of this process. The cluster and the plan outlive the pool.
-  ClusterWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> own, Cluster* cluster);
+  // own: the engines of this process. The plan, the task and the cluster outlive the pool.
+  ClusterWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> own, Task* task,
+                 Cluster* cluster);
 
   bool may_grow() const override { return answers_ + 1 < others_.size(); }
   std::size_t size() const override;

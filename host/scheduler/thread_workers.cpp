@@ -1,12 +1,17 @@
-#include "workers/thread_workers.hpp"
+#include "scheduler/thread_workers.hpp"
 
 #include "tile/subset.hpp"
 #include "tile/tile_run.hpp"
 
 namespace gearsweep {
 
-ThreadWorkers::ThreadWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> engines)
-    : plan_(plan), tiles_(tiles_of(plan)), engines_(std::move(engines)), size_(engines_.size()) {
+ThreadWorkers::ThreadWorkers(const Plan& plan, std::vector<std::unique_ptr<Engine>> engines,
+                             Task* task)
+    : plan_(plan),
+      tiles_(tiles_of(plan)),
+      engines_(std::move(engines)),
+      task_(task),
+      size_(engines_.size()) {
   for (const std::unique_ptr<Engine>& engine : engines_) {
     threads_.emplace_back([this, &engine] { serve(engine.get()); });
   }
@@ -15,9 +20,10 @@ ThreadWorkers::ThreadWorkers(const Plan& plan, std::vector<std::unique_ptr<Engin
 ThreadWorkers::~ThreadWorkers() {
   {
     const std::lock_guard lock(mutex_);
-    stops_ = closes_ = true;
-    has_task_.notify_all();
+    closes_ = true;
+    has_job_.notify_all();
   }
+  task_->cancel();
   threads_.clear();  // joins
 }
 
@@ -33,9 +39,9 @@ std::size_t ThreadWorkers::idle() const {
 
 void ThreadWorkers::start(std::size_t tile, std::vector<double> initial) {
   const std::lock_guard lock(mutex_);
-  tasks_.push_back({tile, std::move(initial)});
+  jobs_.push_back({tile, std::move(initial)});
   ++busy_;
-  has_task_.notify_one();
+  has_job_.notify_one();
 }
 
 std::optional<WorkerReport> ThreadWorkers::wait(std::chrono::milliseconds patience) {
@@ -52,18 +58,15 @@ std::optional<WorkerReport> ThreadWorkers::wait(std::chrono::milliseconds patien
   return report;
 }
 
-void ThreadWorkers::stop() {
-  const std::lock_guard lock(mutex_);
-  stops_ = true;
-}
+void ThreadWorkers::stop() { task_->cancel(); }
 
 void ThreadWorkers::serve(Engine* engine) {
-  while (const std::optional<Task> task = next_task()) {
+  while (const std::optional<Job> job = next_job()) {
     WorkerReport done;
     try {
-      done = compute(*task, engine);
+      done = compute(*job, engine);
     } catch (...) {
-      done = {WorkerReport::Kind::lost, task->tile, 0.0, {}, std::current_exception()};
+      done = {WorkerReport::Kind::lost, job->tile, 0.0, {}, std::current_exception()};
     }
     const bool is_lost = done.kind == WorkerReport::Kind::lost;
     report(std::move(done));
@@ -71,25 +74,24 @@ void ThreadWorkers::serve(Engine* engine) {
   }
 }
 
-WorkerReport ThreadWorkers::compute(const Task& task, Engine* engine) {
-  const Tile& tile = *tiles_[task.tile];
+WorkerReport ThreadWorkers::compute(const Job& job, Engine* engine) {
+  const Tile& tile = *tiles_[job.tile];
   double steps = 0.0;
   TileCallbacks callbacks;
   callbacks.after_round = [&](double round_steps) {
     steps += round_steps;
-    report({.kind = WorkerReport::Kind::progress, .tile = task.tile, .steps = round_steps});
-    const std::lock_guard lock(mutex_);
-    return !stops_;
+    report({.kind = WorkerReport::Kind::progress, .tile = job.tile, .steps = round_steps});
+    return task_->may_go_on();
   };
   callbacks.on_work = [&](double more) {
-    report({.kind = WorkerReport::Kind::more_work, .tile = task.tile, .steps = more});
+    report({.kind = WorkerReport::Kind::more_work, .tile = job.tile, .steps = more});
   };
   const auto start = std::chrono::steady_clock::now();
   const double in_kernels = engine->kernel_seconds();
   std::optional<TileResult> result =
-      run_tile(plan_, tile, task.initial.empty() ? own_initial_states(plan_, tile) : task.initial,
+      run_tile(plan_, tile, job.initial.empty() ? own_initial_states(plan_, tile) : job.initial,
                engine, callbacks);
-  if (!result) return {.kind = WorkerReport::Kind::stopped, .tile = task.tile};
+  if (!result) return {.kind = WorkerReport::Kind::stopped, .tile = job.tile};
   result->effort.steps = steps;
   result->effort.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -97,16 +99,16 @@ WorkerReport ThreadWorkers::compute(const Task& task, Engine* engine) {
   result->device = engine->info().device;
   // Only neighbours in a chain ask for them again.
   if (!plan_.study().is_chained()) result->final_states.clear();
-  return {.kind = WorkerReport::Kind::finished, .tile = task.tile, .result = std::move(*result)};
+  return {.kind = WorkerReport::Kind::finished, .tile = job.tile, .result = std::move(*result)};
 }
 
-std::optional<ThreadWorkers::Task> ThreadWorkers::next_task() {
+std::optional<ThreadWorkers::Job> ThreadWorkers::next_job() {
   std::unique_lock lock(mutex_);
-  has_task_.wait(lock, [&] { return closes_ || !tasks_.empty(); });
+  has_job_.wait(lock, [&] { return closes_ || !jobs_.empty(); });
   if (closes_) return std::nullopt;
-  Task task = std::move(tasks_.front());
-  tasks_.pop_front();
-  return task;
+  Job job = std::move(jobs_.front());
+  jobs_.pop_front();
+  return job;
 }
 
 void ThreadWorkers::report(WorkerReport report) {

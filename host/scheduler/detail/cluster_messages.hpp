@@ -1,8 +1,8 @@
 // What the processes of a cluster tell each other.
 #pragma once
 
-#include "workers/detail/packing.hpp"
-#include "workers/worker_pool.hpp"
+#include "scheduler/detail/packing.hpp"
+#include "scheduler/worker_pool.hpp"
 
 namespace gearsweep {
 

@@ -1,4 +1,4 @@
-#include "workers/detail/cluster_messages.hpp"
+#include "scheduler/detail/cluster_messages.hpp"
 
 #include "model/error.hpp"
 

@@ -1,5 +1,5 @@
 // The program is built without MPI.
-#include "workers/cluster.hpp"
+#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 

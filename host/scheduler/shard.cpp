@@ -1,4 +1,4 @@
-#include "workers/shard.hpp"
+#include "scheduler/shard.hpp"
 
 #include <fmt/format.h>
 

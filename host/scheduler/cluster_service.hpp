@@ -6,7 +6,7 @@
 
 #include "engine/device_choice.hpp"
 #include "engine/trouble.hpp"
-#include "workers/cluster.hpp"
+#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 
