@@ -151,7 +151,7 @@ std::optional<std::vector<BenchedDevice>> measure(const BenchArguments& argument
   return benched;
 }
 
-// Of now, as in 2026-01-31T12:00:00+01:00.
+// The date, as in 2026-01-31T12:00:00+01:00.
 std::string date_of_now() {
   const std::string text =
       fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr)));

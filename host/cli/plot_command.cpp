@@ -11,7 +11,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "plot/plot.hpp"
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 #include "result/export.hpp"
 
 namespace gearsweep {
@@ -146,7 +146,7 @@ void add_plot_command(CLI::App* app) {
   command->callback([request, cut, style, style_file] {
     if (!cut->empty()) request->at = parse_cut(*cut);
     request->style = style_of(*style, *style_file);
-    for (const std::string& path : request->paths) ensure_undamaged(path);
+    for (const std::string& path : request->paths) ensure_not_broken(path);
     plot_files(*request);
   });
 }
@@ -174,7 +174,7 @@ void add_export_command(CLI::App* app) {
       "  gearsweep export map.nc -q x1_rms -o rms.npy\n"
       "    then in Python: m = numpy.load('rms.npy'); m['omega'], m['x1_rms']");
   command->callback([arguments] {
-    ensure_undamaged(arguments->result);
+    ensure_not_broken(arguments->result);
     std::vector<std::string> quantities;
     if (!arguments->quantities.empty()) quantities = split(arguments->quantities, ',');
     export_maps(arguments->result, quantities, arguments->output, arguments->units);

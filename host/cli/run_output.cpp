@@ -13,7 +13,7 @@
 #include "model/names.hpp"
 #include "model/version.hpp"
 #include "plot/plot.hpp"
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 #include "result/result_file.hpp"
 #include "result/result_size.hpp"
 #include "result/study_source.hpp"
@@ -49,7 +49,7 @@ std::string command_line(const RunRequest& request, const std::string& output) {
 std::string what_is_lost(const std::string& path, const Study& study) {
   if (!is_netcdf(path)) return "";
   try {
-    ensure_undamaged(path);
+    ensure_not_broken(path);
     if (is_trace_file(path)) return "traces";
     if (read_result_study(path).toml == study.toml) return "";
     const std::string title = ResultFile(path).title();

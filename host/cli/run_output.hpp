@@ -19,7 +19,7 @@ class RunOutput {
 
   const std::string& path() const { return path_; }
   const std::string& journal() const { return journal_; }
-  // Of the run whose maps it takes.
+  // The options of the run whose maps it takes.
   SweepOptions sweep_options() const;
   void discard_journal() const;
   // The file is there as a whole, or not at all.

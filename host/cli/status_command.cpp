@@ -14,7 +14,7 @@
 #include "journal/notes.hpp"
 #include "model/error.hpp"
 #include "model/regular_file.hpp"
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 #include "result/result_file.hpp"
 
 namespace gearsweep {
@@ -89,7 +89,7 @@ void show(const std::string& output, bool with_json) {
     const JournalStatus status = Journal::status(journal);
     answer("{}", with_json ? json_text(as_json(output, status)) : describe(output, status));
   } else if (has_regular_file(output, "a result")) {
-    ensure_undamaged(output);
+    ensure_not_broken(output);
     const ResultFile whole(output);  // throws when it is none
     answer("{}", with_json ? json_text({{"output", output}, {"state", "finished"}})
                            : fmt::format("{}: finished\n", output));

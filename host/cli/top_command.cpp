@@ -11,7 +11,7 @@
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 #include "result/peaks.hpp"
 #include "result/result_file.hpp"
 #include "result/study_source.hpp"
@@ -107,7 +107,7 @@ nlohmann::json as_json(const ResultMap& map, const std::vector<std::string>& nam
 }
 
 void run(const TopArguments& arguments) {
-  ensure_undamaged(arguments.result);
+  ensure_not_broken(arguments.result);
   const ResultFile file(arguments.result);
   const ResultMap map = read_map(file, arguments.quantity);
   const std::vector<std::string> names = names_of_axes(file);

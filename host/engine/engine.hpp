@@ -41,7 +41,7 @@ struct TileResult {
   Array2<const double> state_table() const {
     return {final_states, final_states.size() / status.size()};
   }
-  // Of so many chosen states, at least one.
+  // chosen: how many states are sampled, at least one.
   Array3<double> sample_table(std::size_t chosen) {
     return {samples, chosen, samples.size() / (status.size() * chosen)};
   }

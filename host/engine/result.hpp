@@ -65,7 +65,7 @@ struct SweepResult {
   std::vector<Attractor> attractors;    // empty unless the study has a census
   std::size_t uncertain = 0;            // trajectories that may be of either of two attractors
   std::vector<double> samples;          // [point][chosen state][sample]; empty without poincare
-  // Of all tiles, those of an interrupted run that this one continued included.
+  // Sums over all tiles, those of an interrupted run that this one continued included.
   double steps = 0.0;           // integration steps in all
   double seconds = 0.0;         // wall time of the computation
   double kernel_seconds = 0.0;  // of these in kernels; 0: the engine has none

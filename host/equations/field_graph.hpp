@@ -20,10 +20,10 @@ struct FieldGraph {
   std::vector<NodeId> signals;  // [signal]
 };
 
-// Of a whole model, simplified, with its options chosen (ModelSetting::options).
+// The graph of a whole model, simplified, with its options chosen (ModelSetting::options).
 FieldGraph field_of(const Model& model, const std::vector<int>& options);
 
-// Of the nodes that these are made of: the place of each among `symbols`.
+// The places among `symbols` of those that these nodes are made of.
 std::vector<std::size_t> symbols_in(const ExpressionGraph& graph, const std::vector<NodeId>& nodes,
                                     const std::vector<NodeId>& symbols);
 

@@ -228,7 +228,7 @@ Model make_model(const ModelDefinition& given) {
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
   refuse_unmirrored_starts(definition, &formula);
-  // Of a model whose options are not chosen yet.
+  // Kept of a model whose options are not chosen yet.
   const auto written = formula.choices.empty() ? nullptr : std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);

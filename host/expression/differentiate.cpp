@@ -67,7 +67,7 @@ class Partials {
   }
   NodeId sum_of_squares() { return make(Operation::add, square(a()), square(b())); }
 
-  // Of the second argument where the condition holds, else of the first.
+  // The slope is that of the second argument where the condition holds, else that of the first.
   std::vector<NodeId> chosen(NodeId is_second) {
     return {graph_->make(Operation::select, {is_second, zero_, one_}), indicator(is_second)};
   }

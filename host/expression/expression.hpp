@@ -72,7 +72,7 @@ enum class Operation : std::uint8_t {
   table    // (phase, toward): PeriodicTable::at
 };
 
-// Of a function that is called by name.
+// A function that is called by name.
 struct FunctionInfo {
   std::string_view name;
   Operation operation;
@@ -108,7 +108,7 @@ class ExpressionGraph {
   NodeId symbol(const std::string& name);
   // Tables are told apart by their addresses.
   NodeId table(std::shared_ptr<const PeriodicTable> table, NodeId phase, NodeId toward);
-  // Of what is written, as it is written.
+  // The node of what is written, as it is written.
   NodeId as_written(Operation operation, const std::vector<NodeId>& arguments);
   // Simplified by rules that change no value, but for what would not be finite: sums with 0,
   // products with 0 and 1, signs, small whole powers, parts that are numbers.

@@ -47,7 +47,7 @@ Interval square(const Interval& a) {
   return rounded(a.contains(0.0) ? 0.0 : low * low, high * high);
 }
 
-// Of a function that rises.
+// What a rising function makes of an interval.
 template <class Function>
 Interval rising(const Interval& a, const Function& function) {
   return rounded(function(a.low), function(a.high));
@@ -156,7 +156,7 @@ Enclosure angle_of(const Enclosure& a, const Enclosure& b) {
   return {rounded(low, high), product(turned, size)};
 }
 
-// Of a function of one argument.
+// What a function of one argument makes of an enclosure.
 Enclosure enclose_function(Operation operation, const Enclosure& a) {
   const Interval& x = a.value;
   const Interval one = {1.0, 1.0};

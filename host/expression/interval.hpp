@@ -29,9 +29,9 @@ Enclosure operator-(const Enclosure& a);
 Enclosure operator+(const Enclosure& a, const Enclosure& b);
 Enclosure operator-(const Enclosure& a, const Enclosure& b);
 
-// Of operations without conditions, corners and jumps: arithmetic, powers and the smooth functions.
-// b: of those that have one argument ignored. A square, a * a, is one where both are the same
-// object.
+// What operations without conditions, corners and jumps make of enclosures: arithmetic, powers and
+// the smooth functions. b: of those that have one argument ignored. A square, a * a, is one where
+// both are the same object.
 Enclosure enclose(Operation operation, const Enclosure& a, const Enclosure& b);
 
 // A little wider than [low, high]: by more than the error of a number that was rounded or that a

@@ -226,7 +226,7 @@ class Parser {
     fail(start, fmt::format("there is no '{}[{}]'; the first entry of a list is [1]", list, index));
   }
 
-  // Of what is made of numbers alone.
+  // The value of what is made of numbers alone.
   double whole_number(std::size_t position, NodeId id) {
     const double value = value_of(id);
     if (std::isfinite(value) && value == std::floor(value)) return value;

@@ -54,8 +54,8 @@ std::vector<double> solve_cyclic(std::vector<Row> rows) {
   return x;
 }
 
-// Of a spline's second derivatives: its slope is the same on both sides of the middle one of three
-// knots.
+// Solves for a spline's second derivatives: its slope is the same on both sides of the middle one
+// of three knots.
 template <class Knot>
 Row smooth_row(const Knot& before, const Knot& knot, const Knot& after, double phase_before) {
   const double left = knot.phase - phase_before, right = after.phase - knot.phase;

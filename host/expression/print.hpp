@@ -14,7 +14,7 @@ std::string to_text(const ExpressionGraph& graph, NodeId id);
 using NodeNames = std::map<NodeId, std::string>;
 
 // The same for a reader, in one line, who knows these names; of what is long, only how long it is.
-// Of the name of a table it has the characters that can neither end a comment of C nor steer a
+// It has of the name of a table the characters that can neither end a comment of C nor steer a
 // terminal, and _ for others.
 std::string to_short_text(const ExpressionGraph& graph, NodeId id, const NodeNames& names = {});
 

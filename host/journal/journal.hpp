@@ -83,7 +83,8 @@ class Journal {
 
   // Deletes the journal at `path`, if there is one. Throws InputError when a run holds it.
   static void discard(const std::string& path);
-  // Of the journal at `path`, whether a run holds it or not. Throws InputError when there is none.
+  // The status of the journal at `path`, whether a run holds it or not. Throws InputError when
+  // there is none.
   static JournalStatus status(const std::string& path);
 
  private:

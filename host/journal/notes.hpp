@@ -13,7 +13,7 @@ inline constexpr const char* kTilePoints = "points of a tile";
 inline constexpr const char* kShard = "shard";
 inline constexpr const char* kStudy = "study";
 inline constexpr const char* kStep = "step";
-// Of all that have computed for it.
+// The devices and drivers of all that have computed for it.
 inline constexpr const char* kDevice = "device";
 inline constexpr const char* kDriver = "driver";
 inline constexpr const char* kBuildOptions = "build options";

@@ -90,7 +90,7 @@ class PreparedPoint {
 
   // out: deflection and backlash of each contact, then of each corner.
   virtual void contact_places(const double* coefs, const double* x, double* out) const = 0;
-  // Of a contact or corner. out: d(dx_i/dtau)/d(penetration), one number per state.
+  // The force of a contact or corner. out: d(dx_i/dtau)/d(penetration), one number per state.
   virtual void force_direction(std::size_t contact, const double* coefs, const double* x,
                                double* out) const = 0;
   // out: row-major, how the force direction changes with each state.
@@ -246,7 +246,7 @@ struct Model {
   bool is_within_limits(std::span<const double> state) const;
   // What a state or signal is called in the kernels.
   std::string name_in_kernel(const std::string& channel) const;
-  // Of all contacts, in their order, the drive flank's first; then of the corners.
+  // The limits of all contacts, in their order, the drive flank's first; then those of the corners.
   std::vector<ContactLimit> contact_limits() const;
   // Index of the parameter of a role.
   std::optional<std::size_t> parameter_of(Role role) const;

@@ -11,7 +11,7 @@ namespace gearsweep {
 // otherwise "; known: a, b, c" (shortened after a dozen).
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known);
 
-// Of what has a `name`: states, parameters, options, presets.
+// The names of what has a `name`: states, parameters, options, presets.
 template <class Info>
 std::vector<std::string> names_of(const std::vector<Info>& infos) {
   std::vector<std::string> names;

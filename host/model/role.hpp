@@ -9,12 +9,12 @@ namespace gearsweep {
 
 enum class Role {
   none,
-  // Of parameters.
+  // Roles of parameters.
   load,          // each force between the teeth where nothing moves
   mesh_damping,  // damping ratio cm/(2 varpi me) of the mesh, from which the unit cm follows
   pinion_teeth,
   teeth_ratio,  // teeth of the gear over those of the pinion
-  // Of signals.
+  // Roles of signals.
   mesh_force,  // a force between teeth; a train of gears has several
   transmission_error,
   bearing_force,

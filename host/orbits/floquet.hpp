@@ -66,7 +66,8 @@ Eigen::VectorXd sizes_of(const PeriodImage& image);
 // start, as far as the flow stretches it.
 Eigen::VectorXd rounding_sizes(const PeriodImage& image, const Eigen::VectorXd& sizes);
 
-// Of a matrix that carries states to states, its largest entry between states in their own sizes.
+// How far a matrix that carries states to states stretches: its largest entry between states in
+// their own sizes.
 double stretch_of(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& sizes);
 
 // Damped Newton's method on the `period`-th iterate from `guess`, to 1e-12 of the states' sizes.

@@ -43,9 +43,10 @@ class Flow {
 
   const Eigen::VectorXd& state() const { return at_.state; }
   const Eigen::MatrixXd& tangents() const { return at_.tangents; }
-  // Of the way so far: the nearest of each limit of a backlash, in the order of contact_limits().
+  // The nearest that the way so far comes to each limit of a backlash, in the order of
+  // contact_limits().
   const std::vector<Graze>& nearest_grazes() const { return grazes_; }
-  // Of the way so far, at the ends of its steps.
+  // The extent of the way so far, at the ends of its steps.
   const Extent& extent() const { return extent_; }
 
  private:

@@ -27,7 +27,7 @@ struct OrbitFindings {
   std::vector<Branch> branches;  // downwards and upwards; none without a range
 };
 
-// Of all branches, by the parameter's value.
+// The bifurcations of all branches, by the parameter's value.
 std::vector<LocatedBifurcation> bifurcations_of(const OrbitFindings& findings);
 
 // Orbits that stand in one line.

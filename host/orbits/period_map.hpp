@@ -17,7 +17,7 @@ namespace gearsweep {
 struct PeriodImage {
   Eigen::VectorXd state;
   Eigen::MatrixXd monodromy;
-  // Of the way there, as Flow tells them.
+  // What the way there meets, as Flow tells it.
   std::vector<Graze> grazes;
   Extent extent;
 };

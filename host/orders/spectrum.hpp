@@ -32,10 +32,9 @@ struct Spectrum {
 Spectrum amplitude_spectrum(const std::vector<double>& samples, std::size_t periods,
                             SpectrumWindow window = SpectrumWindow::hann);
 
-// Of a channel over the last whole forcing periods of a trace, all of them when `periods` is 0.
-// Orders are then multiples of the mesh frequency.
-// Throws InputError when its moments are not evenly spaced, a whole number to the period, or it has
-// not one whole period.
+// The spectrum of a channel over the last whole forcing periods of a trace, all of them when
+// `periods` is 0. Orders are then multiples of the mesh frequency. Throws InputError when its
+// moments are not evenly spaced, a whole number to the period, or it has not one whole period.
 Spectrum amplitude_spectrum(const Trace& trace, std::size_t channel, std::size_t periods);
 
 }  // namespace gearsweep

@@ -47,7 +47,7 @@ class Values {
   }
 
  private:
-  // Of its three arguments.
+  // Which of its three arguments a choice takes.
   std::size_t chosen(NodeId id) const { return of(graph_[id].arguments[0]) != 0.0 ? 1 : 2; }
 
   // Symbols other than those that are known stand for the phase.

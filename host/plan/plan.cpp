@@ -13,7 +13,7 @@
 namespace gearsweep {
 namespace {
 
-// Of a mesh period, and of a period of the forcing, which may be many of them.
+// Steps of a mesh period, and of a period of the forcing, which may be many of them.
 constexpr double kMaxMeshSteps = 65536, kMaxSteps = 4194304;
 // With fewer in a wave of an order Simpson's rule is off by more than (2 pi/8)^4/2880 = 1.3e-4 of
 // what it integrates.

@@ -58,7 +58,7 @@ class PointList {
     }
   };
 
-  // Of the position where a run begins.
+  // The position where a run begins.
   std::uint32_t start(std::size_t run) const { return run == 0 ? 0 : runs_[run - 1].end; }
 
   std::vector<Run> runs_;

@@ -41,7 +41,7 @@ class ViewPoints final : public PointSource {
   std::vector<double> start(std::size_t point) const override;
   std::size_t row() const override { return is_finer_ ? 1 : view_.axes[0].count; }
 
-  // Of the view's cells, counted from its first one, the one where a point stands.
+  // The cell where a point stands, counted from the view's first one.
   std::array<std::size_t, 2> cell_of(std::size_t point) const;
   // The coordinates of a cell of the view on both axes.
   std::array<double, 2> place_of(const std::array<std::size_t, 2>& cell) const;

@@ -28,7 +28,7 @@ constexpr std::string_view kScriptEnding = ".gp";
 PlotScript draw(const Page& page, const PlotRequest& request) {
   if (std::any_of(request.paths.begin(), request.paths.end(), is_order_file)) {
     request.style.refuse_band();
-    return draw_orders(request);
+    return plot_orders(request);
   }
   if (!request.rays.empty()) throw InputError("--rays is for order maps");
   const auto traces = std::count_if(request.paths.begin(), request.paths.end(), is_trace_file);
@@ -36,7 +36,7 @@ PlotScript draw(const Page& page, const PlotRequest& request) {
   if (traces == std::ssize(request.paths)) {
     request.style.refuse("contours", "it is for maps, not for traces");
     request.style.refuse_band();
-    return draw_traces(page, request);
+    return plot_traces(page, request);
   }
   // What is neither says so itself.
   for (const std::string& path : request.paths) {

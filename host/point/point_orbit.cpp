@@ -49,7 +49,7 @@ Study settling_study(const Study& whole, const OrbitRequest& request, const Plac
   return study;
 }
 
-// Of the point: those of the axes, then the others of the place.
+// The parameters of the point: those of the axes, then the others of the place.
 std::vector<std::size_t> parameters_of(const Study& study, const Place& place) {
   std::vector<std::size_t> all;
   const auto add = [&](std::size_t parameter) {

@@ -69,7 +69,7 @@ void add_names(const Study& whole, const Place& place, std::vector<std::string>*
   }
 }
 
-// Of mesh periods, rounded up.
+// So many mesh periods as periods of the forcing, rounded up.
 std::size_t forcing_periods(const Study& study, std::size_t mesh_periods) {
   return static_cast<std::size_t>(
       std::ceil(static_cast<double>(mesh_periods) / study.model->mesh_periods(study.setting)));

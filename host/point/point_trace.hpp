@@ -32,7 +32,7 @@ struct PointTraces {
   std::vector<Trace> traces;
   std::vector<std::string> labels;  // one for each
   std::vector<std::string> placed;  // the parameters that their places have
-  // Of places that could not be taken as they were (move_to_chain()), a line each.
+  // Places that could not be taken as they were (move_to_chain()), a line each.
   std::vector<std::string> notices;
 };
 

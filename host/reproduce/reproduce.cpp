@@ -32,7 +32,7 @@ bool reproduce(const ReproduceOptions& options) {
   const std::optional<MeasuredFigures> measured = run_figures(options);
   if (!measured) return false;
   if (options.on_step) options.on_step("pictures");
-  const std::string pictures = draw_pictures(*measured, options.folder);
+  const std::string pictures = plot_pictures(*measured, options.folder);
   write_file(options.folder + "/report.md", report_on(*measured) + pictures);
   return true;
 }

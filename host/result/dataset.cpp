@@ -329,7 +329,7 @@ class Description {
     return states;
   }
 
-  // Of the variable's own type.
+  // The fill value, of the variable's own type.
   static Attribute fill_of(Stored stored) {
     constexpr const char* kName = "_FillValue";
     if (stored == Stored::byte) return {kName, std::vector{kNoClass}};

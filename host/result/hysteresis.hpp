@@ -14,8 +14,8 @@ struct Hysteresis {
   std::size_t first = 0, last = 0;  // places on the axis that differ, both included
   bool jumps_down = false;          // the run-down falls back to the run-up below `first`
   bool jumps_up = false;            // the run-up meets the run-down above `last`
-  // Of the jumps, between the last value on one side and the first on the other; where there is
-  // none, the ends of the stretch.
+  // Where the jumps are, between the last value on one side and the first on the other; where there
+  // is none, the ends of the stretch.
   double from = 0.0, to = 0.0;
 };
 

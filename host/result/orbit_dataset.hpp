@@ -10,10 +10,10 @@ namespace gearsweep {
 // of one orbit, without it:
 //   the parameters that the point was given, `period` in forcing periods, `stable`, `section`
 //   (state), `multiplier_real` and `multiplier_imag` (multiplier), largest modulus first.
-// Of the orbit at the start: `section_error` (state), `multiplier_error` (multiplier), `grazing`.
-// With a range, along the dimension `bifurcation`, by the parameter's value: `bifurcation_kind`,
-// `bifurcation_value` of the parameter, `bifurcation_error` of that, `bifurcation_grazing`,
-// `bifurcation_born_of`, and all that an orbit has, as `bifurcation_period`.
+// It has, of the orbit at the start, `section_error` (state), `multiplier_error` (multiplier),
+// `grazing`. With a range, along the dimension `bifurcation`, by the parameter's value:
+// `bifurcation_kind`, `bifurcation_value` of the parameter, `bifurcation_error` of that,
+// `bifurcation_grazing`, `bifurcation_born_of`, and all that an orbit has, as `bifurcation_period`.
 // The attribute `coordinates` names what are coordinates.
 Dataset dataset_of(const OrbitFindings& findings, const Provenance& provenance);
 

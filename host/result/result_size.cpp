@@ -15,7 +15,8 @@ constexpr double kVariable = 8192.0;  // its header, its attributes, a node of i
 constexpr double kChunk = 128.0;      // its entry in the index, whose nodes may be half empty
 // A chunk of a map is not smaller, as the NetCDF library chooses it, unless the map is.
 constexpr double kChunkOfMap = 65536.0;
-// Of bytes that cannot be compressed, and of the fill values where blocks reach beyond the map.
+// The shares of bytes that cannot be compressed, and of the fill values where blocks reach beyond
+// the map.
 constexpr double kPacked = 1.001, kFill = 0.01;
 constexpr double kCache = 16.0 * 1024.0 * 1024.0;  // memory of the NetCDF library for a variable
 

@@ -9,7 +9,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "model/regular_file.hpp"
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 #include "result/result_file.hpp"
 #include "study/builtin_studies.hpp"
 
@@ -59,7 +59,7 @@ Study read_result_study(const std::string& path, const std::vector<std::string>&
 Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms) {
   if (has_regular_file(name_or_path, "a study")) {
-    ensure_undamaged(name_or_path);
+    ensure_not_broken(name_or_path);
     if (is_netcdf(name_or_path)) return read_result_study(name_or_path, overrides, zooms);
     return read_study(read_text(name_or_path), name_or_path, overrides, zooms);
   }

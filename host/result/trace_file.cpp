@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMaxTraces = 10'000;  // of a file; a picture takes far fewer
 
-// Of a unit in a table: what its numbers are multiplied by, and what it is called.
+// A unit in a table: what its numbers are multiplied by, and what it is called.
 SiUnit unit_in_table(const std::string& unit, const Study& study, TableUnits units) {
   if (units == TableUnits::model) return {1.0, unit};
   const SiUnit si = shown_unit(unit, study.scales);

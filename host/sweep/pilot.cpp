@@ -22,7 +22,7 @@ namespace {
 // Below so many points, or steps at the model's own step, it would not pay.
 constexpr std::size_t kFewestPoints = 4096;
 constexpr double kFewestSteps = 1e9;
-// Of the pilot. What a step leaves beyond the tolerance is told from these, and not all are
+// Points of the pilot. What a step leaves beyond the tolerance is told from these, and not all are
 // periodic. Whoever asks for a tolerance asks for more.
 constexpr std::size_t kMinPilot = 384, kMinPilotAsked = 768, kMaxPilot = 1024;
 constexpr std::size_t kPointsPerPilotPoint = 96;
@@ -134,7 +134,7 @@ struct NoStep {
   std::string reason;
 };
 
-// Of the model's own step.
+// The shortest step that is tried, as a share of the model's own.
 double shortest_share(const Study& study, std::size_t pilot_points) {
   if (study.integrate.is_tolerance_asked) return kShortest;
   const double share = static_cast<double>(pilot_points) / static_cast<double>(study.points());
@@ -182,8 +182,8 @@ class StepSearch {
     return kBeyond + sensitive_ + 2.0 * std::sqrt(variance);
   }
 
-  // Of the study's points, at most, where it is so many of the pilot's. A pilot that has all points
-  // is no sample.
+  // The share of the study's points, at most, where it is so many of the pilot's. A pilot that has
+  // all points is no sample.
   double share_of_all(std::size_t found, std::size_t points) const {
     if (runs_.points() < study_.points()) return upper_share(found, points);
     return points == 0 ? 1.0 : static_cast<double>(found) / static_cast<double>(points);
@@ -238,7 +238,7 @@ class StepSearch {
                               study_.integrate.fp64 ? "" : " (fp32 has no more digits; fp64 may)")};
   }
 
-  // Of the ladder from `shortest`, which will do, to `longest`.
+  // The longest step of the ladder from `shortest`, which will do, to `longest`.
   double find_longest(double shortest, double longest, double fine) {
     const auto step = [&](int rung) { return shortest * std::exp2(rung / double{kRungsPerHalf}); };
     int good = 0;

@@ -14,7 +14,7 @@
 namespace gearsweep {
 namespace {
 
-// Of a device's memory; drivers and other programs have some.
+// The share of a device's memory that tiles may take; drivers and other programs have some.
 constexpr double kShareOfDevice = 0.75;
 // Measured: the program, the OpenCL driver, and its compiler at work on the largest kernels.
 constexpr double kProgram = 256e6;
@@ -59,7 +59,7 @@ double journal_size(const Study& study, std::size_t tiles) {
          kPage * kPagesOfAll + 2.0 * static_cast<double>(study.toml.size());
 }
 
-// Of any plan of the study.
+// The least number of tiles of any plan of the study.
 std::size_t min_tiles(const Study& study) {
   const std::size_t stages = study.is_chained() ? study.axes[study.initial.along].values.size() : 1;
   if (study.integrate.tile == 0) return stages;

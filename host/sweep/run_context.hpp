@@ -6,11 +6,11 @@
 
 #include "journal/journal.hpp"
 #include "journal/notes.hpp"
+#include "scheduler/worker_pool.hpp"
 #include "sweep/assembly.hpp"
 #include "sweep/pilot.hpp"
 #include "sweep/sweep_options.hpp"
 #include "sweep/tile_plan.hpp"
-#include "scheduler/worker_pool.hpp"
 
 namespace gearsweep {
 
@@ -41,9 +41,9 @@ class RunContext {
   void close_journal();
 
   const Engines& engines() const { return engines_; }
-  // Of the study with the states alone that it takes (plan/passive_states.hpp).
+  // The plan of the study with the states alone that it takes (plan/passive_states.hpp).
   const Plan& plan() const { return *plan_; }
-  // Of what the planned tiles take.
+  // What the planned tiles take.
   const ResourceEstimate& estimate() const { return estimate_; }
 
  private:

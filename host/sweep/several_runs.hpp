@@ -17,7 +17,7 @@ struct SeveralRuns {
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const std::string&)> on_step;  // what is done next
 
-  // Of each of them.
+  // The options of each of them.
   SweepOptions sweep_options() const {
     SweepOptions options;
     options.devices = devices;

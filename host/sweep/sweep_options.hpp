@@ -37,7 +37,8 @@ struct SweepOptions {
   // Where finished tiles are kept until the result is written; empty: nowhere. A journal of the
   // same sweep that is already there is continued.
   std::string journal_path;
-  // Of which this process is rank 0, and whose other processes share the tiles, too; null: none.
+  // The cluster of which this process is rank 0, and whose other processes share the tiles, too;
+  // null: none.
   Cluster* cluster = nullptr;
   // The journal of a run on other devices, or with another driver, is refused, too.
   bool strict_device = false;

@@ -21,7 +21,7 @@ namespace gearsweep {
 // phase 0 on,
 // by cubic Hermite interpolation between the steps.
 //
-// Of `options`, the first device and stop are used; nothing when stopped. Throws InputError, also
+// It uses the first device and stop of `options`; nothing when stopped. Throws InputError, also
 // for a trace that the machine's memory cannot hold, and RunError when the point diverges.
 std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_period,
                                const SweepOptions& options);

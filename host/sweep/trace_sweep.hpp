@@ -17,7 +17,7 @@ using TakeTrace = std::function<void(std::size_t point, const Trace* trace)>;
 // many evenly spaced moments in each forcing period (see run_trace()), and is shown to `take`, in
 // the order of the points. One trace at a time is held. The study's step is settled.
 //
-// Of `options`, the first device and stop are used; false when stopped. Throws InputError and
+// It uses the first device and stop of `options`; false when stopped. Throws InputError and
 // RunError.
 bool sweep_traces(const Study& study, std::size_t samples_per_period, const SweepOptions& options,
                   const TakeTrace& take);

@@ -123,11 +123,11 @@ class Gear:
         InputError
             The result has no such quantity.
         """
-        from gearsweep._order_plot import draw_orders, is_order_map
+        from gearsweep._order_plot import plot_orders, is_order_map
         from gearsweep._plot import draw
 
         if is_order_map(self._maps):
-            return draw_orders(
+            return plot_orders(
                 self._maps, quantity, ax=ax, colormap=colormap, limits=range, title=title
             )
         return draw(

@@ -54,15 +54,15 @@ def draw_curve(
         ax.set_yticks(numpy.arange(len(names)), [_core.literal_label(one) for one in names])
         ax.set_ylim(-0.5, len(names) - 0.5)
     elif shown.dimension == "sample":
-        _draw_dots(ax, x, shown.values)
+        _plot_dots(ax, x, shown.values)
     elif shown.values.ndim == 2:
-        _draw_parts(ax, x, shown, "o" if is_list else "-", size)
+        _plot_parts(ax, x, shown, "o" if is_list else "-", size)
     else:
         line = "o" if is_list else "o-" if len(x) <= _FEW_POINTS else "-"
         curve = ax.plot(x, shown.values, line, color=_core.CURVE_COLOUR, markersize=size)
         if band is not None:
             curve[0].set_label(_core.NOMINAL_MEANING)
-            key = [*curve, *_draw_band(ax, x, band, is_list or len(x) == 1)]
+            key = [*curve, *_plot_band(ax, x, band, is_list or len(x) == 1)]
     if classes is None:
         ends = (shown.values,) if band is None else (shown.values, band.low, band.high)
         values = numpy.concatenate([one.ravel() for one in ends])
@@ -86,7 +86,7 @@ def draw_curve(
     return list(key)
 
 
-def _draw_band(
+def _plot_band(
     ax: matplotlib.axes.Axes, x: NDArray[Any], band: Band, has_bars: bool
 ) -> list[Any]:
     """Behind the curve, with bars where neighbours have nothing in common; returns its key."""
@@ -120,7 +120,7 @@ def _limit_values(
     ax.set_ylim(*limits)
 
 
-def _draw_dots(ax: matplotlib.axes.Axes, x: NDArray[Any], samples: NDArray[Any]) -> None:
+def _plot_dots(ax: matplotlib.axes.Axes, x: NDArray[Any], samples: NDArray[Any]) -> None:
     """Where many samples fall on one place the dots are dark, where they spread they are pale."""
     count = samples.size
     diameter = 1.8 if count < _FEW_DOTS else 1.0  # points
@@ -140,7 +140,7 @@ def _draw_dots(ax: matplotlib.axes.Axes, x: NDArray[Any], samples: NDArray[Any])
     )
 
 
-def _draw_parts(
+def _plot_parts(
     ax: matplotlib.axes.Axes, x: NDArray[Any], shown: Shown, line: str, size: float
 ) -> None:
     """The first curve stands over the others."""

@@ -19,7 +19,7 @@ _FEW_CLASSES = 6
 _LONG_NAME = 18
 
 
-def draw_heat_map(
+def plot_heat_map(
     maps: xarray.Dataset,
     shown: Shown,
     missing: Missing,

@@ -30,7 +30,7 @@ def is_order_map(maps: xarray.Dataset) -> bool:
     return maps.attrs.get("content") == _CONTENT
 
 
-def draw_orders(
+def plot_orders(
     maps: xarray.Dataset,
     quantity: str | None,
     *,

@@ -9,7 +9,7 @@ import xarray
 from gearsweep._curve import draw_curve
 from gearsweep._errors import InputError
 from gearsweep._frame import draw_heading, draw_key, label_axis
-from gearsweep._heat_map import draw_heat_map
+from gearsweep._heat_map import plot_heat_map
 from gearsweep._shown import Limits, across_of, axes_of, find_band, find_shown, missing_in
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def draw(
         ax = _new_axes()
     remark = ""
     if len(axes) == 2:
-        key, remark = draw_heat_map(maps, shown, missing, ax, colormap, limits, is_log)
+        key, remark = plot_heat_map(maps, shown, missing, ax, colormap, limits, is_log)
     elif colormap is not None:
         raise InputError("colormap: a curve has none; it is for maps over two axes")
     else:

@@ -292,7 +292,7 @@ class FaultyGears : public ::testing::Test {
     Model header, file;
     ModelSetting own;  // of the file
   };
-  Pair draw_pair() {
+  Pair plot_pair() {
     const Model& plain = handwritten();
     const Model& text = *find_model("gear5");
     draw(plain);
@@ -315,7 +315,7 @@ class FaultyGears : public ::testing::Test {
 
 TEST_F(FaultyGears, AreThoseOfTheHeader) {
   for (int i = 0; i < 60; ++i) {
-    const Pair pair = draw_pair();
+    const Pair pair = plot_pair();
     ASSERT_EQ(pair.header.check(setting_), "") << i;
     ASSERT_EQ(pair.file.check(pair.own), "") << i;
     for (int place = 0; place < 40; ++place) {
@@ -340,7 +340,7 @@ TEST_F(FaultyGears, JumpWhereTheHeaderDoes) {
     return all;
   };
   for (int i = 0; i < 40; ++i) {
-    const Pair pair = draw_pair();
+    const Pair pair = plot_pair();
     const std::vector<double> found = phases_of(pair.file, pair.own);
     const std::vector<double> wanted = phases_of(pair.header, setting_);
     for (const double phase : wanted) {

@@ -71,14 +71,14 @@ void read_maps(const std::string& path) {
 void read_all_traces(const std::string& path) {
   read_traces(path);
   for (const char* kind : {"time", "phase", "section", "spectrum", "force", "portrait"}) {
-    attempt([&] { draw_traces(Page({}, PictureFormat::kPdf), request_for(path, kind)); });
+    attempt([&] { plot_traces(Page({}, PictureFormat::kPdf), request_for(path, kind)); });
   }
 }
 
 void read_all_orders(const std::string& path) {
   read_orders(path);
   for (const char* upright : {"frequency", "order"}) {
-    attempt([&] { draw_orders(request_for(path, upright)); });
+    attempt([&] { plot_orders(request_for(path, upright)); });
   }
 }
 

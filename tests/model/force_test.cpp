@@ -28,7 +28,7 @@ class Force : public ::testing::TestWithParam<std::string> {
 
   // A point of its own for each trial: shafts apart and together, backlash and centre distance
   // small and large.
-  void draw_point() {
+  void plot_point() {
     set_parameter(&setting_, "b", std::pow(10.0, -2.0 + 2.0 * uniform_(random_)));
     set_parameter(&setting_, "A", std::pow(10.0, 1.0 + 3.0 * uniform_(random_)));
     point_ = gear5().prepare(setting_);
@@ -47,7 +47,7 @@ class Force : public ::testing::TestWithParam<std::string> {
     return {signal("deflection"), signal("backlash"), signal("dmf") / signal("mesh_stiffness")};
   }
 
-  double draw_deflection() { return 3.0 * (2.0 * uniform_(random_) - 1.0); }
+  double plot_deflection() { return 3.0 * (2.0 * uniform_(random_) - 1.0); }
 
   std::mt19937 random_{5};
   std::uniform_real_distribution<double> uniform_{0.0, 1.0};
@@ -63,8 +63,8 @@ constexpr double kRounding = 4e-15;
 TEST_P(Force, IsWhatBothFlanksGive) {
   int gaps = 0, wedged = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    draw_point();
-    const Contact c = at(draw_deflection());
+    plot_point();
+    const Contact c = at(plot_deflection());
     ASSERT_NEAR(c.f, std::max(c.D - c.b, 0.0) + std::min(c.D + c.b, 0.0), kRounding)
         << "D " << c.D << ", b' " << c.b;
     if (std::abs(c.D) < c.b) ++gaps;
@@ -76,8 +76,8 @@ TEST_P(Force, IsWhatBothFlanksGive) {
 
 TEST_P(Force, IsOdd) {
   for (int trial = 0; trial < kTrials; ++trial) {
-    draw_point();
-    const double D = draw_deflection();
+    plot_point();
+    const double D = plot_deflection();
     ASSERT_NEAR(at(D).f, -at(-D).f, kRounding) << "D " << D << ", b' " << at(D).b;
   }
 }
@@ -86,9 +86,9 @@ TEST_P(Force, IsOdd) {
 // the shafts too, so that b' changes: no jump anywhere, at b' = 0 neither.
 TEST_P(Force, IsContinuousInDeflectionAndBacklash) {
   for (int trial = 0; trial < kTrials; ++trial) {
-    draw_point();
+    plot_point();
     const double b = at(0.0).b;
-    const double edges[] = {b, -b, 0.0, draw_deflection()};
+    const double edges[] = {b, -b, 0.0, plot_deflection()};
     const double D = edges[trial % 4];
     const Contact here = at(D);
     state_[3] += trial % 8 < 4 ? 1e-6 : -1e-6;

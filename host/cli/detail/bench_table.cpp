@@ -72,7 +72,7 @@ std::vector<std::string> cells_of(const BenchedDevice& device, const std::string
   return {median_of(*row), spread_of(*row), remarks_of(*row, is_alone)};
 }
 
-// Of all devices, in the order of the first that has them.
+// The names of all devices' kernels, in the order of the first that has them.
 std::vector<std::string> names_of(const std::vector<BenchedDevice>& devices) {
   std::vector<std::string> names;
   for (const BenchedDevice& device : devices) {

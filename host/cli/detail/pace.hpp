@@ -18,8 +18,8 @@ struct Pace {
 // another, and counts down in between.
 class PaceMeter {
  public:
-  // Of the progress that is told now; nothing while there is too little to measure, or when it
-  // takes longer than was measured.
+  // The pace of the progress that is told now; nothing while there is too little to measure, or
+  // when it takes longer than was measured.
   std::optional<Pace> at(const SweepProgress& progress);
 
  private:

@@ -165,8 +165,9 @@ std::string describe_unstable_starts(const SweepResult& result) {
       count, result.status.size());
 }
 
-// Of each quantity of a signal: the points that are ok at which it is infinite or no number. The
-// motion is all right there, but what the signal is made of is not, such as 1/x at x = 0.
+// Counts, for each quantity of a signal, the points that are ok at which it is infinite or no
+// number. The motion is all right there, but what the signal is made of is not, such as 1/x at x =
+// 0.
 std::vector<Count> count_not_finite(const SweepResult& result) {
   std::vector<Count> counts;
   for (std::size_t i = 0; i < result.values.size(); ++i) {

@@ -15,8 +15,8 @@ class Quotients {
   // Both must outlive the object, and the formula's graph gains the quotients.
   Quotients(Formula* formula, const Border& border);
 
-  // Of the difference of two nodes, exactly or to first order in lhs - rhs. Nothing where the graph
-  // does not show one.
+  // The quotient of the difference of two nodes, exactly or to first order in lhs - rhs. Nothing
+  // where the graph does not show one.
   std::optional<NodeId> of(NodeId a, NodeId b);
 
  private:
@@ -28,7 +28,7 @@ class Quotients {
   std::optional<NodeId> look(NodeId a, NodeId b);
   std::optional<NodeId> of(NodeId id);
   std::optional<NodeId> look(NodeId id);
-  // Of what numbers alone make of the left side.
+  // The line that numbers alone make of the left side.
   std::optional<Line> line_of(NodeId id);
   std::optional<Line> look_for_line(NodeId id);
   // c of what is c*(lhs - rhs) but for rounding, where rhs is a number.

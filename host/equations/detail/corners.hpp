@@ -32,7 +32,8 @@ struct Corners {
 // More than these would take the device's compiler too long.
 inline constexpr std::size_t kMaxCorners = 16;
 
-// Of these equations, which are simplified. Adds nothing to the graph where nothing is listed.
+// The corners of these equations, which are simplified. Adds nothing to the graph where nothing is
+// listed.
 Corners find_corners(Formula* formula, const std::vector<NodeId>& equations);
 
 }  // namespace gearsweep

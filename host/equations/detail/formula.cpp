@@ -192,7 +192,8 @@ class FormulaReader {
     return value_of(*constant);
   }
 
-  // Of choices that are made, and of curves: option.choice and curve.given.
+  // Whether a condition on choices that are made, or on curves, holds: option.choice and
+  // curve.given.
   std::optional<bool> known_condition(const std::string& name) const {
     for (const std::string& curve : definition_.curves) {
       if (name == curve + ".given") return definition_.given_curves.contains(curve);

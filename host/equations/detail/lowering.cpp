@@ -280,7 +280,7 @@ class Lowering {
     return is_negative ? graph_->make(Operation::negate, {all}) : all;
   }
 
-  // Of what is known to be a parameter.
+  // False for what is known to be a parameter that is never negative.
   bool may_be_negative(NodeId id) const {
     const auto field = std::ranges::find(lowered_.point, id);
     if (field == lowered_.point.end()) return true;

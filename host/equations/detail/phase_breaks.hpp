@@ -67,8 +67,8 @@ class PhaseBreaks {
     table   // phases of a table, in each turn
   };
 
-  // Of places: value(a) + sign value(b) + offset; where it is at one of its levels, there may be a
-  // break.
+  // A function of places: value(a) + sign value(b) + offset; where it is at one of its levels,
+  // there may be a break.
   struct Function {
     std::size_t a = 0, b = 0;
     double sign = 0.0, offset = 0.0;

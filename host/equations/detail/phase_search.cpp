@@ -152,7 +152,7 @@ class PhaseBreaks::Search {
     return seen;
   }
 
-  // Of what does not only choose.
+  // The value of what does not only choose.
   static double compute(const Step& step, double a, double b) {
     return apply(step.operation, a, b, 0.0);
   }

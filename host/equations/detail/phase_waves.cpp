@@ -110,7 +110,7 @@ bool PhaseWaves::breaks_off(const Tape& values, const Stretch& first, const Stre
   return false;
 }
 
-// Of each root, whether its value differs between the periods.
+// Tells of each root whether its value differs between the periods.
 std::vector<bool> PhaseWaves::differ(const Tape& values, const Stretch& stretch) const {
   constexpr double kRounding = 1e-9;
   std::vector<double> given = stretch.inputs, found(2 * roots_);

@@ -15,10 +15,10 @@ struct PhaseSymbols {
   NodeId phase, turn, cycle;
 };
 
-// Of some expressions of the phase and of parameters: sines, cosines and tangents of what grows
-// steadily with the phase. With a factor that is not whole, such as sin(0.7*phase), one is nearly
-// surely meant as a function of time: the phase begins anew in each period, and the wave with it. A
-// value type; the graph is not needed any more.
+// The waves of some expressions of the phase and of parameters: sines, cosines and tangents of what
+// grows steadily with the phase. With a factor that is not whole, such as sin(0.7*phase), one is
+// nearly surely meant as a function of time: the phase begins anew in each period, and the wave
+// with it. A value type; the graph is not needed any more.
 class PhaseWaves {
  public:
   PhaseWaves() = default;

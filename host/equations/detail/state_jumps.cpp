@@ -10,7 +10,7 @@
 namespace gearsweep {
 namespace {
 
-// Of equations with these options: all that jumps in what no choice takes away.
+// The jumps of equations with these options: all that jumps in what no choice takes away.
 std::vector<RoughPlace> jumps_with(const ModelSetting& setting, const ModelDefinition& definition,
                                    Formula formula) {
   std::map<NodeId, NodeId> choices;

@@ -7,7 +7,7 @@
 
 namespace gearsweep {
 
-// Of what kernels work out, each operation once.
+// Counts what kernels work out, each operation once.
 StepWork step_work_of(const Formula& formula, const Lowered& lowered,
                       const TangentProgram& tangent);
 

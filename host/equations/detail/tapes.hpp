@@ -17,12 +17,12 @@
 namespace gearsweep {
 
 struct Tapes {
-  // Of parameters and choices of options; checks: whether each holds, then the values of all of
-  // their messages; coefs: then of the turn, a phase inside and the phase.
+  // Functions of parameters and choices of options; checks: whether each holds, then the values of
+  // all of their messages; coefs: then of the turn, a phase inside and the phase.
   Tape period, cycle, start, jumps, checks, coefs, point;
-  // Of states, point and coefs.
+  // Functions of states, point and coefs.
   Tape rhs, jacobian, signals;
-  // Of coefs, given the turn, too.
+  // What coefs have, given the turn, too.
   PhaseBreaks breaks;
   PhaseWaves waves;
   struct OfContact {

@@ -44,7 +44,8 @@ bool has_positions_first(const Reduction& reduction, std::size_t states) {
   return true;
 }
 
-// What driving.h wants to know of a reduced model, and the places of the states that it keeps.
+// What reduced_model.h wants to know of a reduced model, and the places of the states that it
+// keeps.
 void write_reduction(const Model& model, std::ostream& out) {
   const Reduction& reduction = model.reduction;
   std::vector<std::string> whole(model.whole->states.size(), "(real)(0)");
@@ -59,7 +60,7 @@ void write_reduction(const Model& model, std::ostream& out) {
   out << fmt::format("#define KEPT_COUNT {}\n#define KEPT_STATES {{{}}}\n", model.states.size(),
                      kept);
   out << fmt::format("#define WHOLE_STATE(x) {{{}}}\n", fmt::join(whole, ", "));
-  out << "#include \"driving.h\"\n";
+  out << "#include \"reduced_model.h\"\n";
   for (std::size_t i = 0; i < model.states.size(); ++i) {
     out << fmt::format("#define STATE_{} {}\n", model.name_in_kernel(model.states[i].name), i);
   }

@@ -20,8 +20,8 @@ struct LinearBlock {
   Tape values;  // the entries, given all parameters of the model
 };
 
-// Of a study: parameters that are the same at all points count as their numbers, so that a
-// coefficient of 0 takes part in nothing.
+// The structure of a study: parameters that are the same at all points count as their numbers, so
+// that a coefficient of 0 takes part in nothing.
 class Structure {
  public:
   explicit Structure(const Study& study);

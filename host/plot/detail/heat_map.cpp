@@ -172,7 +172,7 @@ std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar,
 }
 
 // The bar is a plot of its own; its axes x1 and y1 go from 0 to 1.
-std::string draw_bar(const Page& page, const Colours& colours, const Frame& whole, double height,
+std::string plot_bar(const Page& page, const Colours& colours, const Frame& whole, double height,
                      const std::vector<std::string>& label, PlotScript* script) {
   const double pointed = colours.range.clipped ? 0.8 * page.em() : 0.0;
   const Frame frame{whole.left, whole.right, whole.bottom + pointed, whole.top - pointed};
@@ -258,7 +258,7 @@ std::vector<std::string> one_line(const std::optional<std::string>& given,
 
 }  // namespace
 
-PlotScript draw_heat_map(const Page& page, const Picture& picture) {
+PlotScript plot_heat_map(const Page& page, const Picture& picture) {
   const ResultMap& map = picture.map;
   const PlotStyle& style = page.style();
   const Colours colours(page, map);
@@ -309,8 +309,8 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
   frame.bottom = key_height(page, key) + bottom_room(page, x);
 
   script.text = "set multiplot\n" + panel_lines(page, frame, script.height, x, y) +
-                draw_heading(page, heading, frame, script.height) +
-                draw_key(page, key, script.height) + colours.palette();
+                plot_heading(page, heading, frame, script.height) +
+                plot_key(page, key, script.height) + colours.palette();
   if (!picture.missing.note.empty()) script.text += missing_ground(colours);
   for (const MapLine& line : picture.lines) {
     script.text += line_label(page, line, x.range, y.range);
@@ -321,7 +321,7 @@ PlotScript draw_heat_map(const Page& page, const Picture& picture) {
   script.text += add_contours(page, colours, map, &script) + add_lines(picture, &script) + "\n";
   if (has_bar) {
     const Frame bar{frame.right + gap, frame.right + gap + bar_width, frame.bottom, frame.top};
-    script.text += draw_bar(page, colours, bar, script.height, label, &script);
+    script.text += plot_bar(page, colours, bar, script.height, label, &script);
   }
   script.text += "unset multiplot\n";
   return script;

@@ -99,7 +99,7 @@ std::string cut_remark(const ResultFile& file, const Cut& cut, bool is_si) {
                      shown);
 }
 
-// Of a curve whose quantity has percentiles in the file.
+// The band of a curve whose quantity has percentiles in the file.
 std::optional<CurveBand> read_band(const ResultFile& file, const std::optional<Cut>& cut,
                                    const ResultMap& map, bool is_si) {
   if (!map.flags.empty() || map.part_count() > 1) return std::nullopt;
@@ -249,11 +249,11 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
     Picture picture = read_picture(request.paths.front(), request.quantity, request);
     if (picture.map.axes.size() == 2) {
       request.style.refuse_band();
-      return draw_heat_map(page, picture);
+      return plot_heat_map(page, picture);
     }
     const Stack stack = {{{std::move(picture)}}, {""}};
     ensure_band(stack.panels, request.style);
-    return draw_stack(page, stack);
+    return plot_stack(page, stack);
   }
   ensure_tellable(request.paths.size());
   constexpr std::size_t kMaxPanels = 8;
@@ -276,7 +276,7 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
   stack.names = stack.upwards && request.style.legend.empty()
                     ? names_of_directions(*stack.upwards, axis)
                     : names_of(stack.panels.front(), request);
-  return draw_stack(page, stack);
+  return plot_stack(page, stack);
 }
 
 }  // namespace gearsweep

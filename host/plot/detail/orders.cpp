@@ -195,7 +195,7 @@ void add_lines(const StoredOrders& stored, const Upright& upright, const std::ve
 
 }  // namespace
 
-PlotScript draw_orders(const PlotRequest& request) {
+PlotScript plot_orders(const PlotRequest& request) {
   if (request.paths.size() > 1) {
     throw InputError("an order map fills its picture; draw one file at a time");
   }
@@ -251,7 +251,7 @@ PlotScript draw_orders(const PlotRequest& request) {
       }
     }
   }
-  return draw_heat_map(Page(style, picture_format(request.output_path), usual_width(request)),
+  return plot_heat_map(Page(style, picture_format(request.output_path), usual_width(request)),
                        picture);
 }
 

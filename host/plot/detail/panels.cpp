@@ -309,7 +309,7 @@ double panel_height(std::size_t panels) { return panels == 1 ? 0.5 : panels == 2
 
 }  // namespace
 
-PlotScript draw_stack(const Page& page, const Stack& stack) {
+PlotScript plot_stack(const Page& page, const Stack& stack) {
   const double em = page.em(), gap = 0.8 * em;
   const auto count = static_cast<double>(stack.panels.size());
   std::vector<Panel> panels;
@@ -351,8 +351,8 @@ PlotScript draw_stack(const Page& page, const Stack& stack) {
     own_x.has_numbers = is_last;
     if (!is_last) own_x.label.clear();
     script.text += panel_lines(page, frame, script.height, own_x, panel.axis());
-    if (i == 0) script.text += draw_heading(page, heading, frame, script.height);
-    if (is_last) script.text += draw_key(page, key, script.height);
+    if (i == 0) script.text += plot_heading(page, heading, frame, script.height);
+    if (is_last) script.text += plot_key(page, key, script.height);
     const ResultMap& first = panel.layers.front().map;
     if (!first.is_poincare()) script.text += grid_lines();
     if (!panel.classes && panel.y.range.min < 0.0 && panel.y.range.max > 0.0 &&

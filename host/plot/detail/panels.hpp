@@ -18,6 +18,6 @@ struct Stack {
   std::optional<std::size_t> upwards = {};
 };
 
-PlotScript draw_stack(const Page& page, const Stack& stack);
+PlotScript plot_stack(const Page& page, const Stack& stack);
 
 }  // namespace gearsweep

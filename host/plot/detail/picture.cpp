@@ -48,7 +48,7 @@ double head_room(const Page& page, const std::vector<std::string>& lines) {
   return lines.empty() ? 0.7 * page.em() : heading_height(page, lines) + 0.3 * page.em();
 }
 
-std::string draw_heading(const Page& page, const std::vector<std::string>& lines,
+std::string plot_heading(const Page& page, const std::vector<std::string>& lines,
                          const Frame& frame, double height) {
   std::string text;
   double y = frame.top + heading_height(page, lines);
@@ -101,7 +101,7 @@ double key_height(const Page& page, const std::vector<KeyEntry>& entries) {
   return page.em() * (kKeyLine * static_cast<double>(grid_of(page, entries).rows) + 0.3);
 }
 
-std::string draw_key(const Page& page, const std::vector<KeyEntry>& entries, double height) {
+std::string plot_key(const Page& page, const std::vector<KeyEntry>& entries, double height) {
   if (entries.empty()) return "";
   const KeyGrid grid = grid_of(page, entries);
   const double em = page.em();

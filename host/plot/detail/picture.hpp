@@ -34,7 +34,7 @@ struct MapLine {
   std::string label;  // markup, at the last point in the picture; may be empty
 };
 
-// Of tolerances, around a curve.
+// The band of tolerances around a curve.
 struct CurveBand {
   ResultMap low, high;
   std::optional<ResultMap> median;
@@ -49,7 +49,7 @@ struct Picture {
   std::string remark;                  // such as "b = 0.7"; may be empty
   std::string settings;                // of the study, as TOML
   std::optional<CurveBand> band = {};  // of a curve alone
-  // Of a map of two axes: what is drawn over it, what the key says of that, and markup in place of
+  // For a map of two axes: what is drawn over it, what the key says of that, and markup in place of
   // the usual label of the bar.
   std::vector<MapLine> lines = {};
   std::vector<KeyEntry> key = {};
@@ -64,7 +64,7 @@ struct PlotScript {
   double height = 0.0;  // of the picture, in points
 };
 
-PlotScript draw_heat_map(const Page& page, const Picture& picture);
+PlotScript plot_heat_map(const Page& page, const Picture& picture);
 
 // Markup of the lines above a picture: the title, and below it smaller, unless the picture is for
 // print, what is shown; then where. What is empty is left out.
@@ -74,12 +74,12 @@ double heading_height(const Page& page, const std::vector<std::string>& lines);
 // What they need between a frame and the page's top edge, a margin included.
 double head_room(const Page& page, const std::vector<std::string>& lines);
 // "set label" lines, above a frame.
-std::string draw_heading(const Page& page, const std::vector<std::string>& lines,
+std::string plot_heading(const Page& page, const std::vector<std::string>& lines,
                          const Frame& frame, double height);
 
 // The key, at the foot of a picture.
 double key_height(const Page& page, const std::vector<KeyEntry>& entries);
-std::string draw_key(const Page& page, const std::vector<KeyEntry>& entries, double height);
+std::string plot_key(const Page& page, const std::vector<KeyEntry>& entries, double height);
 
 struct PanelAxis {
   std::vector<std::string> label;  // markup, in lines

@@ -140,7 +140,7 @@ void lay_out(const Page& page, const TracePicture& picture, const std::vector<Tr
       all.right = page.width() - edge_room(page);
       all.top = top;
       script->text +=
-          draw_heading(page, heading, all, script->height) + draw_key(page, key, script->height);
+          plot_heading(page, heading, all, script->height) + plot_key(page, key, script->height);
     }
     if (!is_alone) {
       script->text += page.label_at(frame.left, frame.top + 0.5 * grid.caption, script->height,

@@ -86,7 +86,7 @@ PanelAxis across_axis(const Page& page, const TracePicture& picture, const Value
           shown_range(range, page.style().xrange, "--xrange")};
 }
 
-// Of a section, but not so narrow that an orbit's rounding would fill it.
+// The range of a section, but not so narrow that an orbit's rounding would fill it.
 ValueRange section_range(const std::vector<double>& section, const std::vector<double>& trace) {
   constexpr double kNarrowest = 0.02;  // of the whole motion
   ValueRange range = padded_range(section);

@@ -24,7 +24,7 @@ struct TracePicture {
   std::string forcing;  // whose frequency orders are multiples of: "mesh" or "forcing"
   std::string period;   // whose period time is counted in; a shaft's forcing is several of the mesh
   double orders = 10.0;  // the highest of a spectrum
-  // Of a portrait, how many periods at most its histories show: less would be too little for the
+  // How many periods at most the histories of a portrait show: less would be too little for the
   // other panels.
   std::size_t recent = 10;
 };
@@ -64,7 +64,7 @@ void lay_out(const Page& page, const TracePicture& picture, const std::vector<Tr
 int find_channel(const Trace& trace, const std::string& name);
 // The channel that is the force between the teeth, of several the first; nullptr: there is none.
 const ChannelInfo* force_of(const Trace& trace);
-// Of a channel that the trace has.
+// The values of a channel that the trace has.
 const std::vector<double>& values_of(const Trace& trace, const std::string& name);
 // All layers' values of a channel.
 std::vector<double> all_values(const TracePicture& picture, const std::string& name);

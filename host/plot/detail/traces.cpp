@@ -186,7 +186,7 @@ double usual_width(const PlotRequest& request) {
   return split(request.quantity, ':').front() == kPortrait ? kTwoColumns : kUsualWidth;
 }
 
-PlotScript draw_traces(const Page& page, const PlotRequest& request) {
+PlotScript plot_traces(const Page& page, const PlotRequest& request) {
   if (request.at) {
     throw InputError("--at cuts maps, and this file holds traces; 'gearsweep trace' takes --at");
   }

@@ -25,7 +25,7 @@ class Channel {
   Eigen::Index index_;
 };
 
-// Of a channel, or of anything else that a moment has.
+// The curve of a channel, or of anything else that a moment has.
 template <class Value>
 StepCurve curve_of(const TrajectoryStep& step, const Value& value) {
   std::optional<double> earlier;

@@ -47,8 +47,8 @@ class LyapunovMax final : public ReferenceObservable {
     return kCaution * (max - min) / static_cast<double>(rates_.size());
   }
 
-  // Of the mean of 16 (or a few more) blocks that do not overlap; what is left of the periods
-  // takes no part.
+  // The standard error of the mean of 16 (or a few more) blocks that do not overlap; what is left
+  // of the periods takes no part.
   double standard_error() const {
     constexpr std::size_t kBlocks = 16;
     const std::size_t length = std::max<std::size_t>(1, rates_.size() / kBlocks);

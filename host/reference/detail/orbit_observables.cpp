@@ -203,7 +203,7 @@ class Motion final : public SectionObservable {
     return undecided;
   }
 
-  // Of the section in one half of the record.
+  // The extent of the section in one half of the record.
   double extent(bool is_first) const {
     const std::size_t middle = sections().last() / 2;
     return is_first ? sections().extent(0, middle)

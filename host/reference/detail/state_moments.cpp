@@ -66,7 +66,7 @@ class StateMoments final : public ReferenceObservable {
     weights_.push_back(weight);
   }
 
-  // Of the mean of `values`, by the spread of the blocks' means.
+  // The error of the mean of `values`, by the spread of the blocks' means.
   double error_of(const Eigen::ArrayXd& values, std::size_t blocks, std::size_t length) const {
     Eigen::ArrayXd means(static_cast<Eigen::Index>(blocks));
     std::size_t begin = 0;

@@ -7,7 +7,7 @@
 namespace gearsweep {
 namespace {
 
-// Of a function that is positive at one end and not at the other, to rounding.
+// The zero of a function that is positive at one end and not at the other, to rounding.
 template <class Function>
 double bisect(double from, double to, const Function& function) {
   const bool is_positive = function(from) > 0.0;

@@ -88,7 +88,7 @@ double Trajectory::beyond(const ContactLimit& limit, std::size_t row,
   return places[deflection] - limit.flank * places[deflection + 1];
 }
 
-// Of the contacts that the model shows; corners are none of them.
+// Compares the contacts that the model shows; corners are none of them.
 bool Trajectory::same_contact(const Moment& a, const Moment& b) const {
   return std::ranges::all_of(contacts_, [&](const ContactInfo& contact) {
     const auto touches = [&](const Moment& moment, double flank) {

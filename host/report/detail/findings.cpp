@@ -21,7 +21,7 @@ double period_at(const Plan& plan, std::size_t point) {
   return plan.study().model->period(plan.setting_of(point));
 }
 
-// Of what an engineer asks for, what the model has: the force first, which tells the worst speeds.
+// What an engineer asks for and the model has: the force first, which tells the worst speeds.
 std::vector<std::string> report_quantities(const Model& model) {
   const std::string& first = model.states.front().name;
   const std::vector<Quantity> offered = offered_quantities(model);

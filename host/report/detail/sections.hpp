@@ -13,7 +13,7 @@ void add_data(const ReportFindings& findings, HtmlPage* page);
 void add_natural_frequencies(const ReportFindings& findings, HtmlPage* page);
 void add_forces(const ReportFindings& findings, HtmlPage* page);
 void add_worst_speeds(const ReportFindings& findings, HtmlPage* page);
-// Of a study without tolerances it adds nothing.
+// Adds nothing for a study without tolerances.
 void add_tolerances(const ReportFindings& findings, HtmlPage* page);
 void add_order_map(const ReportFindings& findings, HtmlPage* page);
 void add_directions(const ReportFindings& findings, HtmlPage* page);

@@ -8,7 +8,7 @@
 namespace gearsweep {
 namespace {
 
-// Of a share of points: "holds" from `whole`, "in part" from `part` on.
+// The verdict on a share of points: "holds" from `whole`, "in part" from `part` on.
 Verdict by_share(double share, double whole = 0.8, double part = 0.5) {
   if (share >= whole) return Verdict::holds;
   return share >= part ? Verdict::in_part : Verdict::does_not_hold;

@@ -50,7 +50,7 @@ void write_difference(const SweepResult& from, const SweepResult& to, const std:
   write_result(difference, path, {"gearsweep reproduce", version(), source_hash()});
 }
 
-void draw_figures(Gallery* gallery) {
+void plot_figures(Gallery* gallery) {
   gallery->heading("Figure 4");
   gallery->add("fig4-rms", {"fig4", "fig4-friction"}, "x1_rms", "RMS of x1");
   gallery->add("fig4-force", {"fig4", "fig4-friction"}, "dmf_max", "Largest meshing force");
@@ -82,7 +82,7 @@ void draw_figures(Gallery* gallery) {
   gallery->add("fig11-force", {"fig11-trace"}, "force", "Meshing force in time", 4);
 }
 
-void draw_beyond(const MeasuredFigures& measured, Gallery* gallery) {
+void plot_beyond(const MeasuredFigures& measured, Gallery* gallery) {
   gallery->heading("Beyond the paper");
   gallery->add("fig9-directions", {"fig9-forward", "fig9-backward"}, "x1_rms",
                "RMS of x1, each point from its neighbour's last state");
@@ -108,10 +108,10 @@ void draw_beyond(const MeasuredFigures& measured, Gallery* gallery) {
 
 }  // namespace
 
-std::string draw_pictures(const MeasuredFigures& measured, const std::string& folder) {
+std::string plot_pictures(const MeasuredFigures& measured, const std::string& folder) {
   Gallery gallery(folder);
-  draw_figures(&gallery);
-  draw_beyond(measured, &gallery);
+  plot_figures(&gallery);
+  plot_beyond(measured, &gallery);
   return gallery.markdown();
 }
 

@@ -9,6 +9,6 @@ namespace gearsweep {
 
 // Draws from the results in `folder`, and returns the Markdown that shows the pictures. Throws
 // RunError.
-std::string draw_pictures(const MeasuredFigures& measured, const std::string& folder);
+std::string plot_pictures(const MeasuredFigures& measured, const std::string& folder);
 
 }  // namespace gearsweep

@@ -81,7 +81,7 @@ class DatasetWriter {
     }
   }
 
-  // Of an element, the last dimension fastest.
+  // The place of an element, the last dimension fastest.
   static std::vector<std::size_t> place_of(std::size_t element,
                                            const std::vector<std::size_t>& shape) {
     std::vector<std::size_t> place(shape.size());

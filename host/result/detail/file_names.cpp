@@ -22,7 +22,7 @@ bool is_taken_in_result(const std::string& name, const Study& study) {
          });
 }
 
-// Of write_traces().
+// Whether write_traces() has a variable of this name.
 bool is_taken_in_traces(const std::string& name, const std::vector<ChannelInfo>& channels) {
   constexpr std::array<std::string_view, 8> kOwn = {"trace",  "moment",  "label", "label_width",
                                                     "period", "settled", "tau",   kMeshPeriods};

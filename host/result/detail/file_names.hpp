@@ -16,10 +16,10 @@ namespace gearsweep {
 inline constexpr const char* kMeshPeriods = "mesh_periods_per_period";
 inline constexpr const char* kRole = "role";  // of a channel (model/role.hpp)
 
-// Of an axis or of a column of points, in the result file of its study.
+// The name of an axis or of a column of points, in the result file of its study.
 std::string name_in_result(const Swept& swept, const Study& study);
 
-// Of a parameter, in a file of traces of these channels.
+// The name of a parameter, in a file of traces of these channels.
 std::string name_in_traces(const std::string& parameter, const std::vector<ChannelInfo>& channels);
 
 }  // namespace gearsweep

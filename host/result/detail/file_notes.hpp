@@ -27,8 +27,8 @@ class FileNotes {
   // the unit has a dimension. Empty is the unit "1".
   std::vector<Attribute> describe(const std::string& unit, const std::string& meaning) const;
 
-  // Of a variable whose values stand along a dimension of channels: their unit where it is one,
-  // else "see LIST_units".
+  // Describes a variable whose values stand along a dimension of channels: their unit where it is
+  // one, else "see LIST_units".
   std::vector<Attribute> describe(const std::vector<ChannelInfo>& channels, const std::string& list,
                                   const std::string& meaning) const;
 

@@ -38,15 +38,15 @@ struct FurthestMap {
 
 class MapErrors {
  public:
-  // Of two runs over the same points. Ranges and periodic points are those of `fine`; a point that
-  // is periodic in `coarse` and diverges in `fine` is judged, too. motion_ranges: of states and
-  // signals along the motions, by name (study/own_step.hpp).
+  // Compares two runs over the same points. Ranges and periodic points are those of `fine`; a point
+  // that is periodic in `coarse` and diverges in `fine` is judged, too. motion_ranges: of states
+  // and signals along the motions, by name (study/own_step.hpp).
   MapErrors(const SweepResult& coarse, const SweepResult& fine, const Tolerances& tolerances,
             const std::map<std::string, double>& motion_ranges = {});
 
   // Points that stopped on a periodic orbit in the run with shorter steps.
   std::size_t points() const { return points_; }
-  // Of these, how many are beyond the tolerance: of the map that has most, and of any map.
+  // How many of these are beyond the tolerance: in the map that has most, and in any map.
   std::size_t beyond() const;
   std::size_t beyond_in_any() const;
   // By quantity, of those that are compared: the error that all but this share of the points keep.

@@ -8,118 +8,118 @@
 
 enum { WHOLE_STATE_COUNT = MODEL_STATE_COUNT };
 
-SHARED_FN void driving_keep(const real* whole, real* x) {
+SHARED_FN void reduced_keep(const real* whole, real* x) {
   const int kept[KEPT_COUNT] = KEPT_STATES;
   UNROLL
   for (int i = 0; i < KEPT_COUNT; ++i) x[i] = whole[kept[i]];
 }
 
-SHARED_FN void driving_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                            real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real slope[WHOLE_STATE_COUNT];
   model_rhs(point, phase, whole, slope);
-  driving_keep(slope, dx);
+  reduced_keep(slope, dx);
 }
 
-SHARED_FN void driving_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                                  real scale, ModelLinear* linear) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_linearize(point, phase, whole, scale, linear);
 }
 
-SHARED_FN void driving_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
+SHARED_FN void reduced_tangent(const ModelPoint* point, const ModelLinear* linear, const real* w,
                                const real* base, real* out) {
   const real whole_w[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
   const real whole_base[WHOLE_STATE_COUNT] = WHOLE_STATE(base);
   real whole_out[WHOLE_STATE_COUNT];
   model_tangent(point, linear, whole_w, whole_base, whole_out);
-  driving_keep(whole_out, out);
+  reduced_keep(whole_out, out);
 }
 
-SHARED_FN void driving_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                                ModelSignals* signals) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_signals(point, phase, whole, signals);
 }
 
-SHARED_FN void driving_take_turns(real* x) {
+SHARED_FN void reduced_take_turns(real* x) {
   real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_take_turns(whole);
-  driving_keep(whole, x);
+  reduced_keep(whole, x);
 }
 
 #ifdef MODEL_CONTACT
-SHARED_FN void driving_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
                                ModelContact* contacts) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_contact(point, phase, whole, contacts);
 }
 
-SHARED_FN void driving_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase,
                                       const real* x, const ModelContact* contacts, real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real slope[WHOLE_STATE_COUNT];
   model_rhs_in_contact(point, phase, whole, contacts, slope);
-  driving_keep(slope, dx);
+  reduced_keep(slope, dx);
 }
 
-SHARED_FN void driving_contact_tangent(const ModelPoint* point, const ModelLinear* linear,
+SHARED_FN void reduced_contact_tangent(const ModelPoint* point, const ModelLinear* linear,
                                        const real* w, ModelContact* added) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
   model_contact_tangent(point, linear, whole, added);
 }
 
-SHARED_FN void driving_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
                                        const real* x, int contact, real* direction) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real whole_direction[WHOLE_STATE_COUNT];
   model_force_direction(point, phase, whole, contact, whole_direction);
-  driving_keep(whole_direction, direction);
+  reduced_keep(whole_direction, direction);
 }
 
-SHARED_FN void driving_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
                                                const real* x, const real* direction, real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   const real whole_direction[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
   real slope[WHOLE_STATE_COUNT];
   model_force_direction_carried(point, phase, whole, whole_direction, slope);
-  driving_keep(slope, dx);
+  reduced_keep(slope, dx);
 }
 
 #ifdef MODEL_CONTACT_FEEDBACK
-SHARED_FN void driving_contact_along(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_contact_along(const ModelPoint* point, const PhaseCoefs* phase,
                                      const real* x, const real* direction, ModelContact* added) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   const real whole_direction[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
   model_contact_along(point, phase, whole, whole_direction, added);
 }
-#define model_contact_along driving_contact_along
+#define model_contact_along reduced_contact_along
 #endif
 
 #ifdef MODEL_FORCE_DIRECTION_VARIES
-SHARED_FN void driving_force_direction_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_force_direction_tangent(const ModelPoint* point, const PhaseCoefs* phase,
                                                const real* x, int contact, const real* w,
                                                real* out) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   const real whole_w[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
   real whole_out[WHOLE_STATE_COUNT];
   model_force_direction_tangent(point, phase, whole, contact, whole_w, whole_out);
-  driving_keep(whole_out, out);
+  reduced_keep(whole_out, out);
 }
-#define model_force_direction_tangent driving_force_direction_tangent
+#define model_force_direction_tangent reduced_force_direction_tangent
 #endif
 
-#define model_contact driving_contact
-#define model_rhs_in_contact driving_rhs_in_contact
-#define model_contact_tangent driving_contact_tangent
-#define model_force_direction driving_force_direction
-#define model_force_direction_carried driving_force_direction_carried
+#define model_contact reduced_contact
+#define model_rhs_in_contact reduced_rhs_in_contact
+#define model_contact_tangent reduced_contact_tangent
+#define model_force_direction reduced_force_direction
+#define model_force_direction_carried reduced_force_direction_carried
 #endif
 
 #define MODEL_STATE_COUNT KEPT_COUNT
-#define model_rhs driving_rhs
-#define model_linearize driving_linearize
-#define model_tangent driving_tangent
-#define model_signals driving_signals
-#define model_take_turns driving_take_turns
+#define model_rhs reduced_rhs
+#define model_linearize reduced_linearize
+#define model_tangent reduced_tangent
+#define model_signals reduced_signals
+#define model_take_turns reduced_take_turns

@@ -1,4 +1,4 @@
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -96,8 +96,8 @@ void bound_resources(const std::string& path) {
   }
 }
 
-// Of the process that reads. What a dying library says is not for the user. Signals that the user
-// sends are for the process that waits, and this one ends with it.
+// All that the process does that reads. What a dying library says is not for the user. Signals that
+// the user sends are for the process that waits, and this one ends with it.
 [[noreturn]] void read_and_exit(const std::string& path, int verdict) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -115,7 +115,7 @@ void bound_resources(const std::string& path) {
 
 }  // namespace
 
-void ensure_undamaged(const std::string& path) {
+void ensure_not_broken(const std::string& path) {
   if (!has_regular_file(path, "a result") || !is_netcdf(path)) return;
   Pipe verdict("the process that reads the file first");
   const pid_t child = fork();

@@ -1,5 +1,5 @@
 // Damaged files: whatever the bytes, they are read or refused, and this process goes on.
-#include "result/damage.hpp"
+#include "result/broken_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ class DamageTest : public IoTest {
       write_bytes("damaged.nc", bytes);
       SCOPED_TRACE(place);
       try {
-        ensure_undamaged(in_folder("damaged.nc"));
+        ensure_not_broken(in_folder("damaged.nc"));
         read(in_folder("damaged.nc"));
         ++fate.read;
       } catch (const InputError&) {
@@ -64,16 +64,16 @@ void read_map(const std::string& path) {
 }
 
 TEST_F(DamageTest, SoundFilesPass) {
-  ensure_undamaged(write(example_result()));
-  ensure_undamaged(write(spectrum_result()));
+  ensure_not_broken(write(example_result()));
+  ensure_not_broken(write(spectrum_result()));
   // More numbers than a block of the first reading holds.
-  ensure_undamaged(write(example_result(1000, 500)));
+  ensure_not_broken(write(example_result(1000, 500)));
 }
 
 TEST_F(DamageTest, WhatIsNoNetcdfFileIsLeftToOthers) {
   write_bytes("study.toml", "[model]\n");
-  ensure_undamaged(in_folder("study.toml"));
-  ensure_undamaged(in_folder("nothing.nc"));
+  ensure_not_broken(in_folder("study.toml"));
+  ensure_not_broken(in_folder("nothing.nc"));
 }
 
 TEST_F(DamageTest, AResultIsReadOrRefusedWhateverItsBytes) {
@@ -103,7 +103,7 @@ TEST_F(DamageTest, TracesAreReadOrRefusedWhateverTheirBytes) {
 TEST_F(DamageTest, ARefusalNamesTheFileAndLeavesNoProcessBehind) {
   const std::string whole = content(write(example_result()));
   write_bytes("half.nc", whole.substr(0, whole.size() / 2));
-  const std::string said = refusal([&] { ensure_undamaged(in_folder("half.nc")); });
+  const std::string said = refusal([&] { ensure_not_broken(in_folder("half.nc")); });
   EXPECT_THAT(said, HasSubstr("half.nc"));
   EXPECT_THAT(said, HasSubstr("damaged, or not written by gearsweep"));
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);

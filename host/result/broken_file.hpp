@@ -11,6 +11,6 @@ namespace gearsweep {
 // meanwhile. Refuses pipes, devices and folders, too; does nothing about other files that are no
 // NetCDF files: whoever opens them refuses that. Throws
 // RunError when no process can be started.
-void ensure_undamaged(const std::string& path);
+void ensure_not_broken(const std::string& path);
 
 }  // namespace gearsweep
