@@ -7,8 +7,8 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "gear/drawing_keys.hpp"
 #include "model/names.hpp"
-#include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -89,6 +89,29 @@ StudyTable parameters_table() {
       "parameters", "[parameters]", "An axis wins over a parameter of the same name.", {parameter}};
 }
 
+std::string type_of(KeyForm form) {
+  switch (form) {
+    case KeyForm::number:
+      return "number";
+    case KeyForm::teeth:
+      return "[pinion, gear]";
+    case KeyForm::pair:
+      return "number or [pinion, gear]";
+    case KeyForm::bearings:
+      return "number or [pinion x, pinion y, gear x, gear y]";
+    case KeyForm::harmonics:
+      return "number or list, harmonic by harmonic";
+    case KeyForm::word:
+      return "string";
+    case KeyForm::mesh_curve:
+      return "file beside the study";
+    case KeyForm::tooth_list:
+      return "file with a number per tooth";
+    default:
+      return "file over the path of contact";
+  }
+}
+
 StudyTable gear_table() {
   StudyTable table{"gear",
                    "[gear]",
@@ -97,7 +120,7 @@ StudyTable gear_table() {
                    "comes about. A value in [parameters] wins over what follows from here.",
                    {}};
   for (const GearKey& key : kGearKeys) {
-    table.keys.push_back({std::string(key.name), std::string(key.type), std::string(key.fallback),
+    table.keys.push_back({std::string(key.name), type_of(key.form), std::string(key.fallback),
                           sentence(key.meaning), key.min, key.max,
                           split_words(std::string(key.choices))});
   }
