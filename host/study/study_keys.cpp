@@ -89,28 +89,16 @@ StudyTable parameters_table() {
       "parameters", "[parameters]", "An axis wins over a parameter of the same name.", {parameter}};
 }
 
-std::string type_of(KeyForm form) {
-  switch (form) {
-    case KeyForm::number:
-      return "number";
-    case KeyForm::teeth:
-      return "[pinion, gear]";
-    case KeyForm::pair:
-      return "number or [pinion, gear]";
-    case KeyForm::bearings:
-      return "number or [pinion x, pinion y, gear x, gear y]";
-    case KeyForm::harmonics:
-      return "number or list, harmonic by harmonic";
-    case KeyForm::word:
-      return "string";
-    case KeyForm::mesh_curve:
-      return "file beside the study";
-    case KeyForm::tooth_list:
-      return "file with a number per tooth";
-    default:
-      return "file over the path of contact";
-  }
-}
+// In the order of KeyForm.
+constexpr std::string_view kForms[] = {"number",
+                                       "[pinion, gear]",
+                                       "number or [pinion, gear]",
+                                       "number or [pinion x, pinion y, gear x, gear y]",
+                                       "number or list, harmonic by harmonic",
+                                       "string",
+                                       "file beside the study",
+                                       "file with a number per tooth",
+                                       "file over the path of contact"};
 
 StudyTable gear_table() {
   StudyTable table{"gear",
@@ -120,8 +108,9 @@ StudyTable gear_table() {
                    "comes about. A value in [parameters] wins over what follows from here.",
                    {}};
   for (const GearKey& key : kGearKeys) {
-    table.keys.push_back({std::string(key.name), type_of(key.form), std::string(key.fallback),
-                          sentence(key.meaning), key.min, key.max,
+    table.keys.push_back({std::string(key.name),
+                          std::string(kForms[static_cast<std::size_t>(key.form)]),
+                          std::string(key.fallback), sentence(key.meaning), key.min, key.max,
                           split_words(std::string(key.choices))});
   }
   table.keys.push_back({"tables", "table", "",

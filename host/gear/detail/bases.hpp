@@ -1,10 +1,8 @@
 // What the equations of motion are scaled by.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gear/detail/geometry.hpp"
+#include "gear/detail/target.hpp"
 
 namespace gearsweep {
 
@@ -20,6 +18,6 @@ struct GearBases {
 
 // measured_stiffness: the mean of it; 0 where there is none. Throws DrawingError.
 GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry, double contact_ratio,
-                   double measured_stiffness, std::vector<std::string>* notes);
+                   double measured_stiffness, GearTarget* target);
 
 }  // namespace gearsweep

@@ -89,7 +89,7 @@ void refuse_interference(const GearDrawing& drawing, const GearGeometry& geometr
 }  // namespace
 
 ContactPath add_contact_path(const GearDrawing& drawing, const GearGeometry& geometry,
-                             GearParameters* parameters, std::vector<std::string>* notes) {
+                             GearTarget* target) {
   const std::vector<double> tips = tips_of(drawing, geometry);
   const std::vector<double> addenda = {tips[0] - geometry.reference(geometry.pinion_teeth),
                                        tips[1] - geometry.reference(geometry.gear_teeth)};
@@ -113,11 +113,11 @@ ContactPath add_contact_path(const GearDrawing& drawing, const GearGeometry& geo
   const std::string formula =
       fmt::format("addenda {:.6g} and {:.6g} mm: eps_a + eps_r = {:.6g} + {:.6g} = {:.6g}",
                   addenda[0], addenda[1], drawn.approach, drawn.recess, from_geometry);
-  notes->push_back(given ? fmt::format("contact ratio {:.6g} as given ({})", eps, formula)
-                         : fmt::format("contact ratio {:.6g} from {}", eps, formula));
-  parameters->add("eps", eps, given ? kContactRatio : tips_from,
-                  given ? "contact_ratio as given" : formula);
-  parameters->add(
+  target->note(given ? fmt::format("contact ratio {:.6g} as given ({})", eps, formula)
+                     : fmt::format("contact ratio {:.6g} from {}", eps, formula));
+  target->add("eps", eps, given ? kContactRatio : tips_from,
+              given ? "contact_ratio as given" : formula);
+  target->add(
       "approach", approach, tips_from,
       fmt::format("eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}", drawn.approach, from_geometry));
   const ContactPath used{approach * eps, (1.0 - approach) * eps};

@@ -1,11 +1,8 @@
 // Where on the line of action teeth are in contact.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gear/detail/geometry.hpp"
-#include "gear/detail/parameters.hpp"
+#include "gear/detail/target.hpp"
 
 namespace gearsweep {
 
@@ -17,6 +14,6 @@ struct ContactPath {
 
 // Adds eps and approach; returns the path of contact in use. Throws DrawingError.
 ContactPath add_contact_path(const GearDrawing& drawing, const GearGeometry& geometry,
-                             GearParameters* parameters, std::vector<std::string>* notes);
+                             GearTarget* target);
 
 }  // namespace gearsweep

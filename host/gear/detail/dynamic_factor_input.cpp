@@ -9,8 +9,7 @@ namespace gearsweep {
 std::optional<DynamicFactorInput> dynamic_factor_input(const GearDrawing& drawing,
                                                        const GearGeometry& geometry,
                                                        const ContactPath& path,
-                                                       const GearBases& bases,
-                                                       std::vector<std::string>* notes) {
+                                                       const GearBases& bases, GearTarget* target) {
   const std::optional<double> pitch = drawing.number(kPitchDeviation);
   const std::optional<double> profile = drawing.number(kProfileDeviation);
   const std::optional<double> relief = drawing.number(kTipRelief);
@@ -34,7 +33,7 @@ std::optional<DynamicFactorInput> dynamic_factor_input(const GearDrawing& drawin
   // The torque's force at the reference circle is smaller than that along the line of action.
   const double to_reference = geometry.pinion_base / geometry.reference(geometry.pinion_teeth);
   out.line_load_per_load = bases.k0 * bases.b_n * to_reference / width;
-  notes->push_back(
+  target->note(
       fmt::format("K_v by ISO 6336-1 method B: c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
                   "eps_gamma = {:.6g}, a line load of {:.4g} N/mm for each N m; after running-in "
                   "f_pb = {:.4g} um, f_falpha = {:.4g} um",

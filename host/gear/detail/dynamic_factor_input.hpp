@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "gear/detail/bases.hpp"
 #include "gear/detail/contact_path.hpp"
@@ -15,7 +13,6 @@ namespace gearsweep {
 std::optional<DynamicFactorInput> dynamic_factor_input(const GearDrawing& drawing,
                                                        const GearGeometry& geometry,
                                                        const ContactPath& path,
-                                                       const GearBases& bases,
-                                                       std::vector<std::string>* notes);
+                                                       const GearBases& bases, GearTarget* target);
 
 }  // namespace gearsweep

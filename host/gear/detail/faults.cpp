@@ -27,7 +27,7 @@ const std::vector<double>* pitch_errors(const GearDrawing& drawing, const GearKe
 
 // A spline through the errors of the teeth, where each enters, and its second derivative.
 void add_pitch_errors(const std::string& gear, const std::vector<double>& errors, double b_n,
-                      Curves* curves) {
+                      GearTarget* target) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   std::vector<TablePoint> points;
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -36,9 +36,9 @@ void add_pitch_errors(const std::string& gear, const std::vector<double>& errors
   }
   const auto table =
       std::make_shared<const PeriodicTable>("pitch errors", points, Interpolation::cubic);
-  (*curves)["pitch_" + gear] = table;
-  (*curves)["pitch_bend_" + gear] =
-      std::make_shared<const PeriodicTable>(table->bend().times(-1.0));
+  target->add_curve("pitch_" + gear, table);
+  target->add_curve("pitch_bend_" + gear,
+                    std::make_shared<const PeriodicTable>(table->bend().times(-1.0)));
 }
 
 // The path of contact, 0 to 1, is half a turn. The other half, which nobody reads, leads back.
@@ -51,7 +51,7 @@ std::shared_ptr<const PeriodicTable> over_half_a_turn(std::vector<TablePoint> po
 
 // The damage of tooth 0 over the path of contact; whether there is one.
 bool add_damage_curve(const GearDrawing& drawing, const GearGeometry& geometry, std::size_t gear,
-                      double factor, Curves* curves) {
+                      double factor, GearTarget* target) {
   const GearKey& key = gear == 0 ? kPinionDamage : kGearDamage;
   const Measured* measured = drawing.measured(key);
   if (measured == nullptr) return false;
@@ -71,14 +71,14 @@ bool add_damage_curve(const GearDrawing& drawing, const GearGeometry& geometry, 
     throw DrawingError(key, fmt::format("{} has {} at {}; a share of the stiffness is from 0 to 1",
                                         key.name, point.value, point.phase));
   }
-  (*curves)[gear == 0 ? "damage_curve_p" : "damage_curve_g"] = over_half_a_turn(points);
+  target->add_curve(gear == 0 ? "damage_curve_p" : "damage_curve_g", over_half_a_turn(points));
   return true;
 }
 
 }  // namespace
 
 bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double b_n,
-                GearParameters* parameters, Curves* curves) {
+                GearTarget* target) {
   const std::vector<double> runout = drawing.pair_or_zero(kRunout);
   const std::vector<double> phase = drawing.pair_or_zero(kRunoutPhase);
   const std::vector<double> damage = drawing.pair_or_zero(kDamage);
@@ -88,28 +88,28 @@ bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string gear = i == 0 ? "p" : "g";
     if (drawing.has(kRunout)) {
-      parameters->add("runout_" + gear, runout[i] * 1e-6 / b_n, kRunout,
-                      fmt::format("{:.6g} m / {:.6g} m", runout[i] * 1e-6, b_n));
+      target->add("runout_" + gear, runout[i] * 1e-6 / b_n, kRunout,
+                  fmt::format("{:.6g} m / {:.6g} m", runout[i] * 1e-6, b_n));
     }
     if (drawing.has(kRunoutPhase)) {
-      parameters->add("runout_phase_" + gear, phase[i] * std::numbers::pi / 180.0, kRunoutPhase,
-                      fmt::format("{:.6g} degrees", phase[i]));
+      target->add("runout_phase_" + gear, phase[i] * std::numbers::pi / 180.0, kRunoutPhase,
+                  fmt::format("{:.6g} degrees", phase[i]));
     }
-    if (drawing.has(kDamage)) parameters->add("damage_" + gear, damage[i], kDamage, "as given");
+    if (drawing.has(kDamage)) target->add("damage_" + gear, damage[i], kDamage, "as given");
     // An axis may begin with 0.
     const std::vector<double>* pitch =
         pitch_errors(drawing, i == 0 ? kPinionPitch : kGearPitch, teeth[i]);
-    if (pitch != nullptr) add_pitch_errors(gear, *pitch, b_n, curves);
+    if (pitch != nullptr) add_pitch_errors(gear, *pitch, b_n, target);
     has_pitch = has_pitch || pitch != nullptr;
     const bool is_damaged =
-        add_damage_curve(drawing, geometry, i, damage[i], curves) || damage[i] > 0.0;
+        add_damage_curve(drawing, geometry, i, damage[i], target) || damage[i] > 0.0;
     const bool turns = drawing.varies(kRunout) || drawing.varies(kDamage) || runout[i] > 0.0 ||
                        is_damaged || pitch != nullptr;
     if (turns) cycle = std::lcm(cycle, static_cast<std::size_t>(teeth[i]));
     is_faulty = is_faulty || turns;
   }
   if (is_faulty) {
-    parameters->add(
+    target->add(
         "cycle", static_cast<double>(cycle), kTeeth,
         fmt::format("mesh periods until all faults come back: {:.6g} turns of the "
                     "pinion, {:.6g} of the gear",

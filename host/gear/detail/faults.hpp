@@ -2,13 +2,13 @@
 #pragma once
 
 #include "gear/detail/geometry.hpp"
-#include "gear/detail/parameters.hpp"
+#include "gear/detail/target.hpp"
 
 namespace gearsweep {
 
 // Adds them, and the cycle; b_n in m. Returns whether there is any runout or pitch error. Throws
 // DrawingError.
 bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double b_n,
-                GearParameters* parameters, Curves* curves);
+                GearTarget* target);
 
 }  // namespace gearsweep

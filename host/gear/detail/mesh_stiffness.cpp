@@ -33,7 +33,7 @@ std::optional<MeasuredCurve> measured_stiffness(const GearDrawing& drawing) {
 }
 
 double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geometry,
-                           double contact_ratio, double measured, std::vector<std::string>* notes) {
+                           double contact_ratio, double measured, GearTarget* target) {
   const bool needs_width = geometry.helix > 0.0 || drawing.has(kPitchDeviation);
   if (drawing.has(kMeshStiffness) && drawing.has(kFaceWidth) && !needs_width) {
     throw DrawingError(
@@ -47,11 +47,11 @@ double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geome
   }
   if (drawing.has(kMeshStiffness)) {
     const double k0 = drawing.required(kMeshStiffness);
-    notes->push_back(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as given", k0));
+    target->note(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as given", k0));
     return k0;
   }
   if (measured > 0.0) {
-    notes->push_back(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as measured", measured));
+    target->note(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as measured", measured));
     return measured;
   }
   if (!drawing.has(kFaceWidth)) {
@@ -70,7 +70,7 @@ double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geome
   const double single = 0.8 * rack / q * slant;
   const double mesh = single * pairs_in_mean(contact_ratio);
   const double k0 = mesh * width * 1e6;
-  notes->push_back(
+  target->note(
       fmt::format("mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
                   "q' = {:.6g} um mm/N, C_B = {:.6g}, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
                   "face width {:.6g} "
@@ -80,19 +80,19 @@ double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geome
 }
 
 void add_stiffness(const GearDrawing& drawing, const std::optional<MeasuredCurve>& stiffness,
-                   double k0, GearConversion* out) {
+                   double k0, GearTarget* target) {
   const auto share = measured_curve(drawing, kLoadShareFile, stiffness_interpolation(drawing));
   const bool keeps = drawing.choice(kStiffnessMean) == "keep";
   if (!stiffness) {
     if (share) throw DrawingError(kLoadShareFile, "load_share_file goes with stiffness_file");
     return;
   }
-  out->curves["measured_stiffness"] = stiffness->in(keeps ? k0 : stiffness->mean);
-  if (share) out->curves["load_share"] = share->in(1.0);
-  out->options.push_back({"stiffness", "table"});
-  out->notes.push_back(fmt::format(
-      "mesh stiffness from '{}': mean {:.6g} N/m, which is {:.6g} k0{}", stiffness->table->name(),
-      stiffness->mean, stiffness->mean / k0, keeps ? "" : ", scaled to k0"));
+  target->add_curve("measured_stiffness", stiffness->in(keeps ? k0 : stiffness->mean));
+  if (share) target->add_curve("load_share", share->in(1.0));
+  target->choose("stiffness", "table");
+  target->note(fmt::format("mesh stiffness from '{}': mean {:.6g} N/m, which is {:.6g} k0{}",
+                           stiffness->table->name(), stiffness->mean, stiffness->mean / k0,
+                           keeps ? "" : ", scaled to k0"));
 }
 
 }  // namespace gearsweep

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "gear/conversion.hpp"
 #include "gear/detail/geometry.hpp"
 #include "gear/detail/measured_curve.hpp"
+#include "gear/detail/target.hpp"
 
 namespace gearsweep {
 
@@ -23,10 +21,10 @@ std::optional<MeasuredCurve> measured_stiffness(const GearDrawing& drawing);
 // cos(beta)). Without either, the mean of what was measured, if that is above 0. Throws
 // DrawingError.
 double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geometry,
-                           double contact_ratio, double measured, std::vector<std::string>* notes);
+                           double contact_ratio, double measured, GearTarget* target);
 
 // The curves of a measured stiffness over k0, if there is one. Throws DrawingError.
 void add_stiffness(const GearDrawing& drawing, const std::optional<MeasuredCurve>& stiffness,
-                   double k0, GearConversion* out);
+                   double k0, GearTarget* target);
 
 }  // namespace gearsweep

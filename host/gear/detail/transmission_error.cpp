@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "gear/detail/measured_curve.hpp"
-#include "model/names.hpp"
 
 namespace gearsweep {
 namespace {
@@ -29,7 +28,7 @@ double power_of(const MeasuredCurve& curve) {
 
 // A second derivative enters: a curve that jumps has none.
 std::vector<Harmonic> measured_error(const GearDrawing& drawing, const MeasuredCurve& curve,
-                                     std::vector<std::string>* notes) {
+                                     GearTarget* target) {
   if (drawing.has(kTransmissionError) || drawing.has(kErrorPhase)) {
     throw DrawingError(
         kErrorFile,
@@ -43,7 +42,7 @@ std::vector<Harmonic> measured_error(const GearDrawing& drawing, const MeasuredC
   const double all = power_of(curve);
   double left = all;
   for (const Harmonic& harmonic : harmonics) left -= 0.5 * harmonic.amplitude * harmonic.amplitude;
-  notes->push_back(fmt::format(
+  target->note(fmt::format(
       "transmission error: the first {} harmonics of '{}'; they leave out {:.3g} % of its power",
       harmonics.size(), curve.table->name(), all > 0.0 ? 100.0 * std::fmax(0.0, left) / all : 0.0));
   return harmonics;
@@ -102,19 +101,18 @@ std::vector<Harmonic> sum_of(std::vector<Harmonic> one, const std::vector<Harmon
 }  // namespace
 
 bool add_transmission_error(const GearDrawing& drawing, const GearGeometry& geometry,
-                            const ContactPath& path, double b_n, GearParameters* parameters,
-                            std::vector<std::string>* notes) {
+                            const ContactPath& path, double b_n, GearTarget* target) {
   const std::optional<MeasuredCurve> measured =
       measured_curve(drawing, kErrorFile, Interpolation::cubic);
   std::vector<Harmonic> series =
-      measured ? measured_error(drawing, *measured, notes) : given_error(drawing);
+      measured ? measured_error(drawing, *measured, target) : given_error(drawing);
   const Measured* removed = drawing.measured(kProfileFile);
   if (removed != nullptr) {
     if (geometry.helix > 0.0) {
       throw DrawingError(kProfileFile, "profile_deviation_file is for spur gears");
     }
     series = sum_of(std::move(series), profile_error(removed->points, path.contact_ratio()));
-    notes->push_back(
+    target->note(
         fmt::format("transmission error: with the first {} harmonics of what the "
                     "profile's deviations add",
                     kMostHarmonics));
@@ -124,11 +122,11 @@ bool add_transmission_error(const GearDrawing& drawing, const GearGeometry& geom
   const GearKey& phase_origin = drawing.has(kErrorPhase) ? kErrorPhase : origin;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double error = series[i].amplitude * 1e-6;
-    parameters->add(name_in_list("e0", i), error / b_n, origin,
-                    fmt::format("e/b_n = {:.6g} m / {:.6g} m", error, b_n));
+    target->add("e0", error / b_n, origin, fmt::format("e/b_n = {:.6g} m / {:.6g} m", error, b_n),
+                i);
     if (!has_phases) continue;
-    parameters->add(name_in_list("e0_phase", i), series[i].phase, phase_origin,
-                    fmt::format("{:.6g} degrees", series[i].phase * 180.0 / std::numbers::pi));
+    target->add("e0_phase", series[i].phase, phase_origin,
+                fmt::format("{:.6g} degrees", series[i].phase * 180.0 / std::numbers::pi), i);
   }
   return series.size() == 1;
 }

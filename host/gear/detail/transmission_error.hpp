@@ -1,9 +1,6 @@
 // The harmonics of the transmission error.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "gear/detail/contact_path.hpp"
 
 namespace gearsweep {
@@ -15,7 +12,6 @@ inline constexpr double kParabolicFall = 0.35;
 // Adds the transmission error in half backlashes `b_n`, which is in m, with what the profile's
 // deviations make of it. Returns whether one sine is enough. Throws DrawingError.
 bool add_transmission_error(const GearDrawing& drawing, const GearGeometry& geometry,
-                            const ContactPath& path, double b_n, GearParameters* parameters,
-                            std::vector<std::string>* notes);
+                            const ContactPath& path, double b_n, GearTarget* target);
 
 }  // namespace gearsweep
