@@ -5,7 +5,8 @@
 #   model/            the formula on the host, and what is tabulated over the phase
 #   expression/       values and derivatives of expressions
 #   equations/        a model from its file
-#   study/            parameters from a [gear] table, axes, draws, defaults of keys
+#   gear/             parameters and curves from a drawing
+#   study/            axes, draws, defaults of keys
 #   plan/             points, their starts, phase grids, tiles
 #   engine/           windows, and what a tile's answers are
 #   opencl/           programs, launches, how points lie in them
@@ -16,8 +17,9 @@
 #
 # Not so sweep/pilot.*, though it chooses the step: the step is a part of a journal's identity. Nor
 # study/study_keys.*, which says what a study may have, with the texts of its manual page.
-set(GEARSWEEP_DECIDING kernels host/model host/expression host/equations host/study host/plan
-    host/engine host/opencl host/reference host/tile host/journal/journal host/sweep/assembly)
+set(GEARSWEEP_DECIDING kernels host/model host/expression host/equations host/gear host/study
+    host/plan host/engine host/opencl host/reference host/tile host/journal/journal
+    host/sweep/assembly)
 set(GEARSWEEP_NOT_DECIDING host/study/study_keys)
 
 # gearsweep_deciding_files(OUT BASE [CONFIGURE_DEPENDS])

@@ -63,6 +63,10 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
 
 std::string kernel_name(std::string_view name) { return "u_" + std::string(name); }
 
+std::string name_in_list(const std::string& list, std::size_t i) {
+  return i == 0 ? list : fmt::format("{}_{}", list, i + 1);
+}
+
 std::vector<std::string> split_words(std::string_view words) {
   std::istringstream in{std::string(words)};
   std::vector<std::string> out;

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "study/detail/gear_table.hpp"
+#include "gear/conversion.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {

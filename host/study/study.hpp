@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "gear/dynamic_factor.hpp"
+#include "gear/scales.hpp"
 #include "model/model.hpp"
-#include "study/dynamic_factor.hpp"
 #include "study/initial_policy.hpp"
 #include "study/point_table.hpp"
 #include "study/selection.hpp"
@@ -109,16 +110,6 @@ struct Integrate {
   bool contract = true;        // fused multiply-add allowed: other rounding
 };
 
-// Dimensional scales of a study that was given as a [gear] table; zero when it was not.
-// Lengths are in half backlashes b_n, forces in k0 b_n, time in 1/varpi.
-struct Scales {
-  double varpi = 0.0;          // rad/s
-  double b_n = 0.0;            // m
-  double k0 = 0.0;             // N/m
-  double rpm_per_omega = 0.0;  // pinion speed in rpm at omega = 1
-  bool known() const { return varpi > 0.0; }
-};
-
 struct Study {
   std::string title;
   const Model* model = nullptr;
@@ -128,8 +119,8 @@ struct Study {
   std::vector<std::string>
       parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
   std::vector<std::string> option_origins;
-  std::vector<std::string> gear_notes;  // how each number of a [gear] table came about
-  Scales scales;
+  std::vector<std::string> gear_notes;               // how each number of a [gear] table came about
+  Scales scales;                                     // of a study with a [gear] table
   std::optional<DynamicFactorInput> dynamic_factor;  // of a [gear] table with what K_v takes
   std::vector<Axis> axes;                            // one or two; the first is x, the fastest
   Initial initial;

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "gear/drawing_keys.hpp"
 #include "model/names.hpp"
-#include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -89,6 +89,17 @@ StudyTable parameters_table() {
       "parameters", "[parameters]", "An axis wins over a parameter of the same name.", {parameter}};
 }
 
+// In the order of KeyForm.
+constexpr std::string_view kForms[] = {"number",
+                                       "[pinion, gear]",
+                                       "number or [pinion, gear]",
+                                       "number or [pinion x, pinion y, gear x, gear y]",
+                                       "number or list, harmonic by harmonic",
+                                       "string",
+                                       "file beside the study",
+                                       "file with a number per tooth",
+                                       "file over the path of contact"};
+
 StudyTable gear_table() {
   StudyTable table{"gear",
                    "[gear]",
@@ -97,8 +108,9 @@ StudyTable gear_table() {
                    "comes about. A value in [parameters] wins over what follows from here.",
                    {}};
   for (const GearKey& key : kGearKeys) {
-    table.keys.push_back({std::string(key.name), std::string(key.type), std::string(key.fallback),
-                          sentence(key.meaning), key.min, key.max,
+    table.keys.push_back({std::string(key.name),
+                          std::string(kForms[static_cast<std::size_t>(key.form)]),
+                          std::string(key.fallback), sentence(key.meaning), key.min, key.max,
                           split_words(std::string(key.choices))});
   }
   table.keys.push_back({"tables", "table", "",

@@ -12,7 +12,7 @@
 #include "study/detail/curve_reader.hpp"
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/gear_files.hpp"
-#include "study/detail/gear_table.hpp"
+#include "study/detail/gear_reader.hpp"
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/integrate_reader.hpp"
 #include "study/detail/model_table.hpp"
@@ -59,14 +59,18 @@ toml::table parse(const std::string& text, const std::string& source) {
 // What the table gives. own: [model], whose options win.
 GearConversion read_gear(const toml::table* gear, const toml::table* own, Study* study) {
   if (gear == nullptr) return {};
-  if (!is_gear_table_model(*study->model)) {
-    fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", gear_table_model().name));
+  if (!takes_drawing(*study->model)) {
+    fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", kGearModel));
   }
-  GearConversion conversion = convert_gear(*gear, first_values(*study->model, study->axes));
+  const GearDrawing drawing = read_drawing(*gear, first_values(*study->model, study->axes));
+  GearConversion conversion = convert_gear(drawing, *study->model, *gear);
   study->scales = conversion.scales;
   study->dynamic_factor = conversion.dynamic_factor;
   study->gear_notes = conversion.notes;
-  study->notices.insert(study->notices.end(), conversion.doubts.begin(), conversion.doubts.end());
+  for (const GearDoubt& doubt : conversion.doubts) {
+    study->notices.push_back(
+        fmt::format("{}: {}", place_of(node_of(*gear, doubt.key)), doubt.text));
+  }
   for (const GearParameter& parameter : conversion.parameters) {
     const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
     study->setting.parameters[index] = parameter.value;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "model/error.hpp"
+#include "study/detail/heading_unit.hpp"
 #include "study/detail/number_lines.hpp"
 
 namespace gearsweep {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "equations/definition.hpp"
-#include "study/value_units.hpp"
+#include "gear/value_units.hpp"
 
 namespace gearsweep {
 

@@ -30,9 +30,10 @@ if(NOT edited STREQUAL first)
 endif()
 
 foreach(path kernels/sweep.cl kernels/rk4/rk4.h host/model/model.cpp host/expression/tape.cpp
-        host/equations/make_model.cpp host/study/detail/gear_table.cpp host/plan/phase_grid.cpp
-        host/engine/window.cpp host/opencl/detail/launcher.cpp host/reference/detail/trajectory.cpp
-        host/tile/tile_run.cpp host/journal/journal.cpp host/sweep/assembly.cpp)
+        host/equations/make_model.cpp host/gear/conversion.cpp host/study/study_reader.cpp
+        host/plan/phase_grid.cpp host/engine/window.cpp host/opencl/detail/launcher.cpp
+        host/reference/detail/trajectory.cpp host/tile/tile_run.cpp host/journal/journal.cpp
+        host/sweep/assembly.cpp)
   file(APPEND ${WORK}/${path} "\n")
   hash(next)
   if(next STREQUAL edited)

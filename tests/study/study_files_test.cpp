@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gear/drawing_keys.hpp"
 #include "model/error.hpp"
-#include "study/detail/gear_keys.hpp"
 #include "study/study.hpp"
 #include "support/folder.hpp"
 
@@ -30,7 +30,7 @@ std::vector<std::string> studies_naming(const std::string& file) {
       kAxes + fmt::format("[uncertain]\nmu = {{file = '{}'}}\n", file),
   };
   for (const GearKey& key : kGearKeys) {
-    if (key.is_file())
+    if (key.is_measured())
       studies.push_back(kAxes + fmt::format("[gear]\n{} = '{}'\n", key.name, file));
   }
   return studies;

@@ -208,8 +208,8 @@ void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis
     const GearKey* key = axis.is_list ? nullptr : find_swept_key(model, axis.name);
     if (key == nullptr) continue;
     const toml::table& gear = *study["gear"].as_table();
-    GearValues others = first_values(model, *axes);
-    add_parameters(*key, gear, others, (*study["axes"].as_array())[i], &axis);
+    add_parameters(*key, gear, first_values(model, *axes), model, (*study["axes"].as_array())[i],
+                   &axis);
   }
   refuse_twice(*axes, study);
 }

@@ -62,8 +62,4 @@ const toml::array* list_of(const Entry& entry) {
   return list;
 }
 
-std::string name_in_list(const std::string& list, std::size_t i) {
-  return i == 0 ? list : fmt::format("{}_{}", list, i + 1);
-}
-
 }  // namespace gearsweep

@@ -35,7 +35,5 @@ const toml::table& table_of(const Entry& entry, const std::string& form);
 // a = [1.0, 2.0] and a = { value = [1.0, 2.0], min = 0.0 } stand for a and a_2, which expressions
 // call a[1] and a[2]. Null where the entry is no list. Throws InputError.
 const toml::array* list_of(const Entry& entry);
-// Of its entry number i, counted from 0.
-std::string name_in_list(const std::string& list, std::size_t i);
 
 }  // namespace gearsweep

@@ -1,46 +1,29 @@
 #include "study/detail/drawing_axis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 
 #include "model/error.hpp"
-#include "study/detail/gear_table.hpp"
+#include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
 namespace {
 
-// "torque_N_m" is in N m, "mesh_damping_N_s_per_mm" in N s/mm.
-std::string unit_in(std::string_view key) {
-  static const std::map<std::string_view, std::string> kUnits = {
-      {"mm", "mm"},       {"deg", "degrees"},      {"kg_mm2", "kg mm^2"}, {"kg", "kg"},
-      {"N_m", "N m"},     {"N_per_mm", "N/mm"},    {"um", "um"},          {"rpm", "rpm"},
-      {"N_per_m", "N/m"}, {"N_s_per_mm", "N s/mm"}};
-  std::string unit = "1";
-  std::size_t longest = 0;
-  for (const auto& [ending, written] : kUnits) {
-    const std::string with_line = "_" + std::string(ending);
-    if (!key.ends_with(with_line) || ending.size() <= longest) continue;
-    unit = written;
-    longest = ending.size();
-  }
-  return unit;
-}
-
-bool are_same(const Scales& a, const Scales& b) {
-  return a.varpi == b.varpi && a.b_n == b.b_n && a.k0 == b.k0;
-}
-
 std::vector<GearConversion> conversions_of(const GearKey& key, const toml::table& gear,
-                                           GearValues values, const toml::node& place,
-                                           const Axis& axis) {
+                                           const GearValues& others, const Model& model,
+                                           const toml::node& place, const Axis& axis) {
   std::vector<GearConversion> conversions;
+  GearDrawing drawing = read_drawing(gear, others);
   for (const double value : axis.values) {
-    values[axis.name] = value;
     try {
-      conversions.push_back(convert_gear(gear, values));
+      drawing.vary(key, value);
+      conversions.push_back(convert_gear(drawing, model, gear));
     } catch (const InputError& error) {
       fail_at(place, fmt::format("{} = {}: {}", key.name, value, error.what()));
     }
-    if (are_same(conversions.back().scales, conversions.front().scales)) continue;
+    if (conversions.back().scales == conversions.front().scales) continue;
     fail_at(place,
             fmt::format("{} changes what the result is measured in: its lengths are in half "
                         "backlashes, its forces in k0 b_n, its times in 1/varpi; sweep it in a "
@@ -59,22 +42,20 @@ const GearParameter* find_parameter(const GearConversion& conversion, const std:
 
 const GearKey* find_swept_key(const Model& model, const std::string& name) {
   // Another model may have a parameter of that name.
-  if (!is_gear_table_model(model)) return nullptr;
-  // Numbers of teeth are whole, and come in pairs.
+  if (!takes_drawing(model)) return nullptr;
   const auto* const found = std::ranges::find(kGearKeys, name, &GearKey::name);
-  if (found == kGearKeys.end() || found->name == kTeeth.name) return nullptr;
-  return found->is_number() ? &*found : nullptr;
+  return found != std::end(kGearKeys) && found->can_vary() ? found : nullptr;
 }
 
 void bind_key(const GearKey& key, Axis* axis) {
-  axis->unit = unit_in(key.name);
+  axis->unit = key.unit();
   axis->meaning = std::string(key.meaning);
 }
 
 void add_parameters(const GearKey& key, const toml::table& gear, const GearValues& others,
-                    const toml::node& place, Axis* axis) {
-  const std::vector<GearConversion> conversions = conversions_of(key, gear, others, place, *axis);
-  const Model& model = gear_table_model();
+                    const Model& model, const toml::node& place, Axis* axis) {
+  const std::vector<GearConversion> conversions =
+      conversions_of(key, gear, others, model, place, *axis);
   for (const GearParameter& parameter : conversions.front().parameters) {
     Swept column;
     column.name = parameter.name;

@@ -3,7 +3,7 @@
 
 #include <toml++/toml.h>
 
-#include "study/detail/gear_keys.hpp"
+#include "study/detail/gear_reader.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -19,7 +19,7 @@ void bind_key(const GearKey& key, Axis* axis);
 // Throws InputError for what [gear] refuses, and where the units of the result would change from
 // value to value.
 void add_parameters(const GearKey& key, const toml::table& gear, const GearValues& others,
-                    const toml::node& place, Axis* axis);
+                    const Model& model, const toml::node& place, Axis* axis);
 
 // The values of [gear] that the axes of a study of the model give: the first of each.
 GearValues first_values(const Model& model, const std::vector<Axis>& axes);

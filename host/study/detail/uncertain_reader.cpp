@@ -182,7 +182,8 @@ void read_of_gear(const toml::table& table, const GearKey& key, const toml::tabl
     if (tolerance.is_relative) value *= nominal;
   }
   check_draws(table, parameter, {key.min, key.max}, *study);
-  add_parameters(key, *gear, first_values(*study->model, study->axes), table, &draws);
+  add_parameters(key, *gear, first_values(*study->model, study->axes), *study->model, table,
+                 &draws);
   for (const Swept& column : draws.columns) {
     if (study->find_on_axes(column.index) == nullptr) continue;
     fail_at(table, fmt::format("{} and an axis both give {}", key.name, column.name));

@@ -1,5 +1,5 @@
 // Units in the headings of measured files: the same curve in each of them is the same study.
-#include "study/value_units.hpp"
+#include "study/detail/heading_unit.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -68,7 +68,7 @@ std::string heading_of(const MeasuredFile& file, const std::string& unit) {
   return fmt::format("{}{}\n", has_place ? is_path ? "share, " : "phase, " : "", unit);
 }
 
-TEST(ValueUnits, OfOneCurveGiveOneStudy) {
+TEST(HeadingUnit, OfOneCurveGiveOneStudy) {
   const Folder folder;
   for (const MeasuredFile& file : measured_files()) {
     const bool is_stiffness = file.unit == "N/m";
@@ -91,7 +91,7 @@ TEST(ValueUnits, OfOneCurveGiveOneStudy) {
 }
 
 // The text of a study may hold the file as it is.
-TEST(ValueUnits, HoldInsideOfAStudy) {
+TEST(HeadingUnit, HoldInsideOfAStudy) {
   const MeasuredFile& file = measured_files().front();
   const auto held = [&](const std::string& unit, double scale) {
     return read_study(study_with(file) + "[gear.tables]\n'f.csv' = '''\n" +
@@ -103,7 +103,7 @@ TEST(ValueUnits, HoldInsideOfAStudy) {
   EXPECT_NEAR(held("N/m", 1e6), 3.3e6, 1e6);
 }
 
-TEST(ValueUnits, OthersAreRefusedWithTheOnesThereAre) {
+TEST(HeadingUnit, OthersAreRefusedWithTheOnesThereAre) {
   const Folder folder;
   for (const MeasuredFile& file : measured_files()) {
     const bool is_stiffness = file.unit == "N/m";

@@ -1,4 +1,4 @@
-#include "study/value_units.hpp"
+#include "study/detail/heading_unit.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "study/detail/number_lines.hpp"
 

@@ -1,23 +1,12 @@
-// The units that the values of a measured file may have: its heading names one.
+// The unit that the heading of a measured file names.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <vector>
+
+#include "gear/value_units.hpp"
 
 namespace gearsweep {
-
-// scale: that of a value in what the study counts in, which is the unit of scale 1.
-struct ValueUnit {
-  std::string_view name;
-  double scale = 1.0;
-};
-
-inline constexpr std::array kStiffnessUnits = {ValueUnit{"N/m", 1.0}, ValueUnit{"N/mm", 1e3},
-                                               ValueUnit{"N/um", 1e6}};
-inline constexpr std::array kLengthUnits = {ValueUnit{"um", 1.0}, ValueUnit{"mm", 1e3},
-                                            ValueUnit{"m", 1e6}};
 
 class NumberLines;
 

@@ -1,4 +1,4 @@
-#include "study/dynamic_factor.hpp"
+#include "gear/dynamic_factor.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,13 +1,12 @@
-// Numbers that a gear pair may have and none has: most often they are in another unit.
+#include "gear/detail/doubts.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <optional>
-
-#include "study/detail/gear_parts.hpp"
+#include <string>
+#include <utility>
 
 namespace gearsweep {
 namespace {
@@ -21,29 +20,30 @@ constexpr double kFactor = 10.0;
 
 class Doubts {
  public:
-  Doubts(GearReader& in, const GearGeometry& geometry) : in_(in), geometry_(geometry) {}
+  Doubts(const GearDrawing& drawing, const GearGeometry& geometry)
+      : drawing_(drawing), geometry_(geometry) {}
 
-  std::vector<std::string> run() {
+  std::vector<GearDoubt> run() {
     const double widest = kWidest * 2.0 * reference(0);
-    const std::optional<double> width = in_.optional(kFaceWidth);
+    const std::optional<double> width = drawing_.number(kFaceWidth);
     if (width && *width > widest) {
       add(kFaceWidth, fmt::format("face_width_mm = {:.4g} is {:.3g} times the pinion's reference "
                                   "diameter; gears have at most {:g}",
                                   *width, *width / (2.0 * reference(0)), kWidest));
     }
-    const std::vector<double> mass = in_.list(kMass, 2);
-    const std::vector<double> inertia = in_.list(kInertia, 2);
+    const std::vector<double>& mass = drawing_.list(kMass);
+    const std::vector<double>& inertia = drawing_.list(kInertia);
     for (std::size_t gear = 0; gear < 2; ++gear) {
       compare_mass(gear, mass[gear], width, width.value_or(widest));
       compare_inertia(gear, inertia[gear], mass[gear]);
     }
-    const double backlash = 2.0 * in_.required(kHalfBacklash);
+    const double backlash = 2.0 * drawing_.required(kHalfBacklash);
     if (backlash > 0.5 * geometry_.module) {
       add(kHalfBacklash, fmt::format("half_backlash_mm = {:.4g} is {:.3g} modules; gears have at "
                                      "most 0.25",
                                      0.5 * backlash, 0.5 * backlash / geometry_.module));
     }
-    return std::move(lines_);
+    return std::move(doubts_);
   }
 
  private:
@@ -51,9 +51,7 @@ class Doubts {
     return geometry_.reference(gear == 0 ? geometry_.pinion_teeth : geometry_.gear_teeth);
   }
 
-  void add(const GearKey& key, const std::string& text) {
-    lines_.push_back(fmt::format("{}: {}", place_of(in_.node(key)), text));
-  }
+  void add(const GearKey& key, std::string text) { doubts_.push_back({key.name, std::move(text)}); }
 
   // Without a face width only what no width explains is told.
   void compare_mass(std::size_t gear, double mass, const std::optional<double>& width,
@@ -76,15 +74,15 @@ class Doubts {
                               inertia, kWhose[gear], disc));
   }
 
-  GearReader& in_;
+  const GearDrawing& drawing_;
   const GearGeometry& geometry_;
-  std::vector<std::string> lines_;
+  std::vector<GearDoubt> doubts_;
 };
 
 }  // namespace
 
-std::vector<std::string> doubts_about(GearReader& in, const GearGeometry& geometry) {
-  return Doubts(in, geometry).run();
+std::vector<GearDoubt> doubts_about(const GearDrawing& drawing, const GearGeometry& geometry) {
+  return Doubts(drawing, geometry).run();
 }
 
 }  // namespace gearsweep

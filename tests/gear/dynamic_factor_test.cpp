@@ -1,5 +1,5 @@
 // K_v against example 1 of ISO/TR 6336-30 and the limits of the standard's formulas.
-#include "study/dynamic_factor.hpp"
+#include "gear/dynamic_factor.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

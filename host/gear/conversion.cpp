@@ -1,0 +1,137 @@
+#include "gear/conversion.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gear/detail/bases.hpp"
+#include "gear/detail/contact_path.hpp"
+#include "gear/detail/doubts.hpp"
+#include "gear/detail/dynamic_factor_input.hpp"
+#include "gear/detail/faults.hpp"
+#include "gear/detail/mesh_stiffness.hpp"
+#include "gear/detail/transmission_error.hpp"
+
+namespace gearsweep {
+namespace {
+
+void add_geometry(const GearDrawing& drawing, const GearGeometry& geometry, GearTarget* target) {
+  const double degrees = geometry.alpha * 180.0 / std::numbers::pi;
+  target->note(
+      fmt::format("base radii Rp = {:.7g} mm, Rg = {:.7g} mm (module z/2 cos(alpha)); "
+                  "base pitch {:.7g} mm",
+                  geometry.pinion_base, geometry.gear_base, geometry.base_pitch));
+  target->note(fmt::format("working pressure angle {:.6g} degrees at centre distance {:.6g} mm",
+                           degrees, geometry.centre));
+  target->add("zp", geometry.pinion_teeth, kTeeth, "teeth of the pinion as given");
+  target->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth,
+              fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
+  if (geometry.helix > 0.0) {
+    const double width = drawing.required(kFaceWidth);
+    target->add("overlap", geometry.overlap(width), kHelix,
+                fmt::format("b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm",
+                            width * std::sin(geometry.helix), std::numbers::pi * geometry.module));
+    target->note(
+        "helical teeth: radii, pressure angle, torque's force and backlash are those "
+        "of the transverse section; axial forces are left out");
+  }
+  const GearKey& origin = drawing.has(kCentreDistance) ? kCentreDistance : kPressureAngle;
+  target->add("alpha", degrees, origin,
+              fmt::format("working pressure angle at a = {:.6g} mm", geometry.centre));
+}
+
+void add_masses(const GearDrawing& drawing, const GearBases& bases, GearTarget* target) {
+  const double sum = bases.pinion_mesh_mass + bases.gear_mesh_mass;
+  target->add(
+      "rho_p", bases.gear_mesh_mass / sum, kInertia,
+      fmt::format("me/(Ip/Rp^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.pinion_mesh_mass));
+  target->add("rho_g", bases.pinion_mesh_mass / sum, kInertia,
+              fmt::format("me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.gear_mesh_mass));
+  const std::vector<double>& mass = drawing.list(kMass);
+  target->add("m1", bases.me / mass[0], kMass,
+              fmt::format("me/mp = {:.6g} kg / {:.6g} kg", bases.me, mass[0]));
+  target->add("m2", bases.me / mass[1], kMass,
+              fmt::format("me/mg = {:.6g} kg / {:.6g} kg", bases.me, mass[1]));
+}
+
+void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
+                             GearTarget* target) {
+  const double cm = drawing.required(kMeshDamping) * 1e3;
+  target->add("zeta", cm / (2.0 * bases.varpi * bases.me), kMeshDamping,
+              fmt::format("cm/(2 varpi me) = {:.6g} N s/m / (2 {:.6g} rad/s {:.6g} kg)", cm,
+                          bases.varpi, bases.me));
+  const std::vector<double>& stiffness = drawing.list(kBearingStiffness);
+  const std::vector<double>& damping = drawing.list(kBearingDamping);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double spring = stiffness[i] * 1e3;
+    target->add(fmt::format("k{}", i + 1), spring / bases.k0, kBearingStiffness,
+                fmt::format("K{}/k0 = {:.6g} N/m / {:.6g} N/m", i + 1, spring, bases.k0));
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double damper = damping[i] * 1e3;
+    if (cm == 0.0 && damper > 0.0) {
+      throw DrawingError(
+          kMeshDamping,
+          "mesh_damping_N_s_per_mm = 0 with bearing damping: gear5 counts bearing damping in "
+          "mesh damping (c = C/cm); give a positive number, or no damping at all");
+    }
+    target->add(fmt::format("c{}", i + 1), cm == 0.0 ? 0.0 : damper / cm, kBearingDamping,
+                fmt::format("C{}/cm = {:.6g} N s/m / {:.6g} N s/m", i + 1, damper, cm));
+  }
+}
+
+void add_lengths_and_loads(const GearDrawing& drawing, const GearGeometry& geometry,
+                           const GearBases& bases, GearTarget* target) {
+  const double centre = geometry.centre * 1e-3;
+  target->add("b", 1.0, kHalfBacklash, "the half backlash b_n is the unit of length");
+  target->add("A", centre / bases.b_n, kHalfBacklash,
+              fmt::format("a/b_n = {:.6g} m / {:.6g} m", centre, bases.b_n));
+  const double torque = drawing.required(kTorque);
+  target->add("F1", torque / (bases.pinion_base * bases.k0 * bases.b_n), kTorque,
+              fmt::format("T/(Rp k0 b_n) = {:.6g} N m / ({:.6g} m {:.6g} N/m {:.6g} m)", torque,
+                          bases.pinion_base, bases.k0, bases.b_n));
+}
+
+void add_speed(const GearDrawing& drawing, double rpm_per_omega, GearTarget* target) {
+  target->note(
+      fmt::format("pinion speed at omega = 1: {:.6g} rpm (60 varpi/(2 pi zp))", rpm_per_omega));
+  const std::optional<double> speed = drawing.number(kSpeed);
+  if (!speed) return;
+  target->add("omega", *speed / rpm_per_omega, kSpeed,
+              fmt::format("zp 2 pi n/60 / varpi = {:.6g} rpm / {:.6g} rpm", *speed, rpm_per_omega));
+}
+
+}  // namespace
+
+GearConversion convert_gear(const GearDrawing& drawing, const Model& model) {
+  GearTarget target(drawing, model);
+  const GearGeometry geometry = geometry_of(drawing);
+  add_geometry(drawing, geometry, &target);
+  const ContactPath path = add_contact_path(drawing, geometry, &target);
+  const std::optional<MeasuredCurve> stiffness = measured_stiffness(drawing);
+  const GearBases bases =
+      bases_of(drawing, geometry, path.contact_ratio(), stiffness ? stiffness->mean : 0.0, &target);
+  add_masses(drawing, bases, &target);
+  add_springs_and_dampers(drawing, bases, &target);
+  add_lengths_and_loads(drawing, geometry, bases, &target);
+  const bool is_sine = add_transmission_error(drawing, geometry, path, bases.b_n, &target);
+  const bool has_runout = add_faults(drawing, geometry, bases.b_n, &target);
+  add_stiffness(drawing, stiffness, bases.k0, &target);
+  const auto factor = dynamic_factor_input(drawing, geometry, path, bases, &target);
+  if (!is_sine || has_runout) target.choose("error", "series");
+  const double rpm_per_omega =
+      60.0 * (bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth));
+  add_speed(drawing, rpm_per_omega, &target);
+
+  GearConversion out = target.take();
+  out.scales = {bases.varpi, bases.b_n, bases.k0, rpm_per_omega};
+  out.dynamic_factor = factor;
+  out.doubts = doubts_about(drawing, geometry);
+  return out;
+}
+
+}  // namespace gearsweep

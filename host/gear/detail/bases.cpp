@@ -1,0 +1,30 @@
+#include "gear/detail/bases.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gear/detail/mesh_stiffness.hpp"
+
+namespace gearsweep {
+
+GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry, double contact_ratio,
+                   double measured_stiffness, GearTarget* target) {
+  const std::vector<double>& inertia = drawing.list(kInertia);
+  GearBases out{};
+  out.pinion_mesh_mass = inertia[0] / (geometry.pinion_base * geometry.pinion_base);
+  out.gear_mesh_mass = inertia[1] / (geometry.gear_base * geometry.gear_base);
+  out.me = out.pinion_mesh_mass * out.gear_mesh_mass / (out.pinion_mesh_mass + out.gear_mesh_mass);
+  target->note(
+      fmt::format("me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
+                  "Ig/Rg^2 = {:.6g} kg",
+                  out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
+  out.k0 = mean_mesh_stiffness(drawing, geometry, contact_ratio, measured_stiffness, target);
+  out.b_n = drawing.required(kHalfBacklash) * 1e-3;
+  out.varpi = std::sqrt(out.k0 / out.me);
+  out.pinion_base = geometry.pinion_base * 1e-3;
+  target->note(fmt::format("varpi = sqrt(k0/me) = {:.6g} rad/s", out.varpi));
+  return out;
+}
+
+}  // namespace gearsweep

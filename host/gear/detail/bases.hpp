@@ -1,0 +1,23 @@
+// What the equations of motion are scaled by.
+#pragma once
+
+#include "gear/detail/geometry.hpp"
+#include "gear/detail/target.hpp"
+
+namespace gearsweep {
+
+// SI units.
+struct GearBases {
+  double pinion_mesh_mass, gear_mesh_mass;  // I/R^2, kg
+  double me;                                // kg
+  double k0;                                // N/m
+  double b_n;                               // m
+  double varpi;                             // rad/s
+  double pinion_base;                       // Rp, m
+};
+
+// measured_stiffness: the mean of it; 0 where there is none. Throws DrawingError.
+GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry, double contact_ratio,
+                   double measured_stiffness, GearTarget* target);
+
+}  // namespace gearsweep
