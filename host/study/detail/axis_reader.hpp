@@ -4,7 +4,6 @@
 #include <toml++/toml.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "study/study.hpp"
@@ -19,10 +18,5 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points, 
 // Gives axes over keys of [gear] their columns, and refuses two axes that give one parameter.
 // Throws InputError.
 void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis>* axes);
-
-// Fills in what the parameter or state of this name has; its allowed range. what: "axis", for
-// messages. Throws InputError when there is none.
-std::pair<double, double> bind_swept(const Model& model, const toml::node& place,
-                                     const std::string& what, Swept* swept);
 
 }  // namespace gearsweep

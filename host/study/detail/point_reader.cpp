@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/error.hpp"
-#include "study/detail/axis_reader.hpp"
+#include "study/detail/swept_name.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {

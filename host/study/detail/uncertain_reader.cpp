@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/error.hpp"
-#include "study/detail/axis_reader.hpp"
+#include "study/detail/swept_name.hpp"
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/draws.hpp"
 #include "study/detail/number_lines.hpp"
