@@ -1,5 +1,5 @@
 # What is generated at configure time: bindings of each observable in kernels/, and the embedded
-# kernels, models and studies. A new file in kernels/ is picked up by globbing; nothing lists it.
+# kernels, models and studies. A new file in kernels/ or zoo/ is picked up by globbing; nothing lists it.
 
 function(gearsweep_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
@@ -39,8 +39,9 @@ gearsweep_embed(${GENERATED}/kernel_sources.cpp kernel_sources opencl/detail/ker
                 ${kernel_files})
 set(GEARSWEEP_KERNEL_SOURCES ${GENERATED}/kernel_sources.cpp)
 
-file(GLOB model_files CONFIGURE_DEPENDS ${KERNELS}/models/*.toml)
-gearsweep_embed(${GENERATED}/model_texts.cpp model_texts study/builtin_models.hpp ${KERNELS}/models
+set(ZOO ${PROJECT_SOURCE_DIR}/zoo)
+file(GLOB model_files CONFIGURE_DEPENDS ${ZOO}/*.toml)
+gearsweep_embed(${GENERATED}/model_texts.cpp model_texts study/builtin_models.hpp ${ZOO}
                 ${model_files})
 
 set(STUDIES ${PROJECT_SOURCE_DIR}/host/studies)

@@ -2,6 +2,7 @@
 # any program that has the same ones, whatever else differs.
 #
 #   kernels/          what runs on the device
+#   zoo/              the equations of the built-in models
 #   model/            the formula on the host, and what is tabulated over the phase
 #   expression/       values and derivatives of expressions
 #   equations/        a model from its file
@@ -17,8 +18,8 @@
 #
 # Not so sweep/pilot.*, though it chooses the step: the step is a part of a journal's identity. Nor
 # study/study_keys.*, which says what a study may have, with the texts of its manual page.
-set(GEARSWEEP_DECIDING kernels host/model host/expression host/equations host/gear host/study
-    host/plan host/engine host/opencl host/reference host/tile host/journal/journal
+set(GEARSWEEP_DECIDING kernels zoo host/model host/expression host/equations host/gear
+    host/study host/plan host/engine host/opencl host/reference host/tile host/journal/journal
     host/sweep/assembly)
 set(GEARSWEEP_NOT_DECIDING host/study/study_keys)
 

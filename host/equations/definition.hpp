@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equations/expression_text.hpp"
 #include "expression/periodic_table.hpp"
 #include "model/model.hpp"
 
@@ -16,13 +17,6 @@ namespace gearsweep {
 // The points of the table in a file, as PeriodicTable wants them. Throws InputError. Empty where a
 // model may read no tables.
 using TablePoints = std::function<std::vector<TablePoint>(const std::string& file)>;
-
-struct ExpressionText {
-  std::string text;
-  std::string file;  // "impact.toml", for messages
-  std::size_t line = 0;
-  std::size_t column = 0;  // of the text's first character
-};
 
 struct NamedExpression {
   std::string name;

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/known_answer.hpp"
 #include "model/role.hpp"
 
 namespace gearsweep {
@@ -162,7 +163,8 @@ struct Model {
   std::vector<ParameterInfo> parameters;
   std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
-  std::vector<std::string> curves;  // names of those that a study may give
+  std::vector<KnownAnswer> answers;  // of a model that was read from its file
+  std::vector<std::string> curves;   // names of those that a study may give
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   bool is_autonomous = false;       // no equation depends on the phase

@@ -1,4 +1,4 @@
-// The built-in models: the files of kernels/models/, embedded in the binary.
+// The built-in models: the files of zoo/, embedded in the binary.
 #pragma once
 
 #include <map>

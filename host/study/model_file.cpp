@@ -8,6 +8,7 @@
 
 #include "model/error.hpp"
 #include "model/regular_file.hpp"
+#include "study/detail/answer_reader.hpp"
 #include "study/detail/definition_reader.hpp"
 #include "study/nesting.hpp"
 
@@ -82,7 +83,9 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
     }
     if (keys) definition.choices = choices_of(definition, *keys);
     definition.table_points = table_points;
-    return std::make_shared<const Model>(make_model(definition));
+    const auto model = std::make_shared<Model>(make_model(definition));
+    model->answers = read_answers(root, *model);
+    return model;
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", source, error.source().begin.line,
                                  error.description()));

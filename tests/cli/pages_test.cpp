@@ -129,10 +129,10 @@ TEST(Documentation, LinksLeadSomewhere) {
   }
 }
 
-// `host/cli/cli.cpp`, `kernels/models/` or, in C++, #include <study/study.hpp>. A word in capitals
+// `host/cli/cli.cpp`, `zoo/` or, in C++, #include <study/study.hpp>. A word in capitals
 // is for the reader to replace.
 TEST(Documentation, FilesThatAreNamedExist) {
-  const std::regex path("(host|kernels|tests|bench|doc|python|explore|\\.readme|\\.ci)/[^ *]*");
+  const std::regex path("(host|kernels|zoo|tests|bench|doc|python|explore|\\.readme|\\.ci)/[^ *]*");
   const std::regex placeholder("[^A-Z]*[A-Z]{4,}[^A-Z]*");
   for (const Page& page : documentation()) {
     SCOPED_TRACE(page.name());

@@ -1,7 +1,7 @@
 # The hash that a journal is continued by: the same after an edit of a help text, another one after
 # an edit of anything that decides numbers. Of copies of the sources below SOURCE, in WORK.
 file(REMOVE_RECURSE ${WORK})
-file(COPY ${SOURCE}/kernels ${SOURCE}/host DESTINATION ${WORK})
+file(COPY ${SOURCE}/kernels ${SOURCE}/zoo ${SOURCE}/host DESTINATION ${WORK})
 
 function(hash out)
   execute_process(COMMAND ${CMAKE_COMMAND} -DOUTPUT=${WORK}/version.cpp -DVERSION=1 -DBASE=${WORK}
@@ -29,8 +29,8 @@ if(NOT edited STREQUAL first)
   message(FATAL_ERROR "an edit of a help text discards journals")
 endif()
 
-foreach(path kernels/sweep.cl kernels/rk4/rk4.h host/model/model.cpp host/expression/tape.cpp
-        host/equations/make_model.cpp host/gear/conversion.cpp host/study/study_reader.cpp
+foreach(path kernels/sweep.cl kernels/rk4/rk4.h zoo/duffing.toml host/model/model.cpp
+        host/expression/tape.cpp host/equations/make_model.cpp host/gear/conversion.cpp host/study/study_reader.cpp
         host/plan/phase_grid.cpp host/engine/window.cpp host/opencl/detail/launcher.cpp
         host/reference/detail/trajectory.cpp host/tile/tile_run.cpp host/journal/journal.cpp
         host/sweep/assembly.cpp)

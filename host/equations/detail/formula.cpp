@@ -10,7 +10,6 @@
 #include "equations/detail/check_message.hpp"
 #include "equations/detail/tables.hpp"
 #include "expression/parse.hpp"
-#include "model/error.hpp"
 #include "model/names.hpp"
 
 namespace gearsweep {
@@ -20,12 +19,6 @@ const char* const kModel = "";  // no name of a constant
 // Texts are read within texts, each some levels deep: so many, and so much less deep each time.
 constexpr std::size_t kMaxOpen = 15, kLessDepth = 16;
 constexpr std::size_t kMaxCalls = 4000;  // of functions
-
-[[noreturn]] void fail_in(const ExpressionText& text, std::size_t position,
-                          const std::string& message) {
-  throw InputError(fmt::format("{}:{}:{}: {}\n{}", text.file, text.line, text.column + position,
-                               message, with_caret(text.text, position)));
-}
 
 class FormulaReader {
  public:

@@ -44,6 +44,7 @@ class DefinitionReader {
     read_presets(reader.table("presets"), &definition_);
     read_checks(reader.table("checks"), &definition_);
     read_mirrors(root_["model"].as_table()->get("mirrors"), &definition_);
+    reader.know("answers");  // once the model is made: read_answers()
     reader.refuse_unknown();
     return std::move(definition_);
   }
