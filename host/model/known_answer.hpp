@@ -25,4 +25,7 @@ struct KnownAnswer {
   std::size_t starts = 1;
 };
 
+// "preset ueda, x = 2.5, mean of 64 starts"
+std::string describe_place(const KnownAnswer& answer);
+
 }  // namespace gearsweep
