@@ -8,23 +8,21 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/detail/answer_list.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/json_text.hpp"
+#include "cli/detail/named_model.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
-#include "model/error.hpp"
-#include "model/names.hpp"
 #include "study/builtin_models.hpp"
-#include "study/model_file.hpp"
-#include "study/table_file.hpp"
 
 namespace gearsweep {
 namespace {
 
 struct ModelArguments {
   std::string name, preset, study;
-  bool as_json = false, as_text = false, as_kernel = false;
+  bool as_json = false, as_text = false, as_kernel = false, of_answers = false;
 };
 
 // The model with a preset's values. A study needs an axis; one of an initial state changes none of
@@ -38,22 +36,10 @@ Study study_of_preset(const std::string& model_key, const Model& model, const st
   return study;
 }
 
-// A model that is no built-in one: a path.
-bool is_file(const std::string& name) { return name.find_first_of("./") != std::string::npos; }
-
 Study study_of(const ModelArguments& arguments) {
   if (!arguments.study.empty()) return load_study(arguments.study, {});
-  if (is_file(arguments.name)) {
-    const auto model = read_model_text(model_file_text(arguments.name), arguments.name, {},
-                                       tables_beside(arguments.name));
-    return study_of_preset(fmt::format("file = '{}'", arguments.name), *model, arguments.preset);
-  }
-  const Model* model = find_model(arguments.name);
-  if (model == nullptr) {
-    throw InputError(fmt::format("unknown model '{}'{}", arguments.name,
-                                 suggest_name(arguments.name, model_names())));
-  }
-  return study_of_preset(fmt::format("name = '{}'", model->name), *model, arguments.preset);
+  const NamedModel named = named_model(arguments.name);
+  return study_of_preset(named.key, *named.model, arguments.preset);
 }
 
 // What a parameter or signal means, and what it is to the tool.
@@ -78,6 +64,18 @@ void print_models() {
   TextTable rows;
   for (const Model& model : models()) rows.add({model.name, model.summary});
   answer("{}'gearsweep model NAME' shows one in full\n", rows.text(0));
+}
+
+// Of one model, or of all that are built in.
+void print_answers(const std::string& name) {
+  std::vector<const Model*> list;
+  const NamedModel named = name.empty() ? NamedModel() : named_model(name);
+  if (named.model != nullptr) {
+    list.push_back(named.model.get());
+  } else {
+    for (const Model& model : models()) list.push_back(&model);
+  }
+  answer("{}", answer_list(list));
 }
 
 void print_parameters(const Study& study) {
@@ -191,6 +189,10 @@ void print_model(const Study& study) {
   TextTable presets;
   for (const PresetInfo& preset : model.presets) presets.add({preset.name, preset.meaning});
   answer("\npresets\n{}", presets.text());
+  if (!model.answers.empty()) {
+    answer("\n{} known answers: --answers lists them, 'gearsweep verify --model' computes them\n",
+           model.answers.size());
+  }
 }
 
 void print_model_as_json(const Study& study) {
@@ -248,6 +250,11 @@ void add_model_command(CLI::App* app) {
                  "Print the OpenCL C that is made of the model's equations")
       ->excludes(json)
       ->excludes(text);
+  command
+      ->add_flag("--answers", arguments->of_answers,
+                 "Print the known answers of the model, or of all, as a table of Markdown")
+      ->excludes(json)
+      ->excludes(text);
   command->footer(
       "Examples:\n"
       "  gearsweep model\n"
@@ -255,8 +262,13 @@ void add_model_command(CLI::App* app) {
       "  gearsweep model gear1 --text > mine.toml     a file of equations, to change\n"
       "  gearsweep model mine.toml                    what it has, and what was found in it\n"
       "  gearsweep model mine.toml --kernel           what the device's compiler gets\n"
-      "  gearsweep model --study mine.toml");
+      "  gearsweep model --study mine.toml\n"
+      "  gearsweep model --answers                    what published models must give");
   command->callback([arguments] {
+    if (arguments->of_answers) {
+      print_answers(arguments->name);
+      return;
+    }
     if (arguments->name.empty() && arguments->study.empty()) {
       print_models();
       return;

@@ -7,9 +7,10 @@
 #include "model/error.hpp"
 #include "orbits/floquet.hpp"
 #include "plan/plan.hpp"
+#include "study/builtin_models.hpp"
+#include "verify/answers.hpp"
 #include "verify/detail/check_list.hpp"
 #include "verify/detail/exact_answers.hpp"
-#include "verify/detail/published_exponents.hpp"
 #include "verify/detail/reference_rows.hpp"
 
 namespace gearsweep {
@@ -59,6 +60,19 @@ std::vector<const ReferenceRow*> chosen_rows() {
 
 void append(const std::vector<Compared>& more, std::vector<Compared>* compared) {
   compared->insert(compared->end(), more.begin(), more.end());
+}
+
+// The answers of this quantity that a model of the zoo has.
+std::vector<Compared> compare_answers(const Subject& subject, const std::string& name,
+                                      const std::string& quantity) {
+  Model model = *find_model(name);
+  std::erase_if(model.answers, [&](const auto& answer) { return answer.quantity != quantity; });
+  std::vector<Compared> compared;
+  for (ComputedAnswer& one : compute_answers(model, fmt::format("name = '{}'", name), subject)) {
+    one.number.what += fmt::format(" of {}, {}", name, describe_place(*one.answer));
+    compared.push_back(one.number);
+  }
+  return compared;
 }
 
 }  // namespace
@@ -132,20 +146,19 @@ std::vector<Compared> compare_periods(const Subject& subject) {
   return {{"oscillators with a multiple of their period", 0.0, multiples, 0.0}};
 }
 
-// The relaxation oscillator with the step that it brings itself, 64 starts: their mean has a
-// standard error of 0.0004, and the published 0.1933 as much rounding and error again.
-std::vector<Compared> compare_default_step(const Subject& subject) {
-  const SweepResult result =
-      compute(subject,
-              "[model]\nname = 'vanderpol'\npreset = 'sprott'\n[[axes]]\nname = 'x'\nfrom = -1.9\n"
-              "to = -1.837\ncount = 64\n[integrate]\nsettle = 200\nrecord = 2000\nextend = 1\n"
-              "stop = 'never'\n[observe]\nquantities = ['lyapunov_spectrum']\n");
-  return {{"largest exponent of vanderpol", 0.1933, mean_exponents(result).front(), 0.002}};
+std::vector<Compared> compare_published_exponents(const Subject& subject) {
+  return compare_answers(subject, "duffing", "lyapunov_spectrum");
 }
 
-std::vector<Compared> compare_published_exponents(const Subject& subject) {
-  const PublishedExponents& row = published_exponents_of("ueda");
-  return compare_exponents(row, compute(subject, study_of(row, row.steps_per_period, row.record)));
+// The relaxation oscillator with the step that it brings itself.
+std::vector<Compared> compare_default_step(const Subject& subject) {
+  return compare_answers(subject, "vanderpol", "lyapunov_max");
+}
+
+std::vector<Compared> compare_stopped_points(const Subject& subject) {
+  std::vector<Compared> compared = compare_answers(subject, "gear5", "dmf_max");
+  append(compare_answers(subject, "gear1", "dmf_max"), &compared);
+  return compared;
 }
 
 // On the stable orbit at 0.65 the device's motion must end. The unstable one at 0.55 lies inside

@@ -39,7 +39,7 @@ const std::vector<Check>& checks() {
        compare_engines_fp64},
       {"exponent sum", "all Lyapunov exponents of gear5 against the mean trace", true,
        compare_exponent_sum},
-      {"published exponents", "Ueda's oscillator against Sprott 2003", true,
+      {"published exponents", "Duffing's oscillator against Sprott 2003", true,
        compare_published_exponents},
       {"multipliers", "of gear5's orbits with impacts, against an outside integration", true,
        compare_multipliers},

@@ -202,6 +202,18 @@ TEST(Documentation, CommandsAndOptionsAreThere) {
   }
 }
 
+// The table of the zoo is what the models' files give. It goes between the two comments, as the
+// command prints it.
+TEST(Documentation, TheZooHasTheAnswersOfItsFiles) {
+  const Folder folder;
+  const std::string command = "gearsweep model --answers", begin = "<!-- " + command + " -->\n",
+                    end = "<!-- end of the answers -->";
+  const std::string page = read_page(kSource / "doc/zoo.md").text;
+  const std::size_t first = page.find(begin) + begin.size();
+  EXPECT_EQ(page.substr(first, page.find(end) - first), gearsweep(folder, "model --answers").out)
+      << "between the comments of doc/zoo.md belongs what '" << command << "' prints";
+}
+
 TEST(Documentation, LinesFitAScreen) {
   for (const Page& page : documentation()) {
     SCOPED_TRACE(page.name());

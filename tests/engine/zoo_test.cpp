@@ -1,5 +1,5 @@
-// Each model of the zoo (doc/zoo.md) against an answer that this code did not produce: a closed
-// form, or a published number.
+// Models of the zoo against answers that take code: exact orbits, Hill's method, limits. Those that
+// are numbers stand in the models' files (zoo/).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -51,21 +51,6 @@ Eigen::VectorXd last_state(const SweepResult& result, std::size_t point, std::si
     state[static_cast<Eigen::Index>(i)] = samples_of(result, point, i).back();
   }
   return state;
-}
-
-// Of one point, the largest first.
-std::vector<double> exponents_of(const SweepResult& result, std::size_t point, std::size_t states) {
-  const auto first =
-      map_of(result, "lyapunov_spectrum").begin() + static_cast<std::ptrdiff_t>(point * states);
-  std::vector<double> exponents(first, first + static_cast<std::ptrdiff_t>(states));
-  std::sort(exponents.rbegin(), exponents.rend());
-  return exponents;
-}
-
-double total_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum;
 }
 
 // The orbit that `example` settles on is the exact one, and has its multipliers.
@@ -184,27 +169,6 @@ TEST(Zoo, SlopesAreFiniteWhateverTheParameters) {
 
 // ---- shaw_holmes -------------------------------------------------------------------------------
 
-// Off the stop a free motion goes round a circle of radius R about 0, on it round an ellipse about
-// k b/(1 + k). With b = 0 that takes pi + pi/sqrt(1 + k) whatever the amplitude: the bilinear
-// period. 2048 steps of h = T/2048 leave some (h sqrt(1 + k))^4/120 per unit of time, 1e-9.
-TEST(ZooShawHolmes, FreeMotionTakesTheBilinearPeriod) {
-  struct Free {
-    double b, k, R;
-  };
-  for (const Free& one : {Free{0.0, 24.0, 0.3}, {0.0, 24.0, 2.0}, {0.2, 64.0, 1.0}}) {
-    const double fast = std::sqrt(1.0 + one.k);
-    const double speed = std::sqrt(one.R * one.R - one.b * one.b);  // at the stop
-    const double off = 2.0 * (kPi - std::acos(one.b / one.R));
-    const double on = 2.0 / fast * std::atan2(speed / fast, one.b / (1.0 + one.k));
-    const Example example(
-        "shaw_holmes",
-        {{"omega", 2.0 * kPi / (off + on)}, {"zeta", 0.0}, {"F", 0.0}, {"b", one.b}, {"k", one.k}});
-    const Eigen::VectorXd start = vector_of({-one.R, 0.0});
-    const Eigen::VectorXd end = example.map(2048).advance(start, 3).value();
-    EXPECT_LT((end - start).cwiseAbs().maxCoeff(), 3e-9 * one.R) << one.b << ' ' << one.R;
-  }
-}
-
 // 1024 steps of 0.004 and a frequency of 8 on the stop: (h w)^4/120 is 1e-8 for each unit of phase
 // on the stop, of which some periods add up before the damping takes them.
 TEST(ZooShawHolmes, OrbitWithImpactsIsTheExactOne) {
@@ -238,69 +202,6 @@ TEST(ZooShawHolmes, GrazesWhereTheLinearAmplitudeIsTheGap) {
     for (const Graze& graze : orbit.grazes) nearest = std::min(nearest, std::fabs(graze.distance));
     EXPECT_NEAR(nearest, (1.0 - part) * b, 1e-10);
   }
-}
-
-// ---- jeffcott_rub ------------------------------------------------------------------------------
-
-// Full annular rub: z = R exp(i w t + i phi) solves
-// |1 - w^2 + k (1 - gap/R) + i (2 zeta w + mu k (1 - gap/R))| R = e w^2, a quadratic equation for
-// R. Sliding is so quick that friction is full: 1 - tanh(30) is below rounding.
-TEST(ZooJeffcottRub, RubsAllRoundAtTheRadiusOfTheQuadraticEquation) {
-  const double k = 30.0, gap = 1.0, mu = 0.02, zeta = 0.15, e = 0.9;
-  for (const double w : {0.9, 1.1}) {
-    const double A = 1.0 - w * w + k, B = 2.0 * zeta * w + mu * k, push = e * w * w;
-    const double square = A * A + B * B, half = k * gap * (A + mu * B);
-    const double rest = k * k * gap * gap * (1.0 + mu * mu) - push * push;
-    const double R = (half + std::sqrt(half * half - square * rest)) / square;
-    const Points points = {.model = "jeffcott_rub",
-                           .parameters = "mu = 0.02\nzeta = 0.15\ne = 0.9",
-                           .axis = at_omega(w),
-                           .start = {},
-                           .quantities = "'radius_min', 'radius_max', 'normal_mean'"};
-    const SweepResult result = points.run();
-    // On the stator the rotor has a frequency of 5.6; (h 5.6)^4/120 of 512 steps is 3e-7.
-    EXPECT_NEAR(map_of(result, "radius_min")[0], R, 1e-7) << w;
-    EXPECT_NEAR(map_of(result, "radius_max")[0], R, 1e-7) << w;
-    EXPECT_NEAR(map_of(result, "normal_mean")[0], k * (R - gap), 1e-7) << w;
-  }
-}
-
-// Dry whirl of a balanced rotor: z = R exp(-i nu t). The shaft and the stator turn it at
-// nu^2 = 1 + s, s = k (1 - gap/R), and what friction gives is what damping takes:
-// 2 zeta nu = mu s tanh((disc omega - nu R)/soft). The upper root, at which the disc nearly rolls,
-// is the one that attracts.
-TEST(ZooJeffcottRub, WhirlsBackwardsWhereFrictionFeedsTheDamping) {
-  const double k = 30.0, gap = 1.0, mu = 0.1, zeta = 0.05, disc = 5.0, soft = 0.2, omega = 0.9;
-  const auto s = [&](double R) { return k * (1.0 - gap / R); };
-  const auto nu = [&](double R) { return std::sqrt(1.0 + s(R)); };
-  const auto gain = [&](double R) {
-    return mu * s(R) * std::tanh((disc * omega - nu(R) * R) / soft) - 2.0 * zeta * nu(R);
-  };
-  double low = gap, high = 2.0 * gap;
-  for (int i = 0; i < 60; ++i) {  // where it rolls, friction is 0
-    const double middle = 0.5 * (low + high);
-    (disc * omega - nu(middle) * middle > 0.0 ? low : high) = middle;
-  }
-  low = 0.97 * high;
-  ASSERT_GT(gain(low), 0.0);
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (gain(middle) > 0.0 ? low : high) = middle;
-  }
-  const Points points = {.model = "jeffcott_rub",
-                         .parameters = "mu = 0.1\nzeta = 0.05\ne = 0.0",
-                         .axis = at_omega(omega),
-                         .start = fmt::format("policy = 'fixed'\nstate = {{x = {}, w = {}}}",
-                                              digits(1.02 * low), digits(-nu(low) * low)),
-                         .quantities = "'radius_min', 'radius_max', 'normal_mean'",
-                         .settle = 40,
-                         .steps = 2048};
-  const SweepResult result = points.run();
-  // 2048 steps of 0.0034 at a frequency of 3.3 leave 1e-9.
-  EXPECT_NEAR(map_of(result, "radius_min")[0], low, 1e-8);
-  EXPECT_NEAR(map_of(result, "radius_max")[0], low, 1e-8);
-  const Eigen::VectorXd at = last_state(result, 0, 4);
-  EXPECT_NEAR(at[0] * at[3] - at[1] * at[2], -nu(low) * low * low, 1e-7);
 }
 
 // ---- gear_friction -----------------------------------------------------------------------------
@@ -466,9 +367,7 @@ TEST(ZooIdler, OrbitWithBothMeshesPartingIsTheExactOne) {
                          .parameters = "e1 = 0.5\ne2 = 0.3",
                          .axis = at_omega(omega),
                          .start = {},
-                         .quantities =
-                             "'first_contact_gap', 'second_contact_gap', 'dmf1_mean', "
-                             "'dmf2_mean'",
+                         .quantities = "'first_contact_gap', 'second_contact_gap'",
                          .steps = 1024};
   const SweepResult result = points.run();
   EXPECT_GT(map_of(result, "first_contact_gap")[0], 0.05);
@@ -476,30 +375,9 @@ TEST(ZooIdler, OrbitWithBothMeshesPartingIsTheExactOne) {
   const Eigen::VectorXd state = last_state(result, 0, 4);
   // The device corrects its steps instead of cutting them: fourth order, with a larger factor.
   EXPECT_LT((exact.orbit(state).state - state).cwiseAbs().maxCoeff(), 1e-7);
-  // Both meshes pass on the load: no gear gains speed.
-  EXPECT_NEAR(map_of(result, "dmf1_mean")[0], F, 1e-7);
-  EXPECT_NEAR(map_of(result, "dmf2_mean")[0], F, 1e-7);
 }
 
 // ---- two_flanks --------------------------------------------------------------------------------
-
-// Half a turn on each flank, at each one's own frequency, and twice the way between them at the
-// speed v: T = pi + pi/sqrt(coast) + 2 (drive_gap + coast_gap)/v.
-TEST(ZooTwoFlanks, FreeMotionTakesHalfATurnOnEachFlankAndTwoFlights) {
-  for (const double speed : {0.3, 1.0, 4.0}) {
-    const double drive_gap = 1.0, coast_gap = 0.4, coast = 4.0;
-    const double period = kPi + kPi / std::sqrt(coast) + 2.0 * (drive_gap + coast_gap) / speed;
-    const Example example("two_flanks", {{"omega", 2.0 * kPi / period},
-                                         {"zeta", 0.0},
-                                         {"F", 0.0},
-                                         {"e", 0.0},
-                                         {"coast_stiffness", coast}});
-    const Eigen::VectorXd start = vector_of({0.3, speed});
-    const Eigen::VectorXd end = example.map(2048).advance(start, 3).value();
-    // (h w)^4/120 with w = 2 and h = 0.007 at the slowest.
-    EXPECT_LT((end - start).cwiseAbs().maxCoeff(), 2e-9) << speed;
-  }
-}
 
 TEST(ZooTwoFlanks, OrbitOnBothFlanksIsTheExactOne) {
   const double omega = 0.8, F = 0.1, e = 0.5, zeta = 0.05, drive_gap = 1.0, coast_gap = 0.4,
@@ -520,55 +398,6 @@ TEST(ZooTwoFlanks, OrbitOnBothFlanksIsTheExactOne) {
                1e-9);
 }
 
-// ---- duffing_pair ------------------------------------------------------------------------------
-
-// In phase the pair is Ueda's oscillator, whose exponents are 0.1034 and -0.1534 (Sprott, Chaos and
-// Time-Series Analysis, 2003, appendix A). The other two belong to the distance of the two, which
-// the damper takes away; all four add up to -2 damping - 2 damper. 32 starts of 1000 periods have a
-// standard error of 0.0008; the published digits are good to 0.001.
-TEST(ZooDuffingPair, InPhaseItIsUedasOscillator) {
-  const Points points = {.model = "duffing_pair",
-                         .parameters = "damper = 2.0",
-                         .axis = "name = 'x'\nfrom = 2.5\nto = 2.531\ncount = 32",
-                         .start = "policy = 'fixed'\nstate = {y = 2.4}",
-                         .quantities = "'lyapunov_spectrum', 'apart_max'",
-                         .settle = 200,
-                         .record = 1000,
-                         .steps = 160};
-  const SweepResult result = points.run();
-  double largest = 0.0, second = 0.0;
-  for (std::size_t i = 0; i < 32; ++i) {
-    const std::vector<double> exponents = exponents_of(result, i, 4);
-    largest += exponents[0] / 32.0;
-    second += exponents[1] / 32.0;
-    EXPECT_EQ(map_of(result, "apart_max")[i], 0.0);
-    // What steps of 0.04 make of the sum, as in ExactSum of the textbook models.
-    EXPECT_NEAR(total_of(exponents), -2.0 * 0.05 - 2.0 * 2.0, 1e-4);
-  }
-  EXPECT_NEAR(largest, 0.1034, 0.003);
-  EXPECT_NEAR(second, -0.1534, 0.003);
-}
-
-// Opposite in phase each obeys x'' + (linear + 2 spring) x + cubic x^3 = 0. From the amplitude A
-// that takes T = 4 K(m)/sqrt(B), B = linear + 2 spring + cubic A^2, m^2 = cubic A^2/(2 B), with the
-// complete elliptic integral K.
-TEST(ZooDuffingPair, OppositeInPhaseItTakesThePeriodOfTheEllipticIntegral) {
-  for (const double A : {0.5, 1.0, 3.0}) {
-    const double linear = 0.5, spring = 0.7, cubic = 1.0;
-    const double B = linear + 2.0 * spring + cubic * A * A;
-    const double period = 4.0 * std::comp_ellint_1(A * std::sqrt(0.5 * cubic / B)) / std::sqrt(B);
-    const Example example("duffing_pair", {{"omega", 2.0 * kPi / period},
-                                           {"amplitude", 0.0},
-                                           {"damping", 0.0},
-                                           {"damper", 0.0},
-                                           {"linear", linear},
-                                           {"spring", spring}});
-    const Eigen::VectorXd start = vector_of({A, -A, 0.0, 0.0});
-    const Eigen::VectorXd end = example.map(2048).advance(start, 3).value();
-    EXPECT_LT((end - start).cwiseAbs().maxCoeff(), 1e-9 * A * A) << A;
-  }
-}
-
 // ---- bouncing_ball -----------------------------------------------------------------------------
 
 // What the surface gives back of a speed: the root r of a v (1 + r) = log((1 + a v)/(1 - a v r)).
@@ -582,28 +411,6 @@ double restitution(double a, double speed) {
     (beyond ? high : low) = r;
   }
   return low;
-}
-
-// Without gravity a ball that meets the resting table leaves it with r times its speed. 8192 steps
-// of 0.001, of which a contact takes 200 and more: their fourth order leaves 1e-8, and the jump of
-// the force's second derivative where the ball leaves, (h sqrt(k))^3 a v of it, as much.
-TEST(ZooBouncingBall, LeavesWithTheRestitutionOfHuntAndCrossley) {
-  for (const double a : {0.0, 0.3, 2.0}) {
-    const Points points = {.model = "bouncing_ball",
-                           .parameters = "omega = 0.78\nA = 0.0\ng = 0.0\na = " + digits(a),
-                           .axis = "name = 'v'\nvalues = [-3.0, -1.0, -0.3]",
-                           .start = "policy = 'fixed'\nstate = {z = 1.0}",
-                           .quantities = "'z_max', 'period'",
-                           .settle = 0,
-                           .record = 1,
-                           .steps = 8192};
-    const SweepResult result = points.run();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double speed = std::vector<double>{3.0, 1.0, 0.3}[i];
-      EXPECT_NEAR(last_state(result, i, 2)[1], speed * restitution(a, speed), 1e-8 * speed)
-          << a << ' ' << speed;
-    }
-  }
 }
 
 // On a rigid table (Holmes) a ball that bounces once in a period T leaves with the speed g T/2 and
@@ -636,33 +443,26 @@ TEST(ZooBouncingBall, TendsToTheBounceOnARigidTable) {
 
 // ---- chua --------------------------------------------------------------------------------------
 
-// Sprott, Chaos and Time-Series Analysis, 2003, appendix A: 0.3271, 0 and -2.5197 for the double
-// scroll. The divergence is -alpha (1 + m0) - 1 between the corners and -alpha (1 + m1) - 1 beyond
-// them, so the sum of the exponents tells the share of the time in between. 64 starts of 1000 units
-// of time have a standard error of 0.0015.
-TEST(ZooChua, DoubleScrollHasItsPublishedExponents) {
-  const std::size_t starts = 64;
+// The divergence is -alpha (1 + m0) - 1 between the corners and -alpha (1 + m1) - 1 beyond them, so
+// the sum of the exponents tells the share of the time in between.
+TEST(ZooChua, ExponentsAddUpByTheTimeBetweenTheCorners) {
   const Points points = {.model = "chua",
                          .parameters = "",
-                         .axis = "name = 'x'\nfrom = 0.0\nto = 0.063\ncount = 64",
+                         .axis = "name = 'x'\nfrom = 0.0\nto = 0.007\ncount = 8",
                          .start = "policy = 'fixed'\nstate = {z = 0.6}",
                          .quantities = "'lyapunov_spectrum', 'contact_gap'",
                          .settle = 100,
                          .record = 1000,
                          .steps = 50};
   const SweepResult result = points.run();
-  std::vector<double> mean(3);
-  for (std::size_t i = 0; i < starts; ++i) {
-    const std::vector<double> exponents = exponents_of(result, i, 3);
-    for (std::size_t j = 0; j < 3; ++j) mean[j] += exponents[j] / static_cast<double>(starts);
+  const std::vector<double>& spectrum = map_of(result, "lyapunov_spectrum");
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double sum = spectrum[3 * i] + spectrum[3 * i + 1] + spectrum[3 * i + 2];
     const double inside = map_of(result, "contact_gap")[i];
     const double m0 = -8.0 / 7.0, m1 = -5.0 / 7.0;
     // Steps of 0.02, and shares that follow the motion inside them by a cubic.
-    EXPECT_NEAR(total_of(exponents), -1.0 - 9.0 * (1.0 + inside * m0 + (1.0 - inside) * m1), 1e-4);
+    EXPECT_NEAR(sum, -1.0 - 9.0 * (1.0 + inside * m0 + (1.0 - inside) * m1), 1e-4);
   }
-  EXPECT_NEAR(mean[0], 0.3271, 0.005);
-  EXPECT_NEAR(mean[1], 0.0, 0.002);
-  EXPECT_NEAR(mean[2], -2.5197, 0.01);
 }
 
 // At the equilibria of the scrolls the characteristic polynomial is
@@ -720,56 +520,6 @@ TEST(ZooShakenPendulum, ExponentsOfItsRestAreHills) {
     EXPECT_NEAR(std::log(std::abs(rest.multipliers[0])) * omega / (2.0 * kPi), hill.exponent(),
                 1e-10);
     EXPECT_EQ(rest.stable(), gravity == -0.25);
-  }
-}
-
-// On a pivot at rest it swings to the angle A with the period 4 K(sin(A/2)).
-TEST(ZooShakenPendulum, WideSwingsTakeThePeriodOfTheEllipticIntegral) {
-  for (const double A : {0.1, 1.5, 3.0}) {
-    const double period = 4.0 * std::comp_ellint_1(std::sin(0.5 * A));
-    const Example example("shaken_pendulum",
-                          {{"omega", 2.0 * kPi / period}, {"amplitude", 0.0}, {"damping", 0.0}});
-    const Eigen::VectorXd start = vector_of({A, 0.0});
-    const Eigen::VectorXd end = example.map(2048).advance(start, 2).value();
-    EXPECT_LT((end - start).cwiseAbs().maxCoeff(), 1e-8) << A;
-  }
-}
-
-// ---- hertz -------------------------------------------------------------------------------------
-
-// A free mass that hits with the speed v goes in by D = (5 v^2/4)^(2/5), stays for
-// 2 D/v times the integral of dz/sqrt(1 - z^(5/2)) over 0 to 1, which is 2.943 D/v (Hertz), and
-// leaves with v. The force has an infinite second derivative at the contact: (h/T)^2.5 of 4096
-// steps is 1e-9.
-TEST(ZooHertz, CollisionTakesTheTimeOfHertz) {
-  const double whole = std::sqrt(kPi) * std::tgamma(1.4) / std::tgamma(0.9);
-  EXPECT_NEAR(2.0 * whole, 2.943, 5e-4);
-  for (const double speed : {0.2, 1.0, 3.0}) {
-    const double depth = std::pow(1.25 * speed * speed, 0.4);
-    const double period = 2.0 / speed + 2.0 * whole * depth / speed;
-    const Example example(
-        "hertz", {{"omega", 2.0 * kPi / period}, {"P", 0.0}, {"load", 0.0}, {"zeta", 0.0}});
-    const Eigen::VectorXd end = example.map(4096).advance(vector_of({-1.0, speed}), 1).value();
-    EXPECT_NEAR(end[0], -1.0, 1e-8) << speed;
-    EXPECT_NEAR(end[1], -speed, 1e-8) << speed;
-  }
-}
-
-// Eight starts hit one after the other, so that some lanes of a vector touch while others do not.
-TEST(ZooHertz, GoesInByTheDepthOfHertz) {
-  const Points points = {.model = "hertz",
-                         .parameters = "omega = 1.0\nP = 0.0\nload = 0.0\nzeta = 0.0",
-                         .axis = "name = 'x'\nfrom = -2.2\nto = -0.1\ncount = 8",
-                         .start = "policy = 'fixed'\nstate = {v = 1.0}",
-                         .quantities = "'x_max'",
-                         .settle = 0,
-                         .record = 1,
-                         .steps = 2048};
-  const SweepResult result = points.run();
-  for (std::size_t i = 0; i < 8; ++i) {
-    // h^2.5 of steps of 0.003 is 5e-7.
-    EXPECT_NEAR(map_of(result, "x_max")[i], std::pow(1.25, 0.4), 5e-7) << i;
-    EXPECT_NEAR(last_state(result, i, 2)[1], -1.0, 5e-7) << i;
   }
 }
 

@@ -3,12 +3,10 @@
 
 #include <ostream>
 
-#include "verify/detail/published_exponents.hpp"
 #include "verify/detail/reference_rows.hpp"
 
 namespace gearsweep {
 
 inline void PrintTo(const ReferenceRow& row, std::ostream* out) { *out << row.name; }
-inline void PrintTo(const PublishedExponents& row, std::ostream* out) { *out << row.name; }
 
 }  // namespace gearsweep

@@ -17,8 +17,6 @@ std::vector<Compared> compare_published_exponents(const Subject& subject);
 std::vector<Compared> compare_multipliers(const Subject& subject);
 std::vector<Compared> compare_default_step(const Subject& subject);
 std::vector<Compared> compare_periods(const Subject& subject);
-
-// stopped_points.cpp
 std::vector<Compared> compare_stopped_points(const Subject& subject);
 
 // agreement.cpp
