@@ -157,6 +157,9 @@ struct Model {
   std::vector<OptionInfo> options;
   std::vector<PresetInfo> presets;
   std::vector<std::string> curves;  // names of those that a study may give
+  // Of gear pairs whose drawing a study may give: [gear.first]. In what follows from one, names of
+  // the model end in its name: eps_first.
+  std::vector<std::string> drawings;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   bool is_autonomous = false;       // no equation depends on the phase
