@@ -174,6 +174,8 @@ void print_model(const Study& study) {
   if (!study.gear_notes.empty()) {
     answer("\nfrom the [gear] table\n");
     for (const std::string& note : study.gear_notes) answer("  {}\n", note);
+  }
+  if (study.scales.known()) {
     answer(
         "  one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
         "N; varpi = {:.6g} rad/s\n",

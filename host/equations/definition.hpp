@@ -47,9 +47,10 @@ struct ModelDefinition {
   std::vector<ExpressionText> symbols;    // [parameter]: its name in expressions
   // `option.choice` is a condition in expressions.
   std::vector<OptionInfo> options;
-  std::vector<int> choices;         // [option]: those that are made; empty: none is made yet
-  std::vector<std::string> curves;  // names: name(phase) is its value, name.given a condition
-  Curves given_curves;              // those that are measured; another one is 0 everywhere
+  std::vector<int> choices;           // [option]: those that are made; empty: none is made yet
+  std::vector<std::string> curves;    // names: name(phase) is its value, name.given a condition
+  std::vector<std::string> drawings;  // of Model
+  Curves given_curves;                // those that are measured; another one is 0 everywhere
   std::vector<ModelCheck> checks;
   std::vector<MirrorPairs> mirrors;
   std::vector<PresetInfo> presets;

@@ -55,6 +55,7 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->options = definition.options;
   model->presets = definition.presets;
   model->curves = definition.curves;
+  model->drawings = definition.drawings;
   model->mirror_pairs = definition.mirrors;
   model->cycle_parameters = symbols_in(formula.graph, {formula.cycle}, formula.parameters);
   model->max_step = definition.max_step;

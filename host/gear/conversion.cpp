@@ -51,6 +51,7 @@ void add_masses(const GearDrawing& drawing, const GearBases& bases, GearTarget* 
       fmt::format("me/(Ip/Rp^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.pinion_mesh_mass));
   target->add("rho_g", bases.pinion_mesh_mass / sum, kInertia,
               fmt::format("me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.gear_mesh_mass));
+  if (!target->takes(kMass)) return;
   const std::vector<double>& mass = drawing.list(kMass);
   target->add("m1", bases.me / mass[0], kMass,
               fmt::format("me/mp = {:.6g} kg / {:.6g} kg", bases.me, mass[0]));
@@ -60,19 +61,17 @@ void add_masses(const GearDrawing& drawing, const GearBases& bases, GearTarget* 
 
 void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
                              GearTarget* target) {
-  const double cm = drawing.required(kMeshDamping) * 1e3;
+  const double cm = target->takes(kMeshDamping) ? drawing.required(kMeshDamping) * 1e3 : 0.0;
   target->add("zeta", cm / (2.0 * bases.varpi * bases.me), kMeshDamping,
               fmt::format("cm/(2 varpi me) = {:.6g} N s/m / (2 {:.6g} rad/s {:.6g} kg)", cm,
                           bases.varpi, bases.me));
-  const std::vector<double>& stiffness = drawing.list(kBearingStiffness);
-  const std::vector<double>& damping = drawing.list(kBearingDamping);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double spring = stiffness[i] * 1e3;
+  for (std::size_t i = 0; target->takes(kBearingStiffness) && i < kBearingStiffness.count(); ++i) {
+    const double spring = drawing.list(kBearingStiffness)[i] * 1e3;
     target->add(fmt::format("k{}", i + 1), spring / bases.k0, kBearingStiffness,
                 fmt::format("K{}/k0 = {:.6g} N/m / {:.6g} N/m", i + 1, spring, bases.k0));
   }
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double damper = damping[i] * 1e3;
+  for (std::size_t i = 0; target->takes(kBearingDamping) && i < kBearingDamping.count(); ++i) {
+    const double damper = drawing.list(kBearingDamping)[i] * 1e3;
     if (cm == 0.0 && damper > 0.0) {
       throw DrawingError(
           kMeshDamping,
@@ -84,12 +83,19 @@ void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
   }
 }
 
+void add_bases(const GearBases& bases, GearTarget* target) {
+  target->add("k0", bases.k0, kMeshStiffness, "mean mesh stiffness");
+  target->add("b_n", bases.b_n, kHalfBacklash, "half backlash");
+  target->add("varpi", bases.varpi, kInertia, "sqrt(k0/me)");
+}
+
 void add_lengths_and_loads(const GearDrawing& drawing, const GearGeometry& geometry,
                            const GearBases& bases, GearTarget* target) {
   const double centre = geometry.centre * 1e-3;
   target->add("b", 1.0, kHalfBacklash, "the half backlash b_n is the unit of length");
   target->add("A", centre / bases.b_n, kHalfBacklash,
               fmt::format("a/b_n = {:.6g} m / {:.6g} m", centre, bases.b_n));
+  if (!target->takes(kTorque)) return;
   const double torque = drawing.required(kTorque);
   target->add("F1", torque / (bases.pinion_base * bases.k0 * bases.b_n), kTorque,
               fmt::format("T/(Rp k0 b_n) = {:.6g} N m / ({:.6g} m {:.6g} N/m {:.6g} m)", torque,
@@ -107,14 +113,16 @@ void add_speed(const GearDrawing& drawing, double rpm_per_omega, GearTarget* tar
 
 }  // namespace
 
-GearConversion convert_gear(const GearDrawing& drawing, const Model& model) {
-  GearTarget target(drawing, model);
+GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
+                            const std::string& suffix) {
+  GearTarget target(drawing, model, suffix);
   const GearGeometry geometry = geometry_of(drawing);
   add_geometry(drawing, geometry, &target);
   const ContactPath path = add_contact_path(drawing, geometry, &target);
   const std::optional<MeasuredCurve> stiffness = measured_stiffness(drawing);
   const GearBases bases =
       bases_of(drawing, geometry, path.contact_ratio(), stiffness ? stiffness->mean : 0.0, &target);
+  add_bases(bases, &target);
   add_masses(drawing, bases, &target);
   add_springs_and_dampers(drawing, bases, &target);
   add_lengths_and_loads(drawing, geometry, bases, &target);

@@ -48,7 +48,11 @@ struct GearConversion {
 // for alpha everywhere. A given contact ratio changes the length of the path of contact, not its
 // split at the pitch point. Lengths are scaled by the half backlash b_n, forces by k0 b_n, time by
 // 1/varpi with varpi^2 = k0/me (Chen et al. 2011). Throws DrawingError: missing keys, a gear pair
-// that the model's ranges do not allow or that there cannot be.
-GearConversion convert_gear(const GearDrawing& drawing, const Model& model);
+// that the model's ranges do not allow or that there cannot be, what the model does not have.
+//
+// The model may be any that calls what it takes as gear5 does, with the suffix: eps_first. It may
+// take the bases of the drawing, too: k0 in N/m, b_n in m and varpi in rad/s.
+GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
+                            const std::string& suffix = "");
 
 }  // namespace gearsweep

@@ -25,12 +25,16 @@ enum class KeyForm : std::uint8_t {
   path_curve   // measured, over the path of contact
 };
 
+using GivenNames = std::array<std::string_view, 4>;  // those that are empty are none
+
 struct GearKey {
   std::string_view name;
   double min, max;  // of its numbers, both ends included, in its own unit
   std::string_view meaning;
   KeyForm form;
-  std::string_view fallback;              // what a drawing without the key has, in words
+  std::string_view fallback;  // what a drawing without the key has, in words
+  // Parameters and curves that come from this key alone. A model that has one of them needs it.
+  GivenNames gives = {};
   std::string_view choices = "";          // of a word, with blanks between
   std::span<const ValueUnit> units = {};  // of what is measured, that its source may name
 
@@ -49,16 +53,16 @@ struct GearKey {
 
 constexpr GearKey number_key(std::string_view name, double min, double max,
                              std::string_view meaning, KeyForm form = KeyForm::number,
-                             std::string_view fallback = "required") {
-  return {name, min, max, meaning, form, fallback};
+                             std::string_view fallback = "required", const GivenNames& gives = {}) {
+  return {name, min, max, meaning, form, fallback, gives};
 }
-constexpr GearKey measured_key(std::string_view name, KeyForm form, std::string_view meaning,
-                               std::span<const ValueUnit> units = {}) {
-  return {name, 0.0, 0.0, meaning, form, "", "", units};
+constexpr GearKey measured_key(std::string_view name, KeyForm form, const GivenNames& gives,
+                               std::string_view meaning, std::span<const ValueUnit> units = {}) {
+  return {name, 0.0, 0.0, meaning, form, "", gives, "", units};
 }
 constexpr GearKey word_key(std::string_view name, std::string_view choices,
                            std::string_view fallback, std::string_view meaning) {
-  return {name, 0.0, 0.0, meaning, KeyForm::word, fallback, choices};
+  return {name, 0.0, 0.0, meaning, KeyForm::word, fallback, {}, choices};
 }
 
 inline constexpr GearKey kTeeth =
@@ -74,14 +78,16 @@ inline constexpr GearKey kAddendum =
     number_key("addendum_mm", 0.0, 1e4, "addendum", KeyForm::pair, "one module");
 inline constexpr GearKey kInertia =
     number_key("inertia_kg_mm2", 1e-9, 1e15, "moment of inertia", KeyForm::pair);
-inline constexpr GearKey kMass = number_key("mass_kg", 1e-9, 1e9, "mass", KeyForm::pair);
-inline constexpr GearKey kBearingStiffness =
-    number_key("bearing_stiffness_N_per_mm", 1e-6, 1e15,
-               "bearing stiffness, y along the line of action", KeyForm::bearings);
+inline constexpr GearKey kMass =
+    number_key("mass_kg", 1e-9, 1e9, "mass", KeyForm::pair, "required", {"m1", "m2"});
+inline constexpr GearKey kBearingStiffness = number_key(
+    "bearing_stiffness_N_per_mm", 1e-6, 1e15, "bearing stiffness, y along the line of action",
+    KeyForm::bearings, "required", {"k1", "k2", "k3", "k4"});
 inline constexpr GearKey kBearingDamping =
-    number_key("bearing_damping_N_s_per_mm", 0.0, 1e12, "bearing damping", KeyForm::bearings);
-inline constexpr GearKey kMeshDamping =
-    number_key("mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping");
+    number_key("bearing_damping_N_s_per_mm", 0.0, 1e12, "bearing damping", KeyForm::bearings,
+               "required", {"c1", "c2", "c3", "c4"});
+inline constexpr GearKey kMeshDamping = number_key(
+    "mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping", KeyForm::number, "required", {"zeta"});
 inline constexpr GearKey kHalfBacklash =
     number_key("half_backlash_mm", 1e-9, 1e3, "half backlash, the unit of length");
 inline constexpr GearKey kMeshStiffness =
@@ -93,48 +99,51 @@ inline constexpr GearKey kFaceWidth =
 inline constexpr GearKey kDedendum = number_key(
     "dedendum_mm", 0.0, 1e4, "dedendum of the basic rack, for the stiffness by face_width_mm",
     KeyForm::number, "1.25 modules");
-inline constexpr GearKey kTorque = number_key("torque_N_m", 0.0, 1e12, "torque on the pinion");
+inline constexpr GearKey kTorque = number_key("torque_N_m", 0.0, 1e12, "torque on the pinion",
+                                              KeyForm::number, "required", {"F1"});
 inline constexpr GearKey kTransmissionError =
     number_key("transmission_error_um", 0.0, 1e9, "amplitudes of the transmission error",
-               KeyForm::harmonics, "needed without transmission_error_file");
+               KeyForm::harmonics, "needed without transmission_error_file", {"e0"});
 inline constexpr GearKey kErrorPhase =
     number_key("transmission_error_phase_deg", -3600.0, 3600.0, "their phases where a pair enters",
-               KeyForm::harmonics, "0");
-inline constexpr GearKey kRunout =
-    number_key("runout_um", 0.0, 1e9,
-               "amplitude of the error that eccentricity makes once per turn", KeyForm::pair, "0");
-inline constexpr GearKey kRunoutPhase = number_key(
-    "runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", KeyForm::pair, "0");
-inline constexpr GearKey kDamage = number_key(
-    "damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair", KeyForm::pair, "0");
+               KeyForm::harmonics, "0", {"e0_phase"});
+inline constexpr GearKey kRunout = number_key(
+    "runout_um", 0.0, 1e9, "amplitude of the error that eccentricity makes once per turn",
+    KeyForm::pair, "0", {"runout_p", "runout_g"});
+inline constexpr GearKey kRunoutPhase =
+    number_key("runout_phase_deg", -3600.0, 3600.0, "its phase where tooth 0 enters", KeyForm::pair,
+               "0", {"runout_phase_p", "runout_phase_g"});
+inline constexpr GearKey kDamage =
+    number_key("damage", 0.0, 1.0, "share by which a damaged tooth 0 weakens its pair",
+               KeyForm::pair, "0", {"damage_p", "damage_g"});
 inline constexpr GearKey kPinionDamage = measured_key(
-    "pinion_damage_file", KeyForm::path_curve,
+    "pinion_damage_file", KeyForm::path_curve, {"damage_curve_p"},
     "instead of damage: the share, 0 to 1, by which the pinion's tooth 0 weakens its pair");
-inline constexpr GearKey kGearDamage =
-    measured_key("gear_damage_file", KeyForm::path_curve, "the same of the gear's tooth 0");
+inline constexpr GearKey kGearDamage = measured_key(
+    "gear_damage_file", KeyForm::path_curve, {"damage_curve_g"}, "the same of the gear's tooth 0");
 inline constexpr GearKey kErrorFile =
-    measured_key("transmission_error_file", KeyForm::mesh_curve,
+    measured_key("transmission_error_file", KeyForm::mesh_curve, {"e0", "e0_phase"},
                  "measured transmission error over a mesh period, in um or the unit of its "
                  "heading, instead of amplitudes; its first 8 harmonics are taken",
                  kLengthUnits);
 inline constexpr GearKey kProfileFile = measured_key(
-    "profile_deviation_file", KeyForm::path_curve,
+    "profile_deviation_file", KeyForm::path_curve, {"e0", "e0_phase"},
     "what corrections and wear take away from a pair of flanks, in um or the unit of its heading",
     kLengthUnits);
 inline constexpr GearKey kPinionPitch = measured_key(
-    "pinion_pitch_error_file", KeyForm::tooth_list,
+    "pinion_pitch_error_file", KeyForm::tooth_list, {"pitch_p", "pitch_bend_p"},
     "pitch errors of the pinion where each tooth enters, in um or the unit of its heading",
     kLengthUnits);
 inline constexpr GearKey kGearPitch = measured_key(
-    "gear_pitch_error_file", KeyForm::tooth_list,
+    "gear_pitch_error_file", KeyForm::tooth_list, {"pitch_g", "pitch_bend_g"},
     "pitch errors of the gear where each tooth enters, in um or the unit of its heading",
     kLengthUnits);
 inline constexpr GearKey kStiffnessFile =
-    measured_key("stiffness_file", KeyForm::mesh_curve,
+    measured_key("stiffness_file", KeyForm::mesh_curve, {"measured_stiffness"},
                  "measured mesh stiffness over a mesh period, in N/m or the unit of its heading",
                  kStiffnessUnits);
 inline constexpr GearKey kLoadShareFile =
-    measured_key("load_share_file", KeyForm::mesh_curve,
+    measured_key("load_share_file", KeyForm::mesh_curve, {"load_share"},
                  "with it: the share, 0 to 1, of the pair that entered last");
 inline constexpr GearKey kStiffnessMean = word_key(
     "stiffness_mean", "keep normalise", "\"keep\"",
@@ -146,10 +155,11 @@ inline constexpr GearKey kProfileShift =
 inline constexpr GearKey kTipDiameter =
     number_key("tip_diameter_mm", 1e-3, 1e6, "tip diameters, instead of the addendum",
                KeyForm::pair, "from the addendum");
-inline constexpr GearKey kHelix = number_key(
-    "helix_angle_deg", 0.0, 45.0, "helix angle, with face_width_mm", KeyForm::number, "0");
+inline constexpr GearKey kHelix =
+    number_key("helix_angle_deg", 0.0, 45.0, "helix angle, with face_width_mm", KeyForm::number,
+               "0", {"overlap"});
 inline constexpr GearKey kSpeed = number_key("pinion_speed_rpm", 1e-6, 1e9, "speed of the pinion",
-                                             KeyForm::number, "omega stays as it is");
+                                             KeyForm::number, "omega stays as it is", {"omega"});
 inline constexpr GearKey kPitchDeviation =
     number_key("pitch_deviation_um", 0.0, 1e4,
                "deviation f_pb of the base pitch, for K_v in a report", KeyForm::number, "no K_v");

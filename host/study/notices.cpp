@@ -36,28 +36,37 @@ void note_moved_chain(const toml::table& root, Study* study) {
 
 // What the command line or [parameters] gives beside an axis or the [gear] table. What a file gives
 // beside an axis is what it had before the axis, and no mistake.
-void note_what_wins(const toml::table& root, const std::vector<GearParameter>& gear, Study* study) {
+void note_what_wins(const toml::table& root, const std::vector<StudyDrawing>& drawings,
+                    Study* study) {
   const auto note = [&](const toml::node& loser, const std::string& name, const char* over = "") {
     if (!is_override(loser) || !is_swept(*study, name)) return;
     study->notices.push_back(
         fmt::format("{}: the axis '{}' of the study wins{}", place_of(loser), name, over));
   };
+  const auto note_parameter = [&](const toml::node& node, const StudyDrawing& drawing,
+                                  const GearParameter& one) {
+    if (is_swept(*study, one.name)) return;
+    const int index = study->model->find_parameter(one.name);
+    study->notices.push_back(fmt::format("{}: {} = {} wins over {} of {}, which gives {:.6g}",
+                                         place_of(node), one.name,
+                                         study->setting.parameters[static_cast<std::size_t>(index)],
+                                         one.key, drawing.from.heading, one.value));
+  };
   if (const toml::table* parameters = root["parameters"].as_table()) {
     for (const auto& [key, node] : *parameters) {
-      const std::string name(key.str());
-      note(node, name);
-      const auto given = std::find_if(gear.begin(), gear.end(),
-                                      [&](const GearParameter& one) { return one.name == name; });
-      if (given == gear.end() || is_swept(*study, name)) continue;
-      study->notices.push_back(fmt::format(
-          "{}: {} = {} wins over {} of [gear], which gives {:.6g}", place_of(node), name,
-          study->setting.parameters[static_cast<std::size_t>(study->model->find_parameter(name))],
-          given->key, given->value));
+      note(node, std::string(key.str()));
+      for (const StudyDrawing& drawing : drawings) {
+        for (const GearParameter& one : drawing.gives.parameters) {
+          if (one.name == key.str()) note_parameter(node, drawing, one);
+        }
+      }
     }
   }
-  for (const GearParameter& one : gear) {
-    const toml::node* node = root["gear"].as_table()->get(one.key);
-    if (node != nullptr) note(*node, one.name, " over what follows from this");
+  for (const StudyDrawing& drawing : drawings) {
+    for (const GearParameter& one : drawing.gives.parameters) {
+      const toml::node* node = drawing.from.table->get(one.key);
+      if (node != nullptr) note(*node, one.name, " over what follows from this");
+    }
   }
   note_moved_chain(root, study);
   if (const toml::table* state = root["initial"]["state"].as_table()) {

@@ -5,13 +5,14 @@
 
 #include <vector>
 
-#include "gear/conversion.hpp"
+#include "study/detail/study_drawings.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// Adds to the study's notices. `root` is all of its text, `gear` what its [gear] table gives.
-void note_what_wins(const toml::table& root, const std::vector<GearParameter>& gear, Study* study);
+// Adds to the study's notices. `root` is all of its text.
+void note_what_wins(const toml::table& root, const std::vector<StudyDrawing>& drawings,
+                    Study* study);
 
 // Adds what the study's model says of its settings (Model::notices). Throws InputError as that
 // does.

@@ -101,12 +101,14 @@ constexpr std::string_view kForms[] = {"number",
                                        "file over the path of contact"};
 
 StudyTable gear_table() {
-  StudyTable table{"gear",
-                   "[gear]",
-                   "A gear pair in the units of a drawing, for the model gear5; the unit is in the "
-                   "name of the key. 'gearsweep model --study STUDY' shows how each parameter "
-                   "comes about. A value in [parameters] wins over what follows from here.",
-                   {}};
+  StudyTable table{
+      "gear",
+      "[gear]",
+      "A gear pair in the units of a drawing, for the model gear5; the unit is in the "
+      "name of the key. 'gearsweep model --study STUDY' shows how each parameter "
+      "comes about. A value in [parameters] wins over what follows from here. A model whose "
+      "file has [drawings] takes these keys in [gear.NAME].",
+      {}};
   for (const GearKey& key : kGearKeys) {
     table.keys.push_back({std::string(key.name),
                           std::string(kForms[static_cast<std::size_t>(key.form)]),

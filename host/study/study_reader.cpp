@@ -10,9 +10,7 @@
 #include "model/names.hpp"
 #include "study/detail/axis_reader.hpp"
 #include "study/detail/curve_reader.hpp"
-#include "study/detail/drawing_axis.hpp"
 #include "study/detail/gear_files.hpp"
-#include "study/detail/gear_reader.hpp"
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/integrate_reader.hpp"
 #include "study/detail/model_table.hpp"
@@ -20,6 +18,7 @@
 #include "study/detail/overrides.hpp"
 #include "study/detail/point_reader.hpp"
 #include "study/detail/rough_model.hpp"
+#include "study/detail/study_drawings.hpp"
 #include "study/detail/study_files.hpp"
 #include "study/detail/study_printer.hpp"
 #include "study/detail/toml_access.hpp"
@@ -56,41 +55,12 @@ toml::table parse(const std::string& text, const std::string& source) {
   }
 }
 
-// What the table gives. own: [model], whose options win.
-GearConversion read_gear(const toml::table* gear, const toml::table* own, Study* study) {
-  if (gear == nullptr) return {};
-  if (!takes_drawing(*study->model)) {
-    fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", kGearModel));
-  }
-  const GearDrawing drawing = read_drawing(*gear, first_values(*study->model, study->axes));
-  GearConversion conversion = convert_gear(drawing, *study->model, *gear);
-  study->scales = conversion.scales;
-  study->dynamic_factor = conversion.dynamic_factor;
-  study->gear_notes = conversion.notes;
-  for (const GearDoubt& doubt : conversion.doubts) {
-    study->notices.push_back(
-        fmt::format("{}: {}", place_of(node_of(*gear, doubt.key)), doubt.text));
-  }
-  for (const GearParameter& parameter : conversion.parameters) {
-    const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
-    study->setting.parameters[index] = parameter.value;
-    study->parameter_origins[index] = "[gear]: " + parameter.note;
-  }
-  for (const GearOption& option : conversion.options) {
-    if (own != nullptr && own->contains(option.name)) continue;
-    const auto index = static_cast<std::size_t>(study->model->find_option(option.name));
-    const std::vector<std::string>& choices = study->model->options[index].choices;
-    study->setting.options[index] =
-        static_cast<int>(std::ranges::find(choices, option.choice) - choices.begin());
-    study->option_origins[index] = "[gear]";
-  }
-  return conversion;
-}
-
 // The model with the study's options, which reads its measured curves.
-void bind_model(const toml::table* model, const GearConversion& gear, Study* study) {
+void bind_model(const toml::table* model, const std::vector<StudyDrawing>& drawings, Study* study) {
   Binding binding{read_given_curves(model, *study->model), study->setting.options, {}};
-  binding.curves.insert(gear.curves.begin(), gear.curves.end());
+  for (const StudyDrawing& drawing : drawings) {
+    binding.curves.insert(drawing.gives.curves.begin(), drawing.gives.curves.end());
+  }
   const auto add = [&](const Axis& axis) {
     for (const Swept& swept : axis.swept()) {
       if (!swept.is_state) binding.parameters.insert(study->model->parameters[swept.index].name);
@@ -236,14 +206,14 @@ Study read_tables(const StudyText& text) {
   study.title = reader.text("title", "");
   read_model(root, reader.table("model"), &study);
   const toml::table* parameters = reader.table("parameters");
-  const toml::table* gear_table = reader.table("gear");
+  reader.table("gear");
   reader.table("points");
   reader.table("uncertain");
   refuse_misplaced(root, *study.model);
   reader.refuse_unknown();
 
   study.axes = read_axes(root, text.points, *study.model);
-  const GearConversion gear = read_gear(gear_table, root["model"].as_table(), &study);
+  const std::vector<StudyDrawing> drawings = read_drawings(root, &study);
   take_in_gear(root, *study.model, &study.axes);
   read_parameters(parameters, &study);
   read_initial(reader.table("initial"), &study);
@@ -255,8 +225,8 @@ Study read_tables(const StudyText& text) {
   // A study of uncertain parameters needs no axes: it is that of its one point.
   if (study.axes.empty() && study.uncertain.draws() > 0) study.axes.push_back(resting_axis(study));
   check_size(root, study);
-  note_what_wins(root, gear.parameters, &study);
-  bind_model(root["model"].as_table(), gear, &study);
+  note_what_wins(root, drawings, &study);
+  bind_model(root["model"].as_table(), drawings, &study);
   note_what_the_model_says(&study);
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);

@@ -52,8 +52,9 @@ void convert(const Table& table) {
   std::string text = "[gear]\n";
   for (const auto& [key, value] : table) text += key + " = " + value + "\n";
   const toml::table study = toml::parse(text, std::string_view("study.toml"));
-  const toml::table& gear = *study["gear"].as_table();
-  convert_gear(read_drawing(gear, {}), *find_model(kGearModel), gear);
+  const Model& model = *find_model("gear5");
+  const DrawingTable gear = drawing_tables(study, model).front();
+  convert_gear(read_drawing(gear, {}), model, gear);
 }
 
 std::string line_of(const Table& table, const std::string& key) {

@@ -31,11 +31,10 @@ class Doubts {
                                   "diameter; gears have at most {:g}",
                                   *width, *width / (2.0 * reference(0)), kWidest));
     }
-    const std::vector<double>& mass = drawing_.list(kMass);
-    const std::vector<double>& inertia = drawing_.list(kInertia);
-    for (std::size_t gear = 0; gear < 2; ++gear) {
-      compare_mass(gear, mass[gear], width, width.value_or(widest));
-      compare_inertia(gear, inertia[gear], mass[gear]);
+    for (std::size_t gear = 0; drawing_.has(kMass) && gear < kMass.count(); ++gear) {
+      const double mass = drawing_.list(kMass)[gear];
+      compare_mass(gear, mass, width, width.value_or(widest));
+      compare_inertia(gear, drawing_.list(kInertia)[gear], mass);
     }
     const double backlash = 2.0 * drawing_.required(kHalfBacklash);
     if (backlash > 0.5 * geometry_.module) {

@@ -1,25 +1,72 @@
 #include "gear/detail/target.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
 
 #include "model/names.hpp"
 
 namespace gearsweep {
 
+GearTarget::GearTarget(const GearDrawing& drawing, const Model& model, std::string suffix)
+    : drawing_(drawing), model_(model), suffix_(std::move(suffix)) {
+  for (const GearKey& key : kGearKeys) {
+    if (!drawing.has(key) || takes(key)) continue;
+    std::vector<std::string> names;
+    for (const std::string_view name : key.gives) {
+      if (!name.empty()) names.push_back(std::string(name) + suffix_);
+    }
+    throw DrawingError(key, fmt::format("{} gives {}, which model '{}' does not have", key.name,
+                                        fmt::join(names, ", "), model.name));
+  }
+}
+
+bool GearTarget::takes(const GearKey& key) const {
+  if (key.gives.front().empty()) return true;
+  return std::ranges::any_of(key.gives, [&](std::string_view name) {
+    if (name.empty()) return false;
+    const std::string full = std::string(name) + suffix_;
+    return model_.find_parameter(full) >= 0 || has_curve(full);
+  });
+}
+
+bool GearTarget::has_curve(std::string_view name) const {
+  return std::ranges::find(model_.curves, name) != model_.curves.end();
+}
+
 void GearTarget::add(const std::string& name, double value, const GearKey& origin, std::string note,
                      std::size_t i) {
-  const std::string full = name_in_list(name, i);
+  const std::string full = name_in_list(name + suffix_, i);
   const int index = model_.find_parameter(full);
-  if (index < 0) return;
+  const std::string_view giver =
+      drawing_.has(origin) ? origin.name : std::string_view(drawing_.name());
+  if (index < 0) {
+    if (origin.gives.front().empty() || value == 0.0) return;
+    throw DrawingError(origin, fmt::format("{} gives {} = {:.6g}, which model '{}' does not have",
+                                           giver, full, value, model_.name));
+  }
   const ParameterInfo& info = model_.parameters[static_cast<std::size_t>(index)];
   if (!(value >= info.min && value <= info.max)) {
     throw DrawingError(
         origin,
         fmt::format("{} gives {} = {:.6g}, out of range; from {:g} to {:g} is allowed ({}: {})",
-                    drawing_.has(origin) ? origin.name : std::string_view(drawing_.name()), full,
-                    value, info.min, info.max, info.meaning, note));
+                    giver, full, value, info.min, info.max, info.meaning, note));
   }
   out_.parameters.push_back({full, value, std::move(note), origin.name});
+}
+
+void GearTarget::add_curve(const std::string& name, std::shared_ptr<const PeriodicTable> curve) {
+  if (has_curve(name + suffix_)) out_.curves[name + suffix_] = std::move(curve);
+}
+
+void GearTarget::choose(const std::string& option, const std::string& choice) {
+  const int index = model_.find_option(option + suffix_);
+  if (index < 0) return;
+  const auto& choices = model_.options[static_cast<std::size_t>(index)].choices;
+  if (std::ranges::find(choices, choice) == choices.end()) return;
+  out_.options.push_back({option + suffix_, choice});
 }
 
 }  // namespace gearsweep

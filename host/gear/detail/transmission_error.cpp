@@ -102,6 +102,7 @@ std::vector<Harmonic> sum_of(std::vector<Harmonic> one, const std::vector<Harmon
 
 bool add_transmission_error(const GearDrawing& drawing, const GearGeometry& geometry,
                             const ContactPath& path, double b_n, GearTarget* target) {
+  if (!target->takes(kTransmissionError)) return true;
   const std::optional<MeasuredCurve> measured =
       measured_curve(drawing, kErrorFile, Interpolation::cubic);
   std::vector<Harmonic> series =

@@ -179,11 +179,12 @@ void add_data(const ReportFindings& findings, HtmlPage* page) {
     std::vector<std::string> notes;
     for (const std::string& note : study.gear_notes) notes.push_back(html_text(note));
     const Scales& scales = study.scales;
-    notes.push_back(
-        fmt::format("one unit of force, k<sub>0</sub> b<sub>n</sub>, is {:.5g} N; one of length, "
-                    "b<sub>n</sub>, "
-                    "is {:.5g} µm; one of frequency, ϖ, is {:.5g} rad/s",
-                    scales.k0 * scales.b_n, 1e6 * scales.b_n, scales.varpi));
+    if (scales.known()) {
+      notes.push_back(
+          fmt::format("one unit of force, k<sub>0</sub> b<sub>n</sub>, is {:.5g} N; one of length, "
+                      "b<sub>n</sub>, is {:.5g} µm; one of frequency, ϖ, is {:.5g} rad/s",
+                      scales.k0 * scales.b_n, 1e6 * scales.b_n, scales.varpi));
+    }
     page->list(notes);
   }
   std::vector<std::string> axes;

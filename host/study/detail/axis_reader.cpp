@@ -99,8 +99,7 @@ void read_values(const toml::table& table, TableReader* reader, std::pair<double
   check_increasing(*values, *axis);
 }
 
-// gear: the table [gear] of the study; nullptr when there is none.
-Axis read_axis(const toml::table& table, const Model& model, const toml::table* gear) {
+Axis read_axis(const toml::table& table, const Model& model, const toml::table& study) {
   TableReader reader(&table, study_table("axes"));
   Axis axis;
   axis.name = reader.text("name", "");
@@ -109,8 +108,8 @@ Axis read_axis(const toml::table& table, const Model& model, const toml::table* 
   reader.refuse_unknown();
 
   const toml::node& name = *reader.find("name");
-  const GearKey* key = find_swept_key(model, axis.name);
-  if (key == nullptr) {
+  const std::optional<SweptKey> swept = find_swept_key(study, model, axis.name);
+  if (!swept) {
     const std::pair<double, double> range = bind_swept(model, name, "axis", &axis);
     if (!axis.is_state && !model.uses_parameter(axis.name)) {
       fail_at(name, fmt::format("nothing in model '{}' depends on '{}': the points along this axis "
@@ -120,12 +119,12 @@ Axis read_axis(const toml::table& table, const Model& model, const toml::table* 
     read_values(table, &reader, range, &axis);
     return axis;
   }
-  if (gear == nullptr) {
-    fail_at(name, fmt::format("axis '{}' is a key of [gear], and the study has no such table",
-                              axis.name));
+  if (swept->from.table == nullptr) {
+    fail_at(name, fmt::format("axis '{}' is a key of {}, and the study has no such table",
+                              axis.name, swept->from.heading));
   }
-  bind_key(*key, &axis);
-  read_values(table, &reader, {key->min, key->max}, &axis);
+  bind_key(*swept->key, &axis);
+  read_values(table, &reader, {swept->key->min, swept->key->max}, &axis);
   return axis;
 }
 
@@ -142,7 +141,7 @@ std::vector<Axis> axes_of_tables(const toml::table& study, const Model& model) {
     fail_at(*node, fmt::format("{} axes are given; a map has one or two", array->size()));
   }
   for (const toml::node& element : *array) {
-    axes.push_back(read_axis(*element.as_table(), model, study["gear"].as_table()));
+    axes.push_back(read_axis(*element.as_table(), model, study));
   }
   return axes;
 }
@@ -183,11 +182,10 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
 void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis>* axes) {
   for (std::size_t i = 0; i < axes->size(); ++i) {
     Axis& axis = (*axes)[i];
-    const GearKey* key = axis.is_list ? nullptr : find_swept_key(model, axis.name);
-    if (key == nullptr) continue;
-    const toml::table& gear = *study["gear"].as_table();
-    add_parameters(*key, gear, first_values(model, *axes), model, (*study["axes"].as_array())[i],
-                   &axis);
+    const std::optional<SweptKey> swept = find_swept_key(study, model, axis.name);
+    if (axis.is_list || !swept) continue;
+    const GearValues others = first_values(study, model, swept->from, *axes);
+    add_parameters(*swept, others, model, (*study["axes"].as_array())[i], &axis);
   }
   refuse_twice(*axes, study);
 }

@@ -32,17 +32,36 @@ std::vector<MirrorPairs::Pair> read_pairs(const toml::node& node, const std::str
   return pairs;
 }
 
+void need_text(const Entry& entry, const char* what) {
+  if (entry.node->is_string()) return;
+  fail_at(*entry.node, fmt::format("the {} '{}' needs a text that says what it is of, in quotes",
+                                   what, entry.name));
+}
+
 }  // namespace
 
 void read_curves(const toml::table* table, ModelNames* names, ModelDefinition* definition) {
   for (const Entry& entry : entries_of(table)) {
     names->take(*entry.node, entry.name);
-    if (!entry.node->is_string()) {
-      fail_at(*entry.node, fmt::format("the curve '{}' needs a text that says what it is of, in "
-                                       "quotes",
-                                       entry.name));
-    }
+    need_text(entry, "curve");
     definition->curves.push_back(entry.name);
+  }
+}
+
+void read_drawing_names(const toml::table* table, ModelDefinition* definition) {
+  std::vector<std::string> names = names_of(definition->parameters);
+  names.insert(names.end(), definition->curves.begin(), definition->curves.end());
+  for (const Entry& entry : entries_of(table)) {
+    need_text(entry, "drawing");
+    const std::string suffix = "_" + entry.name;
+    if (std::ranges::none_of(names,
+                             [&](const std::string& one) { return one.ends_with(suffix); })) {
+      fail_at(*entry.node, fmt::format("the drawing '{}' gives nothing: no parameter and no curve "
+                                       "ends in '{}'",
+                                       entry.name, suffix));
+    }
+    if (entry.name == "tables") fail_at(*entry.node, "a drawing cannot be called 'tables'");
+    definition->drawings.push_back(entry.name);
   }
 }
 

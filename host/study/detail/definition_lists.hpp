@@ -9,6 +9,10 @@
 
 namespace gearsweep {
 
+// [drawings]: first = "of the input stage". Read after the parameters and curves, of which each
+// must have one. Throws InputError.
+void read_drawing_names(const toml::table* table, ModelDefinition* definition);
+
 // [curves]: stiffness = "of the mesh over its period, in k0". Throws InputError.
 void read_curves(const toml::table* table, ModelNames* names, ModelDefinition* definition);
 

@@ -36,6 +36,7 @@ class DefinitionReader {
     read_parameters(reader.table("parameters"));
     read_options(reader.table("options"));
     read_curves(reader.table("curves"), &names_, &definition_);
+    read_drawing_names(reader.table("drawings"), &definition_);
     read_functions(reader.table("functions"));
     read_constants(reader.table("constants"));
     read_equations(required(&reader, "equations"));

@@ -1,27 +1,44 @@
-// Axes in the units of a drawing: a key of the [gear] table is swept.
+// Axes in the units of a drawing: a key of its table is swept.
 #pragma once
 
 #include <toml++/toml.h>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "study/detail/gear_reader.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// The key of [gear] of this name that an axis of the model can sweep; nullptr if there is none.
-const GearKey* find_swept_key(const Model& model, const std::string& name);
+// A key that an axis can sweep, and the table that it is of.
+struct SweptKey {
+  const GearKey* key = nullptr;
+  DrawingTable from;
+  // Of the axis: torque_N_m, or torque_N_m_first of the drawing `first`.
+  std::string name() const { return std::string(key->name) + from.suffix; }
+};
+
+// All that a study of the model may sweep; a parameter or state of the same name comes first.
+// Throws InputError for a [gear] that is none of the model's.
+std::vector<SweptKey> swept_keys(const toml::table& study, const Model& model);
+// The one of this name, if there is one.
+std::optional<SweptKey> find_swept_key(const toml::table& study, const Model& model,
+                                       const std::string& name);
 
 // Fills in what the axis has from its key, but for the values and the columns.
 void bind_key(const GearKey& key, Axis* axis);
 
+// The values of a drawing that the axes of the study give: the first of each.
+GearValues first_values(const toml::table& study, const Model& model, const DrawingTable& from,
+                        const std::vector<Axis>& axes);
+
 // Gives the axis, whose values are there, the parameters that follow from each of them as columns.
 // others: values of other keys, in place of those of the table. place: what messages point to.
-// Throws InputError for what [gear] refuses, and where the units of the result would change from
-// value to value.
-void add_parameters(const GearKey& key, const toml::table& gear, const GearValues& others,
-                    const Model& model, const toml::node& place, Axis* axis);
-
-// The values of [gear] that the axes of a study of the model give: the first of each.
-GearValues first_values(const Model& model, const std::vector<Axis>& axes);
+// Throws InputError for what the drawing refuses, and where the units of the result would change
+// from value to value.
+void add_parameters(const SweptKey& swept, const GearValues& others, const Model& model,
+                    const toml::node& place, Axis* axis);
 
 }  // namespace gearsweep

@@ -81,11 +81,8 @@ std::string read_file(const std::string& path, const GearKey& key) {
   return text_of_teeth(parse_teeth(text, path, key.units));
 }
 
-}  // namespace
-
-void take_in_gear_files(const StudyFiles& files, toml::table* root) {
-  toml::table* gear = (*root)["gear"].as_table();
-  if (gear == nullptr) return;
+// Of a drawing's table.
+void take_in_files(const StudyFiles& files, toml::table* gear) {
   if (const toml::node* node = gear->get(kTables); node != nullptr && !node->is_table()) {
     fail_at(*node, "tables must be a table: [gear.tables]");
   }
@@ -113,6 +110,17 @@ void take_in_gear_files(const StudyFiles& files, toml::table* root) {
   }
   gear->erase(kTables);
   if (!tables.empty()) gear->insert(kTables, std::move(tables));
+}
+
+}  // namespace
+
+void take_in_gear_files(const StudyFiles& files, toml::table* root) {
+  toml::table* gear = (*root)["gear"].as_table();
+  if (gear == nullptr) return;
+  for (auto&& [key, node] : *gear) {
+    if (node.is_table() && key.str() != kTables) take_in_files(files, node.as_table());
+  }
+  take_in_files(files, gear);
 }
 
 Measured read_measured(const toml::table& gear, const GearKey& key) {

@@ -1,5 +1,7 @@
 #include "study/detail/gear_reader.hpp"
 
+#include <fmt/format.h>
+
 #include "model/names.hpp"
 #include "study/builtin_models.hpp"
 #include "study/detail/gear_files.hpp"
@@ -8,13 +10,16 @@
 namespace gearsweep {
 namespace {
 
+constexpr const char* kGearModel = "gear5";
+
 void read_key(const toml::table& gear, const GearKey& key, TableReader* reader,
               GearDrawing* drawing) {
   const std::string name(key.name);
   if (key.is_measured()) {
     drawing->set_measured(key, read_measured(gear, key));
   } else if (key.form == KeyForm::word) {
-    drawing->set_word(key, split_words(key.choices)[reader->choice(name, 0)]);
+    const std::vector<std::string> choices = split_words(key.choices);
+    drawing->set_word(key, choices[reader->choice(name, 0, choices)]);
   } else if (key.form == KeyForm::number || !gear.get(name)->is_array()) {
     drawing->set_number(key, *reader->optional_number(name, key.min, key.max));
   } else {
@@ -24,39 +29,55 @@ void read_key(const toml::table& gear, const GearKey& key, TableReader* reader,
 
 }  // namespace
 
-bool takes_drawing(const Model& model) {
-  return model.name == kGearModel && model.text == *model_text(kGearModel);
-}
-
-const toml::node& node_of(const toml::table& gear, std::string_view key) {
-  const toml::node* found = gear.get(key);
-  return found == nullptr ? gear : *found;
-}
-
-GearDrawing read_drawing(const toml::table& gear, const GearValues& values) {
-  TableReader reader(&gear, study_table("gear"));
+std::vector<DrawingTable> drawing_tables(const toml::table& study, const Model& model) {
+  const toml::table* gear = study["gear"].as_table();
+  // Another model may have the same name.
+  if (model.name == kGearModel && model.text == *model_text(kGearModel)) {
+    return {{"[gear]", "", gear}};
+  }
+  if (gear != nullptr && model.drawings.empty()) {
+    fail_at(*gear, fmt::format("a [gear] table belongs to model '{}'", kGearModel));
+  }
+  TableReader reader(gear, "[gear]");
+  std::vector<DrawingTable> tables;
+  for (const std::string& name : model.drawings) {
+    tables.push_back({fmt::format("[gear.{}]", name), "_" + name, reader.table(name)});
+  }
   reader.refuse_unknown();
-  GearDrawing drawing("[gear]");
+  return tables;
+}
+
+const toml::node& node_of(const DrawingTable& from, std::string_view key) {
+  const toml::node* found = from.table->get(key);
+  return found == nullptr ? *from.table : *found;
+}
+
+GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
+  const toml::table& table = *from.table;
+  TableReader reader(&table, from.heading);
+  for (const StudyKey& key : study_table("gear").keys) reader.know(key.name);
+  reader.refuse_unknown();
+  GearDrawing drawing(from.heading);
   for (const GearKey& key : kGearKeys) {
     const auto value = values.find(key.name);
     // Of harmonics it is the first one alone.
     const bool is_replaced = value != values.end() && key.form != KeyForm::harmonics;
     try {
-      if (gear.contains(key.name) && !is_replaced) read_key(gear, key, &reader, &drawing);
+      if (table.contains(key.name) && !is_replaced) read_key(table, key, &reader, &drawing);
       if (value != values.end()) drawing.vary(key, value->second);
     } catch (const DrawingError& error) {
-      fail_at(node_of(gear, key.name), error.what());
+      fail_at(node_of(from, key.name), error.what());
     }
   }
   return drawing;
 }
 
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
-                            const toml::table& gear) {
+                            const DrawingTable& from) {
   try {
-    return convert_gear(drawing, model);
+    return convert_gear(drawing, model, from.suffix);
   } catch (const DrawingError& error) {
-    fail_at(node_of(gear, error.key()), error.what());
+    fail_at(node_of(from, error.key()), error.what());
   }
 }
 

@@ -1,4 +1,4 @@
-// The [gear] table of a study: a drawing, whose errors get their places.
+// [gear] in a study: drawings, whose errors get their places.
 #pragma once
 
 #include <toml++/toml.h>
@@ -6,28 +6,34 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gear/conversion.hpp"
 
 namespace gearsweep {
 
-// The model whose parameters follow from the table.
-inline constexpr const char* kGearModel = "gear5";
-// Whether it is this one, and no other of the same name.
-bool takes_drawing(const Model& model);
+// The table of a drawing: [gear] itself, or [gear.first] of a model with the drawing `first`.
+struct DrawingTable {
+  std::string heading;                 // as messages name it
+  std::string suffix;                  // of names in the model: "", or "_first"
+  const toml::table* table = nullptr;  // nullptr where the study has none
+};
 
-// Numbers that stand in place of those of the table, by the names of keys, which axes give.
+// Those that a study of the model may have. Throws InputError for what [gear] has besides.
+std::vector<DrawingTable> drawing_tables(const toml::table& study, const Model& model);
+
+// Numbers that stand in place of those of a table, by the names of keys, which axes give.
 using GearValues = std::map<std::string, double, std::less<>>;
 
-// What the table says, but for what `values` have. Throws InputError with the place: unknown keys,
+// What a table says, but for what `values` have. Throws InputError with the place: unknown keys,
 // numbers out of range, files whose numbers are none.
-GearDrawing read_drawing(const toml::table& gear, const GearValues& values);
+GearDrawing read_drawing(const DrawingTable& from, const GearValues& values);
 
-// What follows from the drawing that `gear` says. Throws InputError with the place.
+// What follows from the drawing that the table says. Throws InputError with the place.
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
-                            const toml::table& gear);
+                            const DrawingTable& from);
 
 // What a message about a key should point at: the key, or the table that lacks it.
-const toml::node& node_of(const toml::table& gear, std::string_view key);
+const toml::node& node_of(const DrawingTable& from, std::string_view key);
 
 }  // namespace gearsweep

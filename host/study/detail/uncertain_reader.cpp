@@ -130,11 +130,12 @@ void check_draws(const toml::node& place, const UncertainParameter& parameter,
 }
 
 // The one number that a key of [gear] has.
-double nominal_of_key(const toml::table& gear, const GearKey& key, const toml::node& place) {
-  const toml::node* node = gear.get(key.name);
+double nominal_of_key(const SweptKey& swept, const toml::node& place) {
+  const GearKey& key = *swept.key;
+  const toml::node* node = swept.from.table->get(key.name);
   if (node == nullptr || !node->is_number()) {
-    fail_at(place,
-            fmt::format("{} is uncertain, but [gear] does not give it as one number", key.name));
+    fail_at(place, fmt::format("{} is uncertain, but {} does not give it as one number", key.name,
+                               swept.from.heading));
   }
   return read_number(*node, std::string(key.name), key.min, key.max);
 }
@@ -164,29 +165,30 @@ void read_of_model(const toml::table& table, const std::string& name, std::size_
   study->uncertain.parameters.push_back(std::move(parameter));
 }
 
-void read_of_gear(const toml::table& table, const GearKey& key, const toml::table* gear,
+void read_of_gear(const toml::table& root, const toml::table& table, const SweptKey& swept,
                   std::size_t place, std::size_t count, Study* study) {
-  if (gear == nullptr) {
-    fail_at(table,
-            fmt::format("'{}' is a key of [gear], and the study has no such table", key.name));
+  const GearKey& key = *swept.key;
+  if (swept.from.table == nullptr) {
+    fail_at(table, fmt::format("'{}' is a key of {}, and the study has no such table", swept.name(),
+                               swept.from.heading));
   }
   UncertainParameter parameter;
   Axis& draws = parameter.draws;
-  draws.name = std::string(key.name);
+  draws.name = swept.name();
   draws.is_list = true;
   bind_key(key, &draws);
-  const double nominal = nominal_of_key(*gear, key, table);
+  const double nominal = nominal_of_key(swept, table);
   const Tolerance tolerance = read_tolerance(table, draws.name, nominal);
   draws.values = draws_of(tolerance, draws.name, study->uncertain, place, count);
   for (double& value : draws.values) {
     if (tolerance.is_relative) value *= nominal;
   }
   check_draws(table, parameter, {key.min, key.max}, *study);
-  add_parameters(key, *gear, first_values(*study->model, study->axes), *study->model, table,
-                 &draws);
+  const GearValues others = first_values(root, *study->model, swept.from, study->axes);
+  add_parameters(swept, others, *study->model, table, &draws);
   for (const Swept& column : draws.columns) {
     if (study->find_on_axes(column.index) == nullptr) continue;
-    fail_at(table, fmt::format("{} and an axis both give {}", key.name, column.name));
+    fail_at(table, fmt::format("{} and an axis both give {}", draws.name, column.name));
   }
   study->uncertain.parameters.push_back(std::move(parameter));
 }
@@ -252,9 +254,7 @@ void read_uncertain(const toml::table& root, Study* study) {
   const Model& model = *study->model;
   for (const ParameterInfo& info : model.parameters) reader.know(info.name);
   for (const ChannelInfo& info : model.states) reader.know(info.name);
-  for (const GearKey& key : kGearKeys) {
-    if (find_swept_key(model, std::string(key.name)) != nullptr) reader.know(std::string(key.name));
-  }
+  for (const SweptKey& swept : swept_keys(root, model)) reader.know(swept.name());
   reader.refuse_unknown();
   std::vector<std::pair<std::string, const toml::table*>> entries;
   for (const auto& [key, entry] : table) {
@@ -282,9 +282,8 @@ void read_uncertain(const toml::table& root, Study* study) {
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& [name, entry] = entries[i];
-    const GearKey* key = find_swept_key(*study->model, name);
-    if (key != nullptr) {
-      read_of_gear(*entry, *key, root["gear"].as_table(), i, entries.size(), study);
+    if (const auto swept = find_swept_key(root, model, name)) {
+      read_of_gear(root, *entry, *swept, i, entries.size(), study);
     } else {
       read_of_model(*entry, name, i, entries.size(), study);
     }

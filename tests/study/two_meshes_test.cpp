@@ -1,0 +1,132 @@
+// A model of two meshes, each with its own drawing: [gear.first] and [gear.second].
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "model/error.hpp"
+#include "study/refusal.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// Of the second mesh there are no load and no bearings.
+const char* const kModel =
+    "[model]\ntext = '''\n[model]\nname = \"train\"\n"
+    "[drawings]\nfirst = \"input stage\"\nsecond = \"output stage\"\n"
+    "[states]\nx = {}\nv = {}\ny = {}\nw = {}\n"
+    "[parameters]\nomega = 0.7\nk0_first = 1.0\nk0_second = 1.0\nb_n_first = 1.0\n"
+    "b_n_second = 1.0\nvarpi_second = 1.0\neps_first = 1.5\neps_second = 1.5\n"
+    "F1_first = 0.1\nm1_first = 1.0\nm2_first = 1.0\ne0_first = [0.1, 0.0]\n"
+    "e0_phase_first = [0.0, 0.0]\ne0_second = 0.1\nzeta_first = 0.05\nzeta_second = 0.05\n"
+    "[options]\nerror_first = { choices = [\"sine\", \"series\"] }\n"
+    "[curves]\nmeasured_stiffness_second = \"of the output stage, in its k0\"\n"
+    "[equations]\nx = \"v\"\nv = \"F1_first - zeta_first*v - x*m1_first/m2_first/eps_first\"\n"
+    "y = \"w\"\nw = \"x*k0_first*b_n_first/k0_second/b_n_second/varpi_second - zeta_second*w "
+    "- y/eps_second*if(measured_stiffness_second.given, measured_stiffness_second(phase), 1) "
+    "+ e0_second*sin(phase) + e0_first*sin(phase + e0_phase_first) "
+    "+ if(error_first.series, e0_first_2*sin(2*phase + e0_phase_first_2), 0)\"\n"
+    "[forcing]\nperiod = \"2*pi/omega\"\n'''\n";
+const std::string kPair =
+    "module_mm = 4\ninertia_kg_mm2 = [600, 9000]\nhalf_backlash_mm = 0.04\n"
+    "mesh_damping_N_s_per_mm = 0.5\n";
+const std::string kFirst = "teeth = [20, 40]\n" + kPair +
+                           "mesh_stiffness_N_per_m = 3e8\ntorque_N_m = 150\nmass_kg = [0.9, 3.2]\n"
+                           "transmission_error_um = [6, 2]\n";
+const std::string kSecond =
+    "teeth = [24, 30]\n" + kPair + "transmission_error_um = 3\nstiffness_file = 'k.csv'\n";
+const std::string kMeasured = "'k.csv' = '''\n0 4e8\n2 5e8\n4 3e8\n'''\n";
+const std::string kOmega = "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7]\n";
+
+std::string drawings(const std::string& of_first = "", const std::string& of_second = "") {
+  return kModel + ("[gear.first]\n" + kFirst) + of_first + "[gear.second]\n" + kSecond + of_second +
+         "[gear.second.tables]\n" + kMeasured;
+}
+
+double parameter_of(const Study& study, const std::string& name) {
+  return study.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
+}
+
+TEST(TwoMeshes, HaveWhatEachDrawingGivesToGear5) {
+  const Study study = read_study(drawings() + kOmega, "s.toml");
+  const std::string bearings = "bearing_stiffness_N_per_mm = 1e5\nbearing_damping_N_s_per_mm = 1\n";
+  const Study first = read_study("[gear]\n" + kFirst + bearings + kOmega, "first.toml");
+  const Study second = read_study("[gear]\n" + kSecond + "torque_N_m = 9\nmass_kg = 1\n" +
+                                      bearings + "[gear.tables]\n" + kMeasured + kOmega,
+                                  "second.toml");
+  for (const char* name : {"eps", "F1", "m1", "m2", "e0", "e0_2", "zeta"}) {
+    const std::string own =
+        std::string(name) == "e0_2" ? "e0_first_2" : name + std::string("_first");
+    EXPECT_EQ(parameter_of(study, own), parameter_of(first, name)) << name;
+  }
+  for (const char* name : {"eps", "e0", "zeta"}) {
+    EXPECT_EQ(parameter_of(study, name + std::string("_second")), parameter_of(second, name));
+  }
+  EXPECT_EQ(parameter_of(study, "k0_first"), first.scales.k0);
+  EXPECT_EQ(parameter_of(study, "k0_second"), second.scales.k0);
+  EXPECT_EQ(parameter_of(study, "b_n_first"), 4e-5);
+  EXPECT_EQ(parameter_of(study, "varpi_second"), second.scales.varpi);
+  EXPECT_EQ(study.setting.options, std::vector<int>{1});
+  const auto curve = study.model->binding.curves.at("measured_stiffness_second");
+  EXPECT_EQ(curve->at(1.0, 1.0),
+            second.model->binding.curves.at("measured_stiffness")->at(1.0, 1.0));
+  // Lengths of two meshes have two units.
+  EXPECT_FALSE(study.scales.known());
+  EXPECT_THAT(study.gear_notes, Contains(HasSubstr("[gear.second] mesh stiffness from 'k.csv'")));
+  EXPECT_EQ(read_study(study.toml, "again").toml, study.toml);
+}
+
+TEST(TwoMeshes, MayBeSweptAndUncertainInUnitsOfTheDrawing) {
+  const Study study = read_study(drawings() +
+                                     "[[axes]]\nname = 'torque_N_m_first'\n"
+                                     "values = [50, 150]\n[uncertain]\nsamples = 2\n"
+                                     "mesh_damping_N_s_per_mm_second = "
+                                     "{distribution = 'uniform', from = 0.4, to = 0.6}\n",
+                                 "s.toml");
+  ASSERT_EQ(study.axes[0].columns.size(), 1U);
+  EXPECT_EQ(study.axes[0].columns[0].name, "F1_first");
+  EXPECT_EQ(study.axes[0].unit, "N m");
+  EXPECT_EQ(study.uncertain.parameters[0].draws.columns[0].name, "zeta_second");
+  const Study given = read_study(drawings() + kOmega, "s.toml", {"gear.first.torque_N_m=50"});
+  EXPECT_EQ(study.axes[0].columns[0].values.front(), parameter_of(given, "F1_first"));
+  EXPECT_THAT(read_study(drawings() + kOmega, "s.toml", {"parameters.eps_second=1.4"}).notices,
+              ElementsAre(HasSubstr("wins over centre_distance_mm of [gear.second]")));
+}
+
+TEST(TwoMeshes, RefuseWhatTheModelDoesNotHave) {
+  const std::pair<std::string, std::string> mistakes[] = {
+      {drawings("runout_um = 9\n"),
+       "s.toml:52: runout_um gives runout_p_first, runout_g_first, which model 'train' does not "
+       "have"},
+      {drawings("", "torque_N_m = 9\n"), "torque_N_m gives F1_second, which model 'train'"},
+      {drawings("", "mass = 9\n"), "unknown key 'mass' in [gear.second]"},
+      {drawings("face_width_mm = 9\npitch_deviation_um = 9\nprofile_form_deviation_um = 9\n"),
+       "K_v is of a study with one gear pair"},
+      {drawings() + "[gear.third]\n" + kFirst, "unknown key 'third' in [gear]"},
+      {kModel + ("[gear]\n" + kFirst), "unknown key 'half_backlash_mm' in [gear]"},
+      {kModel + std::string("[gear.first]\nmodule_mm = 4\n"), "[gear.first] needs 'teeth'"}};
+  for (const auto& [study, message] : mistakes) {
+    EXPECT_THAT(refusal(study + kOmega), HasSubstr(message)) << study;
+  }
+  EXPECT_THAT(
+      refusal(drawings() + kOmega, {"gear.first.transmission_error_um=[6, 2, 1]"}),
+      HasSubstr("transmission_error_um gives e0_first_3 = 0.025, which model 'train' does"));
+  EXPECT_THAT(refusal("[gear.first]\n" + kFirst + kOmega), HasSubstr("unknown key 'first' in"));
+  std::string model = kModel;
+  model.insert(model.find("[states]"), "third = \"of nothing\"\n");
+  EXPECT_THAT(refusal(model + kOmega),
+              AllOf(HasSubstr("the drawing 'third' gives nothing"), HasSubstr("'_third'")));
+  EXPECT_THAT(refusal("[model]\nname = 'lorenz'\n[gear]\n" + kFirst),
+              HasSubstr("a [gear] table belongs to model 'gear5'"));
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
