@@ -60,22 +60,16 @@ std::string origin_of(const Study& study, std::size_t parameter) {
   return fmt::format("axis, {} .. {}, {} values", min, max, swept->values.size());
 }
 
-void print_models() {
+void print_models(bool of_answers) {
+  if (of_answers) {
+    std::vector<const Model*> all;
+    for (const Model& model : models()) all.push_back(&model);
+    answer("{}", answer_list(all));
+    return;
+  }
   TextTable rows;
   for (const Model& model : models()) rows.add({model.name, model.summary});
   answer("{}'gearsweep model NAME' shows one in full\n", rows.text(0));
-}
-
-// Of one model, or of all that are built in.
-void print_answers(const std::string& name) {
-  std::vector<const Model*> list;
-  const NamedModel named = name.empty() ? NamedModel() : named_model(name);
-  if (named.model != nullptr) {
-    list.push_back(named.model.get());
-  } else {
-    for (const Model& model : models()) list.push_back(&model);
-  }
-  answer("{}", answer_list(list));
 }
 
 void print_parameters(const Study& study) {
@@ -192,7 +186,7 @@ void print_model(const Study& study) {
   for (const PresetInfo& preset : model.presets) presets.add({preset.name, preset.meaning});
   answer("\npresets\n{}", presets.text());
   if (!model.answers.empty()) {
-    answer("\n{} known answers: --answers lists them, 'gearsweep verify --model' computes them\n",
+    answer("\nknown answers: {} (--answers lists them, 'gearsweep verify --model' computes them)\n",
            model.answers.size());
   }
 }
@@ -267,16 +261,14 @@ void add_model_command(CLI::App* app) {
       "  gearsweep model --study mine.toml\n"
       "  gearsweep model --answers                    what published models must give");
   command->callback([arguments] {
-    if (arguments->of_answers) {
-      print_answers(arguments->name);
-      return;
-    }
     if (arguments->name.empty() && arguments->study.empty()) {
-      print_models();
+      print_models(arguments->of_answers);
       return;
     }
     const Study study = study_of(*arguments);
-    if (arguments->as_text) {
+    if (arguments->of_answers) {
+      answer("{}", answer_list({study.model}));
+    } else if (arguments->as_text) {
       answer("{}", study.model->text);
     } else if (arguments->as_kernel) {
       answer("{}", study.model->kernel);
