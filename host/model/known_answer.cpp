@@ -7,7 +7,9 @@ namespace gearsweep {
 
 std::string describe_place(const KnownAnswer& answer) {
   std::vector<std::string> parts;
-  for (const auto& [name, choice] : answer.choices) parts.push_back(name + " " + choice);
+  for (const auto& [name, choice] : answer.choices) {
+    parts.push_back(fmt::format("{} {}", name, choice));
+  }
   for (const auto& [name, value] : answer.at) {
     parts.push_back(fmt::format("{} = {:.9g}", name, value));
   }
