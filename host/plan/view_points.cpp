@@ -60,8 +60,8 @@ std::size_t ViewPoints::size() const {
 
 std::string ViewPoints::key() const {
   const auto& [x, y] = view_.axes;
-  return fmt::format("a view at depth {}, cells {} + {} by {} + {}{}", view_.depth, x.first, x.count,
-                     y.first, y.count, is_finer_ ? ", finer" : "");
+  return fmt::format("a view at depth {}, cells {} + {} by {} + {}{}", view_.depth, x.first,
+                     x.count, y.first, y.count, is_finer_ ? ", finer" : "");
 }
 
 // Finer: of an even row every other cell is new, of an odd one all are.

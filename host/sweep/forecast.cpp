@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "scheduler/cluster.hpp"
 #include "sweep/run_context.hpp"
 #include "tile/subset.hpp"
 #include "tile/tile_run.hpp"
-#include "scheduler/cluster.hpp"
 
 namespace gearsweep {
 namespace {

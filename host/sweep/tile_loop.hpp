@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "journal/journal.hpp"
+#include "scheduler/worker_pool.hpp"
 #include "sweep/assembly.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/sweep_options.hpp"
-#include "scheduler/worker_pool.hpp"
 
 namespace gearsweep {
 

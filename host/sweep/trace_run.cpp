@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "model/error.hpp"
+#include "scheduler/make_engine.hpp"
 #include "sweep/detail/history.hpp"
 #include "sweep/detail/machine.hpp"
 #include "sweep/sweep.hpp"
 #include "tile/settled_point.hpp"
-#include "scheduler/make_engine.hpp"
 
 namespace gearsweep {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "scheduler/make_engine.hpp"
 #include "sweep/detail/history.hpp"
 #include "sweep/sweep.hpp"
-#include "scheduler/make_engine.hpp"
 
 namespace gearsweep {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "model/error.hpp"
-#include "study/detail/swept_name.hpp"
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/draws.hpp"
 #include "study/detail/number_lines.hpp"
+#include "study/detail/swept_name.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/draw_quantities.hpp"
 
