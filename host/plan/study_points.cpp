@@ -23,6 +23,18 @@ std::vector<std::vector<double>> ensemble_offsets(const Initial& initial, std::s
 
 }  // namespace
 
+std::vector<double> start_of_policy(const Study& study, const ModelSetting& setting) {
+  switch (study.initial.policy) {
+    case InitialPolicy::fixed:
+      return study.initial.state;
+    case InitialPolicy::shifted:
+    case InitialPolicy::forward:  // of points without a neighbour to go on from
+    case InitialPolicy::backward:
+      break;
+  }
+  return study.model->equilibrium(setting);
+}
+
 StudyPoints::StudyPoints(std::shared_ptr<const Study> study) : study_(std::move(study)) {
   const Model& model = *study_->model;
   offsets_ = ensemble_offsets(study_->initial, (model.whole ? *model.whole : model).states.size());
@@ -57,22 +69,10 @@ void StudyPoints::set(std::size_t point, ModelSetting* setting) const {
   place_draw(point / study_->points(), setting);
 }
 
-std::vector<double> StudyPoints::start_of_policy(std::size_t point) const {
-  switch (study_->initial.policy) {
-    case InitialPolicy::fixed:
-      return study_->initial.state;
-    case InitialPolicy::shifted:
-    case InitialPolicy::forward:  // of points without a neighbour to go on from
-    case InitialPolicy::backward:
-      break;
-  }
+std::vector<double> StudyPoints::start(std::size_t point) const {
   ModelSetting setting = study_->setting;
   set(point, &setting);
-  return study_->model->equilibrium(setting);
-}
-
-std::vector<double> StudyPoints::start(std::size_t point) const {
-  std::vector<double> state = start_of_policy(point);
+  std::vector<double> state = start_of_policy(*study_, setting);
   const std::size_t member = point / study_->points();
   if (member < offsets_.size()) {
     for (std::size_t i = 0; i < state.size(); ++i) state[i] += offsets_[member][i];

@@ -9,6 +9,10 @@
 
 namespace gearsweep {
 
+// Where a point of a study that goes on from no other one starts, before its ensemble and its axes
+// of initial states: a state of the whole model. setting: the point's.
+std::vector<double> start_of_policy(const Study& study, const ModelSetting& setting);
+
 // Point (ix, iy) of the axes, of which x has nx values, has index iy * nx + ix. With an ensemble or
 // uncertain parameters, trajectory m of point p is point m * study.points() + p; the first one has
 // the nominal parameters. Where the study's policy goes on from a neighbour, each place along its
@@ -30,7 +34,6 @@ class StudyPoints final : public PointSource {
   std::size_t row() const override;
 
  private:
-  std::vector<double> start_of_policy(std::size_t point) const;
   // Gives uncertain parameters what they have in a trajectory of a point, whose axes are placed.
   void place_draw(std::size_t member, ModelSetting* setting) const;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/error.hpp"
+#include "plan/study_points.hpp"
 
 namespace gearsweep {
 namespace {
@@ -88,10 +89,9 @@ void ViewPoints::set(std::size_t point, ModelSetting* setting) const {
 }
 
 std::vector<double> ViewPoints::start(std::size_t point) const {
-  if (study_->initial.policy == InitialPolicy::fixed) return study_->initial.state;
   ModelSetting setting = study_->setting;
   set(point, &setting);
-  return study_->model->equilibrium(setting);
+  return start_of_policy(*study_, setting);
 }
 
 }  // namespace gearsweep

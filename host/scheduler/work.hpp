@@ -18,7 +18,8 @@ namespace gearsweep {
 
 struct TileResult;
 
-// Takes the answers for a tile of the plan, in any order, from a thread of the work's own.
+// Takes the answers for a tile of the plan, in any order, from a thread of the work's own. It must
+// not wait for work of a lower priority, which waits for this one.
 using TakeTile = std::function<void(std::size_t tile, const TileResult& result)>;
 
 struct WorkRequest {

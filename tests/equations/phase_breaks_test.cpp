@@ -59,6 +59,24 @@ auto At(const std::vector<double>& phases, double tolerance = 2e-15) {
   return ::testing::ElementsAreArray(near);
 }
 
+// What was found at other values is remembered for what decides the breaks alone: an object that
+// was asked before answers as a new one does.
+TEST(PhaseBreaks, AreThoseOfEachSettingWhateverWasAskedBefore) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> tenths(-12, 12);
+  for (const char* text :
+       {"n*sign(sin(phase) - c)", "if(c > 0, max(cos(phase), n), sign(sin(phase + n)))",
+        "floor(n*sin(phase)) + c", "if(sin(phase) > c and n > 0, 1, 0)*c",
+        "max(sin(phase), c)*step(cos(phase) - n)", "abs(c*sin(phase) + n*cos(phase))"}) {
+    Parsed parsed(text);
+    const PhaseBreaks asked(parsed.graph, parsed.inputs, parsed.phase, {parsed.root}, {});
+    for (int i = 0; i < 200; ++i) {
+      const double c = 0.1 * tenths(random), n = 0.1 * tenths(random);
+      EXPECT_EQ(asked.find({c, n}), parsed.breaks(c, n)) << text << " at " << c << ", " << n;
+    }
+  }
+}
+
 TEST(PhaseBreaks, AreWhereEachFormJumpsOrBends) {
   EXPECT_THAT(breaks_of("sin(phase) + cos(3*phase)"), At({}));
   EXPECT_THAT(breaks_of("sign(sin(phase))"), At({kPi}));

@@ -124,6 +124,7 @@ TEST(WorkKey, IsMadeOfWhatIsComputed) {
   EXPECT_NE(key_of(Plan(study("[integrate]\nmax_step = 0.01\n"), 2)), key);
   EXPECT_NE(key_of(Plan(study("[observe]\nquantities = ['x1_max']\n"), 2)), key);
   EXPECT_NE(key_of(Plan(study(""), 1)), key);
+  EXPECT_NE(key_of(Plan(study(""), 2).with_longer_steps()), key);
 }
 
 }  // namespace
