@@ -8,14 +8,14 @@
 // gets the values at the step's four moments, and the step. One with NAME_PER_CONTACT gets the
 // depths of a contact instead.
 
-// A moment on the phase grid. At a break phase there are two of them.
+// An instant on the phase grid. At a break phase there are two of them.
 typedef struct {
   ModelSignals signals;
   real x[MODEL_STATE_COUNT];
 #ifdef ORDER_COUNT
   OrderPhases orders;
 #endif
-} Moment;
+} Instant;
 
 // How far a contact's deflection is beyond the limits of its flanks; of one that is one-sided the
 // back flank is never reached.
@@ -35,10 +35,10 @@ SHARED_FN ContactDepths contact_depths(real deflection, real backlash, bool is_o
 // What observables see of a step: its start, middle and end, and the moment half a step before
 // them. Between these a quantity follows a cubic (step_curve.h).
 typedef struct {
-  const Moment* earlier;  // half a step before `before`
-  const Moment* before;
-  const Moment* middle;
-  const Moment* after;
+  const Instant* earlier;  // half a step before `before`
+  const Instant* before;
+  const Instant* middle;
+  const Instant* after;
   scalar weight;  // the step's share of a period
   mask smooth;    // the same flanks touch at start, middle and end
   real cubic;     // 0 where `earlier` lies in another segment, or in a step that is not smooth
@@ -49,7 +49,7 @@ typedef struct {
 // The end of a recorded period.
 typedef struct {
   const real* x;
-  const Moment* end;           // x and what a verdict has no need of: it may be another moment
+  const Instant* end;          // x and what a verdict has no need of: it may be another moment
   const real* log_stretching;  // logarithm of how far each tangent vector grew in the period
   const Extent* extent;        // of the motion in the period
   real period;                 // in dimensionless time
@@ -61,7 +61,7 @@ typedef struct {
 } Section;
 
 SHARED_FN void take_moment(const ModelPoint* point, TABLE PhaseCoefs* stage, const real* x,
-                           Moment* moment) {
+                           Instant* moment) {
   const PhaseCoefs phase = *stage;
   model_signals(point, &phase, x, &moment->signals);
   UNROLL

@@ -2,7 +2,7 @@
 
 typedef struct {
   const Observers* observers;
-  Moment earlier, before, middle, after;
+  Instant earlier, before, middle, after;
   mask was_smooth;  // the step before this one, of the same segment
 } Watcher;
 
@@ -21,7 +21,7 @@ SHARED_FN mask watch_same_flanks(real deflection, real backlash, real later_defl
 
 // Whether the same flanks touch at both moments: then the field between them is smooth. A model
 // that bends inside its steps (MODEL_ROUGH) says of none that it is.
-SHARED_FN mask watch_same_contact(const Moment* a, const Moment* b) {
+SHARED_FN mask watch_same_contact(const Instant* a, const Instant* b) {
   const real zero = 0;
 #ifdef MODEL_ROUGH
   mask same = zero != zero;

@@ -104,7 +104,7 @@ __kernel void replay(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   DECLARE_OBSERVERS(observers);
-  Moment start;
+  Instant start;
   Extent extent;
   real log_stretching[TANGENT_VECTORS];
   for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = log_stretchings[(size_t)j * items + item];

@@ -27,7 +27,7 @@ constexpr double kRoundingFp32 = 1e-5;
 
 bool is_periodic(const TrajectorySummary& summary) { return summary.motion == MOTION_periodic; }
 
-// Of any state, as far out as motion with these moments mostly goes.
+// How far out any state of a motion with these moments mostly goes.
 double max_magnitude(const TrajectorySummary& summary) {
   constexpr double kFarOut = 2.0;  // standard deviations
   const std::vector<double>& place = summary.place;

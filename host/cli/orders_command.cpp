@@ -119,6 +119,17 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   return kDone;
 }
 
+constexpr const char* kOrdersFooter =
+    "Examples:\n"
+    "  gearsweep orders table1-gear --plot orders.png --units SI\n"
+    "  gearsweep orders coarse-map --over omega --at e0=0.3 -q x1 -o orders.nc\n"
+    "  gearsweep orders hysteresis --at e0=0.4 --set initial.policy=backward -o down.csv\n"
+    "  gearsweep plot orders.nc -q order --orders 4 --rays 1,2,1/2 -o map.pdf --width 120mm\n\n"
+    "Each value of the axis settles as [initial] says: on its own, or going on from its\n"
+    "neighbour (forward, backward). White lines are natural frequencies of small motions about\n"
+    "the static equilibrium with the mean mesh stiffness; where an order crosses one of them,\n"
+    "the gear may resonate.";
+
 }  // namespace
 
 void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
@@ -177,16 +188,7 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
   add_device_option(command, &arguments->device, false);
   add_set_option(command, &arguments->overrides);
   command->add_flag("--quiet", arguments->quiet, "No summary");
-  command->footer(
-      "Examples:\n"
-      "  gearsweep orders table1-gear --plot orders.png --units SI\n"
-      "  gearsweep orders coarse-map --over omega --at e0=0.3 -q x1 -o orders.nc\n"
-      "  gearsweep orders hysteresis --at e0=0.4 --set initial.policy=backward -o down.csv\n"
-      "  gearsweep plot orders.nc -q order --orders 4 --rays 1,2,1/2 -o map.pdf --width 120mm\n\n"
-      "Each value of the axis settles as [initial] says: on its own, or going on from its\n"
-      "neighbour (forward, backward). White lines are natural frequencies of small motions about\n"
-      "the static equilibrium with the mean mesh stiffness; where an order crosses one of them,\n"
-      "the gear may resonate.");
+  command->footer(kOrdersFooter);
   command->callback([arguments, signals, status] { *status = run_orders(*arguments, signals); });
 }
 

@@ -76,6 +76,18 @@ struct ExportArguments {
   TableUnits units = TableUnits::model;
 };
 
+constexpr const char* kPlotFooter =
+    "Examples:\n"
+    "  gearsweep plot map.nc -q contact_class -o class.png\n"
+    "  gearsweep plot map.nc -o figure.pdf --width 85mm --title '' --colormap cividis\n"
+    "  gearsweep plot map.nc -o figure.tex --style thesis.toml --range 0:2\n"
+    "  gearsweep plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf\n"
+    "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
+    "  gearsweep plot map.nc -q x1_rms --at e0=0.3 -o cut.svg --script cut.gp\n"
+    "  gearsweep plot trace.nc -q force -o force.png\n"
+    "  gearsweep plot trace.nc -q portrait:x3 -o portrait.pdf --width 170mm\n"
+    "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png";
+
 }  // namespace
 
 void add_plot_command(CLI::App* app) {
@@ -132,17 +144,7 @@ void add_plot_command(CLI::App* app) {
                    "Orders that an order map has as lines: 1,2,1/2, or none (default: 1,2,3,4)")
       ->type_name("N,N/N,...");
   add_style_options(command, style.get(), style_file.get());
-  command->footer(
-      "Examples:\n"
-      "  gearsweep plot map.nc -q contact_class -o class.png\n"
-      "  gearsweep plot map.nc -o figure.pdf --width 85mm --title '' --colormap cividis\n"
-      "  gearsweep plot map.nc -o figure.tex --style thesis.toml --range 0:2\n"
-      "  gearsweep plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf\n"
-      "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
-      "  gearsweep plot map.nc -q x1_rms --at e0=0.3 -o cut.svg --script cut.gp\n"
-      "  gearsweep plot trace.nc -q force -o force.png\n"
-      "  gearsweep plot trace.nc -q portrait:x3 -o portrait.pdf --width 170mm\n"
-      "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png");
+  command->footer(kPlotFooter);
   command->callback([request, cut, style, style_file] {
     if (!cut->empty()) request->at = parse_cut(*cut);
     request->style = style_of(*style, *style_file);

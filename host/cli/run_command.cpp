@@ -79,6 +79,21 @@ int run_together(RunRequest request, const Run& run) {
   return run(request);
 }
 
+constexpr const char* kRunFooter =
+    "Examples:\n"
+    "  gearsweep run coarse-map -o map.nc --plot map.png\n"
+    "  gearsweep run mine.toml --set parameters.mu=0 --set axes.omega.count=100\n"
+    "  gearsweep run mine.toml --set model.backlash=dynamic --set integrate.record=20\n"
+    "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n"
+    "  gearsweep run map.nc --zoom omega=1.5:1.9,e0=0.3:0.5:200 -o detail.nc\n"
+    "  gearsweep run mine.toml --device all       on every device of the machine\n"
+    "  gearsweep run mine.toml --dry-run          what it would take; computes next to "
+    "nothing\n\n"
+    "An interrupted run (Ctrl-C, SIGTERM, kill -9, power cut) keeps what is finished in\n"
+    "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
+    "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"
+    "and NaN; the exit status is 1 only when all points do.";
+
 }  // namespace
 
 void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* status) {
@@ -130,20 +145,7 @@ void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* s
                     "Only say what the run would take: time, memory, disk; writes nothing");
   command->add_flag("--quiet", request->quiet, "No progress and no summary");
   command->add_flag("--json", request->as_json, "Print the summary as JSON");
-  command->footer(
-      "Examples:\n"
-      "  gearsweep run coarse-map -o map.nc --plot map.png\n"
-      "  gearsweep run mine.toml --set parameters.mu=0 --set axes.omega.count=100\n"
-      "  gearsweep run mine.toml --set model.backlash=dynamic --set integrate.record=20\n"
-      "  gearsweep run map.nc -o again.nc           compute a result again, from itself\n"
-      "  gearsweep run map.nc --zoom omega=1.5:1.9,e0=0.3:0.5:200 -o detail.nc\n"
-      "  gearsweep run mine.toml --device all       on every device of the machine\n"
-      "  gearsweep run mine.toml --dry-run          what it would take; computes next to "
-      "nothing\n\n"
-      "An interrupted run (Ctrl-C, SIGTERM, kill -9, power cut) keeps what is finished in\n"
-      "OUT.nc.journal; the same command continues from there, 'gearsweep status OUT.nc' tells how\n"
-      "far it is. Points that overflow or whose steps are too long for the stiffness get a status\n"
-      "and NaN; the exit status is 1 only when all points do.");
+  command->footer(kRunFooter);
   command->callback([request, lanes, zooms, run, signals, status] {
     if (*lanes) request->overrides.push_back(fmt::format("integrate.lanes={}", **lanes));
     for (const std::string& several : *zooms) {

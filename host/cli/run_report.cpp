@@ -16,7 +16,7 @@ RunReport::RunReport(const RunRequest& request, const RunOutput& output)
     : request_(request), output_(output) {}
 
 void RunReport::watch(SweepOptions* options) {
-  options->on_trouble = warn;
+  options->warn = warn;
   options->stop = stop_on_signals(request_.signals, request_.quiet, options->scheduler);
   options->on_pilot = [this](std::size_t points) {
     if (!request_.quiet) tell("finding the step by a pilot run of {} points\n", points);

@@ -16,7 +16,7 @@
 namespace gearsweep {
 
 // What a tile took.
-struct Effort {
+struct TileCost {
   double steps = 0.0;           // integration steps
   double seconds = 0.0;         // the worker's wall time; in a sweep the tile's share of its time
   double stopped = 0.0;         // points that stopped early, on a periodic orbit
@@ -31,7 +31,7 @@ struct TileResult {
   std::vector<double> final_states;  // [point][state], at phase 0 after the last period
   // [point] 1: it stopped on a periodic orbit. Empty in a subset's result and one from a journal.
   std::vector<std::uint8_t> on_orbit;
-  Effort effort;
+  TileCost cost;
   std::string device;  // name of the device; the worker sets it
 
   // The vectors as tables, of a result that has points.

@@ -140,7 +140,7 @@ void PeriodicTable::bend_piece(std::size_t first, std::size_t last) {
   knots_[last].bend = bend(last - 1) + end * (bend(last - 1) - bend(last - 2));
 }
 
-PeriodicTable::Place PeriodicTable::place_of(double phase, double toward) const {
+PeriodicTable::KnotShares PeriodicTable::shares_at(double phase, double toward) const {
   const double turns = kTurn * std::floor((toward - knots_.front().phase) / kTurn);
   const double side = toward - turns;
   const auto phase_of = [&](std::size_t knot) { return knots_[knot].phase; };
@@ -152,7 +152,7 @@ PeriodicTable::Place PeriodicTable::place_of(double phase, double toward) const 
   const auto after =
       std::ranges::upper_bound(begin + static_cast<std::ptrdiff_t>(first) + 1,
                                begin + static_cast<std::ptrdiff_t>(last), x, {}, &Knot::phase);
-  return place_in(static_cast<std::size_t>(after - 1 - begin), x);
+  return shares_in(static_cast<std::size_t>(after - 1 - begin), x);
 }
 
 PeriodicTable PeriodicTable::times(double factor) const {
@@ -175,7 +175,7 @@ double PeriodicTable::at(double phase, double toward) const {
   if (!std::isfinite(phase) || !std::isfinite(toward)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  return value_at(place_of(phase, toward));
+  return value_at(shares_at(phase, toward));
 }
 
 std::vector<double> PeriodicTable::corners() const {
@@ -200,25 +200,25 @@ std::vector<double> PeriodicTable::corners() const {
   return corners;
 }
 
-PeriodicTable::Place PeriodicTable::place_in(std::size_t interval, double phase) const {
+PeriodicTable::KnotShares PeriodicTable::shares_in(std::size_t interval, double phase) const {
   const Knot &left = knots_[interval], &right = knots_[interval + 1];
   const double b = (phase - left.phase) / (right.phase - left.phase);
   return {&left, &right, 1.0 - b, b};
 }
 
-double PeriodicTable::value_at(const Place& place) {
-  const Knot &left = *place.left, &right = *place.right;
+double PeriodicTable::value_at(const KnotShares& shares) {
+  const Knot &left = *shares.left, &right = *shares.right;
   const double length = right.phase - left.phase;
-  const double a = place.a, b = place.b;
+  const double a = shares.a, b = shares.b;
   const double line = left.value + b * (right.value - left.value);
   const double bent = (a * a - 1.0) * a * left.bend + (b * b - 1.0) * b * right.bend;
   return line + bent * length * length / 6.0;
 }
 
-double PeriodicTable::slope_at(const Place& place) {
-  const Knot &left = *place.left, &right = *place.right;
+double PeriodicTable::slope_at(const KnotShares& shares) {
+  const Knot &left = *shares.left, &right = *shares.right;
   const double length = right.phase - left.phase;
-  const double a = place.a, b = place.b;
+  const double a = shares.a, b = shares.b;
   const double bent = (1.0 - 3.0 * a * a) * left.bend + (3.0 * b * b - 1.0) * right.bend;
   return (right.value - left.value) / length + bent * length / 6.0;
 }
@@ -232,8 +232,8 @@ void PeriodicTable::take_in(std::size_t interval, double from, double to, Range*
   const double turn = std::fabs(right.bend - left.bend) / (right.phase - left.phase);
   const double off = bend * length * length / 8.0, slope_off = turn * length * length / 8.0;
   for (const double phase : {from, to}) {
-    const Place place = place_in(interval, phase);
-    const double value = value_at(place), slope = slope_at(place);
+    const KnotShares shares = shares_in(interval, phase);
+    const double value = value_at(shares), slope = slope_at(shares);
     range->low = std::min(range->low, value - off);
     range->high = std::max(range->high, value + off);
     range->slope_low = std::min(range->slope_low, slope - slope_off);

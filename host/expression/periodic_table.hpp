@@ -58,15 +58,15 @@ class PeriodicTable {
   };
 
   // Where a phase lies: as the shares a and b of the knots on both sides of it.
-  struct Place {
+  struct KnotShares {
     const Knot* left;
     const Knot* right;
     double a, b;
   };
-  Place place_of(double phase, double toward) const;
-  Place place_in(std::size_t interval, double phase) const;
-  static double value_at(const Place& place);
-  static double slope_at(const Place& place);
+  KnotShares shares_at(double phase, double toward) const;
+  KnotShares shares_in(std::size_t interval, double phase) const;
+  static double value_at(const KnotShares& shares);
+  static double slope_at(const KnotShares& shares);
   void take_in(double low, double high, Range* range) const;
   void take_in(std::size_t interval, double from, double to, Range* range) const;
   void bend_period();

@@ -30,25 +30,25 @@ constexpr std::size_t kPieceBytes = std::size_t{64} << 20;
 
 constexpr std::size_t kParts = 5;
 
-std::vector<double> numbers_of(const Effort& effort) {
-  return {effort.steps, effort.seconds, effort.stopped, effort.kernel_seconds};
+std::vector<double> numbers_of(const TileCost& cost) {
+  return {cost.steps, cost.seconds, cost.stopped, cost.kernel_seconds};
 }
 
-// visit(part number, vector) for each vector of a result, and for the numbers of its effort.
+// visit(part number, vector) for each vector of a result, and for the numbers of its cost.
 template <class Result, class Numbers, class Visit>
-void visit_parts(Result& result, Numbers& effort, const Visit& visit) {
+void visit_parts(Result& result, Numbers& cost, const Visit& visit) {
   visit(0, result.status);
   visit(1, result.outputs);
   visit(2, result.samples);
   visit(3, result.final_states);
-  visit(4, effort);
+  visit(4, cost);
 }
 
 std::int64_t checksum_of(std::size_t tile_number, const TileResult& result) {
   Checksum checksum;
   checksum.add(tile_number);
-  const std::vector<double> effort = numbers_of(result.effort);
-  visit_parts(result, effort, [&](int, const auto& values) {
+  const std::vector<double> cost = numbers_of(result.cost);
+  visit_parts(result, cost, [&](int, const auto& values) {
     checksum.add(values.size());
     checksum.add(std::as_bytes(std::span(values)));
   });
@@ -225,9 +225,9 @@ std::optional<TileResult> Journal::find(std::size_t tile_number) const {
   if (!row.step()) return std::nullopt;
 
   TileResult result;
-  std::vector<double> effort;
+  std::vector<double> cost;
   result.device = row.text(kParts + 1);
-  visit_parts(result, effort, [&](int part, auto& values) {
+  visit_parts(result, cost, [&](int part, auto& values) {
     Statement pieces(*database_,
                      "SELECT data FROM piece WHERE tile = ? AND part = ? ORDER BY position");
     pieces.bind(1, number).bind(2, part);
@@ -242,10 +242,10 @@ std::optional<TileResult> Journal::find(std::size_t tile_number) const {
       database_->refuse(fmt::format("tile {} is incomplete", tile_number));
     }
   });
-  if (effort.size() != numbers_of({}).size()) {
+  if (cost.size() != numbers_of({}).size()) {
     database_->refuse(fmt::format("tile {} does not say what it took", tile_number));
   }
-  result.effort = {effort[0], effort[1], effort[2], effort[3]};
+  result.cost = {cost[0], cost[1], cost[2], cost[3]};
   if (checksum_of(tile_number, result) != row.integer(kParts)) {
     database_->refuse(fmt::format("tile {} was changed after it was stored", tile_number));
   }
@@ -260,10 +260,10 @@ void Journal::store(std::size_t tile_number, const TileResult& result) {
   Statement row(*database_, "INSERT OR REPLACE INTO tile VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement piece(*database_, "INSERT INTO piece VALUES(?, ?, ?, ?)");
   row.bind(1, number).bind(kParts + 2, checksum_of(tile_number, result));
-  row.bind_real(kParts + 3, result.effort.seconds);
+  row.bind_real(kParts + 3, result.cost.seconds);
   row.bind(kParts + 4, result.device);
-  const std::vector<double> effort = numbers_of(result.effort);
-  visit_parts(result, effort, [&](int part, const auto& values) {
+  const std::vector<double> cost = numbers_of(result.cost);
+  visit_parts(result, cost, [&](int part, const auto& values) {
     row.bind(part + 2, static_cast<std::int64_t>(values.size()));
     const std::span<const std::byte> bytes = std::as_bytes(std::span(values));
     for (std::size_t start = 0; start < bytes.size(); start += kPieceBytes) {

@@ -5,9 +5,9 @@
 
 namespace gearsweep {
 
-// Of one point over one Runge-Kutta step with the study's model and options, all of its states, and
-// with so many tangent vectors; what counts is said at StepWork (model/model.hpp). The correction
-// of a step that crosses a contact and what observables do with a step are not in it.
+// Counts one point over one Runge-Kutta step with the study's model and options, all of its states,
+// and with so many tangent vectors; what counts is said at StepWork (model/model.hpp). The
+// correction of a step that crosses a contact and what observables do with a step are not in it.
 double flops_per_step(const Study& study, std::size_t tangents);
 
 }  // namespace gearsweep

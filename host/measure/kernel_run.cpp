@@ -34,7 +34,7 @@ round = 4
 quantities = ["x1_max"]
 )";
 
-// Of the second axis: 512 points for each core, and as many for a GPU's unit as a tile has.
+// Values of the second axis: 512 points for each core, and as many for a GPU's unit as a tile has.
 std::size_t values_for(std::size_t device) {
   constexpr std::size_t kMin = 64, kOfCore = 8, kOfGpuUnit = 64;
   const DeviceInfo info = list_devices().at(device);

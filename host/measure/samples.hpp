@@ -8,7 +8,7 @@ namespace gearsweep {
 // None of them takes an empty list.
 double median(std::vector<double> values);
 double mean(const std::vector<double>& values);
-// Of a sample: over the number of values less one; 0 of a single value.
+// The deviation of a sample: over the number of values less one; 0 of a single value.
 double standard_deviation(const std::vector<double>& values);
 // (largest - smallest) / median.
 double spread(const std::vector<double>& values);

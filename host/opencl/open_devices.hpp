@@ -20,7 +20,7 @@ class OpenDevices {
   // Opens the device at the first call. Throws InputError when there is none of this number, or
   // RunError when it cannot be opened or cut.
   std::shared_ptr<OpenDevice> open(const DeviceChoice& choice);
-  // Of all of them.
+  // Watches what is compiled for any of them.
   CompileWatch& compile_watch() { return *compile_watch_; }
 
  private:

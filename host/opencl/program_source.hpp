@@ -12,8 +12,8 @@ namespace gearsweep {
 // and all that it includes, each file once.
 std::string program_source(const Study& study, const std::string& file);
 
-// Of the device compiler, for so many points per work-item. A device that can round the division of
-// fp32 correctly is asked to, so that devices give the same bits.
+// What the device compiler is told, for so many points per work-item. A device that can round the
+// division of fp32 correctly is asked to, so that devices give the same bits.
 std::string build_options(const Study& study, std::size_t lanes, bool rounds_fp32_division = false);
 
 }  // namespace gearsweep

@@ -170,7 +170,7 @@ Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t pe
               image.grazes,
               sizes_of(image),
               image.extent.reach()};
-  // Of a complex pair, which has one modulus, the member above the real axis comes first.
+  // A complex pair has one modulus: the member above the real axis comes first.
   std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
                    [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
   return orbit;

@@ -68,23 +68,23 @@ void Flow::advance(const GridStep& step) {
   }
 }
 
-Flow::Seen Flow::carry(const Part& part, double to, Place* place) {
+Flow::Seen Flow::carry(const Part& part, double to, Carried* carried) {
   const double h = (to - part.from) * part.step.length * period_;
   const double* const first = coefs_at(part.step, part.from, &rows_[0]);
   const double* const middle = coefs_at(part.step, 0.5 * (part.from + to), &rows_[1]);
   const double* const last = coefs_at(part.step, to, &rows_[2]);
-  Work& work = place == &probe_ ? probing_ : moving_;
+  Work& work = carried == &probe_ ? probing_ : moving_;
   const auto reach = [&](double length) {
-    work.at.state = place->state + length * work.slope.state;
-    work.at.tangents = place->tangents + length * work.slope.tangents;
+    work.at.state = carried->state + length * work.slope.state;
+    work.at.tangents = carried->tangents + length * work.slope.tangents;
   };
   const auto add = [&](double weight) {
     work.sum.state += weight * work.slope.state;
     work.sum.tangents += weight * work.slope.tangents;
   };
   Seen seen;
-  work.sum = *place;
-  seen[0] = stage(first, part.held, *place, &work.slope);
+  work.sum = *carried;
+  seen[0] = stage(first, part.held, *carried, &work.slope);
   add(h / 6.0);
   reach(0.5 * h);
   const Depths second = stage(middle, part.held, work.at, &work.slope);
@@ -95,13 +95,13 @@ Flow::Seen Flow::carry(const Part& part, double to, Place* place) {
   reach(h);
   stage(last, part.held, work.at, &work.slope);
   add(h / 6.0);
-  *place = work.sum;
+  *carried = work.sum;
   for (std::size_t i = 0; i < second.size(); ++i) seen[1].push_back(0.5 * (second[i] + third[i]));
-  seen[2] = field_.depths(last, place->state);
+  seen[2] = field_.depths(last, carried->state);
   return seen;
 }
 
-Depths Flow::stage(const double* coefs, const Contact& held, const Place& at, Place* slope) {
+Depths Flow::stage(const double* coefs, const Contact& held, const Carried& at, Carried* slope) {
   if (at.tangents.cols() > 0) {
     field_.jacobian(coefs, at.state, held, &jacobian_);
     slope->tangents.noalias() = jacobian_ * at.tangents;

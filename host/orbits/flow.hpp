@@ -50,13 +50,13 @@ class Flow {
   const Extent& extent() const { return extent_; }
 
  private:
-  struct Place {
+  struct Carried {
     Eigen::VectorXd state;
     Eigen::MatrixXd tangents;
   };
   // What a Runge-Kutta step works on.
   struct Work {
-    Place at, slope, sum;
+    Carried at, slope, sum;
   };
   // A step of the phase grid. Places in it are told by shares of it, 0 to 1.
   struct GridStep {
@@ -79,9 +79,9 @@ class Flow {
   };
 
   void advance(const GridStep& step);
-  // Carries `place` from the start of a part to a share of the step.
-  Seen carry(const Part& part, double to, Place* place);
-  Depths stage(const double* coefs, const Contact& held, const Place& at, Place* slope);
+  // Carries `carried` from the start of a part to a share of the step.
+  Seen carry(const Part& part, double to, Carried* carried);
+  Depths stage(const double* coefs, const Contact& held, const Carried& at, Carried* slope);
   const double* coefs_at(const GridStep& step, double share, std::vector<double>* row) const;
 
   // The first event of a part that begins at `start_`; nothing when there is none.
@@ -104,11 +104,11 @@ class Flow {
   ContactField field_;
   std::vector<Graze> grazes_;
   Extent extent_;
-  Place at_;     // where the trajectory is
-  Place start_;  // where the part of the step began that is being tried
+  Carried at_;     // where the trajectory is
+  Carried start_;  // where the part of the step began that is being tried
   // Kept from step to step: allocating them anew costs more than a small model's right-hand side.
   Work moving_;
-  Place probe_;  // a state alone, to look for events
+  Carried probe_;  // a state alone, to look for events
   Work probing_;
   RowMatrix jacobian_;
   std::array<std::vector<double>, 3> rows_;

@@ -13,8 +13,8 @@ struct BandMaps {
   std::string meaning;    // "percentiles 5 to 95"
 };
 
-// Of a quantity, in a result that has maps of these names. Nothing where it has less than two
-// percentiles.
+// The band of a quantity, in a result that has maps of these names. Nothing where it has less than
+// two percentiles.
 std::optional<BandMaps> band_maps(const std::string& quantity,
                                   const std::vector<std::string>& names);
 

@@ -63,7 +63,8 @@ constexpr Colormap kColormaps[] = {
      "#fbbd89 #f7ab74 #f39b60 #f08a4b #e0733c #d15b2c #c2441c #6b1d08"},
 };
 
-// Of curves laid over one another: dark and bright by turns, and dashes, for print without colours.
+// How curves laid over one another differ: dark and bright by turns, and dashes, for print without
+// colours.
 struct LayerStyle {
   const char *colour, *dashes;
 };
@@ -76,7 +77,7 @@ constexpr std::array<LayerStyle, 6> kLayers = {{{"#0072b2", "1"},
 
 constexpr std::string_view kReversed = "_r";
 
-// Of a map or of its reverse; nullptr when there is none.
+// A map by its name, which may be that of its reverse; nullptr when there is none.
 const Colormap* find(std::string_view name) {
   if (name.ends_with(kReversed)) name.remove_suffix(kReversed.size());
   for (const Colormap& map : kColormaps) {

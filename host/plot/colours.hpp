@@ -11,8 +11,8 @@ namespace gearsweep {
 inline constexpr const char* kMissingColour = "#b3b3b3";
 inline constexpr const char* kMissingClassColour = "#000000";  // where classes are grey
 
-// Of what has several numbers at a point: the first curve, over the others. Of Lyapunov exponents
-// it is the one that tells chaos.
+// Where a quantity has several numbers at a point, its first curve lies over the others. The first
+// Lyapunov exponent is the one that tells chaos.
 inline constexpr const char* kFirstPartColour = "#d55e00";
 inline constexpr const char* kOtherPartsColour = "#56b4e9";
 
@@ -38,8 +38,8 @@ struct ColourAnchor {
   std::string colour;
 };
 
-// Of a diverging map over smallest < 0 < largest the middle is at zero, and either side has all of
-// its shades, however small, so that weak chaos stands out.
+// A diverging map over min < 0 < max has its middle at zero, and either side has all of its shades,
+// however small, so that weak chaos stands out.
 std::vector<ColourAnchor> colour_anchors(const std::string& name, double min, double max);
 
 // The anchors as a "set palette" line.

@@ -98,8 +98,9 @@ std::string preamble(const fs::path& script, const std::string& output, const Pa
 
 constexpr std::string_view kTex = ".tex";
 
-// Of the image that LaTeX's picture includes; empty of other formats. Throws InputError where LaTeX
-// would take the name for more than a name, and where the image would replace another picture.
+// The name of the image that LaTeX's picture includes; empty for other formats. Throws InputError
+// where LaTeX would take the name for more than a name, and where the image would replace another
+// picture.
 std::string image_of(const std::string& output) {
   if (!output.ends_with(kTex)) return "";
   const std::string stem = fs::path(output).stem().string();

@@ -13,7 +13,7 @@ namespace gearsweep {
 struct PlotRequest {
   // Result files, or files of traces. Several are laid over one another.
   std::vector<std::string> paths = {};
-  // Of maps: as for ResultFile::read; empty: along one axis `poincare`, where the file has it,
+  // For maps as ResultFile::read takes it; empty: along one axis `poincare`, where the file has it,
   // otherwise the first map. `poincare` means its first state; over two axes, and laid over one
   // another, a quantity of several numbers means the first of them. Over one axis several,
   // separated by commas, stand above one another. Of traces: `time` (the default), `phase`,
@@ -41,11 +41,10 @@ struct PlotRequest {
 // RunError when gnuplot is not installed.
 void ensure_plottable(const std::string& output_path);
 
-// Of maps, draws a heat map of two axes, curves of one, or a bifurcation diagram of `poincare` over
-// one; of traces what the quantity says. The picture appears whole or not at all;
-// with a .tex comes a .pdf of the same name, which it includes. Throws InputError
-// when the request does not fit the files or cannot be written, RunError when gnuplot is not
-// installed or fails.
+// From maps it draws a heat map of two axes, curves of one, or a bifurcation diagram of `poincare`
+// over one; from traces what the quantity says. The picture appears whole or not at all; with a
+// .tex comes a .pdf of the same name, which it includes. Throws InputError when the request does
+// not fit the files or cannot be written, RunError when gnuplot is not installed or fails.
 void plot_files(const PlotRequest& request);
 
 }  // namespace gearsweep

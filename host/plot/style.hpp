@@ -58,7 +58,8 @@ struct StyleOption {
   bool is_list = false;
   // Throws InputError with what would be right. A flag is given "true" or "false".
   std::function<void(const std::vector<std::string>&, PlotStyle*)> set;
-  // Of a list: a number alone says how many; a list of one number has an empty text behind it.
+  // A list may be a number alone, which says how many; a list of one number has an empty text
+  // behind it.
   bool may_count = false;
 };
 

@@ -26,7 +26,7 @@ ValueRange scale_range(const ValueRange& range, const std::vector<double>& value
 // in a thousand at either end, and is then `clipped`.
 ValueRange colour_range(const std::vector<double>& values);
 
-// Of all values, with a margin, so that nothing touches the frame.
+// The range of all values, with a margin, so that nothing touches the frame.
 ValueRange padded_range(const std::vector<double>& values);
 
 }  // namespace gearsweep

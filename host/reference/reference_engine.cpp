@@ -123,7 +123,7 @@ class ReferenceEngine final : public Engine {
                           Eigen::Map<const Eigen::VectorXd>(
                               initial.data(), static_cast<Eigen::Index>(initial.size())));
     std::vector<double> out;
-    const auto keep = [&](const Moment& moment) {
+    const auto keep = [&](const Instant& moment) {
       out.insert(out.end(), moment.state.begin(), moment.state.end());
     };
     const PhaseGrid& grid = trajectory.grid();

@@ -17,10 +17,10 @@ namespace {
 // One study at work on this process's devices.
 class Job {
  public:
-  Job(const ClusterJob& job, const std::vector<DeviceChoice>& devices, const Trouble& on_trouble)
+  Job(const ClusterJob& job, const std::vector<DeviceChoice>& devices, const Warn& warn)
       : study_(study_of(job)),
         plan_(study_, job.tile_points),
-        workers_(plan_, make_engines(study_, devices, scheduler_.get(), on_trouble), &task_) {}
+        workers_(plan_, make_engines(study_, devices, scheduler_.get(), warn), &task_) {}
 
   ThreadWorkers& workers() { return workers_; }
 
@@ -41,11 +41,11 @@ class Job {
 // Nothing when this process has no device that works.
 std::unique_ptr<Job> begin_job(const ClusterJob& job,
                                const std::function<std::vector<DeviceChoice>()>& devices,
-                               const Trouble& on_trouble) {
+                               const Warn& warn) {
   try {
-    return std::make_unique<Job>(job, devices(), on_trouble);
+    return std::make_unique<Job>(job, devices(), warn);
   } catch (const std::runtime_error& error) {
-    on_trouble(error.what());
+    warn(error.what());
     return nullptr;
   }
 }
@@ -71,10 +71,10 @@ std::vector<DeviceChoice> share_of_devices(const std::vector<DeviceChoice>& devi
 }
 
 void serve_cluster(Cluster* cluster, const std::function<std::vector<DeviceChoice>()>& devices,
-                   const Trouble& on_trouble) {
+                   const Warn& warn) {
   constexpr std::chrono::milliseconds kNap(1);
-  const Trouble tell = [&](const std::string& what) {
-    on_trouble(fmt::format("rank {}: {}", cluster->rank(), what));
+  const Warn tell = [&](const std::string& what) {
+    warn(fmt::format("rank {}: {}", cluster->rank(), what));
   };
   std::unique_ptr<Job> job;
   while (true) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/device_choice.hpp"
-#include "engine/trouble.hpp"
+#include "engine/warn.hpp"
 #include "scheduler/cluster.hpp"
 
 namespace gearsweep {
@@ -19,7 +19,7 @@ std::vector<DeviceChoice> share_of_devices(const std::vector<DeviceChoice>& devi
 // Without any device that works it only tells so: neither `devices` nor what it gives need be
 // right.
 void serve_cluster(Cluster* cluster, const std::function<std::vector<DeviceChoice>()>& devices,
-                   const Trouble& on_trouble);
+                   const Warn& warn);
 
 // Rank 0 tells all others that nothing more will come.
 void dismiss_cluster(Cluster* cluster);

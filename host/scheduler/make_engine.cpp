@@ -15,7 +15,7 @@ std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoi
 
 std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
                                                   const std::vector<DeviceChoice>& devices,
-                                                  Scheduler* scheduler, const Trouble& on_trouble) {
+                                                  Scheduler* scheduler, const Warn& warn) {
   std::vector<std::unique_ptr<Engine>> engines;
   std::vector<std::optional<DeviceChoice>> choices(devices.begin(), devices.end());
   if (study.integrate.engine == EngineKind::reference) {
@@ -23,7 +23,7 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
     return engines;
   }
   if (choices.empty()) choices = {std::nullopt};
-  // Of a chained study, each point along it waits for the one before.
+  // In a chained study each point waits for the one before it.
   const std::size_t at_once =
       study.trajectories() /
       (study.is_chained() ? study.axes[study.initial.along].values.size() : 1);
@@ -39,7 +39,7 @@ std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
       }
     } catch (const std::runtime_error& error) {
       if (engines.empty() && i + 1 == choices.size()) throw;
-      if (on_trouble) on_trouble(error.what());
+      if (warn) warn(error.what());
     }
   }
   return engines;

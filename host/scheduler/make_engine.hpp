@@ -7,7 +7,7 @@
 
 #include "engine/device_choice.hpp"
 #include "engine/engine.hpp"
-#include "engine/trouble.hpp"
+#include "engine/warn.hpp"
 #include "scheduler/scheduler.hpp"
 
 namespace gearsweep {
@@ -22,6 +22,6 @@ std::unique_ptr<Engine> make_engine(const Study& study, std::optional<DeviceChoi
 // Throws InputError or RunError when there is none at all.
 std::vector<std::unique_ptr<Engine>> make_engines(const Study& study,
                                                   const std::vector<DeviceChoice>& devices,
-                                                  Scheduler* scheduler, const Trouble& on_trouble);
+                                                  Scheduler* scheduler, const Warn& warn);
 
 }  // namespace gearsweep

@@ -16,7 +16,7 @@ class Scheduler;
 // A piece of work from its beginning until it is destroyed. Threads may share one.
 class Task {
  public:
-  // Of tasks that are there at the same time those of the highest priority compute.
+  // Among the tasks that are there at one time those of the highest priority compute.
   Task(std::shared_ptr<Scheduler> scheduler, int priority);
   ~Task();
   Task(const Task&) = delete;

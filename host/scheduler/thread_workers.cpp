@@ -92,10 +92,10 @@ WorkerReport ThreadWorkers::compute(const Job& job, Engine* engine) {
       run_tile(plan_, tile, job.initial.empty() ? own_initial_states(plan_, tile) : job.initial,
                engine, callbacks);
   if (!result) return {.kind = WorkerReport::Kind::stopped, .tile = job.tile};
-  result->effort.steps = steps;
-  result->effort.seconds =
+  result->cost.steps = steps;
+  result->cost.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result->effort.kernel_seconds = engine->kernel_seconds() - in_kernels;
+  result->cost.kernel_seconds = engine->kernel_seconds() - in_kernels;
   result->device = engine->info().device;
   // Only neighbours in a chain ask for them again.
   if (!plan_.study().is_chained()) result->final_states.clear();

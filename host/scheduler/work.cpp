@@ -49,8 +49,7 @@ bool Work::compute() {
   constexpr std::chrono::milliseconds kNap(100);
   const Plan& plan = *request_.plan;
   ThreadWorkers workers(
-      plan, make_engines(plan.study(), request_.devices, scheduler_.get(), request_.on_trouble),
-      &task_);
+      plan, make_engines(plan.study(), request_.devices, scheduler_.get(), request_.warn), &task_);
   std::deque<std::size_t> waiting(plan.stages().front().tiles.size());
   for (std::size_t i = 0; i < waiting.size(); ++i) waiting[i] = i;
   std::size_t running = 0;

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "engine/device_choice.hpp"
-#include "engine/trouble.hpp"
+#include "engine/warn.hpp"
 #include "plan/plan.hpp"
 #include "scheduler/scheduler.hpp"
 
@@ -27,7 +27,7 @@ struct WorkRequest {
   int priority = 0;                        // as of Task
   std::vector<DeviceChoice> devices = {};  // none: the default one
   TakeTile take = {};
-  Trouble on_trouble = {};
+  Warn warn = {};
 };
 
 // Computes from its construction on.

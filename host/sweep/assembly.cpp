@@ -45,10 +45,10 @@ Assembly::Assembly(const Study& study, std::size_t states) {
 
 void Assembly::add(const Plan& plan, const Tile& tile, const TileResult& result) {
   devices_.insert(result.device);
-  result_.steps += result.effort.steps;
-  result_.seconds += result.effort.seconds;
-  result_.kernel_seconds += result.effort.kernel_seconds;
-  result_.stopped += static_cast<std::size_t>(result.effort.stopped);
+  result_.steps += result.cost.steps;
+  result_.seconds += result.cost.seconds;
+  result_.kernel_seconds += result.cost.kernel_seconds;
+  result_.stopped += static_cast<std::size_t>(result.cost.stopped);
   for (std::size_t i = 0; i < tile.points.size(); ++i) {
     const std::size_t point = tile.points[i];
     if (!summaries_.empty()) add_summary(point, result, i);

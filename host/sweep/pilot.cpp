@@ -299,10 +299,9 @@ std::string asked_of(const Integrate& integrate, const NoStep& none) {
 }
 
 void tell_of_own_step(const Study& study, const NoStep& none, const SweepOptions& options) {
-  if (!options.on_trouble) return;
-  options.on_trouble(
-      fmt::format("the pilot run found no step, so that of the model, {}, is taken: {}",
-                  study.integrate.max_step, none.reason));
+  if (!options.warn) return;
+  options.warn(fmt::format("the pilot run found no step, so that of the model, {}, is taken: {}",
+                           study.integrate.max_step, none.reason));
 }
 
 }  // namespace

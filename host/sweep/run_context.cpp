@@ -92,8 +92,7 @@ void RunContext::find_engines() {
   // Before the engines, which take a moment, and the plan, which is as large as the study.
   refuse_too_large(estimate_of_study(study_, options_.delivery, options_.journal_path),
                    options_.journal_path);
-  engines_ =
-      make_engines(computed_, options_.devices, options_.scheduler.get(), options_.on_trouble);
+  engines_ = make_engines(computed_, options_.devices, options_.scheduler.get(), options_.warn);
   info_ = describe(engines_);
 }
 

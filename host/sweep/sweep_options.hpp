@@ -10,7 +10,7 @@
 
 #include "engine/device_choice.hpp"
 #include "engine/result.hpp"
-#include "engine/trouble.hpp"
+#include "engine/warn.hpp"
 #include "scheduler/scheduler.hpp"
 #include "scheduler/shard.hpp"
 #include "sweep/resource_estimate.hpp"
@@ -47,7 +47,7 @@ struct SweepOptions {
   std::map<std::string, std::string> notes;
   std::function<void(const SweepProgress&)> on_progress;
   std::function<void(std::size_t)> on_pilot;  // a pilot run of so many points begins
-  Trouble on_trouble;
+  Warn warn;
   const std::atomic<bool>* stop = nullptr;  // set it to stop after the running round
   // Puts the finished maps in a safe place; the journal is removed once it returns.
   std::function<void(const SweepResult&)> deliver;

@@ -109,22 +109,22 @@ void TileLoop::share_time() {
 // The worker measured how long the tile took and how much of that the kernels took. The tile keeps
 // this ratio, but its time is its share of the sweep's.
 void TileLoop::set_time(WorkerReport* report) {
-  Effort& effort = report->result.effort;
+  TileCost& cost = report->result.cost;
   const double seconds = running_.at(report->tile);
   running_.erase(report->tile);
-  if (effort.seconds > 0.0) effort.kernel_seconds *= seconds / effort.seconds;
-  effort.seconds = seconds;
+  if (cost.seconds > 0.0) cost.kernel_seconds *= seconds / cost.seconds;
+  cost.seconds = seconds;
 }
 
 void TileLoop::hand_back(const WorkerReport& report) {
   progress_.drop_tile(report.tile);
   failure_ = report.failure;
   if (!is_stopping_) waiting_.push_front(report.tile);
-  if (is_stopping_ || workers_->size() == 0 || !options_.on_trouble) return;
+  if (is_stopping_ || workers_->size() == 0 || !options_.warn) return;
   try {
     std::rethrow_exception(report.failure);
   } catch (const std::exception& error) {
-    options_.on_trouble(fmt::format("{}\nthe others take over what it had", error.what()));
+    options_.warn(fmt::format("{}\nthe others take over what it had", error.what()));
   }
 }
 

@@ -52,7 +52,7 @@ class TileRun {
     if (!finished) return std::nullopt;
     complete_largest_exponents(plan_, tile_, &result_);
     mark_unstable_starts(initial);
-    result_.effort.stopped =
+    result_.cost.stopped =
         static_cast<double>(std::count(has_stopped_.begin(), has_stopped_.end(), 1));
     result_.on_orbit = std::move(has_stopped_);
     return std::move(result_);

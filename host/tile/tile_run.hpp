@@ -15,7 +15,7 @@ struct TileCallbacks {
   std::function<void(double steps)> on_work;  // so many steps more than planned (fewer: negative)
 };
 
-// initial: [point of the tile][state]. Of the effort, only the number of points that stopped early
+// initial: [point of the tile][state]. Of the cost, only the number of points that stopped early
 // is set. Nothing when the callback asked to stop. Throws RunError.
 std::optional<TileResult> run_tile(const Plan& plan, const Tile& tile,
                                    const std::vector<double>& initial, Engine* engine,

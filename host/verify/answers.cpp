@@ -57,7 +57,7 @@ std::vector<double> mean_of(const KnownAnswer& answer, const SweepResult& result
   return mean;
 }
 
-// Of each answer, what the study that they share gives.
+// What the study that the answers share gives for each of them.
 std::vector<std::vector<double>> compute_together(const std::vector<const KnownAnswer*>& answers,
                                                   const StudyHead& head, const Model& model,
                                                   const Subject& subject) {

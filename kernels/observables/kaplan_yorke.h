@@ -14,7 +14,7 @@ enum { kaplan_yorke_accumulators = lyapunov_spectrum_accumulators };
 #ifdef __OPENCL_VERSION__
 enum { kaplan_yorke_outputs = 1 };
 
-SHARED_FN void kaplan_yorke_init(real* sums, const Moment* start) {
+SHARED_FN void kaplan_yorke_init(real* sums, const Instant* start) {
   lyapunov_spectrum_init(sums, start);
 }
 

@@ -41,7 +41,7 @@ enum {
 
 enum { lyapunov_max_outputs = LYAPUNOV_MAX_OUTPUTS(COUNT_OUTPUT), lyapunov_max_blocks = 16 };
 
-SHARED_FN void lyapunov_max_init(real* sums, const Moment* start) {
+SHARED_FN void lyapunov_max_init(real* sums, const Instant* start) {
   for (int i = 0; i < lyapunov_max_accumulators; ++i) sums[i] = 0;
 }
 

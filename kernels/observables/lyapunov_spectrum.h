@@ -14,7 +14,7 @@ enum { lyapunov_spectrum_accumulators = PER_STATE };
 #ifdef __OPENCL_VERSION__
 enum { lyapunov_spectrum_outputs = PER_STATE };
 
-SHARED_FN void lyapunov_spectrum_init(real* sums, const Moment* start) {
+SHARED_FN void lyapunov_spectrum_init(real* sums, const Instant* start) {
   for (int j = 0; j < TANGENTS; ++j) sums[j] = 0;
 }
 

@@ -72,7 +72,7 @@ SHARED_FN real motion_size(const real* extents, const real* ranges) {
   return size;
 }
 
-SHARED_FN void motion_init(real* sums, const Moment* start) {
+SHARED_FN void motion_init(real* sums, const Instant* start) {
   sums[motion_forcing] = 0;
   period_init(sums + motion_recurrence, start);
   lyapunov_max_init(sums + motion_exponent, start);

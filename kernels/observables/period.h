@@ -50,7 +50,7 @@ SHARED_FN void period_take_reference(real* sums, const real* x) {
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) sums[period_reference + i] = x[i];
 }
 
-SHARED_FN void period_init(real* sums, const Moment* start) {
+SHARED_FN void period_init(real* sums, const Instant* start) {
   for (int i = 0; i < period_accumulators; ++i) sums[i] = 0;
   sums[period_nearest] = INFINITY;
   sums[period_window_nearest] = INFINITY;

@@ -10,7 +10,7 @@ enum { poincare_accumulators = 0 };
 #ifdef __OPENCL_VERSION__
 enum { poincare_outputs = 0 };  // of the finished record
 
-SHARED_FN void poincare_init(real* sums, const Moment* start) {}
+SHARED_FN void poincare_init(real* sums, const Instant* start) {}
 
 SHARED_FN void poincare_step(real* sums, const Step* step) {}
 

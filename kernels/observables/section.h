@@ -14,7 +14,7 @@ enum { section_accumulators = 2 * PER_STATE };
 #ifdef __OPENCL_VERSION__
 enum { section_outputs = 2 * PER_STATE };
 
-SHARED_FN void section_init(real* sums, const Moment* start) {
+SHARED_FN void section_init(real* sums, const Instant* start) {
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[i] = start->x[i];
     sums[MODEL_STATE_COUNT + i] = start->x[i];

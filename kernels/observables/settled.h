@@ -16,7 +16,7 @@ enum { settled_accumulators = period_accumulators };
 #ifdef __OPENCL_VERSION__
 enum { settled_outputs = SETTLED_OUTPUTS(COUNT_OUTPUT) };
 
-SHARED_FN void settled_init(real* sums, const Moment* start) { period_init(sums, start); }
+SHARED_FN void settled_init(real* sums, const Instant* start) { period_init(sums, start); }
 
 SHARED_FN void settled_step(real* sums, const Step* step) {}
 

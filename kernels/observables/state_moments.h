@@ -19,7 +19,7 @@
   X(mean_error, state_mean_error)     \
   X(std_error, state_std_error)
 
-// Of each state: the value from which it is counted; sums of it and of its square in the running
+// For each state: the value from which it is counted; sums of it and of its square in the running
 // block; over the blocks, sums of both means, of their squares and of their product.
 enum {
   state_moments_block = PER_STATE,
@@ -37,7 +37,7 @@ enum { state_moments_outputs = 4 * PER_STATE, state_moments_blocks = 16 };
 
 SHARED_FN uint state_moments_length(uint record) { return max(record / state_moments_blocks, 1u); }
 
-SHARED_FN void state_moments_init(real* sums, const Moment* start) {
+SHARED_FN void state_moments_init(real* sums, const Instant* start) {
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) sums[i] = start->x[i];
   for (int i = state_moments_block; i < state_moments_accumulators; ++i) sums[i] = 0;

@@ -42,7 +42,7 @@ enum {
 
 SHARED_FN uint zero_one_lags(uint record) { return min(record / 10, (uint)(zero_one_max_lags)); }
 
-SHARED_FN void zero_one_init(real* sums, const Moment* start) {
+SHARED_FN void zero_one_init(real* sums, const Instant* start) {
   for (int i = 0; i < zero_one_accumulators; ++i) sums[i] = 0;
   sums[zero_one_origin] = start->x[0];
 }

@@ -62,17 +62,19 @@ DeliveryEstimate delivery_of(const Study& study, const Provenance& provenance) {
 
 // The dataset, and what went wrong meanwhile.
 py::tuple run(Session* session, const Study& study, const std::string& device,
-              const std::string& journal, const std::string& call, const py::object& progress) {
+              const std::string& journal, const std::string& call, const py::object& progress,
+              int priority) {
   ensure_whole(study);
   const Provenance provenance = {call, version(), source_hash()};
   SweepOptions options = session->options_for(device);
   options.journal_path = journal;
+  options.priority = priority;
   options.keep_journal = true;  // until Python has the result
   options.delivery = delivery_of(study, provenance);
   Mailbox<SweepProgress> news;
-  Mailbox<std::string> troubles;
+  Mailbox<std::string> warnings;
   options.on_progress = [&](const SweepProgress& latest) { news.put(latest); };
-  options.on_trouble = [&](const std::string& trouble) { troubles.put(trouble); };
+  options.warn = [&](const std::string& warning) { warnings.put(warning); };
   std::optional<SweepResult> result;
   run_in_background(
       [&](const std::atomic<bool>& stop) {
@@ -80,7 +82,7 @@ py::tuple run(Session* session, const Study& study, const std::string& device,
         result = run_sweep(study, options);
       },
       [&] { tell_latest(news.take(), progress); });
-  py::tuple out = py::make_tuple(as_tuple(dataset_of(*result, provenance)), troubles.take());
+  py::tuple out = py::make_tuple(as_tuple(dataset_of(*result, provenance)), warnings.take());
   if (!journal.empty()) Journal::discard(journal);
   return out;
 }
@@ -109,7 +111,7 @@ void add_session(py::module_* module) {
   SessionClass session(*module, "Session");
   session.def(py::init<>())
       .def("run", run, py::call_guard<Computation>(), py::arg("study"), py::arg("device"),
-           py::arg("journal"), py::arg("call"), py::arg("progress"))
+           py::arg("journal"), py::arg("call"), py::arg("progress"), py::arg("priority"))
       .def("devices", list_as_dicts);
   add_trace(&session);
   add_orders(&session);

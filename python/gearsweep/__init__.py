@@ -8,7 +8,7 @@ from gearsweep._floquet import floquet
 from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, models
 from gearsweep._orders import orders
 from gearsweep._progress import Progress
-from gearsweep._run import run
+from gearsweep._run import Running, run, submit
 from gearsweep._session import Device, devices
 from gearsweep._study import Study
 from gearsweep._study_source import studies
@@ -29,6 +29,7 @@ __all__ = [
     "Preset",
     "Progress",
     "RunError",
+    "Running",
     "Study",
     "Verification",
     "devices",
@@ -39,6 +40,7 @@ __all__ = [
     "orders",
     "run",
     "studies",
+    "submit",
     "trace",
     "triangular",
     "uniform",

@@ -40,6 +40,7 @@ class Session:
         journal: str,
         call: str,
         progress: Callable[[float, int, int, float], object] | None,
+        priority: int,
     ) -> tuple[_Described, list[str]]: ...
     def trace(
         self,

@@ -1,21 +1,25 @@
-"""Runs: from a study to its maps."""
+"""Runs: from whatever stands for a study to its maps, now or in the background."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from concurrent.futures import Future
+from threading import Thread
 from typing import Any
 
 import xarray
 
-from gearsweep._flags import flags_of
-from gearsweep._progress import Watch, watched
-from gearsweep._result import call_text, dataset_of
-from gearsweep._session import SESSION, device_text
+from gearsweep._errors import InputError
+from gearsweep._maps import maps_of
+from gearsweep._progress import Progress, Watch
+from gearsweep._result import call_text
 from gearsweep._study import Study
 from gearsweep._study_source import study_of
-from gearsweep._value import path_of
-from gearsweep._warning import warn
+from gearsweep._value import shown
+
+# No number of a priority is larger.
+_FAR = 1 << 30
 
 
 def run(
@@ -76,45 +80,102 @@ def run(
     >>> dict(maps.x_rms.sizes)
     {'omega': 3}
     """
-    asked = study_of(study, set)
+    asked, call = _asked("run", study, set, points)
+    return maps_of(asked._core, call, progress=progress, journal=journal, device=device)
+
+
+class Running(Future[xarray.Dataset]):
+    """A run in the background, as `submit` begins it.
+
+    It is a `concurrent.futures.Future`: `result()` waits for the maps, `done()` tells whether they
+    are there, `cancel()` stops the run when its round is over, and `concurrent.futures.wait`,
+    `as_completed` and `asyncio.wrap_future` take it.
+    """
+
+    progress: Progress | None = None
+    """How far it is; None before the first news."""
+
+    def running(self) -> bool:
+        """Whether it neither ended nor was cancelled."""
+        return not self.done()
+
+
+class _Cancelled(Exception):
+    """Raised by the progress function of a run that nobody waits for any more."""
+
+
+def submit(
+    study: str | os.PathLike[str] | Study | xarray.Dataset,
+    *,
+    set: Mapping[str, Any] | None = None,
+    points: Any = None,
+    journal: str | os.PathLike[str] | None = None,
+    device: int | str | None = None,
+    priority: int = 0,
+) -> Running:
+    """Begin to compute the maps of a study, in the background.
+
+    Parameters
+    ----------
+    study, set, points, journal, device
+        As `run` takes them.
+    priority : int, optional
+        Of the runs that are there, those of the highest priority compute; the others wait between
+        two of their rounds. That of `run` is 0.
+
+    Returns
+    -------
+    Running
+        A `concurrent.futures.Future` of the Dataset that `run` returns.
+
+    Raises
+    ------
+    InputError
+        The study or an option is wrong. What fails later, `result()` raises.
+
+    Examples
+    --------
+    >>> study = Study.of("duffing").sweep(omega=(0.5, 1.5, 3)).observe("x_rms")
+    >>> running = submit(study.integrate(settle=20, record=10), priority=-1)
+    >>> dict(running.result().x_rms.sizes)
+    {'omega': 3}
+    """
+    asked, call = _asked("submit", study, set, points)
+    if isinstance(priority, bool) or not isinstance(priority, int) or abs(priority) > _FAR:
+        raise InputError(f"priority: expected a whole number such as -1, not {shown(priority)}")
+    running = Running()
+
+    def tell(news: Progress) -> None:
+        running.progress = news
+        if running.cancelled():
+            raise _Cancelled
+
+    def compute() -> None:
+        try:
+            made = maps_of(
+                asked._core, call, progress=tell, journal=journal, device=device, priority=priority
+            )
+        except BaseException as error:
+            if running.set_running_or_notify_cancel():
+                running.set_exception(error)
+        else:
+            if running.set_running_or_notify_cancel():
+                running.set_result(made)
+
+    Thread(target=compute, name="gearsweep.submit", daemon=True).start()
+    return running
+
+
+def _asked(
+    function: str, study: Any, changes: Mapping[str, Any] | None, points: Any
+) -> tuple[Study, str]:
+    """The study that is asked for, and the call in words."""
+    asked = study_of(study, changes)
+    columns = None
     if points is not None:
         # Who gives a Study has chosen its axes, and is warned that they go.
         own = isinstance(study, Study)
         asked = (asked if own else asked.set({"axes": []})).points(points)
-    with watched(progress) as tell:
-        described, troubles = SESSION.run(
-            study=asked._core,
-            device=device_text(device),
-            journal="" if journal is None else path_of(journal, "a path as journal"),
-            call=call_text("run", study, set=set, points=_shown(points)),
-            progress=tell,
-        )
-    for trouble in troubles:
-        warn(trouble)
-    made = dataset_of(*described)
-    _warn_of_failures(made.status)
-    return made
-
-
-def _shown(points: Any) -> str | None:
-    """What the record of the call says of points, whose numbers the result has."""
-    return None if points is None else f"columns {', '.join(map(str, points))}"
-
-
-def _warn_of_failures(status: xarray.DataArray) -> None:
-    points = status.size
-    counts = {name: int((status.values == code).sum()) for code, name in flags_of(status).items()}
-    if unstable := counts.pop("unstable_start", 0):
-        warn(
-            f"unstable_start at {unstable} of {points} points: "
-            "they show an unstable equilibrium, or what rounding makes of it"
-        )
-    counts.pop("ok")
-    failures = [f"{name} at {count} of {points} points" for name, count in counts.items() if count]
-    said = ", ".join(failures)
-    if not failures:
-        return
-    if sum(counts.values()) == points:
-        warn(f"every point failed; the maps are empty ({said})")
-    else:
-        warn(f"{said}: these have no values, and 'status' tells which they are")
+        # The result has the numbers themselves.
+        columns = f"columns {', '.join(map(str, points))}"
+    return asked, call_text(function, study, set=changes, points=columns)

@@ -12,9 +12,12 @@ import xarray
 from gearsweep import _core
 from gearsweep._axis import axis_table
 from gearsweep._errors import InputError
+from gearsweep._maps import maps_of
 from gearsweep._model import Model
 from gearsweep._model import model as builtin_model
 from gearsweep._points import columns_of
+from gearsweep._progress import Watch
+from gearsweep._result import call_text
 from gearsweep._value import assignments, path_of, text_of
 from gearsweep._warning import warn
 
@@ -392,11 +395,22 @@ class Study:
                 raise
             raise InputError(f"{step}({', '.join(keys)}): {reason}") from None
 
-    def run(self, **options: Any) -> xarray.Dataset:
+    def run(
+        self,
+        *,
+        set: Mapping[str, Any] | None = None,
+        points: Any = None,
+        progress: Watch = True,
+        journal: str | os.PathLike[str] | None = None,
+        device: int | str | None = None,
+    ) -> xarray.Dataset:
         """Compute it, as `gearsweep.run` does with the same options."""
-        from gearsweep._run import run
-
-        return run(self, **options)
+        asked = self.set(set) if set else self
+        if points is not None:
+            asked = asked.points(points)
+        columns = None if points is None else f"columns {', '.join(map(str, points))}"
+        call = call_text("run", self, set=set, points=columns)
+        return maps_of(asked._core, call, progress=progress, journal=journal, device=device)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a Study never changes; Study.set() makes another one")

@@ -19,6 +19,13 @@ collect_ignore = ["typed_program.py"]
 # Few points and few periods, by study; each shows something that the others do not have.
 SMALL = {"integrate.settle": 20, "integrate.record": 12}
 MAP = {"axes.omega.count": 7, "axes.e0.count": 5, **SMALL}
+# Work for hours, in short rounds and small tiles: whatever stops it comes before its end.
+LONG = {
+    "axes.omega.count": 2000,
+    "axes.e0.count": 2000,
+    "integrate.tile": 64,
+    "integrate.max_step": 0.2,
+}
 
 
 def options_of(changes: Mapping[str, object]) -> list[str]:

@@ -11,17 +11,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 import pytest
-from conftest import MAP
+from conftest import LONG, MAP
 
 import gearsweep
 
-# Work for hours, in short rounds and small tiles: whatever stops it comes before its end.
-LONG = {
-    "axes.omega.count": 2000,
-    "axes.e0.count": 2000,
-    "integrate.tile": 64,
-    "integrate.max_step": 0.2,
-}
 # Several tiles, which a run that goes on finds in the journal or computes.
 TILES = {**MAP, "axes.omega.count": 40, "integrate.tile": 8, "integrate.max_step": 0.2}
 

@@ -108,7 +108,7 @@ Works works_of(const std::string& toml) {
   struct Powers {
     double input, bearings, mesh, friction, squares, sizes;
   };
-  const auto powers = [&](const Moment& moment, double psi, const MeshSums& s) {
+  const auto powers = [&](const Instant& moment, double psi, const MeshSums& s) {
     const Eigen::VectorXd& x = moment.state;
     const double D = moment.signals[signal_index(gear5(), "deflection")];
     const double drive = std::max(D - moment.signals[of_backlash], 0.0);
@@ -131,8 +131,8 @@ Works works_of(const std::string& toml) {
   double psi = 0.0;
   double stiffness_before = gear.sums(1.0, 1.0 - 1e-9).B;  // what the last period ended with
   trajectory.advance_period([&](const TrajectoryStep& step) {
-    const Moment& before = step.before;
-    const Moment& after = step.after;
+    const Instant& before = step.before;
+    const Instant& after = step.after;
     const double share = step.share;
     const double inside = psi + 0.5 * share;
     const MeshSums s0 = gear.sums(psi, inside);

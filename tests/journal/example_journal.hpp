@@ -30,7 +30,7 @@ inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b
 inline bool same_bits(const TileResult& a, const TileResult& b) {
   return a.status == b.status && same_bits(a.outputs, b.outputs) &&
          same_bits(a.samples, b.samples) && same_bits(a.final_states, b.final_states) &&
-         std::memcmp(&a.effort, &b.effort, sizeof a.effort) == 0 && a.device == b.device;
+         std::memcmp(&a.cost, &b.cost, sizeof a.cost) == 0 && a.device == b.device;
 }
 
 // Numbers of any size and sign, drawn from the tile's number.
@@ -44,7 +44,7 @@ inline TileResult example_tile(std::size_t number, std::size_t points = 100) {
     for (int j = 0; j < 10; ++j) tile.final_states.push_back(normal(random));
     for (int j = 0; j < 20; ++j) tile.samples.push_back(normal(random));
   }
-  tile.effort = {normal(random), normal(random), normal(random), normal(random)};
+  tile.cost = {normal(random), normal(random), normal(random), normal(random)};
   tile.device = "device " + std::to_string(number % 2);
   return tile;
 }

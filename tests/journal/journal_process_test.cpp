@@ -41,7 +41,7 @@ TEST_F(JournalProcessTest, ItsStatusCanBeReadWhileARunHoldsIt) {
   EXPECT_EQ(status.tiles, 2U);
   EXPECT_EQ(status.points, 50U);
   EXPECT_DOUBLE_EQ(status.seconds,
-                   example_tile(4, 30).effort.seconds + example_tile(7, 20).effort.seconds);
+                   example_tile(4, 30).cost.seconds + example_tile(7, 20).cost.seconds);
   EXPECT_THAT(status.devices, ::testing::ElementsAre("device 0", "device 1"));
   EXPECT_EQ(status.notes.at("points"), "1000");
   // Reading it has not let go of the run's lock.

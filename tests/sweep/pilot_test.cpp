@@ -257,7 +257,7 @@ TEST(Pilot, WarnsWhereItTellsNothing) {
       "pilot_test");
   std::string warning;
   SweepOptions options;
-  options.on_trouble = [&](const std::string& text) { warning = text; };
+  options.warn = [&](const std::string& text) { warning = text; };
   const std::optional<SteppedStudy> stepped = choose_step(study, options);
   ASSERT_TRUE(stepped);
   EXPECT_FALSE(stepped->pilot);

@@ -23,8 +23,8 @@ std::optional<Pace> PaceMeter::at(const SweepProgress& progress) {
 
 void PaceMeter::measure(const SweepProgress& progress) {
   if (!first_) {
-    first_ = progress.seconds < kLong ? Moment{progress.seconds, progress.share}
-                                      : Moment{0.0, progress.share_resumed};
+    first_ = progress.seconds < kLong ? Reading{progress.seconds, progress.share}
+                                      : Reading{0.0, progress.share_resumed};
   }
   const double seconds = progress.seconds - first_->seconds;
   const double share = progress.share - first_->share;

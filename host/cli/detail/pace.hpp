@@ -23,13 +23,13 @@ class PaceMeter {
   std::optional<Pace> at(const SweepProgress& progress);
 
  private:
-  struct Moment {
+  struct Reading {
     double seconds = 0.0, share = 0.0;
   };
   void measure(const SweepProgress& progress);
 
   double finished_ = 0.0;  // share of the work, in tiles of this run
-  std::optional<Moment> first_;
+  std::optional<Reading> first_;
   Pace pace_;
   std::optional<double> measured_;  // seconds, when pace_ was right
 };

@@ -11,7 +11,7 @@ namespace gearsweep {
 // Fused multiply-adds, of which each is two operations.
 PreparedBenchmark prepare_peak(const BenchmarkSetting& setting, bool fp64);
 
-// Of the study of KernelRun. Figures: "flop/s", "peak_share" (of the peak, mean of
+// Measures the study of KernelRun. Figures: "flop/s", "peak_share" (of the peak, mean of
 // before and after).
 PreparedBenchmark prepare_kernel(const BenchmarkSetting& setting, bool settling,
                                  const std::vector<std::string>& overrides);

@@ -8,7 +8,7 @@
 
 namespace gearsweep {
 
-// Of each buffer how many numbers it has, in the study's precision, for `slots` slots (a slot is a
+// How many numbers each buffer has, in the study's precision, for `slots` slots (a slot is a
 // lane of a work-item, tile_buffers.hpp).
 
 // To settle and record: each point's state, its tangent vectors, the sums of its observers, the

@@ -57,7 +57,7 @@ class ObserverSource {
     write_includes();
     write_struct();
     write_function(
-        "init", "const Observers* observers, const Moment* start",
+        "init", "const Observers* observers, const Instant* start",
         [&](const Observer& observer) { return fmt::format(", {}", seen(observer, "start")); });
     write_function(
         "step", "const Observers* observers, const Step* step", [&](const Observer& observer) {

@@ -39,7 +39,7 @@ std::size_t table_width(const Study& study);
 // Those of these points.
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points);
 
-// Of each parameter its row among the swept ones, or NOT_SWEPT.
+// Each parameter's row among the swept ones, or NOT_SWEPT.
 std::vector<std::uint32_t> swept_rows(const Plan& plan);
 
 // [swept parameter][slot]: in the order of PointSource::differing().

@@ -256,6 +256,38 @@ std::vector<std::string> one_line(const std::optional<std::string>& given,
   return markup.empty() ? std::vector<std::string>{} : std::vector<std::string>{markup};
 }
 
+std::vector<std::string> map_heading(const Page& page, const Picture& picture,
+                                     const Colours& colours) {
+  std::string meaning = meaning_of(picture);
+  if (!colours.classes && colours.range.clipped) {
+    meaning += "; the colours cover 99.8 % of the points";
+  }
+  return heading_lines(page, picture.title, meaning, picture.remark);
+}
+
+// Long names of a few classes leave more room to the map when they stand below it.
+bool needs_bar(const Page& page, const Colours& colours) {
+  constexpr std::size_t kFewClasses = 6;
+  constexpr double kWide = 0.2;  // of the page
+  return !colours.classes || colours.classes->names.size() > kFewClasses ||
+         colours.classes->widest(page) < kWide * page.width();
+}
+
+// The classes, where no bar shows them; the picture's own entries; the points that are missing.
+std::vector<KeyEntry> map_key(const Picture& picture, const Colours& colours, bool has_bar) {
+  std::vector<KeyEntry> key;
+  for (std::size_t i = 0; !has_bar && i < colours.classes->names.size(); ++i) {
+    key.push_back(
+        {KeyEntry::Kind::kBox, colours.classes->colours[i], "1", colours.classes->names[i]});
+  }
+  key.insert(key.end(), picture.key.begin(), picture.key.end());
+  if (!picture.missing.note.empty()) {
+    key.push_back({KeyEntry::Kind::kBox, colours.classes ? kMissingClassColour : kMissingColour,
+                   "1", literal(picture.missing.note)});
+  }
+  return key;
+}
+
 }  // namespace
 
 PlotScript plot_heat_map(const Page& page, const Picture& picture) {
@@ -263,26 +295,9 @@ PlotScript plot_heat_map(const Page& page, const Picture& picture) {
   const PlotStyle& style = page.style();
   const Colours colours(page, map);
   const double em = page.em();
-  std::string meaning = meaning_of(picture);
-  if (!colours.classes && colours.range.clipped) {
-    meaning += "; the colours cover 99.8 % of the points";
-  }
-  const std::vector<std::string> heading =
-      heading_lines(page, picture.title, meaning, picture.remark);
-  std::vector<KeyEntry> key = picture.key;
-  if (!picture.missing.note.empty()) {
-    key.push_back({KeyEntry::Kind::kBox, colours.classes ? kMissingClassColour : kMissingColour,
-                   "1", literal(picture.missing.note)});
-  }
-  // Long names of a few classes leave more room to the map when they stand below it.
-  constexpr std::size_t kFewClasses = 6;
-  constexpr double kWide = 0.2;  // of the page
-  const bool has_bar = !colours.classes || colours.classes->names.size() > kFewClasses ||
-                       colours.classes->widest(page) < kWide * page.width();
-  for (std::size_t i = 0; !has_bar && i < colours.classes->names.size(); ++i) {
-    key.insert(key.begin() + static_cast<std::ptrdiff_t>(i),
-               {KeyEntry::Kind::kBox, colours.classes->colours[i], "1", colours.classes->names[i]});
-  }
+  const std::vector<std::string> heading = map_heading(page, picture, colours);
+  const bool has_bar = needs_bar(page, colours);
+  const std::vector<KeyEntry> key = map_key(picture, colours, has_bar);
   PanelAxis x{one_line(style.xlabel, axis_label(map.axes[0])),
               axis_range(map.axes[0], style.xrange, "--xrange")};
   PanelAxis y{one_line(style.ylabel, axis_label(map.axes[1])),

@@ -15,7 +15,7 @@
 namespace gearsweep {
 namespace {
 
-// Of a list of points, whose neighbours have nothing in common.
+// For a list of points, whose neighbours have nothing in common.
 constexpr const char* kListDots = "points pointtype 7 pointsize dot*1.2";
 
 // The values of all studies' axes.
@@ -307,6 +307,24 @@ std::vector<std::string> heading_of(const Page& page, const Stack& stack,
 // Heights of panels, in widths of the page, where none is asked for.
 double panel_height(std::size_t panels) { return panels == 1 ? 0.5 : panels == 2 ? 0.33 : 0.25; }
 
+// The curves of a panel, whose frame and axes stand already. number: its place among the data.
+void add_curves(const Page& page, const Panel& panel, const AxisRange& x, const Frame& frame,
+                std::size_t number, PlotScript* script) {
+  const bool is_poincare = panel.layers.front().map.is_poincare();
+  if (!is_poincare) script->text += grid_lines();
+  if (!panel.classes && panel.y.range.min < 0.0 && panel.y.range.max > 0.0 && !is_poincare) {
+    script->text += "set xzeroaxis linetype 1 linewidth 1 linecolor rgb '#777777'\n";
+  }
+  script->text += jump_marks(panel);
+  const std::vector<std::string> elements = elements_of(page, panel, x, frame, number, script);
+  script->text += fmt::format("plot {}", fmt::join(elements, ", \\\n     "));
+  for (std::size_t layer = 0; layer < panel.layers.size(); ++layer) {
+    add_missing_marks(panel.layers[layer],
+                      panel.layers.size() > 1 ? layer_colour(layer) : kMissingColour, script);
+  }
+  script->text += "\n";
+}
+
 }  // namespace
 
 PlotScript plot_stack(const Page& page, const Stack& stack) {
@@ -353,21 +371,7 @@ PlotScript plot_stack(const Page& page, const Stack& stack) {
     script.text += panel_lines(page, frame, script.height, own_x, panel.axis());
     if (i == 0) script.text += plot_heading(page, heading, frame, script.height);
     if (is_last) script.text += plot_key(page, key, script.height);
-    const ResultMap& first = panel.layers.front().map;
-    if (!first.is_poincare()) script.text += grid_lines();
-    if (!panel.classes && panel.y.range.min < 0.0 && panel.y.range.max > 0.0 &&
-        !first.is_poincare()) {
-      script.text += "set xzeroaxis linetype 1 linewidth 1 linecolor rgb '#777777'\n";
-    }
-    script.text += jump_marks(panel);
-    const std::vector<std::string> elements =
-        elements_of(page, panel, x.range, frame, i + 1, &script);
-    script.text += fmt::format("plot {}", fmt::join(elements, ", \\\n     "));
-    for (std::size_t layer = 0; layer < panel.layers.size(); ++layer) {
-      add_missing_marks(panel.layers[layer],
-                        panel.layers.size() > 1 ? layer_colour(layer) : kMissingColour, &script);
-    }
-    script.text += "\n";
+    add_curves(page, panel, x.range, frame, i + 1, &script);
   }
   script.text += "unset multiplot\n";
   return script;

@@ -14,7 +14,7 @@ namespace gearsweep {
 struct Stack {
   std::vector<std::vector<Picture>> panels;  // [quantity][study], all over an axis of one name
   std::vector<std::string> names;            // of the studies, for the key; markup
-  // Of two studies that differ in the direction they go along the axis: the one that goes upwards.
+  // Where two studies go along the axis in opposite directions: the one that goes upwards.
   std::optional<std::size_t> upwards = {};
 };
 

@@ -31,7 +31,7 @@ struct ClassScale : MapClasses {
   double widest(const Page& page) const;  // name, in points
 };
 
-// Of classes_in().
+// The scale of what classes_in() finds.
 std::optional<ClassScale> class_scale(const ResultMap& map);
 
 }  // namespace gearsweep

@@ -16,7 +16,7 @@ class Channel {
   Channel(const Model& model, const std::string& name)
       : is_state_(model.find_state(name) >= 0),
         index_(is_state_ ? model.find_state(name) : model.find_signal(name)) {}
-  double operator()(const Moment& moment) const {
+  double operator()(const Instant& moment) const {
     return is_state_ ? moment.state[index_] : moment.signals[index_];
   }
 

@@ -53,10 +53,10 @@ class Flank {
   }
 
   StepCurve curve(const TrajectoryStep& step) const {
-    return curve_of(step, [this](const Moment& moment) { return beyond(moment); });
+    return curve_of(step, [this](const Instant& moment) { return beyond(moment); });
   }
   // How far the deflection is beyond the limit.
-  double beyond(const Moment& moment) const {
+  double beyond(const Instant& moment) const {
     return flank_ * deflection_(moment) - backlash_(moment);
   }
 
@@ -73,8 +73,8 @@ class Contact final : public ReferenceObservable {
         is_one_sided_(contact.is_one_sided) {}
 
   void step(const TrajectoryStep& step) override {
-    const Moment& before = step.before;
-    const Moment& after = step.after;
+    const Instant& before = step.before;
+    const Instant& after = step.after;
     using Touch = Flank::Touch;
     const Touch drive = Flank(deflection_, backlash_, 1.0).touch(step);
     const Touch back = is_one_sided_ ? Touch{} : Flank(deflection_, backlash_, -1.0).touch(step);
@@ -134,7 +134,7 @@ class ContactImpacts final : public ReferenceObservable {
         ++seen.impacts;
         period_speed_ = std::max(period_speed_, speed);
       }
-      for (const Moment* moment : {&step.before, &step.middle, &step.after}) {
+      for (const Instant* moment : {&step.before, &step.middle, &step.after}) {
         seen.depth = std::max(seen.depth, seen.flank.beyond(*moment));
       }
       if (!step.is_smooth) continue;

@@ -24,7 +24,7 @@ class Extrema final : public ReferenceObservable {
  public:
   explicit Extrema(const Channel& channel) : channel_(channel) {}
   void step(const TrajectoryStep& step) override {
-    for (const Moment* moment : {&step.before, &step.middle, &step.after}) see(channel_(*moment));
+    for (const Instant* moment : {&step.before, &step.middle, &step.after}) see(channel_(*moment));
     if (step.is_smooth) see_inside(step);
   }
   std::vector<double> finish(const Window&) const override { return {min_, max_, max_ - min_}; }
@@ -97,7 +97,7 @@ class Orders final : public ReferenceObservable {
   }
 
  private:
-  void add(const Moment& moment, double psi, double weight) {
+  void add(const Instant& moment, double psi, double weight) {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       const double turns = orders_[i] * mesh_periods_ * (periods_ + psi);
       sums_[i] +=

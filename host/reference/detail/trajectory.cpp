@@ -31,7 +31,7 @@ bool Trajectory::advance_period(const StepCallback& each_step,
   std::size_t row = 0;
   for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
     const double share = grid_.segment_fractions[segment];
-    std::optional<Moment> earlier;
+    std::optional<Instant> earlier;
     for (std::uint32_t i = 0; i < grid_.segment_steps[segment]; ++i) {
       const Eigen::VectorXd start = state_;
       const Eigen::VectorXd middle = step(row, share * point_->period());
@@ -72,8 +72,8 @@ Trajectory::Bundle Trajectory::slope(std::size_t row, const Bundle& at) const {
   return out;
 }
 
-Moment Trajectory::moment(std::size_t row, const Eigen::VectorXd& state) const {
-  Moment out;
+Instant Trajectory::moment(std::size_t row, const Eigen::VectorXd& state) const {
+  Instant out;
   out.state = state;
   out.signals.resize(static_cast<Eigen::Index>(signal_count_));
   point_->signals(grid_.coefs.data() + row * row_width_, state.data(), out.signals.data());
@@ -89,9 +89,9 @@ double Trajectory::beyond(const ContactLimit& limit, std::size_t row,
 }
 
 // Compares the contacts that the model shows; corners are none of them.
-bool Trajectory::same_contact(const Moment& a, const Moment& b) const {
+bool Trajectory::same_contact(const Instant& a, const Instant& b) const {
   return std::ranges::all_of(contacts_, [&](const ContactInfo& contact) {
-    const auto touches = [&](const Moment& moment, double flank) {
+    const auto touches = [&](const Instant& moment, double flank) {
       const double deflection = moment.signals[static_cast<Eigen::Index>(contact.deflection)];
       return flank * deflection > moment.signals[static_cast<Eigen::Index>(contact.backlash)];
     };

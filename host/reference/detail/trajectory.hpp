@@ -12,18 +12,18 @@
 
 namespace gearsweep {
 
-// A moment of a trajectory: the state and the model's signals there.
-struct Moment {
+// An instant of a trajectory: the state and the model's signals there.
+struct Instant {
   Eigen::VectorXd state, signals;
 };
 
 // A step of the classical method, and its middle by Hermite's cubic between its ends.
 struct TrajectoryStep {
-  Moment before = {}, middle = {}, after = {};
+  Instant before = {}, middle = {}, after = {};
   double share = 0.0;      // of the period
   bool is_smooth = false;  // no limit of the contact, nor a bend, lies between the three moments
   // The middle of the step before, when that was smooth and lies in the same segment.
-  std::optional<Moment> earlier = {};
+  std::optional<Instant> earlier = {};
 };
 using StepCallback = std::function<void(const TrajectoryStep&)>;
 
@@ -58,10 +58,10 @@ class Trajectory {
   };
 
   Bundle slope(std::size_t row, const Bundle& at) const;
-  Moment moment(std::size_t row, const Eigen::VectorXd& state) const;
+  Instant moment(std::size_t row, const Eigen::VectorXd& state) const;
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
-  bool same_contact(const Moment& a, const Moment& b) const;
+  bool same_contact(const Instant& a, const Instant& b) const;
   // p of a limit (ContactLimit), by a row of coefficients and a state.
   double beyond(const ContactLimit& limit, std::size_t row, const Eigen::VectorXd& state) const;
   // Correct the step's end for the crossings of the contacts' limits between its evaluations `at`.

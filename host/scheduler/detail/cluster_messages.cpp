@@ -40,10 +40,10 @@ std::vector<std::byte> pack(const WorkerReport& report) {
       .add(result.outputs)
       .add(result.samples)
       .add(result.final_states)
-      .add(result.effort.steps)
-      .add(result.effort.seconds)
-      .add(result.effort.stopped)
-      .add(result.effort.kernel_seconds)
+      .add(result.cost.steps)
+      .add(result.cost.seconds)
+      .add(result.cost.stopped)
+      .add(result.cost.kernel_seconds)
       .add(result.device)
       .take();
 }
@@ -60,7 +60,7 @@ WorkerReport unpack_report(const std::vector<std::byte>& bytes) {
   report.result.outputs = in.sequence<std::vector<double>>();
   report.result.samples = in.sequence<std::vector<double>>();
   report.result.final_states = in.sequence<std::vector<double>>();
-  report.result.effort = {in.number(), in.number(), in.number(), in.number()};
+  report.result.cost = {in.number(), in.number(), in.number(), in.number()};
   report.result.device = in.sequence<std::string>();
   return report;
 }

@@ -7,6 +7,6 @@
 namespace gearsweep {
 
 // Told, in words for the user, of what has failed while the rest goes on.
-using Trouble = std::function<void(const std::string&)>;
+using Warn = std::function<void(const std::string&)>;
 
 }  // namespace gearsweep

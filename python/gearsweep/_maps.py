@@ -1,0 +1,79 @@
+"""Maps: what the library computes of a study, and what is said of it."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+import xarray
+
+from gearsweep._flags import flags_of
+from gearsweep._progress import Watch, watched
+from gearsweep._result import dataset_of
+from gearsweep._session import SESSION, device_text
+from gearsweep._value import path_of
+from gearsweep._warning import warn
+
+if TYPE_CHECKING:
+    from gearsweep._core import Study
+
+
+def maps_of(
+    study: Study,
+    call: str,
+    *,
+    progress: Watch,
+    journal: str | os.PathLike[str] | None,
+    device: int | str | None,
+    priority: int = 0,
+) -> xarray.Dataset:
+    """Compute the maps of a study, and warn of what failed.
+
+    Parameters
+    ----------
+    study : Study of the core
+        What to compute.
+    call : str
+        The call that asks for it, for the record.
+    progress, journal, device
+        As `gearsweep.run` takes them.
+    priority : int
+        As `gearsweep.submit` takes it.
+
+    Returns
+    -------
+    xarray.Dataset
+    """
+    with watched(progress) as tell:
+        described, warnings = SESSION.run(
+            study=study,
+            device=device_text(device),
+            journal="" if journal is None else path_of(journal, "a path as journal"),
+            call=call,
+            progress=tell,
+            priority=priority,
+        )
+    for warning in warnings:
+        warn(warning)
+    made = dataset_of(*described)
+    _warn_of_failures(made.status)
+    return made
+
+
+def _warn_of_failures(status: xarray.DataArray) -> None:
+    points = status.size
+    counts = {name: int((status.values == code).sum()) for code, name in flags_of(status).items()}
+    if unstable := counts.pop("unstable_start", 0):
+        warn(
+            f"unstable_start at {unstable} of {points} points: "
+            "they show an unstable equilibrium, or what rounding makes of it"
+        )
+    counts.pop("ok")
+    failures = [f"{name} at {count} of {points} points" for name, count in counts.items() if count]
+    said = ", ".join(failures)
+    if not failures:
+        return
+    if sum(counts.values()) == points:
+        warn(f"every point failed; the maps are empty ({said})")
+    else:
+        warn(f"{said}: these have no values, and 'status' tells which they are")
