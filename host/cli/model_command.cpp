@@ -16,6 +16,7 @@
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "study/builtin_models.hpp"
+#include "study/toml_text.hpp"
 
 namespace gearsweep {
 namespace {
@@ -29,7 +30,7 @@ struct ModelArguments {
 // the parameters. model_key: "name = 'gear5'".
 Study study_of_preset(const std::string& model_key, const Model& model, const std::string& preset) {
   std::string text = fmt::format("[model]\n{}\n", model_key);
-  if (!preset.empty()) text += fmt::format("preset = '{}'\n", preset);
+  if (!preset.empty()) text += fmt::format("preset = {}\n", toml_quoted(preset));
   text += fmt::format("[[axes]]\nname = '{}'\nvalues = [0.0]\n", model.states.front().name);
   const Study study = read_study(text, "--preset");
   tell_notices(study);

@@ -31,6 +31,12 @@ void add_geometry(const GearDrawing& drawing, const GearGeometry& geometry, Gear
   target->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth,
               fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
   if (geometry.helix > 0.0) {
+    if (!drawing.has(kFaceWidth)) {
+      throw DrawingError(
+          kFaceWidth, fmt::format("{} needs 'face_width_mm': helical teeth (helix_angle_deg) come "
+                                  "into contact along it, which is the overlap ratio",
+                                  drawing.name()));
+    }
     const double width = drawing.required(kFaceWidth);
     target->add("overlap", geometry.overlap(width), kHelix,
                 fmt::format("b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm",
@@ -75,7 +81,7 @@ void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
     if (cm == 0.0 && damper > 0.0) {
       throw DrawingError(
           kMeshDamping,
-          "mesh_damping_N_s_per_mm = 0 with bearing damping: gear5 counts bearing damping in "
+          "mesh_damping_N_s_per_mm = 0 with bearing damping: the model counts bearing damping in "
           "mesh damping (c = C/cm); give a positive number, or no damping at all");
     }
     target->add(fmt::format("c{}", i + 1), cm == 0.0 ? 0.0 : damper / cm, kBearingDamping,

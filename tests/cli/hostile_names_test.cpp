@@ -45,6 +45,17 @@ TEST(HostileNames, RunNothingInAnyCommand) {
   }
 }
 
+// The name goes into the text of a study.
+TEST(Names, OfAModelMayHaveQuotes) {
+  const Folder folder;
+  for (const std::string name : {"it's.toml", "a \"model\".toml", "back\\slash.toml"}) {
+    folder.write(name, gearsweep(folder, "model duffing --text").out);
+    const Outcome shown = gearsweep(folder, "model " + quoted("./" + name));
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    EXPECT_THAT(shown.out, HasSubstr("start"));
+  }
+}
+
 // It computed everything and then failed to write it, at each try.
 TEST(Names, OfAnAxisAndAQuantityMayBeTheSame) {
   const Folder folder;

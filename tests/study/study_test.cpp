@@ -29,6 +29,14 @@ int option(const Study& study, const std::string& name) {
   return study.setting.options[static_cast<std::size_t>(study.model->find_option(name))];
 }
 
+TEST(Study, AWordOnTheCommandLineNeedsNoQuotesOfItsOwn) {
+  for (const std::string title : {"it's", "the \"best\" map", "a\\b", "two words"}) {
+    const Study study = read_study("[[axes]]\nname = 'omega'\nvalues = [1]\n", "s.toml",
+                                   {"title=" + title});
+    EXPECT_EQ(study.title, title);
+  }
+}
+
 TEST(Study, GivenParametersOverrideThePreset) {
   const Study study = read_study(
       std::string("[model]\npreset = 'paper'\n[parameters]\nmu = 0.1\n") + kAxis, "s.toml");

@@ -10,6 +10,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/nesting.hpp"
+#include "study/toml_text.hpp"
 
 namespace gearsweep {
 namespace {
@@ -27,7 +28,7 @@ toml::table parse_value(const std::string& value, const std::string& source) {
   try {
     return toml::parse("value = " + value, source);
   } catch (const toml::parse_error&) {
-    const std::string quoted = "value = '" + value + "'";
+    const std::string quoted = "value = " + toml_quoted(value);
     try {
       return toml::parse(quoted, source);
     } catch (const toml::parse_error& error) {

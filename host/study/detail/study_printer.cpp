@@ -8,29 +8,12 @@
 #include <vector>
 
 #include "study/study_keys.hpp"
+#include "study/toml_text.hpp"
 
 namespace gearsweep {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-
-// With all that TOML gives a meaning to by its number or letter.
-std::string escaped(const std::string& text) {
-  std::string out = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (letter == '"' || letter == '\\') {
-      out += std::string("\\") + letter;
-    } else if (letter == '\n') {
-      out += "\\n";
-    } else if (code < ' ' || code == 0x7F) {
-      out += fmt::format("\\u{:04X}", code);
-    } else {
-      out += letter;
-    }
-  }
-  return out + "\"";
-}
 
 // The TOML library's own printer loses a line end at the beginning, and fails at three quotes.
 std::string string_text(const std::string& text) {
@@ -41,7 +24,7 @@ std::string string_text(const std::string& text) {
   const bool has_lines = text.find('\n') != std::string::npos;
   if (!is_plain || text.find(has_lines ? "'''" : "'") != std::string::npos ||
       text.ends_with('\'')) {
-    return escaped(text);
+    return toml_quoted(text);
   }
   return has_lines ? "'''\n" + text + "'''" : "'" + text + "'";
 }
@@ -82,7 +65,7 @@ std::string quoted_key(const std::string& key) {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
            (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
   });
-  return is_bare ? key : escaped(key);
+  return is_bare ? key : toml_quoted(key);
 }
 
 // A key and its value.
