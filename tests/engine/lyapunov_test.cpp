@@ -18,6 +18,7 @@
 #include "support/eigenvalues.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
+#include "support/study_text.hpp"
 #include "support/text.hpp"
 #include "verify/detail/exact_answers.hpp"
 
@@ -54,7 +55,7 @@ void expect_exact_sums(const std::string& model, const std::string& parameters,
       run("[model]\npreset = 'coarse'\n" + model + "[parameters]\n" + parameters +
           "[[axes]]\nname = 'mu'\nvalues = [0.0, 0.05, 0.2]\n[[axes]]\nname = 'eps'\n"
           "values = [1.2, 1.5, 1.718, 1.95]\n[integrate]\nmax_step = " +
-          max_step + "\nsettle = 20\nrecord = 40\n" + kObserveAll);
+          max_step + "\nsettle = 20\nrecord = 40\nstop = 'never'\n" + kObserveAll);
   EXPECT_THAT(result.status, Each(0));
   EXPECT_THAT(map_of(result, "contact_class"), Contains(Ge(contact_class)));
   const Plan plan(result.study, 256);
@@ -185,7 +186,9 @@ TEST(LyapunovFp32, LongPeriodsNeitherOverflowNorVanish) {
 // the finest steps: 1.3e-6 was seen, and 8e-4 without the correction.
 TEST(LyapunovEvents, ExponentsAreConvergedAtTheDefaultStep) {
   const std::string toml =
-      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 0.9]\n" + kObserveAll;
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 0.9]\n"
+      "[integrate]\nstop = 'never'\n" +
+      kObserveAll;
   const SweepResult result = run(toml);
   const SweepResult plain = run(toml, {"integrate.events=false"});
   const SweepResult fine = run(toml, {"integrate.steps_per_period=2048"});
@@ -227,9 +230,7 @@ TEST(Lyapunov, IsTheGrowthOfASmallDifference) {
   const SweepResult tangent = run(common + "[integrate]\nsettle = 60\nrecord = 40\n" + kObserveAll);
   // The first sample is taken where the other run begins to record.
   const SweepResult states =
-      run(common +
-          "[integrate]\nsettle = 59\nrecord = 41\n[observe]\nquantities = ['poincare']\n"
-          "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n");
+      run(common + "[integrate]\nsettle = 59\nrecord = 41\n" + kObserveGear5);
   const std::size_t points = states.study.axes[0].values.size();
   for (std::size_t i = 0; i < points; ++i) {
     const auto distance = [&](std::size_t period) {
@@ -334,7 +335,7 @@ TEST(Lyapunov, DoesNotDependOnHowTheWorkIsCutUp) {
   const std::string toml =
       "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\n"
       "from = 0.4\nto = 1.8\ncount = 45\n[integrate]\nsettle = 12\nwarm_up = 7\n"
-      "record = 11\n" +
+      "record = 11\nstop = 'never'\n" +
       kObserveAll;
   const SweepResult expected = run(toml);
   for (const char* cut : {"integrate.tile=10", "integrate.round=1", "integrate.round=5"}) {
