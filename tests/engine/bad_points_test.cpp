@@ -6,6 +6,7 @@
 
 #include "support/bits.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep::testing {
@@ -145,7 +146,7 @@ TEST(BadPoints, APointThatFailsInALongerWindowHasNoValues) {
           "0.0\ndamping = 0.0\nomega = 1.0\n[[axes]]\nname = 'amplitude'\n"
           "values = [1e4]\n[integrate]\nsettle = 10\nrecord = 16\n"
           "warm_up = 2\nextend = 1\n[observe]\nquantities = ['x_rms', "
-          "'motion_class']\n");
+          "'motion_class', 'poincare']\n");
   EXPECT_EQ(short_one.status[0], STATUS_ok);
 }
 
@@ -154,9 +155,8 @@ TEST(BadPoints, AChainGoesOnBehindABadPoint) {
   const auto run_with = [](const std::string& values, const std::string& policy) {
     return run("[model]\npreset = 'coarse'\n[[axes]]\nname = 'k1'\nvalues = " + values +
                "\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.65, 0.9]\n[initial]\npolicy = '" +
-               policy +
-               "'\nalong = 'k1'\n[integrate]\nsettle = 60\nrecord = 20\nstates = 'all'\n[observe]\n"
-               "quantities = ['x1_rms', 'period', 'poincare']\n");
+               policy + "'\nalong = 'k1'\n[integrate]\nsettle = 60\nrecord = 20\nstates = 'all'\n" +
+               kObserveGear5);
   };
   // Ascending values stand with the bad ones at an end: forward they come last, backward first.
   const SweepResult whole = run_with("[1.0, 1.38, 5e4, 1e6]", "backward");

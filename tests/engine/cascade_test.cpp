@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/builtin_models.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -27,7 +29,7 @@ std::size_t distinct(std::vector<double> samples, double tolerance) {
 std::vector<std::size_t> periods_of(const SweepResult& result) {
   std::vector<std::size_t> periods;
   for (std::size_t point = 0; point < result.status.size(); ++point) {
-    periods.push_back(distinct(samples_of(result, point, 0), 1e-3));
+    periods.push_back(distinct(samples_of(result, point, 1), 1e-3));  // of v
   }
   return periods;
 }
@@ -48,9 +50,6 @@ constexpr const char* kIntegrate = R"(
   settle = 2000
   record = 64
   steps_per_period = 128
-  [observe]
-  quantities = ["poincare"]
-  poincare = ["v"]
 )";
 
 // The mean angle of a motion that is its own mirror image is 0; it tears away as the square root of
@@ -58,7 +57,7 @@ constexpr const char* kIntegrate = R"(
 // and the first symmetric one. 4000 periods leave 1e-11 of the start at the nearest point.
 TEST(Cascade, PendulumLosesItsSymmetryAtThePublishedDamping) {
   const double published = 1.0 / 1.24693151;
-  const SweepResult result = run(R"(
+  const SweepResult result = run(std::string(R"(
     [model]
     name = "pendulum"
     preset = "cascade"
@@ -73,9 +72,7 @@ TEST(Cascade, PendulumLosesItsSymmetryAtThePublishedDamping) {
     settle = 4000
     record = 2
     steps_per_period = 128
-    [observe]
-    quantities = ["x_mean"]
-  )");
+  )") + observe_all_of(*find_model("pendulum")));
   for (std::size_t i = 0; i < result.status.size(); ++i) {
     const double damping = result.study.axes[0].values[i];
     const double mean = std::abs(map_of(result, "x_mean")[i]);
@@ -97,7 +94,7 @@ TEST(Cascade, PendulumDoublesAtThePublishedDamping) {
   }
   const SweepResult result =
       run("[model]\nname = 'pendulum'\npreset = 'cascade'\n[[axes]]\nname = 'damping'\nvalues = [" +
-          values + "]\n" + kIntegrate);
+          values + "]\n" + kIntegrate + observe_all_of(*find_model("pendulum")));
   std::vector<std::size_t> periods = periods_of(result);
   std::reverse(Q.begin(), Q.end());
   std::reverse(periods.begin(), periods.end());
@@ -122,7 +119,7 @@ TEST(Cascade, TwoWellDuffingDoublesAtThePublishedForcing) {
     count = 64
     [initial]
     state = {x = 1.0}
-  )") + kIntegrate);
+  )") + kIntegrate + "[observe]\nquantities = ['poincare']\npoincare = ['x', 'v']\n");
   const std::vector<std::size_t> periods = periods_of(result);
   const std::vector<double>& amplitudes = result.study.axes[0].values;
   expect_doubling(amplitudes, periods, 2, 0.26558179);

@@ -12,6 +12,7 @@
 #include "engine/outside_gear5.hpp"
 #include "plan/plan.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -21,8 +22,8 @@ namespace {
 const std::string kStudy =
     "[model]\nstiffness = 'rectangular'\nbacklash = 'dynamic'\n[parameters]\neps = 1.5\n"
     "e0 = 0.05\nmu = 0.1\n[[axes]]\nname = 'omega'\nvalues = [0.8]\n[integrate]\nsettle = 4\n"
-    "record = 1\nstop = 'never'\n[observe]\nquantities = ['contact_class', 'poincare']\n"
-    "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
+    "record = 1\nstop = 'never'\n" +
+    kObserveGear5;
 
 // The teeth part and meet again in each period, on one flank or, with the small backlash, on both;
 // with a small dynamic backlash both touch at once.
@@ -30,9 +31,7 @@ std::string parting(const std::string& backlash, const std::string& b,
                     const std::string& omega = "1.0") {
   return "[model]\npreset = 'coarse'\nbacklash = '" + backlash +
          "'\n[parameters]\neps = 1.5\nb = " + b + "\n[[axes]]\nname = 'omega'\nvalues = [" + omega +
-         "]\n[integrate]\nsettle = 4\nrecord = 1\nstop = 'never'\n"
-         "[observe]\nquantities = ['contact_class', 'poincare']\n"
-         "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
+         "]\n[integrate]\nsettle = 4\nrecord = 1\nstop = 'never'\n" + kObserveGear5;
 }
 
 // Largest error of a state after five periods, for 32, 64, ... steps per period, against odeint's
@@ -116,10 +115,8 @@ TEST(Convergence, ExtremesAndSharesInsideStepsConverge) {
                                      parting("constant", "0.05"), parting("constant", "0.3")}) {
       std::vector<std::vector<double>> found;  // [halving][quantity]
       for (const char* steps : {"32", "64", "128", "256"}) {
-        const SweepResult result =
-            run(study, {"integrate.engine='" + engine + "'",
-                        "integrate.steps_per_period=" + std::string(steps),
-                        "observe.quantities=['x1_min','x1_max','contact_drive','contact_back']"});
+        const SweepResult result = run(study, {"integrate.engine='" + engine + "'",
+                                               "integrate.steps_per_period=" + std::string(steps)});
         const Plan plan(result.study, 1);
         const OutsideGear gear(plan.setting_of(0));
         OutsideState exact = outside_state(plan.own_initial_state(0));

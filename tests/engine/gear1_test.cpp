@@ -85,6 +85,7 @@ TEST(Gear1, OrbitsAreThoseOfAnOutsideOpinion) {
     steps_per_period = 1024
     settle = 300
     record = 1
+    stop = "never"
     [observe]
     quantities = ["x_max", "deflection_max", "backlash_mean", "poincare"]
     poincare = ["x", "v"]
@@ -119,6 +120,7 @@ TEST(Gear1, ExponentsAddUpToTheDivergence) {
     steps_per_period = 128
     settle = 300
     record = 2000
+    stop = "never"
     [observe]
     quantities = ["lyapunov_spectrum", "contact_class"]
   )");
@@ -194,6 +196,7 @@ TEST(Gear1, IsGear5WithoutShaftMotion) {
     steps_per_period = 4096
     settle = 300
     record = 1
+    stop = "never"
     [observe]
     quantities = ["deflection_min", "deflection_max", "deflection_mean", "deflection_rms", "dmf_max"]
   )";

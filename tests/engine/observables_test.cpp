@@ -78,10 +78,12 @@ void expect_engines_agree(const std::string& toml, const std::vector<double>& cl
   }
 }
 
+const std::string kObserveAll =
+    "[observe]\npoincare = ['x1', 'x4', 'v1']\nquantities = [" + all_quantities() + "]\n";
 const std::string kRest =
     "[[axes]]\nname = 'b'\nvalues = [0.05, 0.4, 1.0]\n[integrate]\nsettle = 6\nrecord = 5\n"
-    "max_step = 0.02\n[observe]\npoincare = ['x1', 'x4', 'v1']\nquantities = [" +
-    all_quantities() + "]\n";
+    "max_step = 0.02\n" +
+    kObserveAll;
 
 TEST(Observables, AgreeWithTheReferenceEngine) {
   expect_engines_agree(
@@ -117,13 +119,12 @@ TEST(Observables, FractionsOfContactAddUpToOne) {
 }
 
 // The recorded signals are what the equations say: with constant backlash b' is b, and D and the
-// force are those of the states.
+// force are those of the states. With the kernels of the comparison above.
 TEST(Observables, SignalsAreThoseOfTheStates) {
   const SweepResult result =
       run("[model]\npreset = 'consistent'\n[[axes]]\nname = 'b'\nvalues = [0.5, 1.0]\n"
-          "[integrate]\nsettle = 200\nrecord = 4\n[observe]\nquantities = ['backlash_min', "
-          "'backlash_max', 'deflection_mean', 'x1_mean', 'x3_mean', 'x5_mean', 'x1_std', "
-          "'x1_rms']\n");
+          "[integrate]\nsettle = 200\nrecord = 4\nstop = 'never'\n" +
+          kObserveAll);
   for (std::size_t point = 0; point < 2; ++point) {
     const auto value = [&](const char* quantity) { return map_of(result, quantity)[point]; };
     EXPECT_EQ(value("backlash_min"), result.study.axes[0].values[point]);
@@ -140,8 +141,10 @@ TEST(Observables, SignalsAreThoseOfTheStates) {
 TEST(Observables, DynamicLoadFactorIsTheLargestForceOverTheLoad) {
   const SweepResult still = run(
       "[model]\nstiffness = 'fourier'\n[parameters]\nkappa = 0.0\nmu = 0.0\ne0 = 0.0\n[[axes]]\n"
-      "name = 'F1'\nvalues = [0.0, 0.1, 0.3]\n[integrate]\nsettle = 100\nrecord = 1\n[observe]\n"
-      "quantities = ['dynamic_load_factor', 'dmf_max', 'bearing_p_max', 'bearing_g_max']\n");
+      "name = 'F1'\nvalues = [0.0, 0.1, 0.3]\n[integrate]\nsettle = 100\nrecord = 1\nstop = "
+      "'never'\n"
+      "[observe]\nquantities = ['dynamic_load_factor', 'dmf_max', 'bearing_p_max', "
+      "'bearing_g_max']\n");
   const std::vector<double>& factor = map_of(still, "dynamic_load_factor");
   EXPECT_TRUE(std::isnan(factor[0]));
   for (const std::size_t point : {1U, 2U}) {
@@ -152,7 +155,8 @@ TEST(Observables, DynamicLoadFactorIsTheLargestForceOverTheLoad) {
   }
   const SweepResult gear1 =
       run("[model]\nname = 'gear1'\n[[axes]]\nname = 'Fm'\nvalues = [0.1, 0.2]\n[integrate]\n"
-          "settle = 20\nrecord = 2\n[observe]\nquantities = ['dmf_max', 'dynamic_load_factor', "
+          "settle = 20\nrecord = 2\nstop = 'never'\n[observe]\nquantities = ['dmf_max', "
+          "'dynamic_load_factor', "
           "'dmf_min', 'dmf_peak_to_peak']\n");
   for (const std::size_t point : {0U, 1U}) {
     EXPECT_EQ(map_of(gear1, "dynamic_load_factor")[point],
@@ -168,7 +172,8 @@ TEST(Observables, HaveNoDeviationThatRoundingSwallows) {
   const std::string study =
       "[model]\npreset = 'consistent'\nstiffness = 'fourier'\n[parameters]\nkappa = 0\nmu = 0\n"
       "[[axes]]\nname = 'e0'\nvalues = [0.0, 1e-6, 1e-4, 1e-2]\n[[axes]]\nname = 'b'\n"
-      "values = [1.0, 1000.0]\n[observe]\nquantities = ['x1_mean', 'x1_std', 'x2_std']\n";
+      "values = [1.0, 1000.0]\n[integrate]\nstop = 'never'\n"
+      "[observe]\nquantities = ['x1_mean', 'x1_std', 'x2_std']\n";
   const SweepResult fp32 = run(study, {"integrate.precision=fp32"});
   const SweepResult fp64 = run(study);
   const std::vector<double>& rounded = map_of(fp32, "x1_std");
@@ -246,7 +251,8 @@ TEST(Divergence, PrintedFormFluttersBetweenTwoStiffnesses) {
 const std::string kFlutter =
     "[model]\npreset = 'consistent'\nformulation = 'printed'\n[[axes]]\nname = 'm1'\n"
     "values = [0.03, 0.3507525]\n[[axes]]\nname = 'm2'\nvalues = [0.03, 0.3507525]\n"
-    "[integrate]\nsettle = 50\nrecord = 10\n[observe]\nquantities = ['x1_min', 'x1_rms', "
+    "[integrate]\nsettle = 50\nrecord = 10\nstop = 'never'\n[observe]\nquantities = ['x1_min', "
+    "'x1_rms', "
     "'contact_drive', 'contact_losses', 'contact_class', 'dmf_max', 'poincare']\n";
 
 // With the masses of the paper's Table 1 the printed form runs away. The point says so, has no

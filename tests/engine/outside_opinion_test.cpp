@@ -12,6 +12,7 @@
 #include "plan/plan.hpp"
 #include "support/print_rows.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -33,9 +34,8 @@ Regimes expect_same_sections(const std::string& toml, std::size_t cycle = 1,
   const std::size_t periods = std::max<std::size_t>(2, kPeriods / cycle);
   const std::string integrate =
       "\n[integrate]\nsteps_per_period = " + std::to_string(2048 * cycle) +
-      "\nsettle = " + std::to_string(periods - 2) +
-      "\nrecord = 2\nstop = 'never'\n[observe]\nquantities = ['poincare', 'contact_class']\n"
-      "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
+      "\nsettle = " + std::to_string(periods - 2) + "\nrecord = 2\nstop = 'never'\n" +
+      kObserveGear5;
   const SweepResult result = run(toml + integrate);
   const Plan plan(result.study, 1);
   for (std::size_t point = 0; point < result.study.points(); ++point) {

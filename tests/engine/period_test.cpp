@@ -9,6 +9,7 @@
 
 #include "support/bits.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -16,16 +17,11 @@ namespace {
 // Values of motion_class.
 constexpr double kUndecided = 0.0, kPeriodic = 1.0, kQuasiPeriodic = 2.0, kChaotic = 3.0;
 
-const std::string kQuantities =
-    "quantities = ['motion_class', 'period', 'settled', 'lyapunov_max', 'lyapunov_max_error', "
-    "'poincare']\n";
-
 // gear5 at some mesh frequencies. All tests ask for the same quantities, so that there are few
 // programs to build.
 std::string sweep(const std::string& preset, const std::string& omegas) {
   return "[model]\npreset = '" + preset + "'\n[[axes]]\nname = 'omega'\nvalues = [" + omegas +
-         "]\n[observe]\npoincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n" +
-         kQuantities;
+         "]\n" + kObserveMotionOfGear5;
 }
 
 // Distance of two recorded sections, by the largest component, relative to the largest of all.
@@ -152,15 +148,13 @@ TEST(Motion, CallsASlowTransientUndecidedWhenItMayNotGoOn) {
 TEST(Motion, GoesOnUntilASlowTransientHasSettled) {
   const std::string study = sweep("coarse", "1.9");
   const std::string exhaustive = "integrate.stop=never";
-  const std::string more =
-      "observe.quantities=['x1_rms', 'dmf_max', 'period', 'settled', 'motion_class', 'poincare']";
-  const SweepResult result = run(study, {more, exhaustive});
+  const SweepResult result = run(study, {exhaustive});
   EXPECT_EQ(map_of(result, "period")[0], 2.0);
   EXPECT_EQ(map_of(result, "motion_class")[0], kPeriodic);
   // exp(-0.0157 n) is 1e-6 of the first deviation, of size 1, after some 880 periods.
   EXPECT_GT(map_of(result, "settled")[0], 600.0);
   EXPECT_LT(map_of(result, "settled")[0], 2000.0);
-  const SweepResult single = run(study, {more, exhaustive, "integrate.extend=1"});
+  const SweepResult single = run(study, {exhaustive, "integrate.extend=1"});
   EXPECT_EQ(map_of(result, "x1_rms"), map_of(single, "x1_rms"));
   EXPECT_EQ(map_of(result, "dmf_max"), map_of(single, "dmf_max"));
   EXPECT_EQ(result.samples, single.samples);
@@ -176,26 +170,32 @@ TEST(Motion, TellsPeriodicQuasiPeriodicAndChaotic) {
 
 // What grows without bounds, drifts or is still on its way is no motion of a class: a linear
 // oscillator of negative damping, a body under a constant force with friction alone, and a slow
-// relaxation at exactly the rate a.
+// relaxation at exactly the rate a. Parameters turn one model into each of them, so that the device
+// compiles once.
 TEST(Motion, WithoutBoundsOrOnItsWayIsUndecided) {
-  const auto classes_of = [](const std::string& states, const std::string& a) {
+  const auto classes_of = [](const std::string& parameters, const std::string& a) {
     const SweepResult result = run(
         "[model]\ntext = '''\n[model]\nname = 'open'\nmax_step = 0.1\n[states]\nx = {}\ny = {}\n"
-        "[parameters]\na = 1.0\n[equations]\n" +
-        states + "[forcing]\nperiod = '2*pi/1.3'\n'''\n[[axes]]\nname = 'a'\nvalues = " + a +
+        "[parameters]\na = 1.0\nslow = 0.0\npush = 0.0\nnegative = 0.0\nstiffness = 0.0\n"
+        "friction = 0.0\nshift = 0.0\n[equations]\nx = '(1 - slow)*y + slow*a*(y^2 - x)'\n"
+        "y = 'sin(phase + shift) + negative*a*y + push*a + 2*slow - stiffness*x - friction*y'\n"
+        "[forcing]\nperiod = '2*pi/1.3'\n'''\n[parameters]\n" +
+        parameters + "[[axes]]\nname = 'a'\nvalues = " + a +
         "\n[observe]\nquantities = ['motion_class']\n");
     return map_of(result, "motion_class");
   };
+  // x' = y, y' = a y - x + sin(phase)
   for (const double found :
-       classes_of("x = 'y'\ny = 'a*y - x + sin(phase)'\n", "[0.0005, 0.001, 0.002, 0.01]")) {
+       classes_of("negative = 1.0\nstiffness = 1.0\n", "[0.0005, 0.001, 0.002, 0.01]")) {
     EXPECT_EQ(found, kUndecided);
   }
-  for (const double found :
-       classes_of("x = 'y'\ny = 'a + sin(phase) - 0.1*y'\n", "[0.01, 0.1, 1.0]")) {
+  // x' = y, y' = a + sin(phase) - 0.1 y
+  for (const double found : classes_of("push = 1.0\nfriction = 0.1\n", "[0.01, 0.1, 1.0]")) {
     EXPECT_EQ(found, kUndecided);
   }
-  for (const double found :
-       classes_of("x = 'a*(y^2 - x)'\ny = '-y + 2 + cos(phase)'\n", "[3e-6, 1e-5, 3e-5]")) {
+  // x' = a (y^2 - x), y' = -y + 2 + cos(phase)
+  for (const double found : classes_of("slow = 1.0\nfriction = 1.0\nshift = 1.5707963267948966\n",
+                                       "[3e-6, 1e-5, 3e-5]")) {
     EXPECT_EQ(found, kUndecided);
   }
 }
@@ -205,8 +205,8 @@ TEST(Motion, WithoutBoundsOrOnItsWayIsUndecided) {
 TEST(Motion, CallsAContradictionUndecided) {
   const SweepResult result =
       run("[model]\nname = 'duffing'\npreset = 'two_well'\n[parameters]\namplitude = 0\n"
-          "[[axes]]\nname = 'omega'\nvalues = [1.0]\n[observe]\n" +
-          kQuantities);
+          "[[axes]]\nname = 'omega'\nvalues = [1.0]\n[observe]\n"
+          "quantities = ['motion_class', 'period', 'lyapunov_max']\n");
   EXPECT_GT(map_of(result, "lyapunov_max")[0], 0.8);
   EXPECT_EQ(map_of(result, "period")[0], 1.0);
   EXPECT_EQ(map_of(result, "motion_class")[0], kUndecided);
@@ -214,8 +214,8 @@ TEST(Motion, CallsAContradictionUndecided) {
 
 const std::string kMap =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 1.9\ncount = 9\n"
-    "[[axes]]\nname = 'b'\nfrom = 0.3\nto = 1.3\ncount = 7\n[observe]\n" +
-    kQuantities;
+    "[[axes]]\nname = 'b'\nfrom = 0.3\nto = 1.3\ncount = 7\n" +
+    kObserveMotionOfGear5;
 
 // The classes rest on what the study's other maps say, each computed on its own.
 TEST(Motion, AgreesWithPeriodAndExponent) {
@@ -246,11 +246,13 @@ TEST(Motion, AgreesWithPeriodAndExponent) {
   for (std::size_t motion = 1; motion < seen.size(); ++motion) EXPECT_GT(seen[motion], 0U);
 }
 
+// The first has one lane, the others the device's own. How the search for orbits is cut up is for
+// OrbitSearch.IsTheSameForAnyCut.
 TEST(Period, HasTheSameBitsHoweverTheWorkIsCut) {
-  const std::string study = kMap + "[integrate]\nrecord = 70\n";
+  const std::string study = kMap + "[integrate]\nrecord = 70\nstop = 'never'\n";
   const SweepResult expected = run(study, {"integrate.lanes=1"});
-  for (const std::string cut : {"integrate.lanes=8", "integrate.tile=10", "integrate.round=1",
-                                "integrate.round=7", "integrate.round=1000"}) {
+  for (const std::string cut :
+       {"integrate.tile=10", "integrate.round=1", "integrate.round=7", "integrate.round=1000"}) {
     SCOPED_TRACE(cut);
     const SweepResult result = run(study, {cut});
     for (std::size_t i = 0; i < result.values.size(); ++i) {

@@ -12,6 +12,7 @@
 #include "study/builtin_models.hpp"
 #include "support/bits.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -46,9 +47,7 @@ void expect_same_maps(const SweepResult& list, const SweepResult& map) {
 const std::string kShort = "[integrate]\nsettle = 60\nrecord = 20\n";
 
 TEST(Points, OfAMapAsAListHaveTheBitsOfTheMap) {
-  const std::string rest = "[model]\npreset = 'coarse'\n" + kShort +
-                           "[observe]\nquantities = ['x1_rms', 'dmf_max', 'period', "
-                           "'lyapunov_max', 'contact_class']\n";
+  const std::string rest = "[model]\npreset = 'coarse'\n" + kShort + kObserveMotionOfGear5;
   const SweepResult map =
       run("[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 1.5\ncount = 7\n"
           "[[axes]]\nname = 'b'\nfrom = 0.4\nto = 1.2\ncount = 5\n" +
@@ -82,8 +81,8 @@ TEST(Points, ShareTheAttractorsOfTheirParameters) {
 
 TEST(Points, MayGoOnFromTheirNeighbours) {
   PointTable points{{"omega"}, {{}}};
-  const std::string rest = "[model]\npreset = 'coarse'\n[initial]\npolicy = 'backward'\n" + kShort +
-                           "[observe]\nquantities = ['x1_rms', 'dmf_max']\n";
+  const std::string rest =
+      "[model]\npreset = 'coarse'\n[initial]\npolicy = 'backward'\n" + kShort + kObserveGear5;
   const SweepResult map = run("[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 1.5\ncount = 9\n" + rest);
   points.columns[0] = map.study.axes[0].values;
   expect_same_maps(run(as_text(points) + rest), map);
@@ -140,10 +139,9 @@ TEST(Points, OfAnyModelAreThoseOfStudiesOfOnePoint) {
   for (const std::string name : {"gear5", "gear1", "duffing", "pendulum", "vanderpol", "lorenz"}) {
     const Model& model = *find_model(name);
     const std::string quantity = model.states.front().name + "_rms";
-    const std::string rest = fmt::format(
-        "[model]\nname = '{}'\n[integrate]\nsettle = 2\nrecord = 2\nstop = 'never'\n"
-        "[observe]\nquantities = ['{}']\n",
-        name, quantity);
+    const std::string rest = "[model]\nname = '" + name +
+                             "'\n[integrate]\nsettle = 2\nrecord = 2\nstop = 'never'\n" +
+                             observe_all_of(model);
     const PointTable points = random_points(model, 5);
     const std::vector<double> list = map_of(run(as_text(points) + rest), quantity);
     for (std::size_t point = 0; point < list.size(); ++point) {

@@ -94,10 +94,11 @@ TEST_F(Resume, GoesOnInTheMiddleOfAChain) {
   expect_resumes(kStudy + "[initial]\npolicy = 'forward'\n[integrate]\n" + kInParts);
 }
 
-// The draws of a point may lie in tiles of both runs.
+// The draws of a point may lie in tiles of both runs. They are of a parameter that the kernels take
+// from a point's numbers in any case, and so the kernels are those of the tests above.
 TEST_F(Resume, GoesOnAmongTheDrawsOfUncertainParameters) {
   expect_resumes(kStudy +
-                 "[uncertain]\nsamples = 9\nmu = {distribution = 'normal', std = 0.001}\n"
+                 "[uncertain]\nsamples = 9\nF1 = {distribution = 'normal', std = 0.001}\n"
                  "[integrate]\n" +
                  kInParts);
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,14 +14,10 @@
 namespace gearsweep::testing {
 namespace {
 
-const std::string kGrid =
-    "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 1.6\ncount = 12\n"
-    "[[axes]]\nname = 'Fte'\nfrom = 0.01\nto = 0.1\ncount = 6\n"
-    "[integrate]\nmax_step = 0.05\nsettle = 300\nrecord = 50\ncontract = false\n"
-    "[observe]\nquantities = ['x_rms', 'dmf_max', 'period', 'contact_class', 'contact_gap', "
-    "'lyapunov_max']\n";
-
-std::string text_study() { return "[model]\ntext = '''\n" + pair_model() + "'''\n" + kGrid; }
+// All tests ask for the same, and few of their axes shape the phase table, so that there are few
+// programs to build.
+const std::string kObserve =
+    "[observe]\nquantities = ['x_rms', 'dmf_max', 'contact_losses', 'lyapunov_max']\n";
 
 // By name, over all points.
 const std::vector<double>& values_of(const SweepResult& result, const std::string& name) {
@@ -33,12 +30,15 @@ const std::vector<double>& values_of(const SweepResult& result, const std::strin
 
 // The host evaluates the tree, the device compiles it: the reference engine is a second opinion.
 TEST(TextModel, IsTheSameOnTheHost) {
-  const std::vector<std::string> short_run = {"integrate.settle=20", "integrate.record=10",
-                                              "integrate.stop=\"never\"", "integrate.warm_up=5"};
-  std::vector<std::string> on_host = short_run;
-  on_host.emplace_back("integrate.engine=\"reference\"");
-  const SweepResult device = run(text_study(), short_run);
-  const SweepResult host = run(text_study(), on_host);
+  const std::string study =
+      "[model]\ntext = '''\n" + pair_model() +
+      "'''\n[parameters]\nFte = 0.05\n[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 1.6\ncount = 12\n"
+      "[[axes]]\nname = 'Fm'\nfrom = 0.02\nto = 0.2\ncount = 6\n[integrate]\nmax_step = 0.05\n"
+      "settle = 4\nrecord = 6\nstop = 'never'\nwarm_up = 5\n" +
+      kObserve;
+  const SweepResult device = run(study);
+  const SweepResult host = run(study, {"integrate.engine=\"reference\""});
+  EXPECT_GT(std::ranges::max(values_of(device, "contact_losses")), 0.0);
   for (const char* name : {"x_rms", "dmf_max"}) {
     for (std::size_t i = 0; i < device.status.size(); ++i) {
       EXPECT_NEAR(values_of(device, name)[i], values_of(host, name)[i], 1e-10) << name << " " << i;
@@ -46,7 +46,8 @@ TEST(TextModel, IsTheSameOnTheHost) {
   }
 }
 
-// Each function where a state changes it, where the phase does, and where neither does.
+// Each function where a state changes it, where the phase does, and where neither does: a signal
+// for each argument, so that the device compiles once.
 TEST(TextModel, HasEveryFunctionOnTheDevice) {
   const std::vector<std::string> functions = {"sin(A)",
                                               "cos(A)",
@@ -78,31 +79,36 @@ TEST(TextModel, HasEveryFunctionOnTheDevice) {
                                               "max(A - 0.3, 0)^(1 + A)",
                                               "1/(2 + A)^3",
                                               "if(A < 0.3 and not A <= 0.1 or A == 2, A, 1 - A)"};
-  for (const std::string argument : {"x", "sin(phase)", "p", "x + sin(phase) + p", "x*p"}) {
+  const std::vector<std::string> arguments = {"x", "sin(phase)", "p", "x + sin(phase) + p", "x*p"};
+  std::string signals, quantities;
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
     std::string sum = "p";
     for (std::size_t i = 0; i < functions.size(); ++i) {
       std::string text = functions[i];
       for (std::size_t at = 0; (at = text.find('A')) != std::string::npos;) {
-        text.replace(at, 1, "(" + argument + ")");
+        text.replace(at, 1, "(" + arguments[k] + ")");
       }
       sum += " + " + std::to_string(i + 1) + "*" + text;
     }
-    const std::string study =
-        "[model]\ntext = '''\n[model]\nname = \"functions\"\n[states]\nx = { start = \"0.1\" }\n"
-        "[parameters]\np = 0.45\n[equations]\nx = \"0.3 - 0.5*x + 0.1*cos(phase)\"\n[forcing]\n"
-        "period = \"2*pi\"\n[signals]\n"
-        "all = \"" +
-        sum +
-        "\"\n'''\n[[axes]]\nname = 'p'\nfrom = 0.05\nto = 0.7\ncount = 9\n[integrate]\n"
-        "max_step = 0.1\nsettle = 2\nrecord = 2\nextend = 1\nstop = 'never'\n"
-        "[observe]\nquantities = ['all_mean', 'all_max']\n";
-    const SweepResult device = run(study);
-    const SweepResult host = run(study, {"integrate.engine=\"reference\""});
-    for (std::size_t map = 0; map < device.values.size(); ++map) {
-      for (std::size_t point = 0; point < device.status.size(); ++point) {
-        EXPECT_NEAR(device.values[map][point], host.values[map][point], 1e-9)
-            << argument << ": map " << map << ", point " << point;
-      }
+    signals += fmt::format("all{} = \"{}\"\n", k, sum);
+    quantities += fmt::format("'all{0}_mean', 'all{0}_max', ", k);
+  }
+  const std::string study =
+      "[model]\ntext = '''\n[model]\nname = \"functions\"\n[states]\nx = { start = \"0.1\" }\n"
+      "[parameters]\np = 0.45\n[equations]\nx = \"0.3 - 0.5*x + 0.1*cos(phase)\"\n[forcing]\n"
+      "period = \"2*pi\"\n[signals]\n" +
+      signals +
+      "'''\n[[axes]]\nname = 'p'\nfrom = 0.05\nto = 0.7\ncount = 9\n[integrate]\n"
+      "max_step = 0.1\nsettle = 2\nrecord = 2\nextend = 1\nstop = 'never'\n"
+      "[observe]\nquantities = [" +
+      quantities + "]\n";
+  const SweepResult device = run(study);
+  const SweepResult host = run(study, {"integrate.engine=\"reference\""});
+  ASSERT_EQ(device.values.size(), 2 * arguments.size());
+  for (std::size_t map = 0; map < device.values.size(); ++map) {
+    for (std::size_t point = 0; point < device.status.size(); ++point) {
+      EXPECT_NEAR(device.values[map][point], host.values[map][point], 1e-9)
+          << arguments[map / 2] << ": map " << map << ", point " << point;
     }
   }
 }
@@ -124,8 +130,8 @@ std::string table_study(const std::string& table, int count, const std::string& 
 
 const std::string kFewPeriods =
     "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 1.6\ncount = 12\n[integrate]\nmax_step = 0.05\n"
-    "settle = 20\nrecord = 10\nstop = 'never'\nwarm_up = 5\n"
-    "[observe]\nquantities = ['x_rms', 'dmf_max', 'lyapunov_max']\n";
+    "settle = 20\nrecord = 10\nstop = 'never'\nwarm_up = 5\n" +
+    kObserve;
 
 double largest_difference(const SweepResult& one, const SweepResult& other) {
   double largest = 0.0;
@@ -184,13 +190,12 @@ TEST(TextModel, HasTheMotionOfATableThatJumps) {
 TEST(TextModel, KeepsItsOrderWithTables) {
   const auto order = [](const std::string& table) {
     const auto x_rms = [&](double step) {
-      return values_of(
-          run(table_study(table, 9,
-                          "[[axes]]\nname = 'omega'\nvalues = [0.55, 0.6, 0.65, 0.7, "
-                          "1.1, 1.2, 1.3, 1.4]\n[integrate]\nsettle = 0\nrecord = "
-                          "10\nstop = 'never'\nmax_step = " +
-                              std::to_string(step) + "\n[observe]\nquantities = ['x_rms']\n")),
-          "x_rms");
+      return values_of(run(table_study(table, 9,
+                                       "[[axes]]\nname = 'omega'\nvalues = [0.55, 0.6, 0.65, 0.7, "
+                                       "1.1, 1.2, 1.3, 1.4]\n[integrate]\nsettle = 0\nrecord = "
+                                       "10\nstop = 'never'\nmax_step = " +
+                                           std::to_string(step) + "\n" + kObserve)),
+                       "x_rms");
     };
     const std::vector<double> fine = x_rms(0.0025), half = x_rms(0.04), whole = x_rms(0.08);
     double error = 0.0, error_of_half = 0.0;
@@ -207,13 +212,12 @@ TEST(TextModel, KeepsItsOrderWithTables) {
 // Halving the step leaves a sixteenth of the error where contacts are corrected.
 TEST(TextModel, KeepsItsOrderWhereTeethMeetAndPart) {
   const auto x_rms = [](double step) {
-    return values_of(
-        run("[model]\ntext = '''\n" + pair_model() +
-            "'''\n[parameters]\nFte = 0.08\n[[axes]]\nname = 'omega'\nvalues = [0.55, "
-            "0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9]\n[integrate]\nsettle = 0\nrecord = "
-            "10\nstop = 'never'\nmax_step = " +
-            std::to_string(step) + "\n[observe]\nquantities = ['x_rms', 'contact_losses']\n"),
-        "x_rms");
+    return values_of(run("[model]\ntext = '''\n" + pair_model() +
+                         "'''\n[parameters]\nFte = 0.08\n[[axes]]\nname = 'omega'\nvalues = [0.55, "
+                         "0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9]\n[integrate]\nsettle = 0\nrecord = "
+                         "10\nstop = 'never'\nmax_step = " +
+                         std::to_string(step) + "\n" + kObserve),
+                     "x_rms");
   };
   const std::vector<double> fine = x_rms(0.0025), half = x_rms(0.04), whole = x_rms(0.08);
   double orders = 0.0;

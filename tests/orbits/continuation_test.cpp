@@ -44,18 +44,21 @@ std::pair<LocatedBifurcation, double> pendulum_bifurcation(double Q, double to, 
   return {found, 1.0 / found.parameter};
 }
 
+// Enough for the 8 digits that are published: see LocatedPointsHardlyDependOnTheSteps.
+constexpr std::size_t kFewSteps = 512;
+
 LocatedBifurcation duffing_bifurcation(double g, double to) {
   const Example example = duffing(g);
   // In the right-hand well.
-  const Orbit orbit = example.orbit_from({1.0, 0.0}, 400);
-  return only(example.follow(orbit, "amplitude", g, to, true));
+  const Orbit orbit = example.orbit_from({1.0, 0.0}, 400, kFewSteps);
+  return only(example.follow(orbit, "amplitude", g, to, true, kFewSteps));
 }
 
 // The published points have 8 digits after the point; 2e-8 is asked for.
 constexpr double kPublished = 2e-8;
 
 TEST(Continuation, PendulumBreaksItsSymmetry) {
-  const auto [found, Q] = pendulum_bifurcation(1.2, 1.3, kSteps);
+  const auto [found, Q] = pendulum_bifurcation(1.2, 1.3, kFewSteps);
   EXPECT_EQ(found.kind, Bifurcation::branching);
   EXPECT_EQ(found.born_of, 0U);
   EXPECT_NEAR(Q, 1.24693151, kPublished);
@@ -70,7 +73,7 @@ TEST(Continuation, PendulumDoublesItsPeriodFourTimes) {
   for (const Doubling& doubling :
        {Doubling{1.33, 1.36, 1, 1.34921264}, Doubling{1.36, 1.3705, 2, 1.37012224},
         Doubling{1.372, 1.375, 4, 1.37457590}, Doubling{1.3752, 1.3757, 8, 1.37553012}}) {
-    const auto [found, Q] = pendulum_bifurcation(doubling.start, doubling.end, 512);
+    const auto [found, Q] = pendulum_bifurcation(doubling.start, doubling.end, kFewSteps);
     EXPECT_EQ(found.kind, Bifurcation::flip);
     EXPECT_EQ(found.orbit.period, doubling.period);
     EXPECT_NEAR(Q, doubling.Q, kPublished);
@@ -108,14 +111,14 @@ TEST(Continuation, LocatedPointsHardlyDependOnTheSteps) {
 TEST(Continuation, ABranchEndsWhereItWasBorn) {
   const Example broken = pendulum(1.3);
   const Branch to_symmetric =
-      broken.follow(broken.orbit(400), "damping", 1.0 / 1.3, 1.0 / 1.2, true);
+      broken.follow(broken.orbit(400, kFewSteps), "damping", 1.0 / 1.3, 1.0 / 1.2, true, kFewSteps);
   EXPECT_EQ(only(to_symmetric).kind, Bifurcation::branching);
   EXPECT_EQ(only(to_symmetric).born_of, 1U);
   EXPECT_NEAR(1.0 / only(to_symmetric).parameter, 1.24693151, kPublished);
 
   const Example doubled = duffing(0.275);
-  const Branch to_simple =
-      doubled.follow(doubled.orbit_from({1.0, 0.0}, 400), "amplitude", 0.26, 0.275, false);
+  const Branch to_simple = doubled.follow(doubled.orbit_from({1.0, 0.0}, 400, kFewSteps),
+                                          "amplitude", 0.26, 0.275, false, kFewSteps);
   EXPECT_EQ(only(to_simple).kind, Bifurcation::flip);
   EXPECT_EQ(only(to_simple).born_of, 1U);
   EXPECT_EQ(only(to_simple).orbit.period, 2U);
@@ -166,7 +169,8 @@ TEST(Continuation, GoesAroundTheFoldsOfABentResonance) {
   const Example example(
       "duffing",
       {{"damping", 0.1}, {"linear", 1.0}, {"cubic", 0.2}, {"amplitude", 0.4}, {"omega", 0.8}});
-  const Branch branch = example.follow(example.orbit(400), "omega", 0.8, 2.2, true);
+  const Branch branch =
+      example.follow(example.orbit(400, kFewSteps), "omega", 0.8, 2.2, true, kFewSteps);
   ASSERT_EQ(branch.bifurcations.size(), 2U) << branch.ended;
   const double upper = branch.bifurcations[0].parameter;
   const double lower = branch.bifurcations[1].parameter;
@@ -201,7 +205,7 @@ TEST(Continuation, CoarseGearHasANeimarkSackerBifurcation) {
   }
   for (const double side : {-0.002, 0.002}) {
     const Example beside("gear5", {{"omega", found.parameter + side}, {"e0", 0.6}});
-    const PeriodMap map = beside.map(512);
+    const PeriodMap map = beside.map(256);
     const std::vector<double> rest = beside.model->equilibrium(beside.setting);
     const Eigen::VectorXd settled =
         map.advance(Eigen::Map<const Eigen::VectorXd>(rest.data(), 10), 3000).value();

@@ -36,7 +36,8 @@ struct Example {
 
   PeriodMap map(std::size_t steps = kSteps) const { return PeriodMap(*model, setting, steps); }
 
-  // The orbit that the model's equilibrium settles on; `periods` is enough for it to settle.
+  // The orbit that the model's equilibrium settles on; `periods` is enough for it to settle. Long
+  // steps lead near it, some short ones forget their error, and Newton's method does the rest.
   Orbit orbit(std::size_t periods, std::size_t steps = kSteps) const {
     return orbit_from(model->equilibrium(setting), periods, steps);
   }
@@ -44,8 +45,10 @@ struct Example {
                    std::size_t steps = kSteps) const {
     const Eigen::VectorXd state =
         Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+    const Eigen::VectorXd near =
+        map(std::min<std::size_t>(steps, 256)).advance(state, periods).value();
     const PeriodMap period_map = map(steps);
-    return find_orbit(period_map, period_map.advance(state, periods).value(), std::nullopt);
+    return find_orbit(period_map, period_map.advance(near, 40).value(), std::nullopt);
   }
 
   Branch follow(const Orbit& start, const std::string& parameter, double from, double to,

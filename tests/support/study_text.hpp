@@ -37,6 +37,22 @@ inline std::string observe_all_of(const Model& model) {
                      sampled);
 }
 
+// What most tests look at of gear5: all of its sections, and the extremes and averages that are
+// cheap. One program for all that ask for it, where an axis does not shape the phase table.
+inline const std::string kSectionsOfGear5 =
+    "poincare = ['x1', 'x2', 'x3', 'x4', 'x5', 'v1', 'v2', 'v3', 'v4', 'v5']\n";
+inline const std::string kObserveGear5 =
+    "[observe]\nquantities = ['x1_min', 'x1_max', 'x1_mean', 'x1_rms', 'x1_std', 'dmf_min', "
+    "'dmf_max', 'contact_drive', 'contact_gap', 'contact_back', 'contact_wedged', "
+    "'contact_losses', 'contact_class', 'poincare']\n" +
+    kSectionsOfGear5;
+
+// And the same for what is said of the kind of motion.
+inline const std::string kObserveMotionOfGear5 =
+    "[observe]\nquantities = ['motion_class', 'period', 'settled', 'lyapunov_max', "
+    "'lyapunov_max_error', 'x1_rms', 'dmf_max', 'contact_class', 'poincare']\n" +
+    kSectionsOfGear5;
+
 // Eight points with tolerances: 8 x (1 + 10 x 4) trajectories in tiles that cut through the draws
 // of each point.
 inline const std::string kTolerantStudy = coarse_study(4, 2, R"([integrate]

@@ -14,6 +14,7 @@
 #include "model/error.hpp"
 #include "support/folder.hpp"
 #include "support/run.hpp"
+#include "support/text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -185,7 +186,8 @@ TEST(Pilot, HasAToleranceForExponents) {
   EXPECT_LE(looser.errors.at("x1_rms"), 1e-3);
   EXPECT_GT(looser.step, same.step);
   EXPECT_GT(looser.error, 1e-3);
-  EXPECT_THAT(refusal(study, {"integrate.exponent_tolerance=1e-10", "integrate.precision=fp32"}),
+  EXPECT_THAT(refusal(replaced(kOscillator, "'x_rms'", "'x_rms', 'lyapunov_max'"),
+                      {"integrate.exponent_tolerance=1e-10", "integrate.precision=fp32"}),
               AllOf(HasSubstr("integrate.exponent_tolerance = 1e-10"), HasSubstr("lyapunov")));
 }
 
@@ -222,7 +224,7 @@ TEST(Pilot, SaysWhatFp32CannotDo) {
 
 TEST(Pilot, SaysThatChaosTellsNothing) {
   EXPECT_THAT(refusal("[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [28.0, 29.0]\n"
-                      "[integrate]\nsettle = 40\n",
+                      "[integrate]\nsettle = 40\n[observe]\nquantities = ['x_rms']\n",
                       {"integrate.tolerance=1e-4"}),
               HasSubstr("arrive on a periodic orbit"));
 }
@@ -242,7 +244,7 @@ TEST(Pilot, LetsOthersSeeTheRun) {
 // The message names what the study has, not the default beside it.
 TEST(Pilot, NamesTheToleranceThatIsAskedFor) {
   EXPECT_THAT(refusal("[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [28.0, 29.0]\n"
-                      "[integrate]\nsettle = 40\n",
+                      "[integrate]\nsettle = 40\n[observe]\nquantities = ['x_rms']\n",
                       {"integrate.exponent_tolerance=0.02"}),
               AllOf(HasSubstr("integrate.exponent_tolerance = 0.02"),
                     HasSubstr("arrive on a periodic orbit")));
@@ -253,7 +255,7 @@ TEST(Pilot, WarnsWhereItTellsNothing) {
   const Study study = read_study(
       "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nfrom = 28.0\nto = 29.0\ncount = 64\n"
       "[[axes]]\nname = 'sigma'\nfrom = 10.0\nto = 10.5\ncount = 64\n[integrate]\nsettle = 40\n"
-      "record = 4000\n",
+      "record = 4000\n[observe]\nquantities = ['x_rms']\n",
       "pilot_test");
   std::string warning;
   SweepOptions options;
