@@ -103,6 +103,12 @@ std::size_t parameter_index(const Model& model, const std::string& name,
                             const std::string& origin) {
   const int index = model.find_parameter(name);
   if (index >= 0) return static_cast<std::size_t>(index);
+  if (std::ranges::find(model.constants, name, &ConstantInfo::name) != model.constants.end()) {
+    throw InputError(told_of(
+        origin, fmt::format("'{}' is a constant of model '{}'; where it is a plain number, --set "
+                            "parameters.{}=VALUE makes it a parameter",
+                            name, model.name, name)));
+  }
   std::vector<std::string> known;
   for (const ParameterInfo& parameter : model.parameters) known.push_back(parameter.name);
   throw InputError(told_of(origin, fmt::format("unknown parameter '{}' of model '{}'{}", name,
@@ -164,7 +170,9 @@ bool is_swept(const Axis& axis, const Placed& placed) {
 void place_parameters(const Place& place, Study* study) {
   study->take_nominal();
   for (const Placed& placed : place.values) {
-    if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
+    if (placed.is_state) continue;
+    study->release(placed.index);
+    study->setting.parameters[placed.index] = placed.value;
   }
   if (study->axes.empty()) study->axes.push_back(resting_axis(*study));
   const Study whole = *study;
@@ -181,6 +189,7 @@ void place_parameters(const Place& place, Study* study) {
       if (!swept.is_state) study->setting.parameters[swept.index] = swept.values.front();
     }
   }
+  study->model->derive(&study->setting);
 }
 
 void place_states(const Place& place, Study* study) {

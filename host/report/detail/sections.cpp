@@ -78,8 +78,11 @@ std::vector<Row> parameter_rows(const Study& study) {
     const ParameterInfo& info = model.parameters[i];
     const std::string origin = i < study.parameter_origins.size() ? study.parameter_origins[i] : "";
     const bool is_swept = study.find_on_axes(i) != nullptr;
+    const DerivedParameter* const derived = study.differs(i) ? model.find_derived(i) : nullptr;
     rows.push_back({html_text(info.name),
-                    is_swept ? "swept" : fmt::format("{:.6g}", study.setting.parameters[i]),
+                    is_swept             ? "swept"
+                    : derived != nullptr ? html_text("= " + derived->expression)
+                                         : fmt::format("{:.6g}", study.setting.parameters[i]),
                     html_unit(info.unit), html_text(info.meaning), html_text(origin)});
   }
   return rows;

@@ -29,6 +29,7 @@ void take_in_drawing(const DrawingTable& from, const GearConversion& gear, const
   for (const GearParameter& parameter : gear.parameters) {
     const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
     study->setting.parameters[index] = parameter.value;
+    study->expressions.erase(parameter.name);
     study->parameter_origins[index] = from.heading + ": " + parameter.note;
   }
   for (const GearOption& option : gear.options) {
