@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -148,11 +149,17 @@ std::optional<double> own_value(const Study& study, const Axis& axis) {
     if (axis.is_state) return std::nullopt;
     return study.setting.parameters[axis.index];
   }
-  bool is_gear = false;
+  // Of [gear], or of [gear.first], whose axes are called KEY_first.
+  std::map<std::string, std::string> suffixes = {{"[gear]", ""}};
+  for (const std::string& name : study.model->drawings) {
+    suffixes[fmt::format("[gear.{}]", name)] = "_" + name;
+  }
+  auto table = suffixes.end();
   for (const std::string& line : split(study.toml, '\n')) {
-    if (line.starts_with('[')) is_gear = line == "[gear]";
-    const std::string start = axis.name + " = ";
-    if (!is_gear || !line.starts_with(start)) continue;
+    if (line.starts_with('[')) table = suffixes.find(line);
+    if (table == suffixes.end() || !axis.name.ends_with(table->second)) continue;
+    const std::string start = axis.name.substr(0, axis.name.size() - table->second.size()) + " = ";
+    if (!line.starts_with(start)) continue;
     const char* text = line.c_str() + start.size();
     char* end = nullptr;
     const double value = std::strtod(text, &end);

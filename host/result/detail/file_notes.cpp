@@ -74,6 +74,8 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
   notes.push_back({"scale_k0_N_per_m", scales.k0});
   notes.push_back({"scale_force_N", scales.k0 * scales.b_n});
   notes.push_back({"scale_rpm_per_omega", scales.rpm_per_omega});
+  const std::string& drawing = study_.model->unit_drawing;
+  if (!drawing.empty()) notes.push_back({"scales_of_drawing", drawing});
   return notes;
 }
 
