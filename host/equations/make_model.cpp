@@ -134,21 +134,18 @@ bool is_minus(ExpressionGraph* graph, NodeId a, NodeId b) {
   return graph->is_number(graph->make(Operation::add, {a, b}), 0.0) || a == negated(graph, b);
 }
 
-// Where mirrored states begin, they must mirror each other while their parameters are equal,
-// whatever these are: with an expression in its place a parameter is not to be seen.
-void refuse_unmirrored_starts(ModelDefinition definition) {
-  if (definition.mirrors.empty()) return;
-  definition.expressions.clear();
-  Formula formula = parse_formula(definition);
+// Where mirrored states begin, they must mirror each other while their parameters are equal.
+// formula: without derived parameters, of which it would not have the symbols.
+void refuse_unmirrored_starts(const ModelDefinition& definition, Formula* formula) {
   for (const MirrorPairs& mirrors : definition.mirrors) {
     std::map<NodeId, NodeId> alike;
     for (const auto& [first, second] : mirrors.parameters) {
-      alike[formula.parameters[second]] = formula.parameters[first];
+      alike[formula->parameters[second]] = formula->parameters[first];
     }
-    Rewriter rewrite(&formula.graph, alike);
+    Rewriter rewrite(&formula->graph, alike);
     for (const auto& [first, second] : mirrors.states) {
-      const NodeId from = rewrite(formula.start[first]), to = rewrite(formula.start[second]);
-      if (is_minus(&formula.graph, from, to)) continue;
+      const NodeId from = rewrite(formula->start[first]), to = rewrite(formula->start[second]);
+      if (is_minus(&formula->graph, from, to)) continue;
       throw InputError(fmt::format(
           "{}: '{}' and '{}' are said to mirror each other, and their starts are not shown to: one "
           "must be minus the other where the parameters of the mirror are equal",
@@ -254,7 +251,14 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
-  refuse_unmirrored_starts(definition);
+  if (definition.expressions.empty() || definition.mirrors.empty()) {
+    refuse_unmirrored_starts(definition, &formula);
+  } else {
+    ModelDefinition underived = definition;
+    underived.expressions.clear();
+    Formula without = parse_formula(underived);
+    refuse_unmirrored_starts(underived, &without);
+  }
   // Kept of a model whose options are not chosen yet.
   const auto written = formula.choices.empty() ? nullptr : std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
