@@ -53,6 +53,10 @@ std::string meaning_of(const Info& info) {
 // Where a parameter's value comes from; swept and uncertain ones say so.
 std::string origin_of(const Study& study, std::size_t parameter) {
   const Swept* swept = study.find_on_axes(parameter);
+  if (const DerivedParameter* derived = study.model->find_derived(parameter)) {
+    return fmt::format("= {}, {}{}", derived->expression, study.parameter_origins[parameter],
+                       study.differs(parameter) ? ", at each point" : "");
+  }
   if (swept == nullptr) {
     const bool is_uncertain = study.find_swept(false, parameter) != nullptr;
     return study.parameter_origins[parameter] + (is_uncertain ? ", [uncertain]" : "");
@@ -93,6 +97,15 @@ void print_parameters(const Study& study) {
                              study.option_origins[i])});
   }
   answer("{}", options.text());
+  TextTable constants;
+  bool has_some = false;
+  for (const ConstantInfo& constant : model.constants) {
+    if (!constant.number) continue;
+    constants.add({constant.name, fmt::format("{:.10g}", *constant.number)});
+    has_some = true;
+  }
+  if (!has_some) return;
+  answer("\nconstants that a study may give or sweep as parameters\n{}", constants.text());
 }
 
 // What decides for a state when its motion recurs, and when it has left for good.
@@ -172,8 +185,11 @@ void print_model(const Study& study) {
   }
   if (study.scales.known()) {
     answer(
-        "  one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
+        "  {}one unit of omega is {:.6g} rpm of the pinion; b_n = {:.6g} um; k0 b_n = {:.6g} "
         "N; varpi = {:.6g} rad/s\n",
+        model.unit_drawing.empty()
+            ? ""
+            : fmt::format("the units are those of '{}': ", model.unit_drawing),
         study.scales.rpm_per_omega, 1e6 * study.scales.b_n, study.scales.k0 * study.scales.b_n,
         study.scales.varpi);
   }
@@ -207,6 +223,9 @@ void print_model_as_json(const Study& study) {
                                   {"range", {info.min, info.max}},
                                   {"meaning", info.meaning},
                                   {"origin", origin_of(study, i)}});
+  }
+  for (const ConstantInfo& constant : model.constants) {
+    if (constant.number) json["constants"][constant.name] = *constant.number;
   }
   for (std::size_t i = 0; i < model.options.size(); ++i) {
     const auto chosen = static_cast<std::size_t>(study.setting.options[i]);

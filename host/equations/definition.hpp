@@ -45,12 +45,16 @@ struct ModelDefinition {
   std::vector<double> diverged_above;     // [state] as in Model
   std::vector<ParameterInfo> parameters;  // shapes_phase: found by make_model()
   std::vector<ExpressionText> symbols;    // [parameter]: its name in expressions
+  // Of parameters that have no number of their own: by their names, in symbols of the others.
+  ParameterExpressions expressions;
   // `option.choice` is a condition in expressions.
   std::vector<OptionInfo> options;
   std::vector<int> choices;           // [option]: those that are made; empty: none is made yet
   std::vector<std::string> curves;    // names: name(phase) is its value, name.given a condition
   std::vector<std::string> drawings;  // of Model
-  Curves given_curves;                // those that are measured; another one is 0 everywhere
+  std::string unit_drawing;           // of Model
+  std::vector<ConstantInfo> constant_infos;  // of Model
+  Curves given_curves;                       // those that are measured; another one is 0 everywhere
   std::vector<ModelCheck> checks;
   std::vector<MirrorPairs> mirrors;
   std::vector<PresetInfo> presets;
@@ -71,6 +75,9 @@ struct ModelDefinition {
   TablePoints table_points;
   std::string text;  // of the whole file
 };
+
+// The expressions that presets give to parameters. Throws InputError as make_model() does.
+void check_presets(const ModelDefinition& definition);
 
 // Throws InputError with file, line, column and a caret under the place.
 Model make_model(const ModelDefinition& definition);

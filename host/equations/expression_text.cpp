@@ -14,8 +14,9 @@
 namespace gearsweep {
 
 void fail_in(const ExpressionText& text, std::size_t position, const std::string& message) {
-  throw InputError(fmt::format("{}:{}:{}: {}\n{}", text.file, text.line, text.column + position,
-                               message, with_caret(text.text, position)));
+  const std::string column = text.line == 0 ? "" : fmt::format(":{}", text.column + position);
+  throw InputError(
+      fmt::format("{}{}: {}\n{}", text.place(), column, message, with_caret(text.text, position)));
 }
 
 double number_of(const ExpressionText& text) {

@@ -1,17 +1,12 @@
-// The text of an expression, with its place in a file.
+// What may be said and worked out of the text of an expression alone.
 #pragma once
 
 #include <cstddef>
 #include <string>
 
-namespace gearsweep {
+#include "model/expression_text.hpp"
 
-struct ExpressionText {
-  std::string text;
-  std::string file;  // "impact.toml", for messages
-  std::size_t line = 0;
-  std::size_t column = 0;  // of the text's first character
-};
+namespace gearsweep {
 
 // Throws InputError "place: message" with a caret under the place. position: byte of the text.
 [[noreturn]] void fail_in(const ExpressionText& text, std::size_t position,

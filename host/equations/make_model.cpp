@@ -8,6 +8,7 @@
 
 #include "equations/definition.hpp"
 #include "equations/detail/borders.hpp"
+#include "equations/detail/derived_values.hpp"
 #include "equations/detail/findings.hpp"
 #include "equations/detail/kernel_size.hpp"
 #include "equations/detail/kernel_writer.hpp"
@@ -23,8 +24,11 @@
 namespace gearsweep {
 namespace {
 
-std::string check_of(const Tapes& tapes, const ModelSetting& setting) {
+std::string check_of(const Tapes& tapes, const DerivedValues& derived,
+                     const ModelSetting& setting) {
   const std::vector<double> inputs = inputs_of(tapes, setting);
+  const std::string underivable = derived.wrong(inputs);
+  if (!underivable.empty()) return underivable;
   const std::vector<double> checks = tapes.checks.run_all(inputs);
   std::size_t value = tapes.messages.size();
   for (std::size_t i = 0; i < tapes.messages.size(); ++i) {
@@ -56,6 +60,8 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   model->presets = definition.presets;
   model->curves = definition.curves;
   model->drawings = definition.drawings;
+  model->unit_drawing = definition.unit_drawing;
+  model->constants = definition.constant_infos;
   model->mirror_pairs = definition.mirrors;
   model->cycle_parameters = symbols_in(formula.graph, {formula.cycle}, formula.parameters);
   model->max_step = definition.max_step;
@@ -129,6 +135,7 @@ bool is_minus(ExpressionGraph* graph, NodeId a, NodeId b) {
 }
 
 // Where mirrored states begin, they must mirror each other while their parameters are equal.
+// formula: without derived parameters, of which it would not have the symbols.
 void refuse_unmirrored_starts(const ModelDefinition& definition, Formula* formula) {
   for (const MirrorPairs& mirrors : definition.mirrors) {
     std::map<NodeId, NodeId> alike;
@@ -219,7 +226,23 @@ ModelDefinition bound(ModelDefinition definition, const Binding& binding) {
   definition.given_curves = binding.curves;
   definition.choices = binding.options;
   definition.swept = binding.parameters;
+  definition.expressions = binding.expressions;
   return definition;
+}
+
+// What derived parameters come to at the other ones' defaults is theirs.
+void set_derived(const std::shared_ptr<const Tapes>& tapes,
+                 const std::shared_ptr<const DerivedValues>& derived, Model* model) {
+  model->derived = derived->list();
+  if (model->derived.empty()) return;
+  model->derive = [tapes, derived](ModelSetting* setting) {
+    derived->put(inputs_of(*tapes, *setting), setting);
+  };
+  ModelSetting setting = model->default_setting();
+  model->derive(&setting);
+  for (const DerivedParameter& one : model->derived) {
+    model->parameters[one.parameter].default_value = setting.parameters[one.parameter];
+  }
 }
 
 }  // namespace
@@ -228,14 +251,23 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
-  refuse_unmirrored_starts(definition, &formula);
+  if (definition.expressions.empty() || definition.mirrors.empty()) {
+    refuse_unmirrored_starts(definition, &formula);
+  } else {
+    ModelDefinition underived = definition;
+    underived.expressions.clear();
+    Formula without = parse_formula(underived);
+    refuse_unmirrored_starts(underived, &without);
+  }
   // Kept of a model whose options are not chosen yet.
   const auto written = formula.choices.empty() ? nullptr : std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);
   const auto tapes = std::make_shared<const Tapes>(make_tapes(definition, lowered, &formula));
+  const auto derived = std::make_shared<const DerivedValues>(definition, formula);
   Model model;
   set_lists(definition, formula, lowered, &model);
+  set_derived(tapes, derived, &model);
   model.contacts = contacts;
   model.corners = lowered.contacts.list.size() - contacts.size();
   for (const RoughPlace& place : lowered.uncorrected) {
@@ -252,7 +284,9 @@ Model make_model(const ModelDefinition& given) {
   model.work = step_work_of(formula, lowered, tangent);
   refuse_large_kernel(definition, formula, lowered, model.kernel);
   model.field = field_graph_of(std::move(formula), lowered);
-  model.check = [tapes](const ModelSetting& setting) { return check_of(*tapes, setting); };
+  model.check = [tapes, derived](const ModelSetting& setting) {
+    return check_of(*tapes, *derived, setting);
+  };
   model.notices = [tapes](const ModelSetting& setting) { return broken_promises(*tapes, setting); };
   model.break_phases = [tapes](const ModelSetting& setting) {
     return break_phases_of(*tapes, setting);
@@ -280,7 +314,7 @@ Model make_model(const ModelDefinition& given) {
       return tapes->cycle.run(inputs_of(*tapes, setting));
     };
   }
-  model.binding = {given.given_curves, given.choices, given.swept};
+  model.binding = {given.given_curves, given.choices, given.swept, given.expressions};
   model.bound = [defined = std::make_shared<const ModelDefinition>(given)](const Binding& binding) {
     return make_model(bound(*defined, binding));
   };

@@ -39,6 +39,11 @@ bool Model::is_within_limits(std::span<const double> state) const {
   });
 }
 
+const DerivedParameter* Model::find_derived(std::size_t parameter) const {
+  const auto found = std::ranges::find(derived, parameter, &DerivedParameter::parameter);
+  return found == derived.end() ? nullptr : &*found;
+}
+
 std::vector<ContactLimit> Model::contact_limits() const {
   std::vector<ContactLimit> limits;
   for (std::size_t i = 0; i < contacts.size(); ++i) {

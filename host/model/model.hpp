@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/expression_text.hpp"
 #include "model/known_answer.hpp"
 #include "model/role.hpp"
 
@@ -38,9 +39,26 @@ struct OptionInfo {
   std::string meaning;
 };
 
+// By the names of parameters: what gives them, as "0.5*wn", where that is no number.
+using ParameterExpressions = std::map<std::string, ExpressionText>;
+
 // `toml` assigns parameters, options and the initial policy that differ from the defaults.
 struct PresetInfo {
   std::string name, meaning, toml;
+  ParameterExpressions expressions = {};  // of parameters that `toml` does not assign
+};
+
+// A parameter that an expression of others gives, at each point anew.
+struct DerivedParameter {
+  std::size_t parameter = 0;
+  std::string expression, place;  // "0.5*wn", "impact.toml:12"
+  std::vector<std::size_t> from;  // parameters with numbers of their own that it depends on
+};
+
+// A constant of a model's text. Of one that is a plain number a study may make a parameter.
+struct ConstantInfo {
+  std::string name;
+  std::optional<double> number;
 };
 
 // Parameter values in the model's order, and option choices (indices) in the model's order.
@@ -147,6 +165,8 @@ struct Binding {
   Curves curves;
   std::vector<int> options;          // the choices; kernels have nothing of the others
   std::set<std::string> parameters;  // in which points differ
+  // Of derived parameters: the equations have these in their place.
+  ParameterExpressions expressions = {};
   bool operator==(const Binding&) const = default;
 };
 
@@ -168,6 +188,10 @@ struct Model {
   // Of gear pairs whose drawing a study may give: [gear.first]. In what follows from one, names of
   // the model end in its name: eps_first.
   std::vector<std::string> drawings;
+  // The one of them in whose b_n, k0 and varpi the model is; empty: it does not say.
+  std::string unit_drawing;
+  std::vector<ConstantInfo> constants;  // but for those that are parameters
+  std::vector<DerivedParameter> derived;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   bool is_autonomous = false;       // no equation depends on the phase
@@ -204,8 +228,12 @@ struct Model {
   std::shared_ptr<const FieldGraph> field;  // of its equations; see field_of()
   std::vector<UnusedName> unused;
 
-  // What is wrong with a setting whose ranges are right; empty if nothing.
+  // What is wrong with a setting whose ranges are right, and with what derived parameters come to;
+  // empty if nothing.
   std::function<std::string(const ModelSetting&)> check;
+  // Gives derived parameters their values of a setting. The functions here go without: the
+  // equations have the expressions. Who reads a setting's parameters needs it.
+  std::function<void(ModelSetting*)> derive = [](ModelSetting*) {};
   // What whoever gave a setting that is right may not expect of it; empty where a model never says
   // so. Throws as break_phases does.
   std::function<std::vector<std::string>(const ModelSetting&)> notices;
@@ -253,6 +281,8 @@ struct Model {
   std::string name_in_kernel(const std::string& channel) const;
   // The limits of all contacts, in their order, the drive flank's first; then those of the corners.
   std::vector<ContactLimit> contact_limits() const;
+  // nullptr of a parameter that has a number of its own.
+  const DerivedParameter* find_derived(std::size_t parameter) const;
   // Index of the parameter of a role.
   std::optional<std::size_t> parameter_of(Role role) const;
   // In their order.

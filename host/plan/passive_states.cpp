@@ -69,9 +69,8 @@ std::vector<Axis> axes_and_draws(const Study& study) {
 bool holds_mirrored(const Study& study, const MirrorPairs& pairs) {
   const std::vector<double>& values = study.setting.parameters;
   const bool are_alike = std::ranges::all_of(pairs.parameters, [&](const MirrorPairs::Pair& pair) {
-    return values[pair.first] == values[pair.second] &&
-           study.find_swept(false, pair.first) == nullptr &&
-           study.find_swept(false, pair.second) == nullptr;
+    return values[pair.first] == values[pair.second] && !study.differs(pair.first) &&
+           !study.differs(pair.second);
   });
   if (!are_alike) return false;
   for (const MirrorPairs::Pair& pair : pairs.states) {

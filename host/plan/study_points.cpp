@@ -67,6 +67,7 @@ void StudyPoints::set(std::size_t point, ModelSetting* setting) const {
     }
   }
   place_draw(point / study_->points(), setting);
+  study_->model->derive(setting);
 }
 
 std::vector<double> StudyPoints::start(std::size_t point) const {

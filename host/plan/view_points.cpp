@@ -86,6 +86,7 @@ std::array<double, 2> ViewPoints::place_of(const std::array<std::size_t, 2>& cel
 void ViewPoints::set(std::size_t point, ModelSetting* setting) const {
   const std::array<double, 2> place = place_of(cell_of(point));
   for (std::size_t i = 0; i < 2; ++i) setting->parameters[study_->axes[i].index] = place[i];
+  study_->model->derive(setting);
 }
 
 std::vector<double> ViewPoints::start(std::size_t point) const {

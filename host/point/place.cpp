@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -103,6 +104,12 @@ std::size_t parameter_index(const Model& model, const std::string& name,
                             const std::string& origin) {
   const int index = model.find_parameter(name);
   if (index >= 0) return static_cast<std::size_t>(index);
+  if (std::ranges::find(model.constants, name, &ConstantInfo::name) != model.constants.end()) {
+    throw InputError(told_of(
+        origin, fmt::format("'{}' is a constant of model '{}'; where it is a plain number, --set "
+                            "parameters.{}=VALUE makes it a parameter",
+                            name, model.name, name)));
+  }
   std::vector<std::string> known;
   for (const ParameterInfo& parameter : model.parameters) known.push_back(parameter.name);
   throw InputError(told_of(origin, fmt::format("unknown parameter '{}' of model '{}'{}", name,
@@ -142,11 +149,17 @@ std::optional<double> own_value(const Study& study, const Axis& axis) {
     if (axis.is_state) return std::nullopt;
     return study.setting.parameters[axis.index];
   }
-  bool is_gear = false;
+  // Of [gear], or of [gear.first], whose axes are called KEY_first.
+  std::map<std::string, std::string> suffixes = {{"[gear]", ""}};
+  for (const std::string& name : study.model->drawings) {
+    suffixes[fmt::format("[gear.{}]", name)] = "_" + name;
+  }
+  auto table = suffixes.end();
   for (const std::string& line : split(study.toml, '\n')) {
-    if (line.starts_with('[')) is_gear = line == "[gear]";
-    const std::string start = axis.name + " = ";
-    if (!is_gear || !line.starts_with(start)) continue;
+    if (line.starts_with('[')) table = suffixes.find(line);
+    if (table == suffixes.end() || !axis.name.ends_with(table->second)) continue;
+    const std::string start = axis.name.substr(0, axis.name.size() - table->second.size()) + " = ";
+    if (!line.starts_with(start)) continue;
     const char* text = line.c_str() + start.size();
     char* end = nullptr;
     const double value = std::strtod(text, &end);
@@ -164,7 +177,9 @@ bool is_swept(const Axis& axis, const Placed& placed) {
 void place_parameters(const Place& place, Study* study) {
   study->take_nominal();
   for (const Placed& placed : place.values) {
-    if (!placed.is_state) study->setting.parameters[placed.index] = placed.value;
+    if (placed.is_state) continue;
+    study->release(placed.index);
+    study->setting.parameters[placed.index] = placed.value;
   }
   if (study->axes.empty()) study->axes.push_back(resting_axis(*study));
   const Study whole = *study;
@@ -181,6 +196,7 @@ void place_parameters(const Place& place, Study* study) {
       if (!swept.is_state) study->setting.parameters[swept.index] = swept.values.front();
     }
   }
+  study->model->derive(&study->setting);
 }
 
 void place_states(const Place& place, Study* study) {

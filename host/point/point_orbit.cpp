@@ -61,6 +61,13 @@ std::vector<std::size_t> parameters_of(const Study& study, const Place& place) {
   for (const Placed& placed : place.values) {
     if (!placed.is_state) add(placed.index);
   }
+  for (const DerivedParameter& derived : study.model->derived) {
+    if (std::ranges::any_of(derived.from, [&](std::size_t from) {
+          return std::ranges::find(all, from) != all.end();
+        })) {
+      add(derived.parameter);
+    }
+  }
   return all;
 }
 

@@ -67,6 +67,9 @@ void add_names(const Study& whole, const Place& place, std::vector<std::string>*
   for (const Placed& placed : place.values) {
     if (!placed.is_state) add(placed.index);
   }
+  for (const DerivedParameter& derived : whole.model->derived) {
+    if (whole.differs(derived.parameter)) add(derived.parameter);
+  }
 }
 
 // So many mesh periods as periods of the forcing, rounded up.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "result/detail/dataset_file.hpp"
+#include "result/detail/derived_coordinates.hpp"
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
 #include "result/result_size.hpp"
@@ -60,6 +61,7 @@ class Description {
   Dataset make(const Provenance& provenance) {
     add_provenance(provenance);
     for (auto axis = study_.axes.rbegin(); axis != study_.axes.rend(); ++axis) add_axis(*axis);
+    for (const DerivedCoordinate& one : derived_coordinates(study_)) add_derived(one);
     add_status();
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       add_quantity(study_.selection.quantities[i], result_.values[i]);
@@ -106,6 +108,24 @@ class Description {
       columns_ += (columns_.empty() ? "" : " ") + variable.name;
       out_.variables.push_back(std::move(variable));
     }
+  }
+
+  void add_derived(const DerivedCoordinate& derived) {
+    const std::string name = name_in_result(derived.parameter, study_);
+    std::vector<std::string> dimensions;  // (y, x), as those of maps
+    for (auto axis = derived.axes.rbegin(); axis != derived.axes.rend(); ++axis) {
+      dimensions.push_back(map_dimensions_[study_.axes.size() - 1 - *axis]);
+    }
+    DataVariable variable = {
+        .name = name,
+        .stored = Stored::real,
+        .dimensions = std::move(dimensions),
+        .attributes = notes_.describe(derived.parameter.unit, derived.parameter.meaning),
+        .elements = values_of(derived, study_)};
+    variable.attributes.push_back({kFollows, derived.expression});
+    variable.is_compressed = derived.axes.size() > 1;
+    columns_ += (columns_.empty() ? "" : " ") + name;
+    out_.variables.push_back(std::move(variable));
   }
 
   DataVariable coordinate(const Swept& swept, const std::string& name,

@@ -101,13 +101,27 @@ class OrbitDescription {
     return is_taken ? "parameter_" + parameter : parameter;
   }
 
+  // Whether it is what the orbit is followed along, or derived from that.
+  bool changes_along(std::size_t parameter) const {
+    const std::size_t followed = findings_.range->parameter;
+    const DerivedParameter* const derived = model_.find_derived(parameter);
+    return parameter == followed ||
+           (derived != nullptr &&
+            std::ranges::find(derived->from, followed) != derived->from.end());
+  }
+
   void add_parameter(std::size_t parameter, const Names& along) {
     const ParameterInfo& info = model_.parameters[parameter];
-    const bool is_followed = findings_.range && findings_.range->parameter == parameter;
+    const bool is_followed = findings_.range && changes_along(parameter);
     std::vector<double> values = {study_.setting.parameters[parameter]};
     if (is_followed) {
       values.clear();
-      for (const BranchOrbit& member : line_.orbits) values.push_back(member.parameter);
+      ModelSetting setting = study_.setting;
+      for (const BranchOrbit& member : line_.orbits) {
+        setting.parameters[findings_.range->parameter] = member.parameter;
+        model_.derive(&setting);
+        values.push_back(setting.parameters[parameter]);
+      }
     }
     add(name_here(info.name), Stored::real, is_followed ? along : Names{},
         notes_.describe(info.unit, info.meaning), std::move(values));

@@ -14,6 +14,7 @@
 #include "model/names.hpp"
 #include "model/observable.hpp"
 #include "result/dataset.hpp"
+#include "result/detail/derived_coordinates.hpp"
 #include "result/detail/netcdf_file.hpp"
 #include "result/order_dataset.hpp"
 #include "result/result_file.hpp"
@@ -59,12 +60,14 @@ bool are_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-// The columns of an axis: of a list of points, for example.
+// The columns of an axis: of a list of points, for example, and parameters derived from it.
 std::vector<ResultAxis> read_columns(const NetcdfFile& file, int dimension) {
   std::vector<ResultAxis> columns;
   for (const std::string& name : file.variables()) {
     const int variable = file.find_variable(name);
-    if (!file.text_attribute(variable, kSweeps)) continue;
+    if (!file.text_attribute(variable, kSweeps) && !file.text_attribute(variable, kFollows)) {
+      continue;
+    }
     if (file.dimensions_of(variable) != std::vector<int>{dimension}) continue;
     columns.push_back({.name = name,
                        .unit = text_or_empty(file, variable, "units"),

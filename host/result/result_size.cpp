@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "result/detail/derived_coordinates.hpp"
 #include "study/settings.hpp"
 
 namespace gearsweep {
@@ -115,6 +116,12 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
     const double bytes = 8.0 * static_cast<double>(axis.values.size());
     sum.add_described(axis.unit, axis.meaning, bytes);
     for (const Swept& column : axis.columns) sum.add_described(column.unit, column.meaning, bytes);
+  }
+  for (const DerivedCoordinate& one : derived_coordinates(study)) {
+    const double bytes = 8.0 * static_cast<double>(size_of(one, study));
+    sum.add_described(one.parameter.unit, one.parameter.meaning, bytes);
+    sum.add_text(one.expression);
+    sum.size.memory += bytes;
   }
   sum.add(points);  // status
   double widest = 1.0;

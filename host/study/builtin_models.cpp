@@ -39,18 +39,24 @@ const Model* find_model(std::string_view name) {
 
 std::shared_ptr<const Model> built_in_model(const std::string& name,
                                             const std::set<std::string>& swept,
-                                            const ModelKeys& keys) {
+                                            const ModelKeys& keys,
+                                            const std::set<std::string>& promoted) {
   constexpr std::size_t kMany = 16;
   const std::string* text = model_text(name);
   if (text == nullptr) return nullptr;
+  // Other names change nothing, and would make many of what is one.
+  std::set<std::string> constants;
+  for (const ConstantInfo& constant : find_model(name)->constants) {
+    if (promoted.contains(constant.name)) constants.insert(constant.name);
+  }
   static std::mutex mutex;
-  static std::map<std::tuple<std::string, std::set<std::string>, ModelKeys>,
+  static std::map<std::tuple<std::string, std::set<std::string>, ModelKeys, std::set<std::string>>,
                   std::shared_ptr<const Model>>
       held;
   const std::lock_guard lock(mutex);
   if (held.size() == kMany) held.clear();
-  auto& model = held[{name, swept, keys}];
-  if (model == nullptr) model = read_model_text(*text, name + ".toml", swept, {}, keys);
+  auto& model = held[{name, swept, keys, constants}];
+  if (model == nullptr) model = read_model_text(*text, name + ".toml", swept, {}, keys, constants);
   return model;
 }
 

@@ -24,7 +24,8 @@ const Model* find_model(std::string_view name);
 // held for the studies that ask for the same.
 std::shared_ptr<const Model> built_in_model(const std::string& name,
                                             const std::set<std::string>& swept,
-                                            const ModelKeys& keys);
+                                            const ModelKeys& keys,
+                                            const std::set<std::string>& promoted = {});
 
 // The text of one; nullptr when there is none of that name.
 const std::string* model_text(std::string_view name);

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "model/error.hpp"
@@ -47,6 +48,19 @@ std::vector<int> choices_of(const ModelDefinition& definition, const ModelKeys& 
   return choices;
 }
 
+// Of derived parameters: numbers are checked where they are read.
+void check_defaults(const Model& model) {
+  for (const DerivedParameter& derived : model.derived) {
+    const ParameterInfo& info = model.parameters[derived.parameter];
+    const double value = info.default_value;
+    if (value >= info.min && value <= info.max && std::isfinite(value)) continue;
+    throw InputError(fmt::format(
+        "{}: {} = {} comes to {} with the values of the model's file; it must be finite and from "
+        "{} to {}",
+        derived.place, info.name, derived.expression, value, info.min, info.max));
+  }
+}
+
 }  // namespace
 
 std::string model_file_text(const std::string& path) {
@@ -65,7 +79,8 @@ std::string model_file_text(const std::string& path) {
 std::shared_ptr<const Model> read_model_text(const std::string& text, const std::string& source,
                                              const std::optional<std::set<std::string>>& swept,
                                              const TablePoints& table_points,
-                                             const std::optional<ModelKeys>& keys) {
+                                             const std::optional<ModelKeys>& keys,
+                                             const std::set<std::string>& promoted) {
   if (text.size() > kMaxBytes) {
     throw InputError(
         fmt::format("{}: too large for a model; at most {} bytes are possible", source, kMaxBytes));
@@ -76,14 +91,16 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
   refuse_deep_keys(text, source);
   try {
     const toml::table root = toml::parse(text, source);
-    ModelDefinition definition = read_definition(root, text, source);
+    ModelDefinition definition = read_definition(root, text, source, promoted);
     definition.swept = parameter_names(definition);
     if (swept) {
       std::erase_if(definition.swept, [&](const auto& name) { return !swept->contains(name); });
     }
     if (keys) definition.choices = choices_of(definition, *keys);
     definition.table_points = table_points;
+    check_presets(definition);
     const auto model = std::make_shared<Model>(make_model(definition));
+    check_defaults(*model);
     model->answers = read_answers(root, *model);
     return model;
   } catch (const toml::parse_error& error) {

@@ -12,7 +12,11 @@ std::string resolved_settings(const Study& study) {
   }
   text += "[parameters]\n";
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    text += fmt::format("{} = {}\n", model.parameters[i].name, study.setting.parameters[i]);
+    const std::string& name = model.parameters[i].name;
+    // No number is that of all points, then.
+    const DerivedParameter* const derived = study.differs(i) ? model.find_derived(i) : nullptr;
+    text += derived != nullptr ? fmt::format("{} = '{}'\n", name, derived->expression)
+                               : fmt::format("{} = {}\n", name, study.setting.parameters[i]);
   }
   const Integrate& integrate = study.integrate;
   text += fmt::format("[integrate]\nprecision = '{}'\n", integrate.fp64 ? "fp64" : "fp32");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/error.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -36,9 +38,16 @@ Axis Axis::at(const std::vector<std::size_t>& places) const {
 }
 
 Axis resting_axis(const Study& study) {
+  const std::vector<ParameterInfo>& parameters = study.model->parameters;
   std::size_t index = 0;
-  while (study.find_swept(false, index) != nullptr) ++index;
-  const ParameterInfo& info = study.model->parameters.at(index);
+  const auto would_do = [&] {
+    return !study.differs(index) && study.model->find_derived(index) == nullptr;
+  };
+  while (index < parameters.size() && !would_do()) ++index;
+  if (index == parameters.size()) {
+    throw InputError("each parameter of the model is uncertain or follows others: give an axis");
+  }
+  const ParameterInfo& info = parameters[index];
   Axis axis;
   axis.name = info.name;
   axis.unit = info.unit;
@@ -91,6 +100,29 @@ const Swept* Study::find_swept(bool is_state, std::size_t index) const {
   const auto found = std::ranges::find_if(
       all, [&](const Swept* one) { return one->is_state == is_state && one->index == index; });
   return found == all.end() ? nullptr : *found;
+}
+
+bool Study::differs(std::size_t parameter) const {
+  const auto is_swept = [this](std::size_t index) { return find_swept(false, index) != nullptr; };
+  const DerivedParameter* const derived = model->find_derived(parameter);
+  return is_swept(parameter) ||
+         (derived != nullptr && std::ranges::any_of(derived->from, is_swept));
+}
+
+void Study::bind(const Binding& binding) {
+  if (binding == model->binding) return;
+  Model other = model->bound(binding);
+  other.diverged_above = model->diverged_above;  // may be the study's own
+  other.answers = model->answers;
+  own_model = std::make_shared<const Model>(std::move(other));
+  model = own_model.get();
+}
+
+void Study::release(std::size_t parameter) {
+  expressions.erase(model->parameters[parameter].name);
+  Binding binding = model->binding;
+  binding.expressions = expressions;
+  bind(binding);
 }
 
 void Study::separate_points() {

@@ -115,7 +115,10 @@ struct Study {
   const Model* model = nullptr;
   std::shared_ptr<const Model> own_model;  // what `model` points to, where no other owns it
   std::string preset;
-  ModelSetting setting;  // of every point, before the axes
+  // Of every point, before the axes. Derived parameters have what they come to here.
+  ModelSetting setting;
+  // Of derived parameters: the model is bound to them.
+  ParameterExpressions expressions;
   std::vector<std::string>
       parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
   std::vector<std::string> option_origins;
@@ -147,6 +150,12 @@ struct Study {
   const Swept* find_swept(bool is_state, std::size_t index) const;
   // The one of the axes' own that is this parameter; nullptr if no axis has it.
   const Swept* find_on_axes(std::size_t parameter) const;
+  // Whether points differ in this parameter: it is swept, or derived from one that is.
+  bool differs(std::size_t parameter) const;
+  // The same model for another binding.
+  void bind(const Binding& binding);
+  // A number, that of the setting, takes the place of the parameter's expression, if it has one.
+  void release(std::size_t parameter);
   // Whether points go on from their neighbours.
   bool is_chained() const { return info_of(initial.policy).neighbour != 0; }
   // Takes uncertain parameters as they are without their tolerances.

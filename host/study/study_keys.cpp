@@ -80,10 +80,13 @@ StudyTable model_table() {
 }
 
 StudyTable parameters_table() {
-  StudyKey parameter{"PARAMETER", "number", "the preset's",
-                     "A parameter of the model: 'gearsweep model NAME' lists them with unit, range "
-                     "and meaning. Parameters that continue as NAME_2, NAME_3 may be given as a "
-                     "list: kappa = [0.1, 0.02]."};
+  StudyKey parameter{
+      "PARAMETER", "number or expression", "the preset's",
+      "A parameter of the model: 'gearsweep model NAME' lists them with unit, range "
+      "and meaning. A text is an expression of other parameters, worked out at each "
+      "point: k2 = \"1.1*k1\". Parameters that continue as NAME_2, NAME_3 may be "
+      "given as a list: kappa = [0.1, 0.02]. A constant of the model's text that is a "
+      "plain number may be given, too."};
   parameter.is_pattern = true;
   return {
       "parameters", "[parameters]", "An axis wins over a parameter of the same name.", {parameter}};
@@ -128,7 +131,8 @@ StudyTable axes_table() {
       "[[axes]]",
       "Each axis is a table of its own, [[axes]], with from, to and count, or with values.",
       {{"name", "string", "required",
-        "A parameter of the model, or one of its states: then the initial value is swept. With a "
+        "A parameter of the model, a constant that is a plain number, or a state: then the initial "
+        "value is swept. With a "
         "[gear] table also a key of it, in the unit of the drawing: torque_N_m."},
        {"from", number, "", "The first value, within the range of what is swept."},
        {"to", number, "from", "The last value; greater than from."},

@@ -16,6 +16,7 @@
 #include "study/detail/model_table.hpp"
 #include "study/detail/observe_reader.hpp"
 #include "study/detail/overrides.hpp"
+#include "study/detail/parameter_values.hpp"
 #include "study/detail/point_reader.hpp"
 #include "study/detail/rough_model.hpp"
 #include "study/detail/study_drawings.hpp"
@@ -57,7 +58,8 @@ toml::table parse(const std::string& text, const std::string& source) {
 
 // The model with the study's options, which reads its measured curves.
 void bind_model(const toml::table* model, const std::vector<StudyDrawing>& drawings, Study* study) {
-  Binding binding{read_given_curves(model, *study->model), study->setting.options, {}};
+  Binding binding{
+      read_given_curves(model, *study->model), study->setting.options, {}, study->expressions};
   for (const StudyDrawing& drawing : drawings) {
     binding.curves.insert(drawing.gives.curves.begin(), drawing.gives.curves.end());
   }
@@ -68,9 +70,18 @@ void bind_model(const toml::table* model, const std::vector<StudyDrawing>& drawi
   };
   for (const Axis& axis : study->axes) add(axis);
   for (const UncertainParameter& parameter : study->uncertain.parameters) add(parameter.draws);
-  if (binding == study->model->binding) return;
-  study->own_model = std::make_shared<const Model>(study->model->bound(binding));
-  study->model = study->own_model.get();
+  study->bind(binding);
+}
+
+// What the model has and does nothing with, now that it has the study's expressions; before the
+// other notices.
+void note_unused(Study* study) {
+  std::vector<std::string> notices;
+  for (const UnusedName& unused : study->model->unused) {
+    notices.push_back(fmt::format("{}: {} '{}' is used nowhere: its value changes nothing",
+                                  unused.place, unused.kind, unused.name));
+  }
+  study->notices.insert(study->notices.begin(), notices.begin(), notices.end());
 }
 
 // The model with the study's own limits of its states.
@@ -216,6 +227,8 @@ Study read_tables(const StudyText& text) {
   const std::vector<StudyDrawing> drawings = read_drawings(root, &study);
   take_in_gear(root, *study.model, &study.axes);
   read_parameters(parameters, &study);
+  bind_expressions(&study);
+  refuse_idle_axes(root, study);
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
   read_observe(reader.table("observe"), root, &study);
@@ -227,6 +240,7 @@ Study read_tables(const StudyText& text) {
   check_size(root, study);
   note_what_wins(root, drawings, &study);
   bind_model(root["model"].as_table(), drawings, &study);
+  note_unused(&study);
   note_what_the_model_says(&study);
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);

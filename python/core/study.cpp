@@ -50,6 +50,9 @@ void add_study(py::module_* module) {
                              [](const Study& study) { return names_of(study.model->options); })
       .def_property_readonly("parameter_names",
                              [](const Study& study) { return names_of(study.model->parameters); })
+      // What a study may give as parameters, too: those that are plain numbers.
+      .def_property_readonly("constant_names",
+                             [](const Study& study) { return names_of(study.model->constants); })
       .def_property_readonly("axis_names", axis_names)
       .def_property_readonly("axis_counts", axis_counts);
   using Texts = std::vector<std::string>;

@@ -62,9 +62,10 @@ class Model:
     ----------
     states : mapping of str to str or number
         The states in their order, each with its derivative.
-    parameters : mapping of str to number or mapping
-        The default of each; or a mapping of ``value`` and, if you like, ``min``, ``max``,
-        ``unit``, ``meaning``, ``role``.
+    parameters : mapping of str to number, str or mapping
+        The default of each: a number, or an expression of others, as ``"0.5*wn"``, that is worked
+        out at each point; or a mapping of ``value`` and, if you like, ``min``, ``max``, ``unit``,
+        ``meaning``, ``role``.
     constants : mapping of str to str, optional
         Names for parts that the other expressions use.
     signals : mapping of str to str or mapping, optional
@@ -118,7 +119,7 @@ class Model:
     def __init__(
         self,
         states: Mapping[str, str | float],
-        parameters: Mapping[str, float | Mapping[str, Any]],
+        parameters: Mapping[str, float | str | Mapping[str, Any]],
         *,
         constants: Mapping[str, str | float] | None = None,
         signals: Mapping[str, str | Mapping[str, Any]] | None = None,

@@ -294,8 +294,8 @@ class Study:
         Parameters
         ----------
         **settings : number, list or str
-            Parameters of the model with numbers, and options with their choices. A list fills
-            ``kappa``, ``kappa_2``, ...
+            Parameters of the model with numbers or with expressions of others, as ``"0.5*wn"``, and
+            options with their choices. A list fills ``kappa``, ``kappa_2``, ...
 
         Returns
         -------
@@ -307,7 +307,7 @@ class Study:
         True
         """
         options = self._core.option_names
-        parameters = self._core.parameter_names
+        parameters = self._core.parameter_names + self._core.constant_names
 
         def table(name: str, value: Any) -> str:
             is_option = name in options or (isinstance(value, str) and name not in parameters)

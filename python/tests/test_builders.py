@@ -160,7 +160,7 @@ def test_a_chain_may_be_named_before_its_axis():
         (lambda: Study.gear5(zita=0.1), "did you mean 'zeta'?"),
         (lambda: Study.gear5(stifness="fourier"), "did you mean 'stiffness'?"),
         (lambda: Study.gear5(stiffness="furier"), "did you mean 'fourier'?"),
-        (lambda: Study.gear5(mu="high"), "mu must be a number"),
+        (lambda: Study.gear5(mu="high"), "unknown name 'high'"),
         (lambda: Study.gear5(backlash=3), "backlash must be a string"),
         (lambda: Study.gear5().sweep(omga=[1.0]), "did you mean 'omega'?"),
         (lambda: Study.gear5().sweep(), "give one or two axes"),

@@ -60,6 +60,28 @@ def test_is_swept(oscillator):
     assert gearsweep.run(made).equals(made)
 
 
+def test_a_parameter_may_follow_others():
+    own = Model(
+        {"x": "v", "v": "-x*wn^2 - 0.2*v + g*sin(phase)"},
+        {"wn": 2.0, "omega": "0.5*wn"},
+        constants={"g": 0.5},
+        period=PERIOD,
+    )
+    assert {one.name: one.default for one in own.parameters} == {"wn": 2.0, "omega": 1.0}
+    study = Study(own).sweep(wn=[1.0, 2.0]).integrate(**short(), max_step=0.02).observe("x_rms")
+    follows = study.run()
+    assert follows.omega.values.tolist() == [0.5, 1.0]
+    assert follows.omega.attrs["follows"] == "0.5*wn"
+    other = study.parameters(omega="wn/4", g="wn/8").run()
+    assert other.omega.values.tolist() == [0.25, 0.5]
+    assert not numpy.allclose(other.x_rms, follows.x_rms)
+    # The same, point by point.
+    for wn, rms in zip(other.wn.values, other.x_rms.values, strict=True):
+        alone = study.sweep(wn=[wn]).parameters(omega=float(wn) / 4, g=float(wn) / 8).run()
+        assert alone.x_rms.values == pytest.approx(rms, rel=1e-9)
+    assert "unknown name 'wm'" in refusal(lambda: study.parameters(omega="0.5*wm").run())
+
+
 def short() -> dict[str, int]:
     return {path.removeprefix("integrate."): value for path, value in SMALL.items()}
 
@@ -188,7 +210,7 @@ def test_the_period_is_said():
         (lambda: Model({}, PARAMETERS, period=1), "no [states]"),
         (lambda: Model(STATES, {}, period=1), "no [parameters]"),
         (lambda: Model(["x"], PARAMETERS, period=PERIOD), "states: expected a dict"),
-        (lambda: Model(STATES, {**PARAMETERS, "b": "wide"}, period=PERIOD), "'b' must be a table"),
+        (lambda: Model(STATES, {**PARAMETERS, "b": "wide"}, period=PERIOD), "unknown name 'wide'"),
         (lambda: Model(STATES, {**PARAMETERS, "b": numpy.nan}, period=PERIOD), "must be finite"),
         (lambda: Model(STATES, {**PARAMETERS, "b": {"min": 0.0}}, period=PERIOD), "has no value"),
         (lambda: Model(STATES, {**PARAMETERS, "x": 1.0}, period=PERIOD), "'x' is defined twice"),

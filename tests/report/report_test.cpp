@@ -130,6 +130,36 @@ TEST(Report, OfAPairWithDeviationsHasTheDynamicFactorOfTheStandard) {
               HasSubstr("<code>pitch_deviation_um</code>"));
 }
 
+// A model of one's own, whose drawing has a name: the numbers of a bare [gear], in rpm and N.
+TEST(Report, OfANamedDrawingIsInItsUnitsAndHasItsDynamicFactor) {
+  const std::string study =
+      "[model]\ntext = '''\n[model]\nname = \"mesh\"\n[drawings]\nfirst = \"the pair\"\n"
+      "[states]\nx = { unit = \"b_n\", start = \"1 + F1_first\" }\nv = { unit = \"b_n varpi\" }\n"
+      "[parameters]\nomega = { value = 0.7, min = 0.01, max = 10, unit = \"varpi\" }\n"
+      "F1_first = { value = 0.1, unit = \"k0 b_n\", role = \"load\" }\ne0_first = 0.2\n"
+      "zeta_first = 0.04\neps_first = { value = 1.7, min = 1.001, max = 1.999 }\n[constants]\nf = "
+      "\"(1 + 0.2*cos(phase))*backlash(x, 1)\"\n"
+      "[equations]\nx = \"v\"\nv = \"F1_first - 2*zeta_first*v - f + "
+      "e0_first*omega^2*sin(phase)\"\n[forcing]\nperiod = \"2*pi/omega\"\n"
+      "[signals]\npush = { expression = \"f\", unit = \"k0 b_n\", role = \"mesh_force\" }\n"
+      "pairs = \"eps_first\"\n'''\n"
+      "[gear.first]\nteeth = [40, 40]\nmodule_mm = 3\ncontact_ratio = 1.718\ninertia_kg_mm2 = "
+      "2230\n"
+      "half_backlash_mm = 0.05\nmesh_stiffness_N_per_m = 2.174e8\nmesh_damping_N_s_per_mm = 0.7\n"
+      "torque_N_m = 61.3\ntransmission_error_um = 10\nface_width_mm = 20\n"
+      "pitch_deviation_um = 8\nprofile_form_deviation_um = 9\n"
+      "[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 1.1\ncount = 9\n"
+      "[integrate]\nsettle = 30\nrecord = 10\nstop = 'never'\nmax_step = 0.05\n";
+  const std::string html = report_of(read_study(study, "test"));
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, HasSubstr("<td>first: module</td><td>3</td><td>mm</td>"));
+  EXPECT_THAT(html, HasSubstr("<th>K<sub>v</sub>, ISO 6336-1 method B</th>"));
+  EXPECT_THAT(html, HasSubstr(" rpm"));
+  EXPECT_THAT(html, HasSubstr("push_max (N)"));
+  // As that of table1-gear above, whose pair it is: in the main resonance it has no speed in it.
+  EXPECT_THAT(html, HasSubstr("<td>2.619</td>"));
+}
+
 // The band is around the curve without tolerances; only its own run has draws.
 TEST(Report, OfAStudyWithTolerancesHasTheirBand) {
   std::vector<std::string> changes = small();

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "gear/dynamic_factor.hpp"
 #include "model/error.hpp"
 #include "study/refusal.hpp"
 #include "study/study.hpp"
@@ -17,6 +18,7 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Of the second mesh there are no load and no bearings.
 const char* const kModel =
@@ -109,7 +111,7 @@ TEST(TwoMeshes, RefuseWhatTheModelDoesNotHave) {
       {drawings("", "torque_N_m = 9\n"), "torque_N_m gives F1_second, which model 'train'"},
       {drawings("", "mass = 9\n"), "unknown key 'mass' in [gear.second]"},
       {drawings("face_width_mm = 9\npitch_deviation_um = 9\nprofile_form_deviation_um = 9\n"),
-       "K_v is of a study with one gear pair"},
+       "K_v is of the drawing in whose units model 'train' is: its [model] has to say which"},
       {drawings() + "[gear.third]\n" + kFirst, "unknown key 'third' in [gear]"},
       {kModel + ("[gear]\n" + kFirst), "unknown key 'half_backlash_mm' in [gear]"},
       {kModel + std::string("[gear.first]\nmodule_mm = 4\n"), "[gear.first] needs 'teeth'"}};
@@ -126,6 +128,76 @@ TEST(TwoMeshes, RefuseWhatTheModelDoesNotHave) {
               AllOf(HasSubstr("the drawing 'third' gives nothing"), HasSubstr("'_third'")));
   EXPECT_THAT(refusal("[model]\nname = 'lorenz'\n[gear]\n" + kFirst),
               HasSubstr("a [gear] table belongs to model 'gear5'"));
+}
+
+// The model in the units of one of its drawings, with what K_v stands beside.
+std::string in_units(const std::string& name, const std::string& unit_of_second = "N") {
+  std::string text = drawings();
+  const auto replace = [&](const std::string& what, const std::string& instead) {
+    text.replace(text.find(what), what.size(), instead);
+  };
+  replace("name = \"train\"\n", "name = \"train\"\nunits = \"" + name + "\"\n");
+  replace("x = {}", "x = { unit = \"b_n\" }");
+  replace("F1_first = 0.1", "F1_first = { value = 0.1, role = \"load\" }");
+  replace("e0_second = 0.1", "e0_second = { value = 0.1, unit = \"" + unit_of_second + "\" }");
+  replace("[forcing]",
+          "[signals]\nforce = { expression = \"x\", unit = \"k0 b_n\", role = "
+          "\"mesh_force\" }\n[forcing]");
+  return text;
+}
+
+TEST(TwoMeshes, HaveUnitsOfSiWhereTheModelSaysWhose) {
+  const std::string bearings = "bearing_stiffness_N_per_mm = 1e5\nbearing_damping_N_s_per_mm = 1\n";
+  const Study first = read_study("[gear]\n" + kFirst + bearings + kOmega, "first.toml");
+  const Study study = read_study(in_units("first") + kOmega, "s.toml");
+  EXPECT_TRUE(study.scales == first.scales);
+  EXPECT_THAT(study.notices, Not(Contains(HasSubstr("units of SI"))));
+  std::string without = in_units("first");
+  without.erase(without.find("units = \"first\"\n"), 16);
+  EXPECT_THAT(read_study(without + kOmega, "s.toml").notices,
+              Contains(HasSubstr("does not say in whose units it is, so the result has no units of "
+                                 "SI: units = \"first\" in its [model] would")));
+  std::string alone = in_units("first");
+  alone.erase(alone.find("[gear.first]"), alone.find("[gear.second]") - alone.find("[gear.first]"));
+  EXPECT_THAT(read_study(alone + kOmega, "s.toml").notices,
+              Contains(HasSubstr("the study has no [gear.first], so the result has no units")));
+  EXPECT_THAT(refusal(in_units("third") + kOmega),
+              HasSubstr("units must be the name of one of the [drawings], in quotes"));
+}
+
+// A unit of the model's drawing would turn the other one's numbers into wrong ones of SI.
+TEST(TwoMeshes, KeepTheUnitsOfTheirDrawingsApart) {
+  EXPECT_THAT(refusal(in_units("first", "b_n") + kOmega),
+              AllOf(HasSubstr("'e0_second' is in units of the drawing 'second'"),
+                    HasSubstr("unit = \"k0_second b_n_second\"")));
+  EXPECT_EQ(refusal(in_units("first", "b_n_second") + kOmega), "");
+  EXPECT_THAT(refusal(in_units("second") + kOmega),
+              HasSubstr("'F1_first' is of the drawing 'first', and the model is in the units of "
+                        "'second': the role 'load' is for a parameter of that"));
+}
+
+TEST(TwoMeshes, HaveTheDynamicFactorOfTheDrawingThatGivesTheUnits) {
+  const std::string deviations =
+      "face_width_mm = 20\npitch_deviation_um = 9\nprofile_form_deviation_um = 8\n";
+  const auto with = [&](const std::string& drawing, std::string text) {
+    return text.insert(text.find("module_mm", text.find("[gear." + drawing)), deviations);
+  };
+  const Study study = read_study(with("first", in_units("first")) + kOmega, "s.toml");
+  const Study pair = read_study("[gear]\n" + kFirst + deviations +
+                                    "bearing_stiffness_N_per_mm = 1e5\n"
+                                    "bearing_damping_N_s_per_mm = 1\n" +
+                                    kOmega,
+                                "pair.toml");
+  ASSERT_TRUE(study.dynamic_factor && pair.dynamic_factor);
+  EXPECT_EQ(dynamic_factor(*study.dynamic_factor, 50.0, 0.7),
+            dynamic_factor(*pair.dynamic_factor, 50.0, 0.7));
+  EXPECT_THAT(refusal(with("second", in_units("first")) + kOmega),
+              HasSubstr("K_v is of the drawing in whose units model 'train' is: [gear.first]"));
+  std::string plain = with("first", in_units("first"));
+  plain.replace(plain.find(", role = \"load\""), 15, "");
+  EXPECT_THAT(refusal(plain + kOmega),
+              HasSubstr("needs a parameter of the role \"load\" whose name "
+                        "ends in _first"));
 }
 
 }  // namespace

@@ -34,6 +34,10 @@ class FormulaReader {
       formula_.parameters.push_back(formula_.graph.symbol(definition_.symbols[i].text));
       formula_.are_negative.push_back(parameter.min < 0.0);
       formula_.are_swept.push_back(definition_.swept.contains(parameter.name));
+      const auto given = definition_.expressions.find(parameter.name);
+      if (given == definition_.expressions.end()) continue;
+      derived_.emplace(definition_.symbols[i].text,
+                       Derived{i, {definition_.symbols[i].text, given->second}});
     }
     if (definition_.choices.empty()) {
       for (const std::string& name : choice_names()) {
@@ -43,6 +47,13 @@ class FormulaReader {
     formula_.phase = formula_.graph.symbol("phase");
     if (definition_.cycle) formula_.turn = formula_.graph.symbol("turn");
     // Those that nothing uses, too: a mistake in one is a mistake.
+    for (const auto& [symbol, derived] : derived_) {
+      const std::string what =
+          fmt::format("the parameter '{}'", definition_.parameters[derived.parameter].name);
+      const ExpressionText& text = derived.constant.expression;
+      formula_.derived.emplace_back(derived.parameter,
+                                    require_parameters(value_of(derived.constant), text, what));
+    }
     for (const NamedFunction& function : definition_.functions) read_by_itself(function);
     for (const NamedExpression& constant : definition_.constants) value_of(constant);
     for (const ExpressionText& text : definition_.equations) {
@@ -75,6 +86,11 @@ class FormulaReader {
 
  private:
   using Arguments = std::map<std::string, NodeId>;  // of a function, by name
+  // A parameter that is read as a constant is.
+  struct Derived {
+    std::size_t parameter;
+    NamedExpression constant;
+  };
 
   NodeId parse(const ExpressionText& text, const Arguments& given = {}) {
     ExpressionNames names = {
@@ -105,7 +121,14 @@ class FormulaReader {
               for (const NamedFunction& one : definition_.functions) known.push_back(one.name);
               return known;
             },
-        .table = [this](const TableCall& call) { return tables_.read(call, formula_); },
+        .table =
+            [this](const TableCall& call) {
+              if (derived_.contains(user())) {
+                throw ExpressionError(call.file_at,
+                                      "a parameter may use parameters alone, not a table");
+              }
+              return tables_.read(call, formula_);
+            },
         .is_curve =
             [this](const std::string& name) {
               return std::ranges::find(definition_.curves, name) != definition_.curves.end();
@@ -121,7 +144,10 @@ class FormulaReader {
   }
 
   NodeId of_parameters(const ExpressionText& text, const std::string& what) {
-    const NodeId id = parse(text);
+    return require_parameters(parse(text), text, what);
+  }
+
+  NodeId require_parameters(NodeId id, const ExpressionText& text, const std::string& what) const {
     for (const NodeId part : parts_of(formula_.graph, {id})) {
       if (formula_.graph[part].operation == Operation::table) {
         fail_in(text, 0, fmt::format("{} may use parameters alone, not a table", what));
@@ -171,6 +197,8 @@ class FormulaReader {
     if (name == "phase") return formula_.phase;
     if (name == "turn" && formula_.turn) return formula_.turn;
     if (const std::optional<bool> holds = known_condition(name)) return as_condition(*holds);
+    const auto derived = derived_.find(name);
+    if (derived != derived_.end()) return value_of(derived->second.constant);
     for (const std::vector<NodeId>* symbols : {&formula_.states, &formula_.parameters}) {
       for (const NodeId id : *symbols) {
         if (formula_.graph[id].symbol == name) return id;
@@ -310,6 +338,7 @@ class FormulaReader {
   const ModelDefinition& definition_;
   Formula formula_;
   Tables tables_;
+  std::map<std::string, Derived> derived_;  // by their names in expressions
   std::map<std::string, NodeId> constants_;
   std::map<std::pair<std::string, std::vector<NodeId>>, NodeId> calls_;  // what each comes to
   std::vector<std::string> open_;  // constants and functions that are being read, outermost first
@@ -320,5 +349,14 @@ class FormulaReader {
 }  // namespace
 
 Formula parse_formula(const ModelDefinition& definition) { return FormulaReader(definition).run(); }
+
+void check_presets(const ModelDefinition& definition) {
+  for (const PresetInfo& preset : definition.presets) {
+    if (preset.expressions.empty()) continue;
+    ModelDefinition with_it = definition;
+    for (const auto& [name, text] : preset.expressions) with_it.expressions[name] = text;
+    parse_formula(with_it);
+  }
+}
 
 }  // namespace gearsweep

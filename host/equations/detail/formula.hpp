@@ -18,9 +18,11 @@ struct Formula {
   std::vector<NodeId> states, parameters;  // symbols
   // Symbols, of all options one after the other: 1 of the choice that is made, otherwise 0.
   std::vector<NodeId> choices;
-  std::vector<bool> are_swept;     // [parameter]: whether points differ in it
-  std::vector<bool> are_negative;  // [parameter]: whether it may be
-  std::vector<std::pair<std::string, NodeId>> constants;  // by name
+  std::vector<bool> are_swept;                          // [parameter]: whether points differ in it
+  std::vector<bool> are_negative;                       // [parameter]: whether it may be
+  std::vector<std::pair<std::size_t, NodeId>> derived;  // parameters, and what they come to
+  // By name; derived parameters are among them, since what uses one has its expression.
+  std::vector<std::pair<std::string, NodeId>> constants;
   NodeNames names;  // of those that are more than a number or a symbol, once they are simplified
   NodeId phase = 0;
   std::optional<NodeId> turn;  // of a model with a cycle

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include "model/names.hpp"
 #include "plan/plan.hpp"
@@ -56,17 +57,22 @@ std::string printed_value(std::string value) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// The lines "key = value" of the table [gear] in the study's text.
-std::vector<Row> gear_rows(const std::string& toml) {
+// The lines "key = value" of the table [gear] in the study's text, or of [gear.NAME], whose name
+// stands before the words.
+std::vector<Row> gear_rows(const Study& study) {
+  std::map<std::string, std::string> headings = {{"[gear]", ""}};
+  for (const std::string& name : study.model->drawings) {
+    headings[fmt::format("[gear.{}]", name)] = name + ": ";
+  }
   std::vector<Row> rows;
-  bool is_inside = false;
-  for (const std::string& line : split(toml, '\n')) {
-    if (line.starts_with('[')) is_inside = line.starts_with("[gear]");
+  auto heading = headings.end();
+  for (const std::string& line : split(study.toml, '\n')) {
+    if (line.starts_with('[')) heading = headings.find(line);
     const std::size_t equals = line.find(" = ");
-    if (!is_inside || equals == std::string::npos) continue;
+    if (heading == headings.end() || equals == std::string::npos) continue;
     const auto [words, unit] = words_and_unit(line.substr(0, equals));
-    rows.push_back(
-        {html_text(words), html_text(printed_value(line.substr(equals + 3))), html_text(unit)});
+    rows.push_back({html_text(heading->second + words),
+                    html_text(printed_value(line.substr(equals + 3))), html_text(unit)});
   }
   return rows;
 }
@@ -78,8 +84,11 @@ std::vector<Row> parameter_rows(const Study& study) {
     const ParameterInfo& info = model.parameters[i];
     const std::string origin = i < study.parameter_origins.size() ? study.parameter_origins[i] : "";
     const bool is_swept = study.find_on_axes(i) != nullptr;
+    const DerivedParameter* const derived = study.differs(i) ? model.find_derived(i) : nullptr;
     rows.push_back({html_text(info.name),
-                    is_swept ? "swept" : fmt::format("{:.6g}", study.setting.parameters[i]),
+                    is_swept             ? "swept"
+                    : derived != nullptr ? html_text("= " + derived->expression)
+                                         : fmt::format("{:.6g}", study.setting.parameters[i]),
                     html_unit(info.unit), html_text(info.meaning), html_text(origin)});
   }
   return rows;
@@ -172,7 +181,7 @@ void add_data(const ReportFindings& findings, HtmlPage* page) {
   page->heading("Data");
   page->paragraph(
       fmt::format("{}: {}", html_text(study.model->name), html_text(study.model->summary)));
-  const std::vector<Row> gear = gear_rows(study.toml);
+  const std::vector<Row> gear = gear_rows(study);
   if (!gear.empty()) page->table({"gear pair", "value", "unit"}, gear);
   if (!study.gear_notes.empty()) {
     page->paragraph("What follows from it:");
@@ -230,6 +239,7 @@ void add_forces(const ReportFindings& findings, HtmlPage* page) {
   page->heading("Force and contact over speed");
   std::vector<std::string> stacked = findings.quantities;
   const bool has_factor = !findings.dynamic_factors.empty();
+  const std::string& drawing = findings.study.model->unit_drawing;
   if (has_factor) std::erase(stacked, ReportFindings::kLoadFactor);
   page->picture(
       findings.drawn("line", {"line.nc"}, fmt::format("{}", fmt::join(stacked, ",")), true),
@@ -237,10 +247,11 @@ void add_forces(const ReportFindings& findings, HtmlPage* page) {
   if (has_factor) {
     add_dynamic_factor(findings, page);
   } else if (findings.is_si()) {
-    page->paragraph(
-        "With <code>pitch_deviation_um</code>, <code>profile_form_deviation_um</code> and "
-        "<code>face_width_mm</code> in [gear] the dynamic factor K<sub>v</sub> of ISO 6336-1 "
-        "stands beside the dynamic load factor.");
+    page->paragraph(fmt::format(
+        "With <code>pitch_deviation_um</code>, <code>profile_form_deviation_um</code> "
+        "and <code>face_width_mm</code> in [gear{}] the dynamic factor K<sub>v</sub> of "
+        "ISO 6336-1 stands beside the dynamic load factor.",
+        drawing.empty() ? "" : "." + html_text(drawing)));
   }
   if (!findings.at) return;
   for (const std::string& quantity : findings.quantities) {

@@ -20,6 +20,7 @@ double unit_of_damping(const Study& study, const std::vector<std::string>& varie
   if (!study.scales.known() || !zeta) return 0.0;
   const std::string& name = study.model->parameters[*zeta].name;
   if (std::find(varied.begin(), varied.end(), name) != varied.end()) return 0.0;
+  if (study.model->find_derived(*zeta) != nullptr && study.differs(*zeta)) return 0.0;
   return 2.0 * study.setting.parameters[*zeta] * study.scales.k0 / study.scales.varpi;
 }
 
@@ -34,7 +35,7 @@ std::vector<Attribute> turns_of(const Study& study) {
   std::vector<Attribute> notes = {{kMeshPeriods, periods}};
   const std::optional<std::size_t> teeth = model.parameter_of(Role::pinion_teeth);
   const std::optional<std::size_t> ratio = model.parameter_of(Role::teeth_ratio);
-  if (!teeth || !ratio) return notes;
+  if (!teeth || !ratio || study.differs(*teeth) || study.differs(*ratio)) return notes;
   const double pinion = study.setting.parameters[*teeth];
   const double gear = pinion * study.setting.parameters[*ratio];
   notes.push_back({"pinion_turns_per_period", periods / pinion});
@@ -73,6 +74,8 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
   notes.push_back({"scale_k0_N_per_m", scales.k0});
   notes.push_back({"scale_force_N", scales.k0 * scales.b_n});
   notes.push_back({"scale_rpm_per_omega", scales.rpm_per_omega});
+  const std::string& drawing = study_.model->unit_drawing;
+  if (!drawing.empty()) notes.push_back({"scales_of_drawing", drawing});
   return notes;
 }
 

@@ -111,11 +111,6 @@ Axis read_axis(const toml::table& table, const Model& model, const toml::table& 
   const std::optional<SweptKey> swept = find_swept_key(study, model, axis.name);
   if (!swept) {
     const std::pair<double, double> range = bind_swept(model, name, "axis", &axis);
-    if (!axis.is_state && !model.uses_parameter(axis.name)) {
-      fail_at(name, fmt::format("nothing in model '{}' depends on '{}': the points along this axis "
-                                "would all be the same",
-                                model.name, axis.name));
-    }
     read_values(table, &reader, range, &axis);
     return axis;
   }
@@ -177,6 +172,19 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
     axes.push_back(axis_of_points(points, place, model));
   }
   return axes;
+}
+
+void refuse_idle_axes(const toml::table& study, const Study& read) {
+  const toml::array* const tables = study["axes"].as_array();
+  for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
+    const Axis& axis = read.axes[i];
+    const Model& model = *read.model;
+    if (axis.is_state || !axis.columns.empty() || model.uses_parameter(axis.name)) continue;
+    fail_at(*(*tables)[i].as_table()->get("name"),
+            fmt::format("nothing in model '{}' depends on '{}': the points along this axis would "
+                        "all be the same",
+                        model.name, axis.name));
+  }
 }
 
 void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis>* axes) {

@@ -15,6 +15,10 @@ namespace gearsweep {
 // hang, for messages.
 std::vector<Axis> read_axes(const toml::table& study, const PointTable& points, const Model& model);
 
+// Once the study's model has its expressions: refuses an axis of a parameter that nothing depends
+// on. Throws InputError.
+void refuse_idle_axes(const toml::table& study, const Study& read);
+
 // Gives axes over keys of [gear] their columns, and refuses two axes that give one parameter.
 // Throws InputError.
 void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis>* axes);

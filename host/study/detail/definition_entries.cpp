@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
+#include "study/detail/number_lines.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
@@ -42,6 +44,23 @@ ExpressionText expression_of(const toml::node& node, const std::string& what) {
     fail_at(node, fmt::format("{} must be an expression in quotes", what));
   }
   return place_text(node.as_string()->get(), node, 1);
+}
+
+std::optional<ExpressionText> derivation_in(const toml::node& node) {
+  if (!node.is_string()) return std::nullopt;
+  ExpressionText out = expression_of(node, "");
+  // Elsewhere it stands in one line.
+  std::ranges::replace_if(
+      out.text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  // A value that an option gave has no line.
+  if (out.file.starts_with("--")) out.line = 0;
+  return out;
+}
+
+std::optional<double> plain_number(const toml::node& node) {
+  const std::optional<double> number =
+      node.is_string() ? number_in(node.as_string()->get()) : node.value<double>();
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 const toml::table& table_of(const Entry& entry, const std::string& form) {

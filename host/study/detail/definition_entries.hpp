@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ ExpressionText place_text(const std::string& text, const toml::node& node, std::
 
 // A number, or an expression in quotes. what: for the message. Throws InputError.
 ExpressionText expression_of(const toml::node& node, const std::string& what);
+
+// What gives a parameter by others, as omega = "0.5*wn"; nothing where the node is no text.
+std::optional<ExpressionText> derivation_in(const toml::node& node);
+
+// The number that a node is, or a text that says nothing but a number.
+std::optional<double> plain_number(const toml::node& node);
 
 // The table of an entry. form: what would be right, for the message. Throws InputError.
 const toml::table& table_of(const Entry& entry, const std::string& form);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/detail/definition_entries.hpp"
 #include "study/detail/toml_access.hpp"
@@ -62,6 +63,63 @@ void read_drawing_names(const toml::table* table, ModelDefinition* definition) {
     }
     if (entry.name == "tables") fail_at(*entry.node, "a drawing cannot be called 'tables'");
     definition->drawings.push_back(entry.name);
+  }
+}
+
+namespace {
+
+// e0_first and e0_first_2 are of the drawing `first`.
+bool is_of_drawing(std::string parameter, const std::string& drawing) {
+  const std::size_t number = parameter.find_last_not_of("0123456789") + 1;
+  if (number > 1 && number < parameter.size() && parameter[number - 1] == '_') {
+    parameter.resize(number - 1);
+  }
+  return parameter.ends_with("_" + drawing);
+}
+
+}  // namespace
+
+bool is_drawing_unit(const std::string& unit) {
+  std::string words = unit;
+  std::ranges::replace_if(
+      words, [](char c) { return c == '/' || c == '*' || c == '^' || c == '(' || c == ')'; }, ' ');
+  return std::ranges::any_of(split_words(words), [](const std::string& word) {
+    return word == "b_n" || word == "k0" || word == "varpi" || word == "tau" || word == "cm";
+  });
+}
+
+void read_unit_drawing(const toml::table& model, ModelDefinition* definition) {
+  const std::vector<std::string>& drawings = definition->drawings;
+  if (const toml::node* node = model.get("units")) {
+    const std::string given = node->value_or(std::string());
+    if (std::ranges::find(drawings, given) == drawings.end()) {
+      fail_at(*node, fmt::format("units must be the name of one of the [drawings], in quotes{}",
+                                 suggest_name(given, drawings)));
+    }
+    definition->unit_drawing = given;
+  } else if (drawings.size() == 1) {
+    definition->unit_drawing = drawings.front();
+  }
+  if (definition->unit_drawing.empty()) return;
+  for (std::size_t i = 0; i < definition->parameters.size(); ++i) {
+    const ParameterInfo& info = definition->parameters[i];
+    for (const std::string& other : drawings) {
+      if (other == definition->unit_drawing || !is_of_drawing(info.name, other)) continue;
+      const bool has_role = info.role == Role::mesh_damping || info.role == Role::load;
+      if (!is_drawing_unit(info.unit) && !has_role) continue;
+      const ExpressionText& place = definition->symbols[i];
+      if (has_role) {
+        throw InputError(fmt::format(
+            "{}: '{}' is of the drawing '{}', and the model is in the units of '{}': the role '{}' "
+            "is for a parameter of that",
+            place.place(), info.name, other, definition->unit_drawing, name_of(info.role)));
+      }
+      throw InputError(fmt::format(
+          "{}: '{}' is in units of the drawing '{}', and '{}' is a unit of '{}': give it one of "
+          "its "
+          "own, such as unit = \"k0_{} b_n_{}\"",
+          place.place(), info.name, other, info.unit, definition->unit_drawing, other, other));
+    }
   }
 }
 

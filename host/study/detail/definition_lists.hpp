@@ -13,6 +13,14 @@ namespace gearsweep {
 // must have one. Throws InputError.
 void read_drawing_names(const toml::table* table, ModelDefinition* definition);
 
+// [model] units = "first": the drawing in whose b_n, k0 and varpi the model is; of one drawing
+// alone that is it. Read after the names of drawings. Throws InputError, too, where a parameter of
+// another drawing has such a unit.
+void read_unit_drawing(const toml::table& model, ModelDefinition* definition);
+
+// Whether a unit is made of those that a drawing gives, as "b_n varpi" is.
+bool is_drawing_unit(const std::string& unit);
+
 // [curves]: stiffness = "of the mesh over its period, in k0". Throws InputError.
 void read_curves(const toml::table* table, ModelNames* names, ModelDefinition* definition);
 

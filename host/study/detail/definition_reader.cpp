@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -23,8 +24,9 @@ constexpr double kLargest = 1e12;  // of a parameter that names no range
 
 class DefinitionReader {
  public:
-  DefinitionReader(const toml::table& root, std::string text, std::string source)
-      : root_(root), source_(std::move(source)) {
+  DefinitionReader(const toml::table& root, std::string text, std::string source,
+                   const std::set<std::string>& promoted)
+      : root_(root), source_(std::move(source)), promoted_(promoted) {
     definition_.text = std::move(text);
   }
 
@@ -37,6 +39,7 @@ class DefinitionReader {
     read_options(reader.table("options"));
     read_curves(reader.table("curves"), &names_, &definition_);
     read_drawing_names(reader.table("drawings"), &definition_);
+    read_unit_drawing(*root_["model"].as_table(), &definition_);
     read_functions(reader.table("functions"));
     read_constants(reader.table("constants"));
     read_equations(required(&reader, "equations"));
@@ -78,6 +81,7 @@ class DefinitionReader {
     // Once the states are known: read_limits(), read_mirrors().
     reader.know("diverged_above");
     reader.know("mirrors");
+    reader.know("units");  // read_unit_drawing()
     reader.refuse_unknown();
   }
 
@@ -134,19 +138,38 @@ class DefinitionReader {
   void read_parameter(const Entry& entry, const std::string& name, const toml::node* value) {
     ParameterInfo info;
     info.name = name;
-    if (!entry.node->is_number() && !entry.node->is_array()) {
+    if (entry.node->is_table()) {
       read_parameter_table(entry, value, &info);
+      definition_.parameters.push_back(std::move(info));
     } else {
-      const toml::node& number = value == nullptr ? *entry.node : *value;
-      names_.take(number, name);
-      info.unit = "1";
-      info.default_value = read_number(number, name, -kLargest, kLargest);
-      info.min = -kLargest;
-      info.max = kLargest;
-      info.meaning = name;
-      definition_.symbols.push_back(place_text(name, number, 0));
+      add_plain_parameter(value == nullptr ? *entry.node : *value, name, kLargest);
     }
+  }
+
+  // One of which nothing is known but what it is by default.
+  void add_plain_parameter(const toml::node& value, const std::string& name, double largest) {
+    names_.take(value, name);
+    ParameterInfo info;
+    info.name = info.meaning = name;
+    info.unit = "1";
+    info.min = -largest;
+    info.max = largest;
+    read_default(value, &info);
+    definition_.symbols.push_back(place_text(name, value, 0));
     definition_.parameters.push_back(std::move(info));
+  }
+
+  // A number, or what derives it from others.
+  void read_default(const toml::node& value, ParameterInfo* info) {
+    if (const std::optional<ExpressionText> derivation = derivation_in(value)) {
+      definition_.expressions[info->name] = *derivation;
+    } else if (value.is_number()) {
+      info->default_value = read_number(value, info->name, info->min, info->max);
+    } else {
+      fail_at(value, fmt::format("'{0}' must be a number, an expression of other parameters in "
+                                 "quotes, or a table: {0} = {{ value = 1.0, min = 0.0 }}",
+                                 info->name));
+    }
   }
 
   void read_parameter_table(const Entry& entry, const toml::node* value, ParameterInfo* info) {
@@ -164,11 +187,9 @@ class DefinitionReader {
     info->unit = reader.text("unit", "1");
     info->min = reader.number("min", -kLargest, -kLargest, kLargest);
     info->max = reader.number("max", kLargest, info->min, kLargest);
-    if (reader.find("value") == nullptr) {
-      fail_at(row, fmt::format("parameter '{}' has no value", entry.name));
-    }
-    info->default_value = value != nullptr ? read_number(*value, info->name, info->min, info->max)
-                                           : reader.number("value", 0.0, info->min, info->max);
+    const toml::node* const own = reader.find("value");
+    if (own == nullptr) fail_at(row, fmt::format("parameter '{}' has no value", entry.name));
+    read_default(value != nullptr ? *value : *own, info);
     info->meaning = reader.text("meaning", entry.name);
     if (value != nullptr) info->meaning += fmt::format(" ({})", info->name);
     info->role = read_role(&reader, roles_of_parameters());
@@ -237,8 +258,16 @@ class DefinitionReader {
 
   void read_constants(const toml::table* table) {
     const auto add = [this](const toml::node& node, const std::string& name) {
+      const std::optional<double> number = plain_number(node);
+      if (number && promoted_.contains(name)) {
+        add_plain_parameter(node, name, std::max(kLargest, std::abs(*number)));
+        definition_.parameters.back().default_value = *number;
+        definition_.expressions.erase(name);  // what a number in quotes looks like
+        return;
+      }
       names_.take(node, name);
       definition_.constants.push_back({name, expression_of(node, name)});
+      definition_.constant_infos.push_back({name, number});
     };
     for (const Entry& entry : entries_of(table)) {
       const toml::array* list = list_of(entry);
@@ -316,6 +345,7 @@ class DefinitionReader {
 
   const toml::table& root_;
   const std::string source_;
+  const std::set<std::string>& promoted_;
   ModelDefinition definition_;
   ModelNames names_;
 };
@@ -323,8 +353,8 @@ class DefinitionReader {
 }  // namespace
 
 ModelDefinition read_definition(const toml::table& root, const std::string& text,
-                                const std::string& source) {
-  return DefinitionReader(root, text, source).run();
+                                const std::string& source, const std::set<std::string>& promoted) {
+  return DefinitionReader(root, text, source, promoted).run();
 }
 
 }  // namespace gearsweep

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <set>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/builtin_models.hpp"
 #include "study/detail/definition_entries.hpp"
+#include "study/detail/parameter_values.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/model_file.hpp"
 #include "study/study_keys.hpp"
@@ -38,37 +41,6 @@ void take_in_tables(const std::string& text, const toml::node& named, const std:
   if (!tables.empty()) model->insert("tables", std::move(tables));
 }
 
-void set_parameter(const toml::node& node, const std::string& name, const std::string& origin,
-                   Study* study) {
-  const Model& model = *study->model;
-  const int found = model.find_parameter(name);
-  if (found < 0) {
-    fail_at(node, fmt::format("unknown parameter '{}' of model '{}'{}", name, model.name,
-                              suggest_name(name, names_of(model.parameters))));
-  }
-  const auto index = static_cast<std::size_t>(found);
-  const ParameterInfo& info = model.parameters[index];
-  study->setting.parameters[index] = read_number(node, name, info.min, info.max);
-  study->parameter_origins[index] = origin;
-}
-
-// A list under a plain name fills NAME, NAME_2, NAME_3, ...
-void set_parameter_or_list(const toml::node& node, const std::string& name,
-                           const std::string& origin, Study* study) {
-  const toml::array* list = node.as_array();
-  if (list == nullptr) {
-    set_parameter(node, name, origin, study);
-    return;
-  }
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string element = name_in_list(name, i);
-    if (study->model->find_parameter(element) < 0 && study->model->find_parameter(name) >= 0) {
-      fail_at(node, fmt::format("parameter '{}' takes at most {} numbers", name, i));
-    }
-    set_parameter((*list)[i], element, origin, study);
-  }
-}
-
 // What a preset assigns: options, where points start, parameters.
 void apply_preset(const PresetInfo& preset, Study* study) {
   const std::string origin = "preset " + preset.name;
@@ -91,8 +63,12 @@ void apply_preset(const PresetInfo& preset, Study* study) {
           static_cast<int>(reader.choice(name, 0, study->model->options[index].choices));
       study->option_origins[index] = origin;
     } else {
-      set_parameter(node, name, origin, study);
+      give_parameter(node, name, origin, study);
     }
+  }
+  for (const auto& [name, text] : preset.expressions) {
+    study->expressions[name] = text;
+    study->parameter_origins[static_cast<std::size_t>(study->model->find_parameter(name))] = origin;
   }
 }
 
@@ -112,6 +88,21 @@ std::set<std::string> axis_names(const toml::table& root) {
     const toml::table* table = axis.as_table();
     const toml::node* name = table == nullptr ? nullptr : table->get("name");
     if (name != nullptr && name->is_string()) names.insert(name->as_string()->get());
+  }
+  return names;
+}
+
+// All that the study gives values to: a constant of the model among it becomes a parameter.
+std::set<std::string> given_names(const toml::table& root) {
+  std::set<std::string> names = axis_names(root);
+  const toml::table* parameters = root["parameters"].as_table();
+  if (parameters == nullptr) return names;
+  for (const auto& [key, node] : *parameters) {
+    const toml::array* list = node.as_array();
+    const std::size_t count = list == nullptr ? 1 : std::min(list->size(), kMaxNames);
+    for (std::size_t i = 0; i < count; ++i) {
+      names.insert(name_in_list(std::string(key.str()), i));
+    }
   }
   return names;
 }
@@ -143,19 +134,26 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
     fail_at(*reader->find("name"), "give the model's name or its file, not both");
   }
   const toml::table* tables = reader->table("tables");
-  std::set<std::string> used;
-  const TablePoints points_of = [&](const std::string& table) {
-    const toml::node* node = tables == nullptr ? nullptr : tables->get(table);
-    if (node == nullptr) {
+  // The model keeps these: it may be bound anew when the study's text is gone.
+  const auto texts = std::make_shared<std::map<std::string, std::string>>();
+  const auto used = std::make_shared<std::set<std::string>>();
+  if (tables != nullptr) {
+    for (const auto& [key, node] : *tables) {
+      if (!node.is_string()) fail_at(node, "a table must be a string of numbers, in quotes");
+      texts->emplace(key.str(), node.as_string()->get());
+    }
+  }
+  const TablePoints points_of = [texts, used](const std::string& table) {
+    const auto found = texts->find(table);
+    if (found == texts->end()) {
       throw InputError(fmt::format("'{}' is not in [model.tables] of the study", table));
     }
-    if (!node->is_string()) fail_at(*node, "a table must be a string of numbers, in quotes");
-    used.insert(table);
-    return parse_table(node->as_string()->get(), fmt::format("'{}' in [model.tables]", table));
+    used->insert(table);
+    return parse_table(found->second, fmt::format("'{}' in [model.tables]", table));
   };
   try {
     study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root), points_of,
-                                       keys_of(root["model"].as_table()));
+                                       keys_of(root["model"].as_table()), given_names(root));
   } catch (const InputError& error) {
     // The name of the file alone does not tell where it lies.
     if (const toml::node* named = reader->find("file")) fail_at(*named, error.what());
@@ -164,7 +162,7 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
   study->model = study->own_model.get();
   if (tables == nullptr) return;
   for (const auto& [key, node] : *tables) {
-    if (used.contains(std::string(key.str())) || is_of_curve(root, std::string(key.str())))
+    if (used->contains(std::string(key.str())) || is_of_curve(root, std::string(key.str())))
       continue;
     fail_at(node, fmt::format("'{}' is read by no expression of the model", key.str()));
   }
@@ -173,7 +171,8 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
 // One of equations is read anew: what is tabulated depends on the study's axes.
 void read_builtin_model(const toml::table& root, TableReader* reader, Study* study) {
   const std::string name = reader->text("name", kDefaultModel);
-  study->own_model = built_in_model(name, axis_names(root), keys_of(root["model"].as_table()));
+  study->own_model =
+      built_in_model(name, axis_names(root), keys_of(root["model"].as_table()), given_names(root));
   study->model = study->own_model.get();
   if (study->model != nullptr) return;
   fail_at(*reader->find("name"),
@@ -197,11 +196,8 @@ void read_model(const toml::table& root, const toml::table* table, Study* study)
   }
   reader.find("curves");  // read_given_curves(), once the rest of the study is known
   const Model& model = *study->model;
-  for (const UnusedName& unused : model.unused) {
-    study->notices.push_back(fmt::format("{}: {} '{}' is used nowhere: its value changes nothing",
-                                         unused.place, unused.kind, unused.name));
-  }
   study->setting = model.default_setting();
+  study->expressions = model.binding.expressions;
   study->parameter_origins.assign(model.parameters.size(), "default");
   study->option_origins.assign(model.options.size(), "default");
   study->initial.state.assign(model.states.size(), 0.0);
@@ -246,13 +242,6 @@ void take_in_model_file(const StudyFiles& files, toml::table* root) {
   }
   take_in_tables(text, node, path, model);
   model->insert("text", text);
-}
-
-void read_parameters(const toml::table* table, Study* study) {
-  if (table == nullptr) return;
-  for (const auto& [key, node] : *table) {
-    set_parameter_or_list(node, std::string(key.str()), place_of(node), study);
-  }
 }
 
 }  // namespace gearsweep

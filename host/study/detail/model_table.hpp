@@ -1,4 +1,4 @@
-// The tables [model] and [parameters] of a study. All throw InputError with the place.
+// The table [model] of a study. All throw InputError with the place.
 #pragma once
 
 #include <toml++/toml.h>
@@ -14,7 +14,5 @@ void take_in_model_file(const StudyFiles& files, toml::table* root);
 
 // The model with the values of its preset, or of its defaults, and the options.
 void read_model(const toml::table& root, const toml::table* table, Study* study);
-
-void read_parameters(const toml::table* table, Study* study);
 
 }  // namespace gearsweep

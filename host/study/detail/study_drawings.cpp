@@ -3,23 +3,72 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
+#include "gear/drawing_keys.hpp"
+#include "study/detail/definition_lists.hpp"
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
 namespace {
 
+// Of the drawing in whose units the model is: K_v stands beside the load factor of a report.
+void require_load_factor(const DrawingTable& from, const Model& model) {
+  const std::optional<std::size_t> load = model.parameter_of(Role::load);
+  if (load && model.contact_force() != nullptr &&
+      model.parameters[*load].name.ends_with(from.suffix)) {
+    return;
+  }
+  fail_at(node_of(from, kPitchDeviation.name),
+          fmt::format("K_v stands beside dynamic_load_factor, for which model '{}' needs a "
+                      "parameter of the role \"load\" whose name ends in {}, and a signal of the "
+                      "role \"mesh_force\"",
+                      model.name, from.suffix));
+}
+
+// What the drawing measures the results in, where it is the one whose units the model has.
+void take_units(const DrawingTable& from, const GearConversion& gear, Study* study) {
+  const Model& model = *study->model;
+  const bool is_named = !from.suffix.empty();
+  if (!is_named || from.suffix == "_" + model.unit_drawing) {
+    study->scales = gear.scales;
+    study->dynamic_factor = gear.dynamic_factor;
+    if (is_named && gear.dynamic_factor) require_load_factor(from, model);
+    return;
+  }
+  if (!gear.dynamic_factor) return;
+  const std::string where = model.unit_drawing.empty()
+                                ? "its [model] has to say which that is: units = \"NAME\""
+                                : fmt::format("[gear.{}]", model.unit_drawing);
+  fail_at(node_of(from, kPitchDeviation.name),
+          fmt::format("K_v is of the drawing in whose units model '{}' is: {}", model.name, where));
+}
+
+bool has_unit_of_drawing(const std::vector<ChannelInfo>& channels) {
+  return std::ranges::any_of(channels,
+                             [](const ChannelInfo& one) { return is_drawing_unit(one.unit); });
+}
+
+void note_missing_units(const std::vector<StudyDrawing>& drawings, Study* study) {
+  const Model& model = *study->model;
+  if (drawings.empty() || study->scales.known()) return;
+  if (!has_unit_of_drawing(model.states) && !has_unit_of_drawing(model.signals)) return;
+  study->notices.push_back(
+      model.unit_drawing.empty()
+          ? fmt::format("model '{}' has several drawings and does not say in whose units it is, so "
+                        "the result has no units of SI: units = \"{}\" in its [model] would",
+                        model.name, model.drawings.front())
+          : fmt::format("model '{0}' is in the units of the drawing '{1}', and the study has no "
+                        "[gear.{1}], so the result has no units of SI",
+                        model.name, model.unit_drawing));
+}
+
 // What a drawing gives. own: [model], whose options win.
 void take_in_drawing(const DrawingTable& from, const GearConversion& gear, const toml::table* own,
                      Study* study) {
-  if (from.suffix.empty()) {
-    study->scales = gear.scales;
-    study->dynamic_factor = gear.dynamic_factor;
-  } else if (gear.dynamic_factor) {
-    fail_at(*from.table, "K_v is of a study with one gear pair, whose deviations are in [gear]");
-  }
+  take_units(from, gear, study);
   for (const std::string& note : gear.notes) {
     study->gear_notes.push_back(from.suffix.empty() ? note : from.heading + " " + note);
   }
@@ -29,6 +78,7 @@ void take_in_drawing(const DrawingTable& from, const GearConversion& gear, const
   for (const GearParameter& parameter : gear.parameters) {
     const auto index = static_cast<std::size_t>(study->model->find_parameter(parameter.name));
     study->setting.parameters[index] = parameter.value;
+    study->expressions.erase(parameter.name);
     study->parameter_origins[index] = from.heading + ": " + parameter.note;
   }
   for (const GearOption& option : gear.options) {
@@ -51,6 +101,7 @@ std::vector<StudyDrawing> read_drawings(const toml::table& root, Study* study) {
     drawings.push_back({from, convert_gear(read_drawing(from, values), *study->model, from)});
     take_in_drawing(from, drawings.back().gives, root["model"].as_table(), study);
   }
+  note_missing_units(drawings, study);
   return drawings;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/names.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/study_keys.hpp"
@@ -24,11 +26,20 @@ std::pair<double, double> bind_swept(const Model& model, const toml::node& place
     swept->meaning = "initial " + model.states[swept->index].meaning;
     return {-kMaxState, kMaxState};
   }
+  refuse_fixed_constant(model, place, swept->name);
   std::vector<std::string> known;
   for (const ParameterInfo& info : model.parameters) known.push_back(info.name);
   for (const ChannelInfo& info : model.states) known.push_back(info.name);
   fail_at(place, fmt::format("{} '{}' is neither a parameter nor a state of model '{}'{}", what,
                              swept->name, model.name, suggest_name(swept->name, known)));
+}
+
+void refuse_fixed_constant(const Model& model, const toml::node& place, const std::string& name) {
+  const auto found = std::ranges::find(model.constants, name, &ConstantInfo::name);
+  if (found == model.constants.end()) return;
+  fail_at(place, fmt::format("'{}' is a constant of model '{}' that an expression gives; only one "
+                             "that is a plain number takes another value",
+                             name, model.name));
 }
 
 }  // namespace gearsweep

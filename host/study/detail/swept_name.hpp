@@ -15,4 +15,8 @@ namespace gearsweep {
 std::pair<double, double> bind_swept(const Model& model, const toml::node& place,
                                      const std::string& what, Swept* swept);
 
+// Throws InputError where the name is that of a constant, which has no value to give: plain numbers
+// among them are parameters by now.
+void refuse_fixed_constant(const Model& model, const toml::node& place, const std::string& name);
+
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include "study/detail/drawing_axis.hpp"
 #include "study/detail/draws.hpp"
 #include "study/detail/number_lines.hpp"
+#include "study/detail/parameter_values.hpp"
 #include "study/detail/swept_name.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/draw_quantities.hpp"
@@ -152,6 +153,7 @@ void read_of_model(const toml::table& table, const std::string& name, std::size_
                                "starts there is [initial] ensemble",
                                name));
   }
+  take_nominal_of_expression(table, draws.index, study);
   const Tolerance tolerance = read_tolerance(table, name, study->setting.parameters[draws.index]);
   parameter.is_factor = tolerance.is_relative;
   if (!parameter.is_factor && study->find_on_axes(draws.index) != nullptr) {
@@ -187,8 +189,13 @@ void read_of_gear(const toml::table& root, const toml::table& table, const Swept
   const GearValues others = first_values(root, *study->model, swept.from, study->axes);
   add_parameters(swept, others, *study->model, table, &draws);
   for (const Swept& column : draws.columns) {
-    if (study->find_on_axes(column.index) == nullptr) continue;
-    fail_at(table, fmt::format("{} and an axis both give {}", draws.name, column.name));
+    if (study->find_on_axes(column.index) != nullptr) {
+      fail_at(table, fmt::format("{} and an axis both give {}", draws.name, column.name));
+    }
+    if (const DerivedParameter* derived = study->model->find_derived(column.index)) {
+      fail_at(table, fmt::format("{} gives {}, and so does {} = {} ({})", draws.name, column.name,
+                                 column.name, derived->expression, derived->place));
+    }
   }
   study->uncertain.parameters.push_back(std::move(parameter));
 }
@@ -282,7 +289,8 @@ void read_uncertain(const toml::table& root, Study* study) {
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& [name, entry] = entries[i];
-    if (const auto swept = find_swept_key(root, model, name)) {
+    // An entry may bind the study to another model.
+    if (const auto swept = find_swept_key(root, *study->model, name)) {
       read_of_gear(root, *entry, *swept, i, entries.size(), study);
     } else {
       read_of_model(*entry, name, i, entries.size(), study);
