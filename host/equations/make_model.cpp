@@ -73,6 +73,10 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
   }
   for (std::size_t i = 0; i < model->states.size(); ++i) {
     if (definition.are_angles[i]) model->angles.push_back(i);
+    const auto velocity = std::ranges::find(formula.states, formula.equations[i]);
+    if (velocity == formula.states.end()) continue;
+    model->states[i].velocity =
+        model->states[static_cast<std::size_t>(velocity - formula.states.begin())].name;
   }
   model->range_groups = range_groups_of(definition.groups);
   model->diverged_above = definition.diverged_above;

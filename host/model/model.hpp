@@ -22,6 +22,11 @@ namespace gearsweep {
 struct ChannelInfo {
   std::string name, unit, meaning;
   Role role = Role::none;
+  // Of a state, the state that its derivative is, by its equation; empty: none.
+  std::string velocity = {};
+  // Of a signal with the role mesh_force, the parameter that is its load where the signal names
+  // one.
+  std::string load = {};
 };
 
 struct ParameterInfo {

@@ -96,6 +96,7 @@ class TraceDescription {
                              .attributes = notes_.describe(info.unit, info.meaning),
                              .is_compressed = true};
     if (info.role != Role::none) variable.attributes.push_back({kRole, name_of(info.role)});
+    if (!info.velocity.empty()) variable.attributes.push_back({kVelocity, info.velocity});
     variable.attributes.push_back({"_FillValue", kMissing});
     if (traces_.size() == 1) {
       variable.elements = std::span<const double>(values_of(traces_.front()));

@@ -125,7 +125,8 @@ Trace read_trace(const NetcdfFile& file, int tau, std::size_t i) {
     if (name == "tau" || file.dimensions_of(variable) != dimensions) continue;
     trace.channels.push_back({name, file.text_attribute(variable, "units").value_or(""),
                               file.text_attribute(variable, "long_name").value_or(""),
-                              role_of(file.text_attribute(variable, kRole).value_or(""))});
+                              role_of(file.text_attribute(variable, kRole).value_or("")),
+                              file.text_attribute(variable, kVelocity).value_or("")});
     trace.values.push_back(file.read(variable, {i, 0}, {1, moments}));
     trace.values.back().resize(trace.tau.size());
   }

@@ -113,14 +113,21 @@ struct LoadFactor {
   std::string force;
 };
 
-// One for each such force: with several, each name begins with that of the signal. None of a model
-// without a load.
+// What a force between teeth carries on average: the parameter that it names. Where there is one
+// force alone, it need not name the model's load; of several each may have its own.
+std::optional<std::size_t> load_of(const Model& model, const ChannelInfo& force) {
+  if (!force.load.empty()) return static_cast<std::size_t>(model.find_parameter(force.load));
+  if (model.signals_of(Role::mesh_force).size() > 1) return std::nullopt;
+  return model.parameter_of(Role::load);
+}
+
+// One for each force with a load. With several forces, each name begins with that of the signal.
 std::vector<LoadFactor> load_factors(const Model& model) {
-  const std::optional<std::size_t> load = model.parameter_of(Role::load);
-  if (!load) return {};
   const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
   std::vector<LoadFactor> factors;
   for (const ChannelInfo& force : forces) {
+    const std::optional<std::size_t> load = load_of(model, force);
+    if (!load) continue;
     Quantity quantity;
     quantity.name = forces.size() == 1 ? kLoadFactor : force.name + "_" + kLoadFactor;
     quantity.unit = "1";
@@ -134,6 +141,13 @@ std::vector<LoadFactor> load_factors(const Model& model) {
 
 // Why a model has no load factor, and what its file must say; empty of one that has.
 std::string lack_of_load(const Model& model) {
+  const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
+  if (forces.size() > 1) {
+    return fmt::format(
+        "model '{0}' has several forces between teeth, and each has a factor of its own, {1}_{2}, "
+        "where its signal names the parameter that is its load: load = \"NAME\"",
+        model.name, forces.front().name, kLoadFactor);
+  }
   std::vector<std::string> lines;
   if (!model.parameter_of(Role::load)) {
     lines.emplace_back("a parameter is its load, as in\n  F = { value = 0.1, role = \"load\" }");
@@ -292,7 +306,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       return candidate.name == name;
     });
     if (found == known.end()) {
-      const std::string lack = name == kLoadFactor ? lack_of_load(model) : "";
+      const std::string lack = name.ends_with(kLoadFactor) ? lack_of_load(model) : "";
       if (!lack.empty()) throw InputError(lack);
       std::vector<std::string> known_names;
       for (const Quantity& candidate : known) known_names.push_back(candidate.name);
@@ -302,6 +316,14 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     if (name == "status") continue;  // always there
     if (!listed.insert(name).second) {
       throw InputError(fmt::format("quantity '{}' is listed twice", name));
+    }
+    const auto same = std::find_if(
+        found + 1, known.end(), [&](const Quantity& candidate) { return candidate.name == name; });
+    if (same != known.end()) {
+      throw InputError(fmt::format(
+          "'{}' stands for two quantities of model '{}' (\"{}\" and \"{}\"): rename the state or "
+          "signal of one",
+          name, model.name, found->meaning, same->meaning));
     }
     Quantity quantity = *found;
     if (quantity.of_census) {

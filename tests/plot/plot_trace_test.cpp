@@ -123,6 +123,18 @@ TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
               AllOf(HasSubstr("\"meshing force ("), HasSubstr("\"{/:Italic x}_{1} (")));
 }
 
+// Names mean nothing: the file says which state is the rate of which.
+TEST_F(PlotTraceTest, APhasePortraitIsOverTheStateWhoseRateIsDrawn) {
+  Trace trace = made_trace(study_, 20, 16);
+  trace.channels[0] = {"angle", "rad", "where it is"};
+  trace.channels[2] = {"x7", "rad", "where it is", Role::none, "v1"};
+  const std::string path = write("named.nc", {trace}, {"omega=0.5"});
+  EXPECT_THAT(script_of({path}, "phase"),
+              AllOf(HasSubstr("\"{/:Italic x}_{7} (rad)\""), HasSubstr("\"{/:Italic v}_{1} (")));
+  EXPECT_EQ(read_traces(path)[0].trace.channels[2].velocity, "v1");
+  EXPECT_THAT(refused({path}, "phase:angle"), HasSubstr("has no velocity beside it"));
+}
+
 // Moments of steps: the end of one and the start of the next are the same.
 TEST_F(PlotTraceTest, ASectionTakesEachPeriodOnce) {
   Trace trace = made_trace(study_, 5, 16);

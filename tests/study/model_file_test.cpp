@@ -40,6 +40,8 @@ TEST(ModelFile, HasItsNamesInOrder) {
   const auto model = read_model_text(pair_model(), "pair.toml");
   EXPECT_EQ(model->name, "pair");
   EXPECT_THAT(model->state_names(), ElementsAre("x", "v"));
+  EXPECT_EQ(model->states[0].velocity, "v");
+  EXPECT_EQ(model->states[1].velocity, "");
   EXPECT_EQ(model->parameters[0].name, "omega");
   EXPECT_EQ(model->parameters[9].name, "k_3");
   EXPECT_EQ(model->signals[0].unit, "k0 b_n");

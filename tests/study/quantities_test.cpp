@@ -176,6 +176,45 @@ TEST(Quantities, SeveralForcesHaveALoadFactorEach) {
               ::testing::HasSubstr("dmf1_dynamic_load_factor"));
 }
 
+// A train of gears does not carry one load in all of its meshes.
+TEST(Quantities, OfSeveralForcesEachNamesItsOwnLoad) {
+  const auto train = [](const std::string& first, const std::string& second) {
+    return read_model_text(
+        "[model]\nname = 'train'\n[states]\nx = {}\n[parameters]\n"
+        "F = { value = 1.0, role = 'load' }\nG = 2.0\n[equations]\nx = 'F + G - x'\n"
+        "[forcing]\nperiod = 1\n[signals]\n"
+        "dmf1 = { expression = 'x', role = 'mesh_force'" +
+            first + " }\n" + "dmf2 = { expression = '2*x', role = 'mesh_force'" + second + " }\n",
+        "train.toml");
+  };
+  const auto both = train(", load = 'F'", ", load = 'G'");
+  const auto factor_of = [&](const std::string& force) {
+    return select_quantities(*both, {force + "_dynamic_load_factor"}, {}).quantities[0].divided_by;
+  };
+  EXPECT_EQ(factor_of("dmf1"), 0U);
+  EXPECT_EQ(factor_of("dmf2"), 1U);
+
+  const auto one = train(", load = 'F'", "");
+  EXPECT_TRUE(offered(*one).contains("dmf1_dynamic_load_factor"));
+  EXPECT_FALSE(offered(*one).contains("dmf2_dynamic_load_factor"));
+  EXPECT_THAT(refusal_of(*one, "dmf2_dynamic_load_factor"),
+              ::testing::HasSubstr("load = \"NAME\""));
+  EXPECT_THAT(told([&] { train(", load = 'H'", ""); }),
+              ::testing::AllOf(::testing::HasSubstr("train.toml:13"),
+                               ::testing::HasSubstr("a parameter of the model, not 'H'")));
+}
+
+TEST(Quantities, AStateOrSignalMayNotTakeTheNameOfAnother) {
+  const auto model = read_model_text(
+      "[model]\nname = 'own'\n[states]\nx = {}\n[equations]\nx = '-x'\n[forcing]\nperiod = 1\n"
+      "[signals]\nsection = '2*x'\nlyapunov = '3*x'\n",
+      "own.toml");
+  for (const std::string name : {"section_max", "lyapunov_max"}) {
+    EXPECT_THAT(refusal_of(*model, name), ::testing::HasSubstr("two quantities"));
+  }
+  EXPECT_EQ(select_quantities(*model, {"section_mean"}, {}).observers[0].part, "section");
+}
+
 // A spectrum has an output for each state, and is told of once.
 TEST(Quantities, AnOutputIsFoundByItsRoleBesideOneOfEveryState) {
   const Model& model = *find_model("gear5");

@@ -57,6 +57,15 @@ double parameter_of(const Study& study, const std::string& name) {
   return study.setting.parameters[static_cast<std::size_t>(study.model->find_parameter(name))];
 }
 
+// Its placeholders would pass for a gear.
+TEST(TwoMeshes, OneWithoutItsDrawingIsTold) {
+  const auto told = [](const std::string& text) { return read_study(text, "s.toml").notices; };
+  const std::string first = kModel + ("[gear.first]\n" + kFirst) + kOmega;
+  EXPECT_THAT(told(first), Contains(HasSubstr("no [gear.second]")));
+  EXPECT_THAT(told(drawings() + kOmega), Not(Contains(HasSubstr("the study has no [gear."))));
+  EXPECT_THAT(told(kModel + kOmega), Not(Contains(HasSubstr("the study has no [gear."))));
+}
+
 TEST(TwoMeshes, HaveWhatEachDrawingGivesToGear5) {
   const Study study = read_study(drawings() + kOmega, "s.toml");
   const std::string bearings = "bearing_stiffness_N_per_mm = 1e5\nbearing_damping_N_s_per_mm = 1\n";

@@ -64,11 +64,25 @@ ChannelInfo find_in(const StoredTrace& stored, const std::string& name) {
   throw InputError(fmt::format("the trace has no channel '{}'{}", name, suggest_name(name, names)));
 }
 
-// "v3" of "x3"; empty when the trace has none.
+bool has_velocity(const ChannelInfo& channel) { return !channel.velocity.empty(); }
+
+// The state that is the rate of this one; empty where none is. Files of before do not say it, and
+// their models call them "x3" and "v3".
 std::string velocity_of(const Trace& trace, const std::string& position) {
+  if (std::ranges::any_of(trace.channels, has_velocity)) {
+    const int channel = find_channel(trace, position);
+    return channel < 0 ? "" : trace.channels[static_cast<std::size_t>(channel)].velocity;
+  }
   if (!position.starts_with('x')) return "";
   const std::string velocity = fmt::format("v{}", position.substr(1));
   return find_channel(trace, velocity) < 0 ? "" : velocity;
+}
+
+// What is drawn of a trace where nobody says it: of two channels the first state that has a rate.
+std::string usual_channel(const Trace& trace, std::size_t channels) {
+  const auto moving = std::ranges::find_if(trace.channels, has_velocity);
+  if (channels == 1 || moving == trace.channels.end()) return trace.channels.front().name;
+  return moving->name;
 }
 
 void refuse_without_flanks(const Trace& trace) {
@@ -103,7 +117,7 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
     if (names.empty()) return {force->name};
   }
   const bool is_chosen = !names.empty();
-  if (!is_chosen) names.push_back(trace.channels.front().name);
+  if (!is_chosen) names.push_back(usual_channel(trace, kind.channels));
   if (kind.channels == 1 || names.size() == 2) return names;
   std::string velocity = velocity_of(trace, names.front());
   if (velocity.empty() && !is_chosen && trace.channels.size() > 1) {

@@ -20,6 +20,13 @@ void add_assumptions(const ReportFindings& findings, HtmlPage* page) {
                     html_text(option.meaning)));
   }
   for (const std::string& finding : model.findings) notes.push_back(html_text(finding));
+  const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
+  if (forces.size() > 1) {
+    notes.push_back(fmt::format(
+        "The model has {} forces between teeth. Speeds are ranked by {}, and the order map, run-up "
+        "and run-down are its own; of the others there are the curves and the table.",
+        forces.size(), html_text(forces.front().name)));
+  }
   const Integrate& integrate = study.integrate;
   notes.push_back(
       fmt::format("Up to {} forcing periods settle, {} are recorded; the order map records {}.",

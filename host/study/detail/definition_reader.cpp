@@ -202,6 +202,24 @@ class DefinitionReader {
     reader.refuse_unknown();
   }
 
+  // The parameter that a force between teeth is divided by in its load factor.
+  std::string read_load(const ChannelInfo& force, TableReader* reader) const {
+    const toml::node* node = reader->find("load");
+    if (node == nullptr) return "";
+    std::string load = reader->text("load", "");
+    if (force.role != Role::mesh_force) {
+      fail_at(*node,
+              fmt::format("signal '{}' has a load, and not the role \"mesh_force\"", force.name));
+    }
+    const auto known = std::ranges::find(definition_.parameters, load, &ParameterInfo::name);
+    if (known == definition_.parameters.end()) {
+      fail_at(*node,
+              fmt::format("the load of signal '{}' must be a parameter of the model, not '{}'",
+                          force.name, load));
+    }
+    return load;
+  }
+
   static Role read_role(TableReader* reader, const std::vector<Role>& known) {
     std::vector<std::string> names;
     for (const Role role : known) names.push_back(name_of(role));
@@ -337,6 +355,7 @@ class DefinitionReader {
         info.unit = reader.text("unit", "1");
         info.meaning = reader.text("meaning", entry.name);
         info.role = read_role(&reader, roles_of_signals());
+        info.load = read_load(info, &reader);
         reader.refuse_unknown();
       }
       definition_.signals.push_back(std::move(info));

@@ -65,6 +65,20 @@ void note_missing_units(const std::vector<StudyDrawing>& drawings, Study* study)
                         model.name, model.unit_drawing));
 }
 
+// Where some of the model's drawings are given: which are not.
+void note_missing_drawings(const std::vector<StudyDrawing>& drawings, Study* study) {
+  if (drawings.empty()) return;
+  for (const std::string& name : study->model->drawings) {
+    const bool is_given = std::ranges::any_of(
+        drawings, [&](const StudyDrawing& drawing) { return drawing.from.suffix == "_" + name; });
+    if (is_given) continue;
+    study->notices.push_back(
+        fmt::format("the study has no [gear.{0}], so the parameters of the drawing '{0}' have the "
+                    "values of model '{1}' itself",
+                    name, study->model->name));
+  }
+}
+
 // What a drawing gives. own: [model], whose options win.
 void take_in_drawing(const DrawingTable& from, const GearConversion& gear, const toml::table* own,
                      Study* study) {
@@ -101,6 +115,7 @@ std::vector<StudyDrawing> read_drawings(const toml::table& root, Study* study) {
     drawings.push_back({from, convert_gear(read_drawing(from, values), *study->model, from)});
     take_in_drawing(from, drawings.back().gives, root["model"].as_table(), study);
   }
+  note_missing_drawings(drawings, study);
   note_missing_units(drawings, study);
   return drawings;
 }
