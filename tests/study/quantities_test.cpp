@@ -206,7 +206,8 @@ TEST(Quantities, OfSeveralForcesEachNamesItsOwnLoad) {
 
 TEST(Quantities, AStateOrSignalMayNotTakeTheNameOfAnother) {
   const auto model = read_model_text(
-      "[model]\nname = 'own'\n[states]\nx = {}\n[equations]\nx = '-x'\n[forcing]\nperiod = 1\n"
+      "[model]\nname = 'own'\n[states]\nx = {}\n[parameters]\na = 1.0\n[equations]\nx = "
+      "'-a*x'\n[forcing]\nperiod = 1\n"
       "[signals]\nsection = '2*x'\nlyapunov = '3*x'\n",
       "own.toml");
   for (const std::string name : {"section_max", "lyapunov_max"}) {
