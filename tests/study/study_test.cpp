@@ -31,8 +31,8 @@ int option(const Study& study, const std::string& name) {
 
 TEST(Study, AWordOnTheCommandLineNeedsNoQuotesOfItsOwn) {
   for (const std::string title : {"it's", "the \"best\" map", "a\\b", "two words"}) {
-    const Study study = read_study("[[axes]]\nname = 'omega'\nvalues = [1]\n", "s.toml",
-                                   {"title=" + title});
+    const Study study =
+        read_study("[[axes]]\nname = 'omega'\nvalues = [1]\n", "s.toml", {"title=" + title});
     EXPECT_EQ(study.title, title);
   }
 }
