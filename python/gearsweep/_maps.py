@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import xarray
 
@@ -18,14 +18,21 @@ if TYPE_CHECKING:
     from gearsweep._core import Study
 
 
+class Means(NamedTuple):
+    """What a run computes with: texts as the command takes them."""
+
+    journal: str
+    device: str
+
+
+def means_of(journal: str | os.PathLike[str] | None, device: int | str | None) -> Means:
+    """The means that users gave, as `gearsweep.run` takes them; what is wrong is said at once."""
+    path = "" if journal is None else path_of(journal, "a path as journal")
+    return Means(path, device_text(device))
+
+
 def maps_of(
-    study: Study,
-    call: str,
-    *,
-    progress: Watch,
-    journal: str | os.PathLike[str] | None,
-    device: int | str | None,
-    priority: int = 0,
+    study: Study, call: str, means: Means, progress: Watch, priority: int = 0
 ) -> xarray.Dataset:
     """Compute the maps of a study, and warn of what failed.
 
@@ -35,8 +42,10 @@ def maps_of(
         What to compute.
     call : str
         The call that asks for it, for the record.
-    progress, journal, device
-        As `gearsweep.run` takes them.
+    means : Means
+        As `means_of` makes them.
+    progress
+        As `gearsweep.run` takes it.
     priority : int
         As `gearsweep.submit` takes it.
 
@@ -47,8 +56,8 @@ def maps_of(
     with watched(progress) as tell:
         described, warnings = SESSION.run(
             study=study,
-            device=device_text(device),
-            journal="" if journal is None else path_of(journal, "a path as journal"),
+            device=means.device,
+            journal=means.journal,
             call=call,
             progress=tell,
             priority=priority,

@@ -11,7 +11,7 @@ from typing import Any
 import xarray
 
 from gearsweep._errors import InputError
-from gearsweep._maps import maps_of
+from gearsweep._maps import maps_of, means_of
 from gearsweep._progress import Progress, Watch
 from gearsweep._result import call_text
 from gearsweep._study import Study
@@ -81,7 +81,7 @@ def run(
     {'omega': 3}
     """
     asked, call = _asked("run", study, set, points)
-    return maps_of(asked._core, call, progress=progress, journal=journal, device=device)
+    return maps_of(asked._core, call, means_of(journal, device), progress)
 
 
 class Running(Future[xarray.Dataset]):
@@ -143,6 +143,7 @@ def submit(
     asked, call = _asked("submit", study, set, points)
     if isinstance(priority, bool) or not isinstance(priority, int) or abs(priority) > _FAR:
         raise InputError(f"priority: expected a whole number such as -1, not {shown(priority)}")
+    means = means_of(journal, device)
     running = Running()
 
     def tell(news: Progress) -> None:
@@ -152,9 +153,7 @@ def submit(
 
     def compute() -> None:
         try:
-            made = maps_of(
-                asked._core, call, progress=tell, journal=journal, device=device, priority=priority
-            )
+            made = maps_of(asked._core, call, means, tell, priority)
         except BaseException as error:
             if running.set_running_or_notify_cancel():
                 running.set_exception(error)

@@ -12,7 +12,7 @@ import xarray
 from gearsweep import _core
 from gearsweep._axis import axis_table
 from gearsweep._errors import InputError
-from gearsweep._maps import maps_of
+from gearsweep._maps import maps_of, means_of
 from gearsweep._model import Model
 from gearsweep._model import model as builtin_model
 from gearsweep._points import columns_of
@@ -410,7 +410,7 @@ class Study:
             asked = asked.points(points)
         columns = None if points is None else f"columns {', '.join(map(str, points))}"
         call = call_text("run", self, set=set, points=columns)
-        return maps_of(asked._core, call, progress=progress, journal=journal, device=device)
+        return maps_of(asked._core, call, means_of(journal, device), progress)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a Study never changes; Study.set() makes another one")

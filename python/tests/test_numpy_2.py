@@ -24,7 +24,7 @@ changes += ["observe.quantities=['x1_rms', 'poincare', 'motion_class', 'contact_
 changes += ["observe.poincare=['x1', 'v1']"]
 study = core.find_study("coarse-map", changes)
 variables, _ = core.Session().run(
-    study=study, device="", journal="", call="", progress=None
+    study=study, device="", journal="", call="", progress=None, priority=0
 )[0]
 points = core.read_draft("[model]\\n", "s", [], [("mu", numpy.array([0.1, 0.2]))])
 print("NumPy", numpy.__version__)
