@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "mu = -1",
                  {"study.toml:5:", "mu = -1 is out of range", "from 0 to 1"}},
         BadStudy{
-            "not_a_number", "mu = 0.05", "mu = \"much\"", {"study.toml:5:", "mu must be a number"}},
+            "not_a_number", "mu = 0.05", "mu = \"much\"", {"study.toml:5:", "unknown name 'much'"}},
         BadStudy{"largest_integer",
                  "settle = 1",
                  "settle = 9223372036854775807",
