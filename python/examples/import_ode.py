@@ -36,6 +36,8 @@ REFUSED = {
 }
 CALLS = {"delay": "delays", "ran": "noise", "normal": "noise", "int": "integrals", "shift": "shifts of arrays"}
 CALLS |= {"hom_bcs": "boundary conditions", "bessel": "Bessel functions", "erf": "erf"}
+# i' of a sum; XPPAUT's names are shorter, so that none of a file is the same.
+INDEX = "index_of_the_sum"
 
 
 class Refused(Exception):
@@ -142,8 +144,8 @@ def branches_or_sum(word: str, inner: list[str], rest: str) -> tuple[str, str]:
         rest = rest[end:]
     if word == "if":
         return f"if({', '.join([*inner, *parts])})", rest
-    term = re.sub(r"\bi'", "i", parts[0])
-    return f"sum(i, {', '.join([*inner, term])})", rest
+    term = re.sub(r"\bi'", INDEX, parts[0])
+    return f"sum({INDEX}, {', '.join([*inner, term])})", rest
 
 
 def translated_names(text: str) -> str:
@@ -293,7 +295,8 @@ def model_text(ode: Ode, name: str) -> str:
     lines.append("[equations]")
     lines += [f"{named(key)} = {written(value)}" for key, value in ode.states.items()]
     lines += ["[forcing]", f"period = {written(period)}"]
-    signals = {key: value for key, value in ode.signals.items() if key not in own - set(ode.signals)}
+    taken = {*ode.states, *ode.parameters, *ode.constants}
+    signals = {key + "_aux" if key in taken else key: value for key, value in ode.signals.items()}
     if signals:
         lines.append("[signals]")
     lines += [f"{named(key)} = {written(value)}" for key, value in signals.items()]

@@ -13,7 +13,6 @@ import xarray
 from gearsweep._errors import InputError
 from gearsweep._maps import maps_of, means_of
 from gearsweep._progress import Progress, Watch
-from gearsweep._result import call_text
 from gearsweep._study import Study
 from gearsweep._study_source import study_of
 from gearsweep._value import shown
@@ -170,11 +169,7 @@ def _asked(
 ) -> tuple[Study, str]:
     """The study that is asked for, and the call in words."""
     asked = study_of(study, changes)
-    columns = None
-    if points is not None:
+    if points is not None and not isinstance(study, Study):
         # Who gives a Study has chosen its axes, and is warned that they go.
-        own = isinstance(study, Study)
-        asked = (asked if own else asked.set({"axes": []})).points(points)
-        # The result has the numbers themselves.
-        columns = f"columns {', '.join(map(str, points))}"
-    return asked, call_text(function, study, set=changes, points=columns)
+        asked = asked.set({"axes": []})
+    return asked._asked(function, study, changes, points)

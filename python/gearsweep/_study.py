@@ -405,12 +405,19 @@ class Study:
         device: int | str | None = None,
     ) -> xarray.Dataset:
         """Compute it, as `gearsweep.run` does with the same options."""
-        asked = self.set(set) if set else self
-        if points is not None:
-            asked = asked.points(points)
-        columns = None if points is None else f"columns {', '.join(map(str, points))}"
-        call = call_text("run", self, set=set, points=columns)
+        asked, call = (self.set(set) if set else self)._asked("run", self, set, points)
         return maps_of(asked._core, call, means_of(journal, device), progress)
+
+    def _asked(
+        self, function: str, given: Any, changes: Mapping[str, Any] | None, points: Any
+    ) -> tuple[Study, str]:
+        """The study at these points, if any, and the call that asks for it in words."""
+        asked, columns = self, None
+        if points is not None:
+            asked = self.points(points)
+            # The result has the numbers themselves.
+            columns = f"columns {', '.join(map(str, points))}"
+        return asked, call_text(function, given, set=changes, points=columns)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a Study never changes; Study.set() makes another one")

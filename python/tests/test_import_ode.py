@@ -16,15 +16,16 @@ IMPORT = Path(__file__).parent.parent / "examples" / "import_ode.py"
 # Abbreviated words, capitals, an array, a sum, a branch, numbers without a zero, a line that goes on.
 CHAIN = r"""
 # three driven oscillators
-par W=2, Phase=.5,k=1.
+par W=2, Phase=.5,k=1.,i=0.5
 number c=.25
 init x1=.2 x2=-.1
 x[1..3]'=v[j]
 v[1..3]'=-C*v[j] - spring(x[j]) + Phase*sin(w*t + [j]) \
   - k*(x[j] - mid)
-mid = sum(1,3)of(i'*x2)/6
+mid = sum(1,3)of(2*i*i'*x2)/6
 spring(u)=if(u>0)then(u+ .5*u**3)else(2.*u)
 aux energy=.5*(v1^2+v2^2)
+aux k=2*x1
 @ total=40, xp=x1
 done
 this is not read
@@ -56,6 +57,7 @@ def test_its_motion_is_that_of_the_equations(tmp_path):
     exact = solve_ivp(slope, (0, times[-1]), [0.2, -0.1, 0, 0, 0, 0], "DOP853", times, rtol=1e-11, atol=1e-12)
     for i, name in enumerate(("x1", "x2", "x3", "v1", "v2", "v3")):
         numpy.testing.assert_allclose(trace[name], exact.y[i], atol=1e-7)  # steps of a 400th leave 1e-8
+    numpy.testing.assert_allclose(trace.k_aux, 2 * trace.x1)
     numpy.testing.assert_allclose(trace.energy, 0.5 * (exact.y[3] ** 2 + exact.y[4] ** 2), atol=1e-7)
 
 

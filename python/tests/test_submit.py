@@ -35,13 +35,17 @@ def test_cancelled_it_stops_computing():
         thread.join()
 
 
-def test_one_of_a_low_priority_lets_run_go_first():
-    waiting = gearsweep.submit("coarse-map", set=LONG, priority=-1)
-    gearsweep.run("coarse-map", set=MAP)
-    assert waiting.running()
-    waiting.cancel()
-    for thread in threads():
-        thread.join()
+def test_one_of_a_low_priority_waits():
+    gearsweep.run("coarse-map", set=MAP)  # its kernels are there: it would take a moment
+    first = gearsweep.submit("coarse-map", set=LONG)
+    while first.progress is None:
+        assert first.running()
+    begun = first.progress.seconds
+    waiting = gearsweep.submit("coarse-map", set=MAP, priority=-1)
+    while first.progress.seconds < begun + 3:
+        assert waiting.running()
+    first.cancel()
+    assert waiting.result().status.size == 35
 
 
 def test_several_are_waited_for_by_the_standard_library():

@@ -198,6 +198,10 @@ TEST(TwoMeshes, HaveTheDynamicFactorOfTheDrawingThatGivesTheUnits) {
                                     kOmega,
                                 "pair.toml");
   ASSERT_TRUE(study.dynamic_factor && pair.dynamic_factor);
+  // Of several forces none has the one factor that K_v stands beside.
+  std::string two = in_units("first");
+  two.insert(two.find("force = {"), "other = { expression = \"2*x\", role = \"mesh_force\" }\n");
+  EXPECT_THAT(refusal(with("first", two) + kOmega), HasSubstr("one signal of the role"));
   EXPECT_EQ(dynamic_factor(*study.dynamic_factor, 50.0, 0.7),
             dynamic_factor(*pair.dynamic_factor, 50.0, 0.7));
   EXPECT_THAT(refusal(with("second", in_units("first")) + kOmega),

@@ -71,7 +71,9 @@ bool has_velocity(const ChannelInfo& channel) { return !channel.velocity.empty()
 std::string velocity_of(const Trace& trace, const std::string& position) {
   if (std::ranges::any_of(trace.channels, has_velocity)) {
     const int channel = find_channel(trace, position);
-    return channel < 0 ? "" : trace.channels[static_cast<std::size_t>(channel)].velocity;
+    if (channel < 0) return "";
+    const std::string& velocity = trace.channels[static_cast<std::size_t>(channel)].velocity;
+    return find_channel(trace, velocity) < 0 ? "" : velocity;
   }
   if (!position.starts_with('x')) return "";
   const std::string velocity = fmt::format("v{}", position.substr(1));

@@ -17,13 +17,13 @@ namespace {
 // Of the drawing in whose units the model is: K_v stands beside the load factor of a report.
 void require_load_factor(const DrawingTable& from, const Model& model) {
   const std::optional<std::size_t> load = model.parameter_of(Role::load);
-  if (load && model.contact_force() != nullptr &&
+  if (load && model.signals_of(Role::mesh_force).size() == 1 &&
       model.parameters[*load].name.ends_with(from.suffix)) {
     return;
   }
   fail_at(node_of(from, kPitchDeviation.name),
           fmt::format("K_v stands beside dynamic_load_factor, for which model '{}' needs a "
-                      "parameter of the role \"load\" whose name ends in {}, and a signal of the "
+                      "parameter of the role \"load\" whose name ends in {}, and one signal of the "
                       "role \"mesh_force\"",
                       model.name, from.suffix));
 }
