@@ -55,6 +55,13 @@ typedef struct {
 typedef struct {
   scalar cosine[ORDER_COUNT], sine[ORDER_COUNT];
 } OrderPhases;
+#ifdef MODEL_SURFACES
+typedef struct {
+  real cosine[ORDER_COUNT], sine[ORDER_COUNT];
+} OrdersAt;
+#else
+typedef OrderPhases OrdersAt;
+#endif
 #endif
 typedef struct {
   MODEL_PHASE_COEFS(MODEL_PHASE_COEF_FIELD)
@@ -62,6 +69,32 @@ typedef struct {
   OrderPhases orders;
 #endif
 } PhaseCoefs;
+
+#ifdef MODEL_SURFACES
+// The sides of the surfaces, on which the equations jump, that a motion is held on. A surface's
+// level is 0 there, or, of a staircase, a whole number.
+typedef struct {
+  real side[MODEL_SURFACES];    // 1 above, 0 below; of a staircase the level's floor
+  mask slides[MODEL_SURFACES];  // it slides along the surface: `side` is the one above
+  mask slid;                    // it began to slide since this was last cleared
+} Sides;
+
+// Phase coefficients at a moment of a lane's own.
+#define MODEL_PHASE_AT_FIELD(name, meaning) real name;
+#define MODEL_TAKE_PHASE(name, meaning) at.name = row->name;
+typedef struct {
+  MODEL_PHASE_COEFS(MODEL_PHASE_AT_FIELD)
+} PhaseAt;
+
+SHARED_FN PhaseAt phase_at(const PhaseCoefs* row) {
+  PhaseAt at;
+  MODEL_PHASE_COEFS(MODEL_TAKE_PHASE)
+  return at;
+}
+#else
+typedef PhaseCoefs PhaseAt;
+#define phase_at(row) (*(row))
+#endif
 
 #ifdef MODEL_CONTACT
 // Where a contact stands: the drive flank touches while backlash < deflection, the back flank

@@ -13,9 +13,16 @@ typedef struct {
   ModelSignals signals;
   real x[MODEL_STATE_COUNT];
 #ifdef ORDER_COUNT
-  OrderPhases orders;
+  OrdersAt orders;
 #endif
 } Instant;
+
+// A share of a period. A model with surfaces cuts its steps, each lane by itself.
+#ifdef MODEL_SURFACES
+typedef real Share;
+#else
+typedef scalar Share;
+#endif
 
 // How far a contact's deflection is beyond the limits of its flanks; of one that is one-sided the
 // back flank is never reached.
@@ -39,9 +46,9 @@ typedef struct {
   const Instant* before;
   const Instant* middle;
   const Instant* after;
-  scalar weight;  // the step's share of a period
-  mask smooth;    // the same flanks touch at start, middle and end
-  real cubic;     // 0 where `earlier` lies in another segment, or in a step that is not smooth
+  Share weight;  // the step's share of a period
+  mask smooth;   // the same flanks touch at start, middle and end
+  real cubic;    // 0 where `earlier` lies in another segment, or in a step that is not smooth
 } Step;
 
 #include "step_curve.h"
@@ -60,6 +67,7 @@ typedef struct {
   uint items, item;
 } Section;
 
+#ifndef MODEL_SURFACES
 SHARED_FN void take_moment(const ModelPoint* point, TABLE PhaseCoefs* stage, const real* x,
                            Instant* moment) {
   const PhaseCoefs phase = *stage;
@@ -70,6 +78,7 @@ SHARED_FN void take_moment(const ModelPoint* point, TABLE PhaseCoefs* stage, con
   moment->orders = phase.orders;
 #endif
 }
+#endif
 
 // Each observable counts its outputs from its list; some have one for each state, or for each
 // order.

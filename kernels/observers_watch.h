@@ -36,6 +36,108 @@ SHARED_FN mask watch_same_contact(const Instant* a, const Instant* b) {
   return same;
 }
 
+// Shows the observers the part from `before` to `after`, which the watcher has, and takes the end
+// for the next part's start.
+SHARED_FN void watch_seen(Watcher* watcher, Share weight) {
+  const real zero = 0;
+  const real sixth = (scalar)(1.0 / 6.0);
+  const mask smooth = watch_same_contact(&watcher->before, &watcher->middle) &
+                      watch_same_contact(&watcher->middle, &watcher->after);
+  const Step step = {&watcher->earlier,
+                     &watcher->before,
+                     &watcher->middle,
+                     &watcher->after,
+                     weight,
+                     smooth,
+                     lane_select(watcher->was_smooth, sixth, zero)};
+  observers_step(watcher->observers, &step);
+  watcher->earlier = watcher->middle;
+  watcher->before = watcher->after;
+  watcher->was_smooth = smooth;
+}
+
+#include "rk4/surface_part.h"
+
+#ifdef MODEL_SURFACES
+// At a share of a step. Where the motion slides, signals have the sides that its field mixes.
+SHARED_FN void watch_instant(const ModelPoint* point, const SurfaceRows* rows, real share,
+                             const real* x, Instant* instant) {
+  ModelPoint seen = *point;
+  PhaseAt moment;
+  surface_moment(rows, share, &moment);
+  surface_show_at(point, &moment, x, seen.sides.side);
+  model_signals(&seen, &moment, x, &instant->signals);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) instant->x[i] = x[i];
+#ifdef ORDER_COUNT
+  real weights[3];
+  surface_weights(share, weights);
+  for (int k = 0; k < ORDER_COUNT; ++k) {
+    instant->orders.cosine[k] = 0;
+    instant->orders.sine[k] = 0;
+    for (int i = 0; i < 3; ++i) {
+      instant->orders.cosine[k] += weights[i] * rows->stage[i].orders.cosine[k];
+      instant->orders.sine[k] += weights[i] * rows->stage[i].orders.sine[k];
+    }
+  }
+#endif
+}
+
+// out = yes where that holds.
+SHARED_FN void watch_select(mask where, const Instant* yes, Instant* out) {
+  const real* from = (const real*)yes;
+  real* to = (real*)out;
+  for (int i = 0; i < (int)(sizeof(Instant) / sizeof(real)); ++i) {
+    to[i] = lane_select(where, from[i], to[i]);
+  }
+}
+
+SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
+                             const real* x) {
+  const real zero = 0;
+  watch_instant(point, rows, zero, x, &watcher->before);
+  watcher->earlier = watcher->before;
+  watcher->was_smooth = zero != zero;
+}
+
+// In the other lanes nothing moves: their part has no length.
+SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const SurfacePart* part,
+                          mask where) {
+  const real zero = 0;
+  const real one = 1;
+  const real one_half = (scalar)(0.5);
+  real inside[MODEL_STATE_COUNT];
+  Instant middle;
+  Instant after;
+  surface_inside(part, one_half, inside);
+  watch_instant(point, part->rows, one_half * (part->from + *part->to), inside, &middle);
+  watch_instant(point, part->rows, *part->to, part->next, &after);
+  watcher->middle = watcher->before;
+  watcher->after = watcher->before;
+  watch_select(where, &middle, &watcher->middle);
+  watch_select(where, &after, &watcher->after);
+  // Only a whole step has one of the same length before it.
+  const mask is_whole = where & (part->from == zero) & (*part->to == one);
+  const mask was_smooth = watcher->was_smooth;
+  Instant earlier = watcher->earlier;
+  watcher->was_smooth = was_smooth & is_whole;
+  watch_seen(watcher, lane_select(where, (*part->to - part->from) * part->share, zero));
+  watcher->was_smooth = lane_select(where, watcher->was_smooth & is_whole, was_smooth);
+  watch_select(!where, &earlier, &watcher->earlier);
+}
+
+SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
+                          real share, mask where, const real* x) {
+  Instant instant;
+  watch_instant(point, rows, share, x, &instant);
+  watch_select(where, &instant, &watcher->before);
+  watcher->was_smooth = watcher->was_smooth & !where;
+}
+
+SHARED_FN void watch_step_end(Watcher* watcher, const real* x) {}
+
+#else
+
 SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, TABLE PhaseCoefs* stage,
                              const real* x) {
   const real zero = 0;
@@ -46,21 +148,9 @@ SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, TABLE Ph
 
 SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE PhaseCoefs* stage,
                           scalar share, const real* middle, const real* x) {
-  const real zero = 0;
-  const real sixth = (scalar)(1.0 / 6.0);
   take_moment(point, stage - 1, middle, &watcher->middle);
   take_moment(point, stage, x, &watcher->after);
-  const mask smooth = watch_same_contact(&watcher->before, &watcher->middle) &
-                      watch_same_contact(&watcher->middle, &watcher->after);
-  const Step step = {&watcher->earlier,
-                     &watcher->before,
-                     &watcher->middle,
-                     &watcher->after,
-                     share,
-                     smooth,
-                     lane_select(watcher->was_smooth, sixth, zero)};
-  observers_step(watcher->observers, &step);
-  watcher->earlier = watcher->middle;
-  watcher->before = watcher->after;
-  watcher->was_smooth = smooth;
+  watch_seen(watcher, share);
 }
+
+#endif

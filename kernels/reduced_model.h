@@ -14,15 +14,14 @@ SHARED_FN void reduced_keep(const real* whole, real* x) {
   for (int i = 0; i < KEPT_COUNT; ++i) x[i] = whole[kept[i]];
 }
 
-SHARED_FN void reduced_rhs(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
-                           real* dx) {
+SHARED_FN void reduced_rhs(const ModelPoint* point, const PhaseAt* phase, const real* x, real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real slope[WHOLE_STATE_COUNT];
   model_rhs(point, phase, whole, slope);
   reduced_keep(slope, dx);
 }
 
-SHARED_FN void reduced_linearize(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_linearize(const ModelPoint* point, const PhaseAt* phase, const real* x,
                                  real scale, ModelLinear* linear) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_linearize(point, phase, whole, scale, linear);
@@ -37,7 +36,7 @@ SHARED_FN void reduced_tangent(const ModelPoint* point, const ModelLinear* linea
   reduced_keep(whole_out, out);
 }
 
-SHARED_FN void reduced_signals(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_signals(const ModelPoint* point, const PhaseAt* phase, const real* x,
                                ModelSignals* signals) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_signals(point, phase, whole, signals);
@@ -49,15 +48,49 @@ SHARED_FN void reduced_take_turns(real* x) {
   reduced_keep(whole, x);
 }
 
+#ifdef MODEL_SURFACES
+SHARED_FN void reduced_level_values(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                    real* levels) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  model_level_values(point, phase, whole, levels);
+}
+
+SHARED_FN void reduced_level_along(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                   const real* dx, real* rates) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  const real whole_dx[WHOLE_STATE_COUNT] = WHOLE_STATE(dx);
+  model_level_along(point, phase, whole, whole_dx, rates);
+}
+
+SHARED_FN void reduced_level_rates(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                   const real* dx, real* rates) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  const real whole_dx[WHOLE_STATE_COUNT] = WHOLE_STATE(dx);
+  model_level_rates(point, phase, whole, whole_dx, rates);
+}
+
+SHARED_FN void reduced_level_bends(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                   const real* dx, const real* w, real* bends) {
+  const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
+  const real whole_dx[WHOLE_STATE_COUNT] = WHOLE_STATE(dx);
+  const real whole_w[WHOLE_STATE_COUNT] = WHOLE_STATE(w);
+  model_level_bends(point, phase, whole, whole_dx, whole_w, bends);
+}
+#define model_level_values reduced_level_values
+#define model_level_along reduced_level_along
+#define model_level_rates reduced_level_rates
+#define model_level_bends reduced_level_bends
+#endif
+
 #ifdef MODEL_CONTACT
-SHARED_FN void reduced_contact(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void reduced_contact(const ModelPoint* point, const PhaseAt* phase, const real* x,
                                ModelContact* contacts) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   model_contact(point, phase, whole, contacts);
 }
 
-SHARED_FN void reduced_rhs_in_contact(const ModelPoint* point, const PhaseCoefs* phase,
-                                      const real* x, const ModelContact* contacts, real* dx) {
+SHARED_FN void reduced_rhs_in_contact(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                      const ModelContact* contacts, real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real slope[WHOLE_STATE_COUNT];
   model_rhs_in_contact(point, phase, whole, contacts, slope);
@@ -70,15 +103,15 @@ SHARED_FN void reduced_contact_tangent(const ModelPoint* point, const ModelLinea
   model_contact_tangent(point, linear, whole, added);
 }
 
-SHARED_FN void reduced_force_direction(const ModelPoint* point, const PhaseCoefs* phase,
-                                       const real* x, int contact, real* direction) {
+SHARED_FN void reduced_force_direction(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                       int contact, real* direction) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   real whole_direction[WHOLE_STATE_COUNT];
   model_force_direction(point, phase, whole, contact, whole_direction);
   reduced_keep(whole_direction, direction);
 }
 
-SHARED_FN void reduced_force_direction_carried(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_force_direction_carried(const ModelPoint* point, const PhaseAt* phase,
                                                const real* x, const real* direction, real* dx) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   const real whole_direction[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
@@ -88,8 +121,8 @@ SHARED_FN void reduced_force_direction_carried(const ModelPoint* point, const Ph
 }
 
 #ifdef MODEL_CONTACT_FEEDBACK
-SHARED_FN void reduced_contact_along(const ModelPoint* point, const PhaseCoefs* phase,
-                                     const real* x, const real* direction, ModelContact* added) {
+SHARED_FN void reduced_contact_along(const ModelPoint* point, const PhaseAt* phase, const real* x,
+                                     const real* direction, ModelContact* added) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);
   const real whole_direction[WHOLE_STATE_COUNT] = WHOLE_STATE(direction);
   model_contact_along(point, phase, whole, whole_direction, added);
@@ -98,7 +131,7 @@ SHARED_FN void reduced_contact_along(const ModelPoint* point, const PhaseCoefs* 
 #endif
 
 #ifdef MODEL_FORCE_DIRECTION_VARIES
-SHARED_FN void reduced_force_direction_tangent(const ModelPoint* point, const PhaseCoefs* phase,
+SHARED_FN void reduced_force_direction_tangent(const ModelPoint* point, const PhaseAt* phase,
                                                const real* x, int contact, const real* w,
                                                real* out) {
   const real whole[WHOLE_STATE_COUNT] = WHOLE_STATE(x);

@@ -8,6 +8,20 @@
 #include "observers_watch.h"
 #include "walk.h"
 
+// The moment at which a record begins.
+SHARED_FN void see_start(const ModelPoint* point, const WalkGrid* grid, const real* x,
+                         Instant* start) {
+#ifdef MODEL_SURFACES
+  const real zero = 0;
+  const SurfaceRows rows = surface_rows(grid->stages, grid->fractions[0] * point->period);
+  ModelPoint own = *point;
+  surfaces_begin(&own, &rows, x);
+  watch_instant(&own, &rows, zero, x, start);
+#else
+  take_moment(point, grid->stages, x, start);
+#endif
+}
+
 __kernel void settle(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state) {
   const uint items = round.items;
   const uint item = get_global_id(0);
@@ -63,7 +77,7 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   real log_stretching[TANGENT_VECTORS];
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
   if (round.done == 0) {
-    take_moment(&point, grid.stages, x, &watcher.before);
+    see_start(&point, &grid, x, &watcher.before);
     observers_init(&observers, &watcher.before);
   } else {
     observers_load(&observers, accumulators, items, item);
@@ -108,7 +122,7 @@ __kernel void replay(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   Extent extent;
   real log_stretching[TANGENT_VECTORS];
   for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = log_stretchings[(size_t)j * items + item];
-  take_moment(&point, grid.stages, x, &start);
+  see_start(&point, &grid, x, &start);
   observers_init(&observers, &start);
   for (uint period = 0; period < round.record; ++period) {
     const uint first_component = period % length * MODEL_STATE_COUNT;

@@ -12,13 +12,35 @@
 #define TANGENT_VECTORS (TANGENTS > 0 ? TANGENTS : 1)
 #define TANGENT_NUMBERS (TANGENT_VECTORS * MODEL_STATE_COUNT)
 
+// A motion that begins to slide along a surface loses what tangent vectors have across it. The
+// vector that is lost is 0 from then on, and its exponent minus infinity.
+#ifdef MODEL_SURFACES
+#define TANGENT_LOST ((scalar)(REAL_BITS == 64 ? 1.4e-14 : 7.6e-6))  // 64 roundings
+
+SHARED_FN real tangent_inverse(real length) {
+  const real zero = 0;
+  const real one = 1;
+  return lane_select(zero < length, one / length, zero);
+}
+#else
+SHARED_FN real tangent_inverse(real length) {
+  const real one = 1;
+  return one / length;
+}
+#endif
+
+// The size of its largest component.
+SHARED_FN real tangent_size(const real* w) {
+  real largest = lane_abs(w[0]);
+  for (int i = 1; i < MODEL_STATE_COUNT; ++i) largest = lane_max(largest, lane_abs(w[i]));
+  return largest;
+}
+
 // Divides a vector by its largest component, and returns that component. After it no square of a
 // component overflows or underflows in fp32.
 SHARED_FN real tangent_tame(real* w) {
-  const real one = 1;
-  real largest = lane_abs(w[0]);
-  for (int i = 1; i < MODEL_STATE_COUNT; ++i) largest = lane_max(largest, lane_abs(w[i]));
-  const real scale = one / largest;
+  const real largest = tangent_size(w);
+  const real scale = tangent_inverse(largest);
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[i] = w[i] * scale;
   return largest;
 }
@@ -26,15 +48,26 @@ SHARED_FN real tangent_tame(real* w) {
 // Makes the vectors orthonormal, and adds the logarithm of each vector's stretching. Only the loops
 // over pairs of vectors are unrolled, since they take most of the time. With the others unrolled,
 // too, the compiler would keep a single vector in the registers that the step of the state needs.
-SHARED_FN void tangent_orthonormalize(real* w, real* log_stretching) {
-  const real one = 1;
+// slid: the motion may have begun to slide since the last time.
+SHARED_FN void tangent_orthonormalize(mask slid, real* w, real* log_stretching) {
+#ifdef MODEL_SURFACES
+  real before[TANGENT_VECTORS];
+  for (int j = 0; j < TANGENTS; ++j) before[j] = tangent_size(w + j * MODEL_STATE_COUNT);
+#else
+  (void)slid;
+#endif
   for (int j = 0; j < TANGENTS; ++j) {
     real* row = w + j * MODEL_STATE_COUNT;
+#ifdef MODEL_SURFACES
+    const real zero = 0;
+    const mask is_lost = slid & (tangent_size(row) < TANGENT_LOST * before[j]);
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = lane_select(is_lost, zero, row[i]);
+#endif
     const real largest = tangent_tame(row);
     real squares = 0;
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) squares = squares + row[i] * row[i];
     // The loop below needs no square root, which takes long.
-    const real inverse_square = one / squares;
+    const real inverse_square = tangent_inverse(squares);
     for (int k = j + 1; k < TANGENTS; ++k) {
       real* other = w + k * MODEL_STATE_COUNT;
       real product = 0;
@@ -45,12 +78,13 @@ SHARED_FN void tangent_orthonormalize(real* w, real* log_stretching) {
       for (int i = 0; i < MODEL_STATE_COUNT; ++i) other[i] = other[i] - share * row[i];
     }
     const real length = lane_sqrt(squares);
-    const real inverse = one / length;
+    const real inverse = tangent_inverse(length);
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) row[i] = row[i] * inverse;
     log_stretching[j] = log_stretching[j] + lane_log(largest * length);
   }
 }
 
+#ifndef MODEL_SURFACES
 // Advances a state and its tangent vectors by one step; `beside` as in rk4_step.
 SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h, int beside,
                             real* x, real* middle, real* w) {
@@ -67,3 +101,4 @@ SHARED_FN void tangent_step(const ModelPoint* point, TABLE PhaseCoefs* stage, re
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) w[j * MODEL_STATE_COUNT + i] = row[i];
   }
 }
+#endif

@@ -13,6 +13,22 @@ SHARED_FN void keep_row(Watcher* watcher, const real* x) {
                    MODEL_STATE_COUNT, x);
 }
 
+#include "rk4/surface_part.h"
+
+#ifdef MODEL_SURFACES
+SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
+                             const real* x) {
+  keep_row(watcher, x);
+}
+
+SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const SurfacePart* part,
+                          mask where) {}
+
+SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
+                          real share, mask where, const real* x) {}
+
+SHARED_FN void watch_step_end(Watcher* watcher, const real* x) { keep_row(watcher, x); }
+#else
 SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, TABLE PhaseCoefs* stage,
                              const real* x) {
   keep_row(watcher, x);
@@ -22,6 +38,7 @@ SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE Phase
                           scalar share, const real* middle, const real* x) {
   keep_row(watcher, x);
 }
+#endif
 
 #include "walk.h"
 

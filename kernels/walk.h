@@ -2,11 +2,19 @@
 // checks the kernels. A file that includes this one defines before it: TANGENTS, STATE_LIMITS (of
 // each state the size from which on it has diverged, as an initialiser), the type Watcher, and
 //   watch_segment(watcher, point, stage, x)  called when a segment begins
-//   watch_step(watcher, point, stage, share, middle, x)
+//   watch_step(watcher, held, stage, share, middle, x)
 //                                            called when a step has ended, with the states in its
 //                                            middle and at its end; share: of a period
+// For a model with surfaces (MODEL_SURFACES), whose steps are cut (rk4/surfaces.h), instead of
+// these
+//   watch_segment(watcher, point, rows, x)   the same
+//   watch_part(watcher, point, part, where)  called when a part of a step has ended in these lanes
+//   watch_side(watcher, point, rows, share, where, x)
+//                                            called when these have changed a side
+//   watch_step_end(watcher, x)               called when a step has ended
 // unwatched.h defines a watcher that does nothing.
 
+#include "rk4/surfaces.h"
 #include "walk_types.h"
 
 // Ends a period: sets a state that has diverged to NaN, and takes full turns out of angles. What is
@@ -30,6 +38,19 @@ enum {
   WALK_WATCHED = 8       // the watcher is shown each segment and step
 };
 
+#ifdef MODEL_SURFACES
+SHARED_FN void walk_orthonormalize(ModelPoint* point, real* w, real* log_stretching) {
+  const real zero = 0;
+  tangent_orthonormalize(point->sides.slid, w, log_stretching);
+  point->sides.slid = zero != zero;
+}
+#else
+SHARED_FN void walk_orthonormalize(const ModelPoint* point, real* w, real* log_stretching) {
+  (void)point;
+  tangent_orthonormalize(0, w, log_stretching);
+}
+#endif
+
 // Advances a state by a period. All of this is inlined, so what is not asked for costs nothing.
 // events: steps in which a limit of the contact is crossed are corrected.
 SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool events, int beside,
@@ -39,24 +60,49 @@ SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool e
   const bool is_watched = beside & WALK_WATCHED;
   const int step_beside = (events ? RK4_CORRECTED : 0) | (is_watched ? RK4_MIDDLE : 0);
   real middle[MODEL_STATE_COUNT];
+#ifdef MODEL_SURFACES
+  ModelPoint own = *point;  // its sides change on the way
+  ModelPoint* held = &own;
+  own.sides.slid = !(x[0] == x[0]);
+  (void)middle;
+#else
+  const ModelPoint* held = point;
+#endif
   for (sweep_uint segment = 0; segment < grid->segments; ++segment) {
     const sweep_uint steps = grid->steps[segment];
     const scalar share = grid->fractions[segment];
     const real h = share * point->period;
     const bool is_last = segment + 1 == grid->segments;
-    if (is_watched) watch_segment(watcher, point, stage, x);
+#ifdef MODEL_SURFACES
+    SurfaceRows rows = surface_rows(stage, h);
+    surfaces_begin(held, &rows, x);
+    if (is_watched) watch_segment(watcher, held, &rows, x);
+#else
+    if (is_watched) watch_segment(watcher, held, stage, x);
+#endif
     for (sweep_uint step = 0; step < steps; ++step) {
+#ifdef MODEL_SURFACES
+      rows = surface_rows(stage, h);
+      surfaces_step(held, &rows, share, step_beside | (beside & WALK_TANGENTS ? RK4_LINEAR : 0), x,
+                    w, watcher);
+#else
       if (beside & WALK_TANGENTS) {
-        tangent_step(point, stage, h, step_beside, x, middle, w);
-        if (beside & WALK_STRETCHINGS && TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
-          tangent_orthonormalize(w, log_stretching);
-        }
+        tangent_step(held, stage, h, step_beside, x, middle, w);
       } else {
-        rk4_step(point, stage, h, step_beside, x, middle);
+        rk4_step(held, stage, h, step_beside, x, middle);
+      }
+#endif
+      if (beside & WALK_TANGENTS && beside & WALK_STRETCHINGS &&
+          TANGENT_IS_DUE(step, is_last && step + 1 == steps)) {
+        walk_orthonormalize(held, w, log_stretching);
       }
       if (beside & WALK_EXTENT && step % EXTENT_EVERY == 0) extent_widen(x, extent);
       stage += RK4_STAGES_PER_STEP;
-      if (is_watched) watch_step(watcher, point, stage, share, middle, x);
+#ifdef MODEL_SURFACES
+      if (is_watched) watch_step_end(watcher, x);
+#else
+      if (is_watched) watch_step(watcher, held, stage, share, middle, x);
+#endif
     }
     stage += 1;
   }

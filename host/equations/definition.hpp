@@ -36,6 +36,13 @@ struct ModelCheck {
   ExpressionText condition;  // of parameters, choices and curves
 };
 
+// [surfaces.wall]: where `when` goes from below 0 to above it, the state is reset.
+struct SurfaceDefinition {
+  std::string name;
+  ExpressionText when;
+  std::vector<ExpressionText> reset;  // [state]
+};
+
 struct ModelDefinition {
   std::string name, summary;
   std::vector<std::string> assumptions;  // of Model
@@ -63,7 +70,8 @@ struct ModelDefinition {
   std::vector<ExpressionText> equations;      // [state]
   std::vector<ExpressionText> start;          // [state]; of parameters alone
   std::vector<ExpressionText> signal_values;  // [signal]
-  ExpressionText period;                      // in dimensionless time; of parameters alone
+  std::vector<SurfaceDefinition> surfaces;
+  ExpressionText period;  // in dimensionless time; of parameters alone
   // How many of these make a period of the forcing, whole, of parameters alone: `turn` counts them
   // from 0 on, and `phase` begins anew in each. Empty: one.
   std::optional<ExpressionText> cycle;

@@ -94,21 +94,26 @@ void set_lists(const ModelDefinition& definition, const Formula& formula, const 
 
 // A state that counts within one turn must not tell one turn from the next.
 void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula) {
-  for (std::size_t i = 0; i < definition.states.size(); ++i) {
-    if (!definition.are_angles[i]) continue;
-    for (std::size_t row = 0; row < formula->equations.size(); ++row) {
-      if (is_taken_in_turns(&formula->graph, {formula->equations[row]}, formula->states[i],
-                            kWholePhase)) {
-        continue;
-      }
-      const ExpressionText& text = definition.equations[row];
+  const auto refuse = [&](NodeId id, const ExpressionText& text, const std::string& what) {
+    for (std::size_t i = 0; i < definition.states.size(); ++i) {
+      if (!definition.are_angles[i]) continue;
+      if (is_taken_in_turns(&formula->graph, {id}, formula->states[i], kWholePhase)) continue;
       const std::string& name = definition.states[i].name;
       throw InputError(fmt::format(
-          "{}:{}: '{}' is an angle, which is counted within one turn, and the equation of {} tells "
-          "its turns apart: an angle may stand in sin, cos and tan alone, with whole numbers as "
-          "factors, as in sin(2*{} - phase); leave out 'angle = true'",
-          text.file, text.line, name, definition.states[row].name, name));
+          "{}:{}: '{}' is an angle, which is counted within one turn, and {} tells its turns "
+          "apart: "
+          "an angle may stand in sin, cos and tan alone, with whole numbers as factors, as in "
+          "sin(2*{} - phase); leave out 'angle = true'",
+          text.file, text.line, name, what, name));
     }
+  };
+  for (std::size_t row = 0; row < formula->equations.size(); ++row) {
+    refuse(formula->equations[row], definition.equations[row],
+           fmt::format("the equation of {}", definition.states[row].name));
+  }
+  for (std::size_t i = 0; i < formula->impacts.size(); ++i) {
+    refuse(formula->impacts[i].when, definition.surfaces[i].when,
+           fmt::format("surface '{}'", definition.surfaces[i].name));
   }
 }
 
@@ -277,6 +282,15 @@ Model make_model(const ModelDefinition& given) {
   for (const RoughPlace& place : lowered.uncorrected) {
     model.uncorrected.push_back(
         fmt::format("{} (in {})", place.expression, equation_of(definition, place)));
+  }
+  for (const Surface& surface : lowered.surfaces) {
+    SurfaceInfo info{surface.name, "", "", surface.is_staircase, !surface.reset.empty()};
+    if (!info.resets) {
+      const StateJump jump = state_jumps_of(definition, {surface.place}).front();
+      info.expression = jump.expression;
+      info.place = jump.place;
+    }
+    model.surfaces.push_back(info);
   }
   model.state_jumps = state_jumps_by_setting(definition, written, lowered);
   model.findings = findings_of(definition, formula, lowered, tapes->breaks);

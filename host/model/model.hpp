@@ -87,10 +87,36 @@ struct ContactInfo {
   bool is_one_sided = false;                 // it has the drive flank alone
 };
 
-// A place where an equation jumps with a state, as sign(v) does.
+// A place where an equation jumps with a state, as sign(v) does, and at which steps are not cut.
 struct StateJump {
   std::string expression;  // "sign(v)"
   std::string place;       // "the equation of v, dry.toml:12"
+};
+
+// A place at which steps are cut: where its level is 0, or, of a staircase, a whole number. The
+// equations jump there, or the state is reset where the level goes from below to above.
+struct SurfaceInfo {
+  std::string name;               // of one where the state is reset
+  std::string expression, place;  // of another one, as of StateJump
+  bool is_staircase = false;
+  bool resets = false;
+};
+
+// What is worked out of all surfaces. A motion may stay at one: along a jump its level is held, at
+// one where the state is reset the level's rate.
+enum class SurfaceValue {
+  level,                // [surface]
+  level_gradient,       // by the states: [surface][state]
+  level_drift,          // in dimensionless time, with the phase alone: [surface]
+  held,                 // [surface]
+  held_gradient,        // [surface][state]
+  held_bend,            // the second derivative: [surface][state][state]
+  held_drift,           // [surface]
+  held_drift_gradient,  // [surface][state]
+  reset,                // the state behind it: [surface][state]
+  reset_gradient,       // [surface][state][state]
+  reset_drift,          // [surface][state]
+  turn                  // how a reset by a small rate changes the state: [surface][state]
 };
 
 // One flank's limit, or a corner of the equations: p = D - flank b' is 0 there.
@@ -123,6 +149,16 @@ class PreparedPoint {
   // out: d(p)/dx_j at a limit, touching or not; one number per state.
   virtual void penetration_gradient(const ContactLimit& limit, const double* coefs, const double* x,
                                     double* out) const = 0;
+
+  // The sides of the model's surfaces on which everything is worked out from now on, [surface]: 1
+  // where the level is above 0, 0 below it; of a staircase the level's floor. Empty, as it begins:
+  // the side that each x is on.
+  virtual void hold(const std::vector<double>& sides) { (void)sides; }
+  // out: row-major, as SurfaceValue says.
+  virtual void of_surfaces(SurfaceValue value, const double* coefs, const double* x,
+                           double* out) const {
+    (void)value, (void)coefs, (void)x, (void)out;
+  }
 };
 
 // Pairs of states that may mirror each other: while parameters come in equal pairs, the equilibrium
@@ -211,6 +247,7 @@ struct Model {
   std::size_t corners = 0;
   // Corners with a state that steps are not corrected for; a line each says which, and why.
   std::vector<std::string> uncorrected;
+  std::vector<SurfaceInfo> surfaces;
   std::vector<MirrorPairs> mirror_pairs;
   // A table bends inside the steps: nothing is read between the moments of a step.
   bool is_rough = false;
@@ -259,8 +296,8 @@ struct Model {
   // What it was made for, and the same model for another study.
   Binding binding;
   std::function<Model(const Binding&)> bound;
-  // Where the equations jump with a state, with the options of a setting. Steps are of first order
-  // there, and tangents miss what a jump does to them.
+  // Where the equations jump with a state and steps are not cut, with the options of a setting.
+  // Steps are of first order there, and tangents miss what a jump does to them.
   std::function<std::vector<StateJump>(const ModelSetting&)> state_jumps = [](const ModelSetting&) {
     return std::vector<StateJump>();
   };

@@ -18,13 +18,15 @@ void Extent::take(const Eigen::VectorXd& state) {
   max = max.cwiseMax(state);
 }
 
-Flow::Flow(const Model& model, const ModelSetting& setting, const PreparedPoint& point,
+Flow::Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point,
            const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents)
     : row_at_(model.phase_rows(setting)),
       grid_(grid),
-      period_(point.period()),
+      period_(point->period()),
       row_width_(model.phase_coefs.size()),
-      field_(model, point),
+      field_(model, *point),
+      held_(model, point),
+      has_surfaces_(!model.surfaces.empty()),
       grazes_(model.contact_limits().size()),
       extent_{state, state},
       at_{state, tangents},
@@ -43,14 +45,28 @@ void Flow::advance_period() {
     const double length = grid_.segment_fractions[segment];
     const std::uint32_t count = grid_.segment_steps[segment];
     const double inside = phase + 0.5 * length * count;
+    if (has_surfaces_) {
+      const GridStep first = {coefs, phase, length, inside};
+      held_.begin(moments_of(first)(0.0).data(), length * period_, at_.state.data());
+    }
     for (std::uint32_t i = 0; i < count; ++i) {
-      advance({coefs, phase + length * i, length, inside});
+      const GridStep step = {coefs, phase + length * i, length, inside};
+      has_surfaces_ ? advance_through_surfaces(step) : advance(step);
       extent_.take(at_.state);
       coefs += 2 * row_width_;
     }
     phase += length * count;
     coefs += row_width_;  // the next segment has its own one-sided row at the break phase
   }
+}
+
+StepMoments Flow::moments_of(const GridStep& step) const {
+  return {&row_at_, row_width_, step.phase, step.length, step.inside, period_};
+}
+
+void Flow::advance_through_surfaces(const GridStep& step) {
+  const auto nobody = [](double, double, const Carried&, const Carried&) {};
+  HeldStep<Carried>{&held_, moments_of(step), nobody}.advance(&at_);
 }
 
 void Flow::advance(const GridStep& step) {

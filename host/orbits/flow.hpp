@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/held_step.hpp"
 #include "orbits/contact_field.hpp"
 #include "plan/phase_grid.hpp"
 
@@ -36,7 +37,7 @@ struct Extent {
 class Flow {
  public:
   // From `state` at phase 0. `tangents`, one a column, travel with it; none: only the state.
-  Flow(const Model& model, const ModelSetting& setting, const PreparedPoint& point,
+  Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point,
        const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
 
   void advance_period();
@@ -79,6 +80,9 @@ class Flow {
   };
 
   void advance(const GridStep& step);
+  // Of a model with surfaces: beside these, steps are cut at limits of its contacts.
+  void advance_through_surfaces(const GridStep& step);
+  StepMoments moments_of(const GridStep& step) const;
   // Carries `carried` from the start of a part to a share of the step.
   Seen carry(const Part& part, double to, Carried* carried);
   Depths stage(const double* coefs, const Contact& held, const Carried& at, Carried* slope);
@@ -102,6 +106,8 @@ class Flow {
   double period_;
   std::size_t row_width_;
   ContactField field_;
+  HeldField held_;
+  bool has_surfaces_;
   std::vector<Graze> grazes_;
   Extent extent_;
   Carried at_;     // where the trajectory is

@@ -34,13 +34,13 @@ bool PeriodMap::advance(Flow* flow, std::size_t periods) const {
 }
 
 std::optional<VectorXd> PeriodMap::advance(const VectorXd& state, std::size_t periods) const {
-  Flow flow(*model_, setting_, *point_, grid_, state, MatrixXd(state.size(), 0));
+  Flow flow(*model_, setting_, point_.get(), grid_, state, MatrixXd(state.size(), 0));
   if (!advance(&flow, periods)) return std::nullopt;
   return flow.state();
 }
 
 std::optional<PeriodImage> PeriodMap::linearize(const VectorXd& state, std::size_t periods) const {
-  Flow flow(*model_, setting_, *point_, grid_, state,
+  Flow flow(*model_, setting_, point_.get(), grid_, state,
             MatrixXd::Identity(state.size(), state.size()));
   if (!advance(&flow, periods)) return std::nullopt;
   return PeriodImage{flow.state(), flow.tangents(), flow.nearest_grazes(), flow.extent()};

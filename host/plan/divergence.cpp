@@ -18,6 +18,8 @@ Divergence::Divergence(const Study& study) {
     return field.graph[id].operation != Operation::symbol ||
            std::ranges::find(field.parameters, id) != field.parameters.end();
   });
+  // A jump stretches and squeezes beside the field.
+  is_constant_ = is_constant_ && study.model->surfaces.empty();
   if (is_constant_) tape_ = Tape(field.graph, field.parameters, {sum});
 }
 

@@ -16,7 +16,8 @@ class Divergence {
   // With the options of the study.
   explicit Divergence(const Study& study);
 
-  // In inverse time of the model. Nothing where a state or the phase changes it.
+  // In inverse time of the model. Nothing where a state or the phase changes it, nor where the
+  // equations jump with a state: tangent vectors jump there, too.
   std::optional<double> at(const ModelSetting& setting) const;
 
  private:

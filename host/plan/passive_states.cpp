@@ -185,6 +185,8 @@ Study without_passive_states(const Study& study) {
   const Selection& selection = study.selection;
   if (study.integrate.states == States::all || study.model->whole != nullptr ||
       study.integrate.engine != EngineKind::opencl ||
+      // A reset may put any state anywhere.
+      std::ranges::any_of(study.model->surfaces, &SurfaceInfo::resets) ||
       std::ranges::any_of(selection.observers, looks_at_all_states)) {
     return study;
   }

@@ -129,9 +129,13 @@ class ReferenceEngine final : public Engine {
     const PhaseGrid& grid = trajectory.grid();
     for (std::size_t period = 0; period < settle + record; ++period) {
       std::size_t segment = 0, step = 0;
+      bool is_within_step = false;
       const bool alive = trajectory.advance_period([&](const TrajectoryStep& taken) {
         if (period < settle) return;
-        if (step == 0) keep(taken.before);
+        if (step == 0 && !is_within_step) keep(taken.before);
+        // A step may come in parts.
+        is_within_step = !taken.ends_step;
+        if (is_within_step) return;
         keep(taken.after);
         if (++step < grid.segment_steps[segment]) return;
         step = 0;

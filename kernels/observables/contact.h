@@ -70,7 +70,7 @@ SHARED_FN void contact_step(real* sums, ContactDepths earlier, ContactDepths bef
                             ContactDepths middle, ContactDepths after, const Step* step) {
   const real zero = 0;
   const real one = 1;
-  const scalar weight = step->weight;
+  const Share weight = step->weight;
   real losses = 0;
   const real drive =
       contact_share(earlier.drive, before.drive, middle.drive, after.drive, step->cubic, &losses);

@@ -47,7 +47,7 @@ SHARED_FN void contact_impacts_see(real earlier, real before, real middle, real 
   if (!contact_touch(earlier, before, middle, after, step->cubic, &touch)) return;
   const mask first = touch.changes & touch.in_first & !touch.on_before;
   const mask second = touch.changes & touch.in_second & !touch.on_turn;
-  const scalar per_period = (scalar)(2) / step->weight;
+  const Share per_period = (scalar)(2) / step->weight;
   const real first_speed = per_period * step_curve_slope(&touch.depth, touch.first);
   const real second_speed = per_period * step_curve_slope(&touch.depth, touch.second);
   *count = *count + lane_select(first, one, zero) + lane_select(second, one, zero);

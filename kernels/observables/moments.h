@@ -36,7 +36,7 @@ SHARED_FN void moments_init(real* sums, real value) {
 
 SHARED_FN void moments_step(real* sums, real earlier, real before, real middle, real after,
                             const Step* step) {
-  const scalar sixth_weight = (scalar)(1.0 / 6.0) * step->weight;
+  const Share sixth_weight = (scalar)(1.0 / 6.0) * step->weight;
   const scalar four = 4;
   const real a = before - sums[moments_origin];
   const real m = middle - sums[moments_origin];

@@ -43,7 +43,7 @@ SHARED_FN void state_moments_init(real* sums, const Instant* start) {
   for (int i = state_moments_block; i < state_moments_accumulators; ++i) sums[i] = 0;
 }
 
-SHARED_FN void state_moments_add(real* sums, const real* x, scalar weight) {
+SHARED_FN void state_moments_add(real* sums, const real* x, Share weight) {
   real at[MODEL_STATE_COUNT];
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) at[i] = x[i];
@@ -59,7 +59,7 @@ SHARED_FN void state_moments_add(real* sums, const real* x, scalar weight) {
 // By Simpson's rule.
 SHARED_FN void state_moments_step(real* sums, const Step* step) {
 #ifdef MODEL_AUTONOMOUS
-  const scalar sixth = (scalar)(1.0 / 6.0) * step->weight;
+  const Share sixth = (scalar)(1.0 / 6.0) * step->weight;
   state_moments_add(sums, step->before->x, sixth);
   state_moments_add(sums, step->middle->x, (scalar)(4) * sixth);
   state_moments_add(sums, step->after->x, sixth);

@@ -45,7 +45,7 @@ typedef struct {
   ContactCrossings contact[MODEL_CONTACTS];
 #ifdef MODEL_FORCE_DIRECTION_VARIES
   // Where the direction depends on the state, a tangent vector turns it: what it is added to.
-  PhaseCoefs start, end;
+  PhaseAt start, end;
   real from[MODEL_STATE_COUNT], to[MODEL_STATE_COUNT];
   real h;
 #endif
@@ -177,9 +177,9 @@ SHARED_FN bool crossings_any(const ContactSeen* seen, int contact) {
 }
 
 // How the end of a step from x0 to x1 moves with the integrals of p.
-SHARED_FN void crossings_aim(const ModelPoint* point, const PhaseCoefs* start,
-                             const PhaseCoefs* end, real h, const real* x0, const real* x1,
-                             int contact, ContactCrossings* crossings) {
+SHARED_FN void crossings_aim(const ModelPoint* point, const PhaseAt* start, const PhaseAt* end,
+                             real h, const real* x0, const real* x1, int contact,
+                             ContactCrossings* crossings) {
   real before[MODEL_STATE_COUNT];
   real carried[MODEL_STATE_COUNT];
 
@@ -201,9 +201,9 @@ SHARED_FN void crossings_aim(const ModelPoint* point, const PhaseCoefs* start,
 
 // Corrects the end x1 of a step from x0 from what its evaluations saw, and keeps what
 // rk4_tangent_step needs for the same.
-SHARED_FN void crossings_correct(const ModelPoint* point, const PhaseCoefs* start,
-                                 const PhaseCoefs* end, real h, const ContactSeen* seen,
-                                 const real* x0, real* x1, Crossings* crossings) {
+SHARED_FN void crossings_correct(const ModelPoint* point, const PhaseAt* start, const PhaseAt* end,
+                                 real h, const ContactSeen* seen, const real* x0, real* x1,
+                                 Crossings* crossings) {
   const real one = 1;
 #ifdef MODEL_FORCE_DIRECTION_VARIES
   crossings->start = *start;

@@ -13,8 +13,10 @@ typedef int ContactSeen;
 typedef int Crossings;
 #endif
 
+#include "rk4/sliding.h"
+
 // dx = dx/dtau.
-SHARED_FN void rk4_slope(const ModelPoint* point, const PhaseCoefs* phase, const real* x,
+SHARED_FN void rk4_slope(const ModelPoint* point, const PhaseAt* phase, const real* x,
                          ContactSeen* seen, real* dx) {
 #ifdef MODEL_CONTACT
   model_contact(point, phase, x, seen->at);
@@ -22,6 +24,9 @@ SHARED_FN void rk4_slope(const ModelPoint* point, const PhaseCoefs* phase, const
 #else
   (void)seen;
   model_rhs(point, phase, x, dx);
+#endif
+#ifdef MODEL_SURFACES
+  sliding_slope(point, phase, x, dx);
 #endif
 }
 
@@ -71,42 +76,59 @@ enum {
   RK4_CORRECTED = 4  // a step in which a limit of the contact is crossed is corrected
 };
 
+// What is known of the model's field at both ends of a step, and on the way.
+typedef struct {
+  real first[MODEL_STATE_COUNT], last[MODEL_STATE_COUNT];  // last: to third order
+} Rk4Slopes;
+
+// The state h (dimensionless time) after x.
+SHARED_FN void rk4_advance_by(const ModelPoint* point, const PhaseAt* start, const PhaseAt* middle,
+                              const PhaseAt* end, real h, int beside, const real* x, real* next,
+                              Rk4Slopes* slopes, ModelLinear* linear, Crossings* crossings) {
+  const bool is_linear = beside & RK4_LINEAR;
+  const Rk4Lengths lengths = rk4_lengths(h);
+  real slope[MODEL_STATE_COUNT];
+  real at[MODEL_STATE_COUNT];
+  ContactSeen seen[RK4_EVALUATIONS];
+
+  if (is_linear) model_linearize(point, start, x, lengths.half_h, &linear[0]);
+  rk4_slope(point, start, x, &seen[0], slopes->first);
+  rk4_advance(x, lengths.sixth_h, slopes->first, next);
+  rk4_advance(x, lengths.half_h, slopes->first, at);
+  if (is_linear) model_linearize(point, middle, at, lengths.half_h, &linear[1]);
+  rk4_slope(point, middle, at, &seen[1], slope);
+  rk4_advance(next, lengths.third_h, slope, next);
+  rk4_advance(x, lengths.half_h, slope, at);
+  if (is_linear) model_linearize(point, middle, at, h, &linear[2]);
+  rk4_slope(point, middle, at, &seen[2], slope);
+  rk4_advance(next, lengths.third_h, slope, next);
+  rk4_advance(x, h, slope, at);
+  if (is_linear) model_linearize(point, end, at, lengths.sixth_h, &linear[3]);
+  rk4_slope(point, end, at, &seen[3], slopes->last);
+  rk4_advance(next, lengths.sixth_h, slopes->last, next);
+#ifdef MODEL_CONTACT
+  if (beside & RK4_CORRECTED) {
+    crossings_correct(point, start, end, h, seen, x, next, crossings);
+  }
+#endif
+}
+
+#ifndef MODEL_SURFACES
+
 // Advances x by h (dimensionless time).
 SHARED_FN void rk4_step_linearized(const ModelPoint* point, TABLE PhaseCoefs* stage, real h,
                                    int beside, real* x, real* middle_state, ModelLinear* linear,
                                    Crossings* crossings) {
-  const bool is_linear = beside & RK4_LINEAR;
-  const Rk4Lengths lengths = rk4_lengths(h);
   const PhaseCoefs start = stage[0];
   const PhaseCoefs middle = stage[1];
   const PhaseCoefs end = stage[2];
-  real slope[MODEL_STATE_COUNT];
-  real at[MODEL_STATE_COUNT];
   real next[MODEL_STATE_COUNT];
-  ContactSeen seen[RK4_EVALUATIONS];
-
-  if (is_linear) model_linearize(point, &start, x, lengths.half_h, &linear[0]);
-  rk4_slope(point, &start, x, &seen[0], slope);
-  if (beside & RK4_MIDDLE) rk4_middle_begin(h, slope, middle_state);
-  rk4_advance(x, lengths.sixth_h, slope, next);
-  rk4_advance(x, lengths.half_h, slope, at);
-  if (is_linear) model_linearize(point, &middle, at, lengths.half_h, &linear[1]);
-  rk4_slope(point, &middle, at, &seen[1], slope);
-  rk4_advance(next, lengths.third_h, slope, next);
-  rk4_advance(x, lengths.half_h, slope, at);
-  if (is_linear) model_linearize(point, &middle, at, h, &linear[2]);
-  rk4_slope(point, &middle, at, &seen[2], slope);
-  rk4_advance(next, lengths.third_h, slope, next);
-  rk4_advance(x, h, slope, at);
-  if (is_linear) model_linearize(point, &end, at, lengths.sixth_h, &linear[3]);
-  rk4_slope(point, &end, at, &seen[3], slope);
-  rk4_advance(next, lengths.sixth_h, slope, next);
-#ifdef MODEL_CONTACT
-  if (beside & RK4_CORRECTED) {
-    crossings_correct(point, &start, &end, h, seen, x, next, crossings);
+  Rk4Slopes slopes;
+  rk4_advance_by(point, &start, &middle, &end, h, beside, x, next, &slopes, linear, crossings);
+  if (beside & RK4_MIDDLE) {
+    rk4_middle_begin(h, slopes.first, middle_state);
+    rk4_middle_end(x, next, h, slopes.last, middle_state);
   }
-#endif
-  if (beside & RK4_MIDDLE) rk4_middle_end(x, next, h, slope, middle_state);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = next[i];
 }
@@ -117,6 +139,8 @@ SHARED_FN void rk4_step(const ModelPoint* point, TABLE PhaseCoefs* stage, real h
   Crossings crossings;
   rk4_step_linearized(point, stage, h, beside, x, middle, 0, &crossings);
 }
+
+#endif
 
 // With MODEL_SECOND_ORDER a model says that the first half of its states are positions, the second
 // half their velocities in the same order. Any model may be without it; positions then take a

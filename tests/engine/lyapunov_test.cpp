@@ -32,7 +32,7 @@ using ::testing::Ge;
 using ::testing::Gt;
 using ::testing::Lt;
 
-const std::string kObserveAll =
+const std::string kObserveExponents =
     "[observe]\nquantities = ['lyapunov_max', 'lyapunov_max_error', 'lyapunov_max_per_period', "
     "'lyapunov_spectrum', 'kaplan_yorke', 'contact_class']\n";
 
@@ -101,8 +101,8 @@ TEST(LyapunovSum, PrintedDynamicBacklash) {
 // Both engines do the same steps. They round differently, and chaos makes 1e-15 into 1e-11 over the
 // 130 units of time that the chaotic runs last.
 void expect_exponents_agree(const std::string& toml, double tolerance) {
-  const SweepResult kernel = run(toml + kObserveAll);
-  const SweepResult reference = run(toml + kObserveAll, {"integrate.engine='reference'"});
+  const SweepResult kernel = run(toml + kObserveExponents);
+  const SweepResult reference = run(toml + kObserveExponents, {"integrate.engine='reference'"});
   EXPECT_THAT(kernel.status, Each(0));
   EXPECT_THAT(reference.status, Each(0));
   for (const Quantity& quantity : kernel.study.selection.quantities) {
@@ -154,7 +154,8 @@ const std::string kChaos =
 // Two trajectories of chaos: as estimates of one number they differ by less than 5 standard errors
 // (which are themselves known to a fifth, from 16 blocks).
 TEST(LyapunovFp32, ChaosHasTheExponentOfFp64) {
-  const std::string toml = kChaos + "[integrate]\nsettle = 400\nrecord = 3200\n" + kObserveAll;
+  const std::string toml =
+      kChaos + "[integrate]\nsettle = 400\nrecord = 3200\n" + kObserveExponents;
   const SweepResult exact = run(toml);
   const SweepResult single = run(toml, {"integrate.precision=fp32"});
   for (std::size_t i = 0; i < exact.status.size(); ++i) {
@@ -175,7 +176,7 @@ TEST(LyapunovFp32, LongPeriodsNeitherOverflowNorVanish) {
   const std::string toml =
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.002, 0.005, 0.02, 0.1]\n"
       "[integrate]\nsettle = 2\nrecord = 8\n" +
-      kObserveAll;
+      kObserveExponents;
   const SweepResult exact = run(toml);
   const SweepResult single = run(toml, {"integrate.precision=fp32"});
   for (std::size_t i = 0; i < single.status.size(); ++i) {
@@ -189,7 +190,8 @@ TEST(LyapunovFp32, LongPeriodsNeitherOverflowNorVanish) {
 // the finest steps: 1.3e-6 was seen, and 8e-4 without the correction.
 TEST(LyapunovEvents, ExponentsAreConvergedAtTheDefaultStep) {
   const std::string toml =
-      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 0.9]\n" + kObserveAll;
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 0.9]\n" +
+      kObserveExponents;
   const SweepResult result = run(toml);
   const SweepResult plain = run(toml, {"integrate.events=false"});
   const SweepResult fine = run(toml, {"integrate.steps_per_period=2048"});
@@ -212,7 +214,7 @@ TEST(LyapunovEvents, ExponentsOfWedgedTeethAreConvergedToo) {
   const std::string toml =
       "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[parameters]\nb = 0.2553\n[[axes]]\n"
       "name = 'omega'\nvalues = [0.5021]\n[integrate]\nsteps_per_period = 512\n" +
-      kObserveAll;
+      kObserveExponents;
   const SweepResult result = run(toml);
   const SweepResult fine = run(toml, {"integrate.steps_per_period=2048"});
   EXPECT_EQ(map_of(result, "contact_class")[0], 3.0);
@@ -228,7 +230,8 @@ TEST(Lyapunov, IsTheGrowthOfASmallDifference) {
   const std::string common =
       kChaos + "[[axes]]\nname = 'x1'\nvalues = " + digits(std::vector<double>{1.2, 1.2 + 1e-12}) +
       "\n[initial]\npolicy = 'fixed'\nstate = {x3 = 0.1}\n";
-  const SweepResult tangent = run(common + "[integrate]\nsettle = 60\nrecord = 40\n" + kObserveAll);
+  const SweepResult tangent =
+      run(common + "[integrate]\nsettle = 60\nrecord = 40\n" + kObserveExponents);
   // The first sample is taken where the other run begins to record.
   const SweepResult states =
       run(common + "[integrate]\nsettle = 59\nrecord = 41\n" + kObserveGear5);
@@ -289,7 +292,7 @@ TEST(Lyapunov, IsTheFloquetExponentOfAPeriodicOrbit) {
                                    "'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 0.8, "
                                    "1.0]\n[integrate]\nsettle = 2000\nwarm_up = 2000\n"
                                    "record = 2000\n" +
-                                   kObserveAll);
+                                   kObserveExponents);
     EXPECT_THAT(map_of(result, "contact_class"), Contains(Ge(1.0)));
     const Plan plan(result.study, 256);
     for (std::size_t i = 0; i < result.status.size(); ++i) {
@@ -310,7 +313,7 @@ TEST(Lyapunov, KaplanYorkeFollowsFromTheSpectrum) {
   const SweepResult result =
       run("[model]\npreset = 'coarse'\n[parameters]\nb = 1.4\n[[axes]]\nname = 'omega'\n"
           "values = [0.65, 1.3, 1.35, 1.4, 1.7]\n[integrate]\nsettle = 100\nrecord = 100\n" +
-          kObserveAll);
+          kObserveExponents);
   const std::vector<double>& dimensions = map_of(result, "kaplan_yorke");
   for (std::size_t i = 0; i < result.status.size(); ++i) {
     std::vector<double> exponents = spectrum_of(result, i);
@@ -337,7 +340,7 @@ TEST(Lyapunov, DoesNotDependOnHowTheWorkIsCutUp) {
       "[model]\npreset = 'coarse'\nbacklash = 'dynamic'\n[[axes]]\nname = 'omega'\n"
       "from = 0.4\nto = 1.8\ncount = 45\n[integrate]\nsettle = 12\nwarm_up = 7\n"
       "record = 11\n" +
-      kObserveAll;
+      kObserveExponents;
   const SweepResult expected = run(toml);
   for (const char* cut : {"integrate.tile=10", "integrate.round=1", "integrate.round=5"}) {
     const SweepResult result = run(toml, {cut});

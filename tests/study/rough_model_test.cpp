@@ -33,9 +33,11 @@ std::string study_of(const std::string& model, const std::string& rest) {
          rest;
 }
 
+// Those that steps are cut at, then the others.
 std::vector<std::string> jumps_of(const std::string& expression) {
   const auto model = read_model_text(model_with(expression), "dry.toml");
   std::vector<std::string> out;
+  for (const SurfaceInfo& surface : model->surfaces) out.push_back(surface.expression);
   for (const StateJump& jump : model->state_jumps(model->default_setting())) {
     out.push_back(jump.expression);
   }
@@ -94,6 +96,18 @@ TEST(RoughModel, HasNoneWhereBothSidesAreTheSame) {
   }
 }
 
+// Steps are cut where it can be said on which side a motion is: not at the turn of atan2, and not
+// where the place of a jump jumps itself.
+TEST(RoughModel, KnowsTheSidesOfItsJumps) {
+  const auto unlocated = [](const std::string& text) {
+    const auto model = read_model_text(model_with(text), "dry.toml");
+    return model->state_jumps(model->default_setting()).size();
+  };
+  EXPECT_EQ(unlocated("sign(v) + floor(x) + step(x - v)"), 0U);
+  EXPECT_EQ(unlocated("atan2(v, x)"), 1U);
+  EXPECT_EQ(unlocated("sign(v - sign(x))"), 1U);
+}
+
 // Which corners steps are corrected for.
 TEST(RoughModel, HasTheCornersOfItsEquations) {
   struct Case {
@@ -141,23 +155,23 @@ TEST(RoughModel, ShowsItsContactsAlone) {
   EXPECT_EQ(model->contact_limits().size(), 3U);
 }
 
-TEST(RoughModel, SaysWhatCannotBeAskedWhereItJumps) {
-  const std::string model = model_with("-0.3*sign(v)");
+TEST(RoughModel, SaysWhatCannotBeAskedWhereStepsAreNotCut) {
+  const std::string model = model_with("-0.3*atan2(v, x)");
   for (const char* const quantity :
        {"lyapunov_max", "lyapunov_max_error", "lyapunov_spectrum", "kaplan_yorke", "period",
         "motion_class", "settled", "attractor"}) {
     EXPECT_THAT(refusal(study_of(
                     model, fmt::format("[observe]\nquantities = ['x_rms', '{}']\n", quantity))),
                 AllOf(HasSubstr("s.toml:"), HasSubstr(quantity),
-                      HasSubstr("sign(v) jumps with a state"), HasSubstr("the equation of v")))
+                      HasSubstr("atan2(v, x) jumps with a state"), HasSubstr("the equation of v")))
         << quantity;
   }
   EXPECT_THAT(refusal(study_of(model, "[integrate]\ntolerance = 1e-4\n")), HasSubstr("max_step"));
   const Study study = read_study(
       study_of(model, "[observe]\nquantities = ['x_rms', 'x_max', 'poincare', 'zero_one']\n"),
       "s.toml");
-  EXPECT_THAT(study.accuracy, HasSubstr("first order where sign(v) jumps"));
-  EXPECT_THAT(study.notices, ElementsAre(HasSubstr("sign(v)")));
+  EXPECT_THAT(study.accuracy, HasSubstr("first order where atan2(v, x) jumps"));
+  EXPECT_THAT(study.notices, ElementsAre(HasSubstr("atan2(v, x)")));
   EXPECT_EQ(study.integrate.stop, Stop::never);
   EXPECT_EQ(study.integrate.tolerance, 0.0);
 }
@@ -165,10 +179,10 @@ TEST(RoughModel, SaysWhatCannotBeAskedWhereItJumps) {
 // A choice that the study makes takes a jump away.
 TEST(RoughModel, JumpsByItsOptions) {
   const std::string model = model_with(
-      "-0.3*if(law.dry, sign(v), tanh(9*v))",
+      "-0.3*if(law.dry, atan2(v, x), tanh(9*v))",
       "[options]\nlaw = { choices = [\"dry\", \"smooth\"], meaning = \"of friction\" }\n");
   const std::string asked = "[observe]\nquantities = ['lyapunov_max']\n";
-  EXPECT_THAT(refusal(study_of(model, asked)), HasSubstr("sign(v)"));
+  EXPECT_THAT(refusal(study_of(model, asked)), HasSubstr("atan2(v, x)"));
   EXPECT_EQ(refusal(study_of(model, asked), {"model.law=smooth"}), "");
 }
 

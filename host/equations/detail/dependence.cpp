@@ -53,7 +53,7 @@ Dependence Dependences::of_symbol(NodeId id) const {
   Dependence found;
   found.phase = id == formula_.phase || id == formula_.turn;
   const auto state = std::ranges::find(formula_.states, id);
-  found.state = state != formula_.states.end();
+  found.state = state != formula_.states.end() || std::ranges::find(sides_, id) != sides_.end();
   const auto number = static_cast<std::size_t>(state - formula_.states.begin());
   found.velocity = has_velocities_ && found.state && number >= formula_.states.size() / 2;
   found.swept = !found.phase && !found.state && is_swept(id);

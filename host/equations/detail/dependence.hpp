@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "equations/detail/formula.hpp"
 
@@ -22,6 +23,9 @@ class Dependences {
   // From here on, before anything is asked for: the second half of the states are velocities.
   void know_velocities() { has_velocities_ = true; }
 
+  // These symbols change with the states.
+  void know_sides(const std::vector<NodeId>& sides) { sides_ = sides; }
+
   const Dependence& of(NodeId id);
 
  private:
@@ -30,6 +34,7 @@ class Dependences {
 
   const Formula& formula_;
   bool has_velocities_ = false;
+  std::vector<NodeId> sides_;
   std::map<NodeId, Dependence> known_;
 };
 

@@ -26,6 +26,17 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
                     "no exponents, periods and kinds of motion",
                     jump.expression, jump.place));
   }
+  for (const Surface& surface : lowered.surfaces) {
+    if (!surface.reset.empty()) {
+      add(fmt::format("surface '{}': the state is reset where {} goes from below 0 to above it",
+                      surface.name, to_short_text(graph, surface.level, formula.names)));
+      continue;
+    }
+    add(
+        fmt::format("jumps with a state: {} (in {}); steps are cut there, and a motion that both "
+                    "sides push towards it slides along it",
+                    surface.place.expression, equation_of(definition, surface.place)));
+  }
   for (const Contact& contact : lowered.contacts.list) {
     if (contact.is_hidden) {
       add(fmt::format("corner of {}: steps that cross it are corrected", contact.name));

@@ -62,6 +62,12 @@ class FormulaReader {
     for (const ExpressionText& text : definition_.signal_values) {
       formula_.signals.push_back(parse(text));
     }
+    for (const SurfaceDefinition& surface : definition_.surfaces) {
+      formula_.impacts.push_back({surface.name, without_table(surface.when), {}});
+      for (const ExpressionText& text : surface.reset) {
+        formula_.impacts.back().reset.push_back(without_table(text));
+      }
+    }
     for (const ExpressionText& text : definition_.start) {
       formula_.start.push_back(of_parameters(text, "a start"));
     }
@@ -157,6 +163,16 @@ class FormulaReader {
       fail_in(
           text, 0,
           fmt::format("{} may use parameters alone, not '{}'", what, formula_.graph[part].symbol));
+    }
+    return id;
+  }
+
+  // Its rate is needed, and how a table changes with the phase is not known.
+  NodeId without_table(const ExpressionText& text) {
+    const NodeId id = parse(text);
+    for (const NodeId part : parts_of(formula_.graph, {id})) {
+      if (formula_.graph[part].operation != Operation::table) continue;
+      fail_in(text, 0, "a surface may read no table and no curve");
     }
     return id;
   }

@@ -27,6 +27,12 @@ struct Formula {
   NodeId phase = 0;
   std::optional<NodeId> turn;  // of a model with a cycle
   std::vector<NodeId> equations, start, signals, jumps;
+  struct Impact {
+    std::string name;
+    NodeId when = 0;
+    std::vector<NodeId> reset;  // [state]
+  };
+  std::vector<Impact> impacts;   // of the definition's surfaces
   NodeId period = 0, cycle = 0;  // of the whole cycle; how many times the phase begins anew in it
   std::vector<NodeId> checks;    // conditions, as numbers that are 1 where they hold
   std::vector<std::vector<NodeId>> check_values;  // [check]: those that its message has

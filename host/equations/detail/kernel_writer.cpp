@@ -44,6 +44,9 @@ class KernelWriter {
             fmt::format("(scalar)(options.{} == {})", kernel_name(option.name), i);
       }
     }
+    for (std::size_t i = 0; i < lowered.surfaces.size(); ++i) {
+      names_[lowered.surfaces[i].side] = fmt::format("point->sides.side[{}]", i);
+    }
     for (std::size_t i = 0; i < lowered.contacts.list.size(); ++i) {
       if (lowered.contacts.list[i].is_hidden) break;
       names_[lowered.contacts.list[i].penetration] = fmt::format("penetration{}", i);
@@ -59,17 +62,18 @@ class KernelWriter {
       write_contacts();
     } else {
       write_function("model_rhs",
-                     "const ModelPoint* point, const PhaseCoefs* phase, const real* x, real* dx",
+                     "const ModelPoint* point, const PhaseAt* phase, const real* x, real* dx",
                      places("dx", lowered_.equations), "point phase x");
     }
     write_linearization();
+    if (!lowered_.surfaces.empty()) write_surfaces();
     std::vector<Assignment> signals;
     for (std::size_t i = 0; i < definition_.signals.size(); ++i) {
       signals.emplace_back("signals->" + kernel_name(definition_.signals[i].name),
                            lowered_.signals[i]);
     }
     write_function("model_signals",
-                   "const ModelPoint* point, const PhaseCoefs* phase, const real* x, "
+                   "const ModelPoint* point, const PhaseAt* phase, const real* x, "
                    "ModelSignals* signals",
                    signals, "point phase x");
     return out_;
@@ -166,6 +170,7 @@ class KernelWriter {
     if (lowered_.is_second_order) out_ += "#define MODEL_SECOND_ORDER\n";
     if (is_rough_) out_ += "#define MODEL_ROUGH\n";
     if (has_contacts()) write_contact_lists();
+    if (!lowered_.surfaces.empty()) write_surface_lists();
     out_ += "\n#include \"model_types.h\"\n";
   }
 
@@ -181,6 +186,7 @@ class KernelWriter {
     };
     add(lowered_.point, lowered_.point_values);
     add(tangent_.point, tangent_.point_values);
+    if (!lowered_.surfaces.empty()) out_ += "  Sides sides;  // that are held\n";
     out_ += "} ModelPoint;\n";
     write_function("model_prepare",
                    "const ModelParameters* p, ModelOptions options, ModelPoint* point", assignments,
@@ -208,6 +214,99 @@ class KernelWriter {
     if (lowered_.contacts.direction_varies) out_ += "#define MODEL_FORCE_DIRECTION_VARIES\n";
   }
 
+  void write_surface_lists() {
+    std::string staircases;
+    for (std::size_t i = 0; i < lowered_.surfaces.size(); ++i) {
+      if (!lowered_.surfaces[i].is_staircase) continue;
+      staircases += fmt::format("{}(surface) == {}", staircases.empty() ? "" : " || ", i);
+    }
+    out_ += fmt::format("#define MODEL_SURFACES {}\n#define MODEL_STAIRCASE(surface) ({})\n",
+                        lowered_.surfaces.size(), staircases.empty() ? "0" : staircases);
+    if (!has_resets()) return;
+    std::string resets;
+    for (std::size_t i = 0; i < lowered_.surfaces.size(); ++i) {
+      if (lowered_.surfaces[i].reset.empty()) continue;
+      resets += fmt::format("{}(surface) == {}", resets.empty() ? "" : " || ", i);
+    }
+    out_ += fmt::format("#define MODEL_HAS_RESETS\n#define MODEL_RESETS(surface) ({})\n", resets);
+  }
+
+  NodeId change_along(NodeId value, const std::vector<NodeId>& by) {
+    NodeId all = graph_->number(0.0);
+    for (std::size_t i = 0; i < by.size(); ++i) {
+      const NodeId slope = derivative(graph_, value, formula_->states[i]);
+      all = graph_->make(Operation::add, {all, graph_->make(Operation::multiply, {slope, by[i]})});
+    }
+    return all;
+  }
+
+  // Values of all surfaces; how they change along dx while the phase stands still, and in time; and
+  // how that changes along a tangent vector while dx stays.
+  void write_values(const std::string& name, NodeId Surface::*value, NodeId Surface::*drift) {
+    std::vector<Assignment> values, along, rates, bends;
+    for (std::size_t i = 0; i < lowered_.surfaces.size(); ++i) {
+      const Surface& surface = lowered_.surfaces[i];
+      const NodeId still = change_along(surface.*value, dx_);
+      const NodeId rate = graph_->make(Operation::add, {still, surface.*drift});
+      values.emplace_back(fmt::format("levels[{}]", i), surface.*value);
+      along.emplace_back(fmt::format("rates[{}]", i), still);
+      rates.emplace_back(fmt::format("rates[{}]", i), rate);
+      bends.emplace_back(fmt::format("bends[{}]", i), change_along(rate, w_));
+    }
+    const std::string at = "const ModelPoint* point, const PhaseAt* phase, const real* x, ";
+    write_function(fmt::format("model_{}_values", name), at + "real* levels", values,
+                   "point phase x");
+    write_function(fmt::format("model_{}_along", name), at + "const real* dx, real* rates", along,
+                   "point phase x dx");
+    write_function(fmt::format("model_{}_rates", name), at + "const real* dx, real* rates", rates,
+                   "point phase x dx");
+    write_function(fmt::format("model_{}_bends", name),
+                   at + "const real* dx, const real* w, real* bends", bends, "point phase x dx w");
+  }
+
+  void write_surfaces() {
+    for (std::size_t i = 0; i < formula_->states.size(); ++i) {
+      dx_.push_back(graph_->symbol(fmt::format("dx[{}]", i)));
+      w_.push_back(graph_->symbol(fmt::format("w[{}]", i)));
+      names_[dx_.back()] = fmt::format("dx[{}]", state_index(i));
+      names_[w_.back()] = fmt::format("w[{}]", state_index(i));
+    }
+    write_values("level", &Surface::level, &Surface::drift);
+    if (!has_resets()) {
+      for (const char* what : {"values", "along", "rates", "bends"}) {
+        out_ += fmt::format("#define model_held_{0} model_level_{0}\n", what);
+      }
+      return;
+    }
+    write_values("held", &Surface::held, &Surface::held_drift);
+    std::vector<std::vector<Assignment>> resets, along, rates, turns;
+    for (const Surface& surface : lowered_.surfaces) {
+      const bool is_reset = !surface.reset.empty();
+      std::vector<NodeId> carried, moved;
+      for (std::size_t i = 0; i < formula_->states.size(); ++i) {
+        carried.push_back(is_reset ? change_along(surface.reset[i], dx_) : dx_[i]);
+        moved.push_back(
+            is_reset ? graph_->make(Operation::add, {carried[i], surface.reset_drift[i]}) : dx_[i]);
+      }
+      resets.push_back(places("out", is_reset ? surface.reset : formula_->states));
+      along.push_back(places("out", carried));
+      rates.push_back(places("out", moved));
+      turns.push_back(is_reset ? places("out", surface.turn) : std::vector<Assignment>());
+    }
+    const std::string at = "const ModelPoint* point, const PhaseAt* phase, const real* x, ";
+    write_by_contact("model_reset", at + "real* out", "point phase x out", resets);
+    write_by_contact("model_reset_along", at + "const real* dx, real* out", "point phase x dx out",
+                     along);
+    write_by_contact("model_reset_rates", at + "const real* dx, real* out", "point phase x dx out",
+                     rates);
+    write_by_contact("model_reset_turn", at + "real* out", "point phase x out", turns);
+  }
+
+  bool has_resets() const {
+    return std::ranges::any_of(lowered_.surfaces,
+                               [](const Surface& surface) { return !surface.reset.empty(); });
+  }
+
   // A backlash that is never negative takes fewer operations.
   static std::string penetration_text(const Contact& contact, std::size_t index) {
     const std::string name = fmt::format("  const real penetration{} =\n      ", index);
@@ -228,8 +327,7 @@ class KernelWriter {
 
   void write_contacts() {
     const Contacts& contacts = lowered_.contacts;
-    const std::string at_state =
-        "const ModelPoint* point, const PhaseCoefs* phase, const real* x, ";
+    const std::string at_state = "const ModelPoint* point, const PhaseAt* phase, const real* x, ";
     std::vector<Assignment> seen, along;
     std::string penetrations;
     for (std::size_t i = 0; i < contacts.list.size(); ++i) {
@@ -321,7 +419,7 @@ class KernelWriter {
     }
     out_ += "} ModelLinear;\n";
     write_function("model_linearize",
-                   "const ModelPoint* point, const PhaseCoefs* phase, const real* x, real scale, "
+                   "const ModelPoint* point, const PhaseAt* phase, const real* x, real scale, "
                    "ModelLinear* linear",
                    assignments, "point phase x scale");
     const std::string arguments =
@@ -342,6 +440,7 @@ class KernelWriter {
   const bool is_rough_;
   const TangentProgram& tangent_;
   std::map<NodeId, std::string> names_;
+  std::vector<NodeId> dx_, w_;  // symbols: [state]
   std::string out_;
 };
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 #include "equations/detail/dependence.hpp"
+#include "equations/detail/phase_breaks.hpp"
 #include "expression/differentiate.hpp"
 
 namespace gearsweep {
@@ -38,6 +40,10 @@ class Lowering {
       value = simplify(value);
       if (!(*graph_)[value].arguments.empty()) formula_->names.emplace(value, name);
     }
+    const std::vector<NodeId> free = equations;
+    if (!formula_->impacts.empty() || may_jump(*formula_, equations)) {
+      hold_sides(&equations, &signals);
+    }
     lowered_.is_second_order = is_second_order(equations);
     if (lowered_.is_second_order) dependences_.know_velocities();
     const auto changes = [this](NodeId id) { return of(id).phase; };
@@ -52,7 +58,8 @@ class Lowering {
         lowered_.jacobian.push_back(derivative(graph_, row, state));
       }
     }
-    find_contacts_of(equations);
+    lower_surfaces(equations);
+    find_contacts_of(free, equations);
     return std::move(lowered_);
   }
 
@@ -62,6 +69,102 @@ class Lowering {
     return equations.size() % 2 == 0 &&
            std::equal(equations.begin(), equations.begin() + static_cast<std::ptrdiff_t>(half),
                       formula_->states.begin() + static_cast<std::ptrdiff_t>(half));
+  }
+
+  // Finds the jumps, and puts the side that a motion is on into what jumps there.
+  void hold_sides(std::vector<NodeId>* equations, std::vector<NodeId>* signals) {
+    corners_ = find_corners(formula_, *equations);
+    std::vector<NodeId> sides;
+    for (const Jump& jump : corners_->jumps) {
+      const NodeId side = graph_->symbol(fmt::format("side[{}]", sides.size()));
+      sides.push_back(side);
+      for (const auto& [node, above] : jump.above) {
+        held_[node] = on_side(side, jump, node, above, jump.below.at(node));
+      }
+    }
+    for (Formula::Impact& impact : formula_->impacts) {
+      sides.push_back(graph_->symbol(fmt::format("side[{}]", sides.size())));
+      Rewriter simplify(graph_, {});
+      impact.when = simplify(impact.when);
+      for (NodeId& id : impact.reset) id = simplify(id);
+    }
+    dependences_.know_sides(sides);
+    Rewriter hold(graph_, held_);
+    for (NodeId& id : *equations) id = hold(id);
+    for (NodeId& id : *signals) id = hold(id);
+  }
+
+  // What a node is on a side of a jump: of one that is a number on both sides without a choice.
+  NodeId on_side(NodeId side, const Jump& jump, NodeId node, NodeId above, NodeId below) {
+    if (jump.is_staircase) return side;
+    const Operation operation = (*graph_)[node].operation;
+    const NodeId half = graph_->number(0.5);
+    if (is_condition(operation)) {
+      if (above == below) return above;
+      return graph_->is_number(above, 0.0) ? make(Operation::less, side, half)
+                                           : make(Operation::less, half, side);
+    }
+    if (operation == Operation::sign) {
+      const NodeId turned = graph_->number((*graph_)[above].number - (*graph_)[below].number);
+      return make(Operation::add, make(Operation::multiply, turned, side), below);
+    }
+    return graph_->make(Operation::select, {make(Operation::less, half, side), above, below});
+  }
+
+  // equations: held on their sides.
+  void lower_surfaces(const std::vector<NodeId>& equations) {
+    if (!corners_) return;
+    Rewriter hold(graph_, held_);
+    const auto add = [&](NodeId level) -> Surface& {
+      Surface surface;
+      surface.side = graph_->symbol(fmt::format("side[{}]", lowered_.surfaces.size()));
+      surface.level = surface.held = inner(level);
+      surface.drift = surface.held_drift = inner(drift_of(level));
+      lowered_.surfaces.push_back(surface);
+      return lowered_.surfaces.back();
+    };
+    for (const Jump& jump : corners_->jumps) {
+      Surface& surface = add(make(Operation::subtract, hold(jump.lhs), hold(jump.rhs)));
+      surface.place = jump.place;
+      surface.is_staircase = jump.is_staircase;
+    }
+    for (std::size_t i = 0; i < formula_->impacts.size(); ++i) {
+      const NodeId level = hold(formula_->impacts[i].when);
+      Surface& surface = add(level);
+      const NodeId rate = rate_of(level, equations);
+      surface.name = formula_->impacts[i].name;
+      surface.held = inner(rate);
+      surface.held_drift = inner(drift_of(rate));
+      for (std::size_t j = 0; j < equations.size(); ++j) {
+        const NodeId reset = hold(formula_->impacts[i].reset[j]);
+        const NodeId change = make(Operation::subtract, reset, formula_->states[j]);
+        NodeId turn = graph_->number(0.0);
+        for (const NodeId state : formula_->states) {
+          const NodeId part = make(Operation::multiply, derivative(graph_, change, state),
+                                   derivative(graph_, rate, state));
+          turn = make(Operation::add, turn, part);
+        }
+        surface.reset.push_back(inner(reset));
+        surface.reset_drift.push_back(inner(drift_of(reset)));
+        surface.turn.push_back(inner(turn));
+      }
+    }
+  }
+
+  NodeId rate_of(NodeId id, const std::vector<NodeId>& equations) {
+    NodeId rate = drift_of(id);
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      const NodeId slope = derivative(graph_, id, formula_->states[i]);
+      rate = make(Operation::add, rate, make(Operation::multiply, slope, equations[i]));
+    }
+    return rate;
+  }
+
+  // The rate of what changes with the phase, whose turns make the cycle of a period.
+  NodeId drift_of(NodeId id) {
+    const NodeId turns = make(Operation::multiply, graph_->number(kWholePhase), formula_->cycle);
+    const NodeId slope = derivative(graph_, id, formula_->phase);
+    return make(Operation::multiply, slope, make(Operation::divide, turns, formula_->period));
   }
 
   void count_uses(const std::vector<NodeId>& roots) {
@@ -292,18 +395,19 @@ class Lowering {
                ->are_negative[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
   }
 
-  // equations: before they were lowered, as the names of constants are of these.
-  void find_contacts_of(const std::vector<NodeId>& equations) {
+  // Of equations before they were lowered, as the names of constants are of these: as they are
+  // written, and as they are on the sides of their jumps.
+  void find_contacts_of(const std::vector<NodeId>& written, const std::vector<NodeId>& equations) {
     std::map<NodeId, std::string> names;
     for (const NodeId id : parts_of(*graph_, equations)) {
       const auto lowered = inner_.find(id);
       if (lowered != inner_.end()) names[lowered->second] = innermost_constant(id);
     }
-    Corners corners = find_corners(formula_, equations);
+    if (!corners_) corners_ = find_corners(formula_, written);
     std::vector<Contact> hidden;
-    for (const Corner& corner : corners.list) hidden.push_back(lowered(corner));
-    lowered_.uncorrected = std::move(corners.uncorrected);
-    lowered_.jumps = std::move(corners.jumps);
+    for (const Corner& corner : corners_->list) hidden.push_back(lowered(corner));
+    lowered_.uncorrected = std::move(corners_->uncorrected);
+    lowered_.jumps = std::move(corners_->unlocated);
     lowered_.contacts = find_contacts(formula_, lowered_.equations, names, hidden);
     for (Contact& contact : lowered_.contacts.list) {
       contact.may_be_negative = may_be_negative(contact.backlash);
@@ -312,12 +416,13 @@ class Lowering {
 
   Contact lowered(const Corner& corner) {
     Contact contact;
+    Rewriter hold(graph_, held_);
     contact.name = corner.expression;
-    contact.deflection = inner(corner.lhs);
-    contact.backlash = inner(corner.rhs);
+    contact.deflection = inner(hold(corner.lhs));
+    contact.backlash = inner(hold(corner.rhs));
     contact.is_one_sided = true;
     contact.is_hidden = true;
-    for (const NodeId id : corner.direction) contact.direction.push_back(inner(id));
+    for (const NodeId id : corner.direction) contact.direction.push_back(inner(hold(id)));
     return contact;
   }
 
@@ -342,6 +447,8 @@ class Lowering {
   std::map<NodeId, std::size_t> uses_;
   Dependences dependences_;
   std::map<NodeId, NodeId> inner_;
+  std::optional<Corners> corners_;
+  std::map<NodeId, NodeId> held_;  // what jumps, and what it is on the side that is held
   bool has_phase_ = false;
 };
 

@@ -10,7 +10,23 @@
 
 namespace gearsweep {
 
-// In the inner loop, symbols are states and those of `point` and `coefs`.
+// Where the equations jump, and the side of it that they are held on, or where the state is reset.
+struct Surface {
+  std::string name;  // of one where the state is reset
+  RoughPlace place;  // of another one
+  NodeId level = 0;  // of states, point and phase: 0 where they jump; of a staircase a whole number
+  NodeId drift = 0;  // how it changes in time, with the phase alone
+  bool is_staircase = false;
+  NodeId side = 0;  // symbol: 1 where the level is above 0, 0 below it; of a staircase its floor
+  // What a motion that stays at it keeps: along a jump the level, at a stop the level's rate; and
+  // how that changes in time, with the phase alone.
+  NodeId held = 0, held_drift = 0;
+  // Of one where the state is reset: [state], empty of another one; how that changes in time; and
+  // what a reset by a small rate changes.
+  std::vector<NodeId> reset, reset_drift, turn;
+};
+
+// In the inner loop, symbols are states, sides and those of `point` and `coefs`.
 struct Lowered {
   std::vector<NodeId> point, point_values;  // symbols, and what they are made of: parameters
   std::vector<NodeId> coefs, coef_values;   // symbols, and what they are made of: phase, parameters
@@ -21,7 +37,9 @@ struct Lowered {
   std::vector<NodeId> equations, signals;
   std::vector<NodeId> jacobian;  // [row][column]
   Contacts contacts;
-  // Corners that are no contacts and are not corrected, and jumps with a state.
+  std::vector<Surface> surfaces;
+  // Corners that are no contacts and are not corrected, and jumps with a state that steps are not
+  // cut at.
   std::vector<RoughPlace> uncorrected, jumps;
 };
 

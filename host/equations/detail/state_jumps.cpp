@@ -10,7 +10,7 @@
 namespace gearsweep {
 namespace {
 
-// The jumps of equations with these options: all that jumps in what no choice takes away.
+// The jumps of equations with these options that steps are not cut at.
 std::vector<RoughPlace> jumps_with(const ModelSetting& setting, const ModelDefinition& definition,
                                    Formula formula) {
   std::map<NodeId, NodeId> choices;
@@ -24,7 +24,7 @@ std::vector<RoughPlace> jumps_with(const ModelSetting& setting, const ModelDefin
   Rewriter with_choices(&formula.graph, std::move(choices));
   std::vector<NodeId> equations;
   for (const NodeId id : formula.equations) equations.push_back(with_choices(id));
-  return find_corners(&formula, equations).jumps;
+  return find_corners(&formula, equations).unlocated;
 }
 
 }  // namespace

@@ -78,9 +78,10 @@ class Builder {
   bool is_of_point(NodeId id) {
     const auto known = are_of_point_.find(id);
     if (known != are_of_point_.end()) return known->second;
-    const bool is_other = id == out_.scale ||
-                          std::ranges::find(formula_->states, id) != formula_->states.end() ||
-                          std::ranges::find(lowered_.coefs, id) != lowered_.coefs.end();
+    const bool is_other =
+        id == out_.scale || std::ranges::find(formula_->states, id) != formula_->states.end() ||
+        std::ranges::find(lowered_.coefs, id) != lowered_.coefs.end() ||
+        std::ranges::find(lowered_.surfaces, id, &Surface::side) != lowered_.surfaces.end();
     const std::vector<NodeId> arguments = (*graph_)[id].arguments;
     const bool is = !is_other && std::ranges::all_of(arguments, [&](NodeId argument) {
       return is_of_point(argument);

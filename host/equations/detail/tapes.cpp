@@ -56,6 +56,10 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   phased.push_back(inside);
   phased.push_back(formula->phase);
   std::vector<NodeId> moment = formula->states;
+  for (const Surface& surface : lowered.surfaces) {
+    moment.push_back(surface.side);
+    tapes.are_staircases.push_back(surface.is_staircase);
+  }
   moment.insert(moment.end(), lowered.point.begin(), lowered.point.end());
   moment.insert(moment.end(), lowered.coefs.begin(), lowered.coefs.end());
   tapes.period = Tape(graph, parameters, {formula->period});
@@ -68,21 +72,54 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   tapes.rhs = Tape(graph, moment, lowered.equations);
   tapes.jacobian = Tape(graph, moment, lowered.jacobian);
   tapes.signals = Tape(graph, moment, lowered.signals);
+  const auto slopes = [&](const std::vector<NodeId>& of, const std::vector<NodeId>& by) {
+    std::vector<NodeId> out;
+    for (const NodeId id : of) {
+      for (const NodeId symbol : by) out.push_back(derivative(&formula->graph, id, symbol));
+    }
+    return out;
+  };
+  std::vector<NodeId> levels, drifts, held, held_drifts, resets, reset_drifts, turns;
+  for (const Surface& surface : lowered.surfaces) {
+    levels.push_back(surface.level);
+    drifts.push_back(surface.drift);
+    held.push_back(surface.held);
+    held_drifts.push_back(surface.held_drift);
+    // Where nothing is reset, all stays what it is.
+    const std::vector<NodeId> none(formula->states.size(), formula->graph.number(0.0));
+    const bool is_reset = !surface.reset.empty();
+    const auto add = [](const std::vector<NodeId>& from, std::vector<NodeId>* to) {
+      to->insert(to->end(), from.begin(), from.end());
+    };
+    add(is_reset ? surface.reset : formula->states, &resets);
+    add(is_reset ? surface.reset_drift : none, &reset_drifts);
+    add(is_reset ? surface.turn : none, &turns);
+  }
+  const auto of_surfaces = [&](SurfaceValue value, const std::vector<NodeId>& nodes) {
+    tapes.of_surfaces[value] = Tape(graph, moment, nodes);
+  };
+  const std::vector<NodeId> held_gradients = slopes(held, formula->states);
+  of_surfaces(SurfaceValue::level, levels);
+  of_surfaces(SurfaceValue::level_gradient, slopes(levels, formula->states));
+  of_surfaces(SurfaceValue::level_drift, drifts);
+  of_surfaces(SurfaceValue::held, held);
+  of_surfaces(SurfaceValue::held_gradient, held_gradients);
+  of_surfaces(SurfaceValue::held_bend, slopes(held_gradients, formula->states));
+  of_surfaces(SurfaceValue::held_drift, held_drifts);
+  of_surfaces(SurfaceValue::held_drift_gradient, slopes(held_drifts, formula->states));
+  of_surfaces(SurfaceValue::reset, resets);
+  of_surfaces(SurfaceValue::reset_gradient, slopes(resets, formula->states));
+  of_surfaces(SurfaceValue::reset_drift, reset_drifts);
+  of_surfaces(SurfaceValue::turn, turns);
   std::vector<NodeId> places;
   for (const Contact& contact : lowered.contacts.list) {
     places.push_back(contact.deflection);
     places.push_back(contact.backlash);
-    const auto slopes = [&](const std::vector<NodeId>& of) {
-      std::vector<NodeId> out;
-      for (const NodeId id : of) {
-        for (const NodeId state : formula->states) {
-          out.push_back(derivative(&formula->graph, id, state));
-        }
-      }
-      return Tape(graph, moment, out);
+    const auto by_states = [&](const std::vector<NodeId>& of) {
+      return Tape(graph, moment, slopes(of, formula->states));
     };
-    tapes.contacts.push_back({Tape(graph, moment, contact.direction), slopes(contact.direction),
-                              slopes({contact.deflection, contact.backlash})});
+    tapes.contacts.push_back({Tape(graph, moment, contact.direction), by_states(contact.direction),
+                              by_states({contact.deflection, contact.backlash})});
   }
   tapes.contact_places = Tape(graph, moment, places);
   return tapes;

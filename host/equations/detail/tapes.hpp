@@ -1,6 +1,7 @@
 // All that the host works out of a model that is text, in double.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,8 +21,9 @@ struct Tapes {
   // Functions of parameters and choices of options; checks: whether each holds, then the values of
   // all of their messages; coefs: then of the turn, a phase inside and the phase.
   Tape period, cycle, start, jumps, checks, coefs, point;
-  // Functions of states, point and coefs.
+  // Functions of states, sides, point and coefs.
   Tape rhs, jacobian, signals;
+  std::map<SurfaceValue, Tape> of_surfaces;
   // What coefs have, given the turn, too.
   PhaseBreaks breaks;
   PhaseWaves waves;
@@ -32,6 +34,7 @@ struct Tapes {
   Tape contact_places;  // deflection and backlash of each
   std::vector<OfContact> contacts;
   std::size_t states = 0, points = 0, coef_count = 0;
+  std::vector<bool> are_staircases;    // [surface]
   std::vector<std::size_t> choices;    // [option]: how many there are; empty where they are made
   std::vector<CheckMessage> messages;  // [check]
   std::size_t listed = 0;              // jumps that the model's file lists

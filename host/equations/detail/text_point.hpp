@@ -23,13 +23,18 @@ class TextPoint final : public PreparedPoint {
                              double* out) const override;
   void penetration_gradient(const ContactLimit& limit, const double* coefs, const double* x,
                             double* out) const override;
+  void hold(const std::vector<double>& sides) override { sides_ = sides; }
+  void of_surfaces(SurfaceValue value, const double* coefs, const double* x,
+                   double* out) const override;
 
  private:
+  std::vector<double> moment_at(const double* coefs, const double* x) const;
   void run(const Tape& tape, const double* coefs, const double* x, double* out) const;
 
   std::shared_ptr<const Tapes> tapes_;
   double period_ = 0.0;
-  std::vector<double> moment_;  // states, point, coefs
+  std::vector<double> sides_;   // that are held; empty: those that a state is on
+  std::vector<double> moment_;  // states, sides, point, coefs
 };
 
 }  // namespace gearsweep

@@ -121,7 +121,15 @@ Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {
   const Eigen::Index count = grown.cols();
   if (count == 0) return {};
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(grown);
-  const Eigen::VectorXd log_stretching = qr.matrixQR().diagonal().cwiseAbs().array().log();
+  Eigen::VectorXd stretching = qr.matrixQR().diagonal().cwiseAbs();
+  if (trajectory->take_slid()) {
+    // What a vector has across a surface that the motion begins to slide along is lost.
+    constexpr double kLost = 1e-12;
+    for (Eigen::Index j = 0; j < count; ++j) {
+      if (stretching[j] < kLost * grown.col(j).norm()) stretching[j] = 0.0;
+    }
+  }
+  const Eigen::VectorXd log_stretching = stretching.array().log();
   trajectory->set_tangents(qr.householderQ() * Eigen::MatrixXd::Identity(grown.rows(), count));
   return log_stretching;
 }

@@ -20,7 +20,9 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
       limits_(plan.study().model->contact_limits()),
       is_rough_(plan.study().model->is_rough),
       has_events_(plan.study().integrate.events && !limits_.empty()),
+      row_at_(plan.study().model->phase_rows(plan.setting_of(point))),
       point_(plan.study().model->prepare(plan.setting_of(point))),
+      held_(*plan.study().model, point_.get()),
       state_(state) {}
 
 bool Trajectory::advance_period() { return advance_period(StepCallback()); }
@@ -29,10 +31,22 @@ bool Trajectory::advance_period(const StepCallback& each_step,
                                 const std::function<void()>& on_the_way) {
   constexpr std::uint32_t kFewSteps = 16;
   std::size_t row = 0;
+  double phase = 0.0;
   for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
     const double share = grid_.segment_fractions[segment];
+    const double inside = phase + 0.5 * share * grid_.segment_steps[segment];
     std::optional<Instant> earlier;
+    if (!model_.surfaces.empty()) {
+      held_.begin(moments_of(phase, inside, share)(0.0).data(), share * point_->period(),
+                  state_.data());
+    }
     for (std::uint32_t i = 0; i < grid_.segment_steps[segment]; ++i) {
+      if (!model_.surfaces.empty()) {
+        step_through_surfaces(phase + share * i, inside, share, each_step);
+        row += 2;
+        if (on_the_way && i % kFewSteps == kFewSteps - 1) on_the_way();
+        continue;
+      }
       const Eigen::VectorXd start = state_;
       const Eigen::VectorXd middle = step(row, share * point_->period());
       row += 2;
@@ -50,6 +64,7 @@ bool Trajectory::advance_period(const StepCallback& each_step,
       if (seen.is_smooth) earlier = seen.middle;
     }
     row += 1;  // the next segment has its own one-sided coefficients at the break phase
+    phase += share * grid_.segment_steps[segment];
   }
   const bool is_within =
       model_.is_within_limits({state_.data(), static_cast<std::size_t>(state_.size())});
@@ -98,6 +113,39 @@ bool Trajectory::same_contact(const Instant& a, const Instant& b) const {
     return touches(a, 1.0) == touches(b, 1.0) &&
            (contact.is_one_sided || touches(a, -1.0) == touches(b, -1.0));
   });
+}
+
+StepMoments Trajectory::moments_of(double phase, double inside, double share) const {
+  return {&row_at_, row_width_, phase, share, inside, point_->period()};
+}
+
+Instant Trajectory::held_instant(const std::vector<double>& coefs, const Eigen::VectorXd& state) {
+  Instant out{state, Eigen::VectorXd(static_cast<Eigen::Index>(signal_count_))};
+  held_.signals(coefs.data(), state.data(), out.signals.data());
+  return out;
+}
+
+void Trajectory::step_through_surfaces(double phase, double inside, double share,
+                                       const StepCallback& seen) {
+  const StepMoments moment = moments_of(phase, inside, share);
+  const auto tell = [&](double from, double to, const Bundle& before, const Bundle& after) {
+    if (!seen) return;
+    Bundle middle{before.state, Eigen::MatrixXd(before.state.size(), 0)};
+    const double half = 0.5 * (from + to);
+    carry_held(&held_, moment, from, half, &middle);
+    TrajectoryStep step = {.before = held_instant(moment(from), before.state),
+                           .middle = held_instant(moment(half), middle.state),
+                           .after = held_instant(moment(to), after.state),
+                           .share = (to - from) * share,
+                           .ends_step = to == 1.0};
+    step.is_smooth = !is_rough_ && same_contact(step.before, step.middle) &&
+                     same_contact(step.middle, step.after);
+    seen(step);
+  };
+  Bundle motion{state_, tangents_};
+  HeldStep<Bundle>{&held_, moment, tell}.advance(&motion);
+  state_ = motion.state;
+  tangents_ = motion.tangents;
 }
 
 Eigen::VectorXd Trajectory::step(std::size_t row, double h) {

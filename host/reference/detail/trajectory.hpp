@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "model/held_step.hpp"
 #include "plan/plan.hpp"
 
 namespace gearsweep {
@@ -21,6 +22,7 @@ struct Instant {
 struct TrajectoryStep {
   Instant before = {}, middle = {}, after = {};
   double share = 0.0;      // of the period
+  bool ends_step = true;   // false of a part of a step that others follow
   bool is_smooth = false;  // no limit of the contact, nor a bend, lies between the three moments
   // The middle of the step before, when that was smooth and lies in the same segment.
   std::optional<Instant> earlier = {};
@@ -49,6 +51,8 @@ class Trajectory {
   const PhaseGrid& grid() const { return grid_; }
   // Length of the period in dimensionless time.
   double period() const { return point_->period(); }
+  // Whether it has begun to slide along a surface since this was asked the last time.
+  bool take_slid() { return held_.take_slid(); }
 
  private:
   // A state with its tangents, or their rates of change.
@@ -61,6 +65,10 @@ class Trajectory {
   Instant moment(std::size_t row, const Eigen::VectorXd& state) const;
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
+  // Of a model with surfaces: a step from a phase on. seen: told the step's parts.
+  void step_through_surfaces(double phase, double inside, double share, const StepCallback& seen);
+  StepMoments moments_of(double phase, double inside, double share) const;
+  Instant held_instant(const std::vector<double>& coefs, const Eigen::VectorXd& state);
   bool same_contact(const Instant& a, const Instant& b) const;
   // p of a limit (ContactLimit), by a row of coefficients and a state.
   double beyond(const ContactLimit& limit, std::size_t row, const Eigen::VectorXd& state) const;
@@ -77,7 +85,9 @@ class Trajectory {
   std::vector<ContactLimit> limits_;
   bool is_rough_;
   bool has_events_;  // steps that cross a limit are corrected
+  Model::PhaseRow row_at_;
   std::unique_ptr<PreparedPoint> point_;
+  HeldField held_;
   Eigen::VectorXd state_;
   Eigen::MatrixXd tangents_;
 };

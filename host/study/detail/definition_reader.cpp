@@ -45,6 +45,7 @@ class DefinitionReader {
     read_equations(required(&reader, "equations"));
     read_forcing(required(&reader, "forcing"));
     read_signals(reader.table("signals"));
+    read_surfaces(reader.table("surfaces"));
     read_presets(reader.table("presets"), &definition_);
     read_checks(reader.table("checks"), &definition_);
     read_mirrors(root_["model"].as_table()->get("mirrors"), &definition_);
@@ -359,6 +360,42 @@ class DefinitionReader {
         reader.refuse_unknown();
       }
       definition_.signals.push_back(std::move(info));
+    }
+  }
+
+  void read_surfaces(const toml::table* table) {
+    for (const Entry& entry : entries_of(table)) {
+      names_.take(*entry.node, entry.name);
+      const toml::table& row = table_of(entry, "when = \"x - gap\", reset = { v = \"-r*v\" }");
+      TableReader reader(&row, fmt::format("surface '{}'", entry.name));
+      const toml::node* when = reader.find("when");
+      if (when == nullptr) {
+        fail_at(row,
+                fmt::format("surface '{}' says not where it is: when = \"x - gap\"", entry.name));
+      }
+      SurfaceDefinition surface{entry.name, expression_of(*when, "when"), {}};
+      const toml::table* reset = reader.table("reset");
+      if (reset == nullptr || reset->empty()) {
+        fail_at(row, fmt::format("surface '{}' says not what happens at it: reset = {{ v = "
+                                 "\"-r*v\" }}; jumps of the equations, as of sign(v), are found "
+                                 "by themselves",
+                                 entry.name));
+      }
+      std::vector<std::string> states;
+      for (const ChannelInfo& state : definition_.states) {
+        states.push_back(state.name);
+        const toml::node* to = reset->get(state.name);
+        surface.reset.push_back(
+            to == nullptr ? ExpressionText{state.name, source_, 0, 0}
+                          : expression_of(*to, fmt::format("the reset of {}", state.name)));
+      }
+      for (const Entry& to : entries_of(reset)) {
+        if (std::ranges::find(states, to.name) != states.end()) continue;
+        fail_at(*to.node,
+                fmt::format("'{}' is not a state{}", to.name, suggest_name(to.name, states)));
+      }
+      reader.refuse_unknown();
+      definition_.surfaces.push_back(std::move(surface));
     }
   }
 

@@ -1,5 +1,6 @@
 #include "study/detail/probe_motion.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -64,6 +65,7 @@ ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<d
       is_forced_(!model.is_autonomous),
       point_(model.prepare(setting_)),
       row_at_(model.phase_rows(setting_)),
+      held_(model, point_.get()),
       period_(point_->period()),
       bounds_(bounds_of(model, setting_)),
       x_(std::move(start)) {
@@ -130,6 +132,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
         segment_ = 0;
         while (bounds_[segment_ + 1] <= phase_) ++segment_;
       }
+      look_at_sides();
     }
     // At rest no error holds the step back.
     double max_length = stretch.rate > 0.0 ? 1.0 / stretch.rate : period_;
@@ -156,7 +159,8 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     const double end_phase = is_at_end ? bounds_[segment_ + 1] : phase_ + length / period_;
     // A short step to the end of a segment or to a pulse has an error of rounding alone.
     const bool is_short = (is_at_end || meets_pulse) && length < 0.5 * length_;
-    if (is_smooth && !is_short && !crosses_limit(trial.end, end_phase)) {
+    const bool is_cut = meets_surface(length, &trial.end);
+    if (is_smooth && !is_short && !is_cut && !crosses_limit(trial.end, end_phase)) {
       stretch.steps.push_back({length, std::move(trial.errors)});
     }
     x_ = std::move(trial.end);
@@ -171,6 +175,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     if (is_at_end) {
       segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
       phase_ = bounds_[segment_];
+      look_at_sides();
     }
     const double factor = trial.excess > 0.0 ? std::pow(kAimedError / trial.excess, 0.2) : 2.0;
     if (is_smooth && !is_short) {
@@ -231,15 +236,45 @@ void ProbeMotion::look_at_rates(Stretch* stretch) const {
   }
 }
 
-// coefs: at the step's start, middle and end.
-std::vector<double> ProbeMotion::step(const std::vector<double>* coefs,
-                                      const std::vector<double>& from, double length) const {
+StepMoments ProbeMotion::moments_of(double length) const {
+  const double inside = 0.5 * (bounds_[segment_] + bounds_[segment_ + 1]);
+  return {&row_at_, model_.phase_coefs.size(), phase_, length / period_, inside, period_};
+}
+
+void ProbeMotion::look_at_sides() {
+  if (model_.surfaces.empty()) return;
+  const double length = length_ > 0.0 ? length_ : period_ / 1024;
+  held_.begin(moments_of(length)(0.0).data(), length, x_.data());
+}
+
+bool ProbeMotion::meets_surface(double length, std::vector<double>* end) {
+  if (model_.surfaces.empty()) return false;
+  struct Motion {
+    Eigen::VectorXd state;
+    Eigen::MatrixXd tangents;
+  };
+  const StepMoments moment_at = moments_of(length);
+  held_.put_back(moment_at(1.0).data(), end->data());
+  if (!held_.left_behind(moment_at(1.0).data(), end->data())) return false;
+  const auto size = static_cast<Eigen::Index>(x_.size());
+  Motion motion{Eigen::VectorXd::Map(x_.data(), size), {}};
+  const auto nobody = [](double, double, const Motion&, const Motion&) {};
+  HeldStep<Motion>{&held_, moment_at, nobody}.advance(&motion);
+  end->assign(motion.state.begin(), motion.state.end());
+  return true;
+}
+
+std::vector<double> ProbeMotion::step(const StepMoments& moment_at, double begin, double end,
+                                      const std::vector<double>& from) {
   const std::size_t states = from.size();
+  const double length = (end - begin) * moment_at.length * period_;
+  const std::vector<double> coefs[] = {moment_at(begin), moment_at(0.5 * (begin + end)),
+                                       moment_at(end)};
   std::vector<double> at = from, slope(states), sum(states, 0.0);
   const double reach[] = {0.5, 0.5, 1.0, 0.0};
   const double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
   for (std::size_t stage = 0; stage < 4; ++stage) {
-    point_->rhs(coefs[(stage + 1) / 2].data(), at.data(), slope.data());
+    held_.rhs(coefs[(stage + 1) / 2].data(), at.data(), slope.data());
     for (std::size_t i = 0; i < states; ++i) {
       sum[i] += weight[stage] * slope[i];
       at[i] = from[i] + reach[stage] * length * slope[i];
@@ -249,16 +284,11 @@ std::vector<double> ProbeMotion::step(const std::vector<double>* coefs,
   return at;
 }
 
-ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) const {
-  std::vector<double> coefs[5];
-  for (std::size_t quarter = 0; quarter < 5; ++quarter) {
-    const double phase = phase_ + 0.25 * static_cast<double>(quarter) * length / period_;
-    coefs[quarter] = quarter == 0 || is_forced_ ? coefs_at(std::min(phase, 1.0)) : coefs[0];
-  }
-  const std::vector<double> ends[] = {coefs[0], coefs[2], coefs[4]};
-  const std::vector<double> whole = step(ends, x_, length);
+ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) {
+  const StepMoments moment_at = moments_of(length);
+  const std::vector<double> whole = step(moment_at, 0.0, 1.0, x_);
   Trial trial;
-  trial.end = step(coefs + 2, step(coefs, x_, 0.5 * length), 0.5 * length);
+  trial.end = step(moment_at, 0.5, 1.0, step(moment_at, 0.0, 0.5, x_));
   if (!is_finite(whole) || !is_finite(trial.end)) {
     trial.excess = std::numeric_limits<double>::infinity();
     return trial;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/held_step.hpp"
 #include "model/model.hpp"
 
 namespace gearsweep {
@@ -55,9 +56,16 @@ class ProbeMotion {
   double next_pulse(double phase) const;
   void look_at_signals(Stretch* stretch) const;
   void look_at_rates(Stretch* stretch) const;
-  std::vector<double> step(const std::vector<double>* coefs, const std::vector<double>& from,
-                           double length) const;
-  Trial attempt(const Stretch& stretch, double length) const;
+  // A part of a step of `length`, from one share of it to another.
+  std::vector<double> step(const StepMoments& moment_at, double begin, double end,
+                           const std::vector<double>& from);
+  Trial attempt(const Stretch& stretch, double length);
+  StepMoments moments_of(double length) const;
+  // Sets the sides of surfaces by where it is.
+  void look_at_sides();
+  // Whether the motion meets a surface in a step to `end`; then `end` is made that of the step that
+  // is cut there.
+  bool meets_surface(double length, std::vector<double>* end);
   bool crosses_limit(const std::vector<double>& end, double end_phase) const;
 
   const Model& model_;
@@ -65,6 +73,7 @@ class ProbeMotion {
   const bool is_forced_;
   const std::unique_ptr<PreparedPoint> point_;
   const Model::PhaseRow row_at_;
+  HeldField held_;
   const double period_;
   std::vector<double> bounds_;  // of the segments between jumps, from 0 to 1
   // Where coefficients begin to change much faster than on average, rising. A step from well before

@@ -1,8 +1,11 @@
 #include "sweep/detail/history.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>
+
+#include "model/held_step.hpp"
 
 namespace gearsweep {
 namespace {
@@ -14,20 +17,25 @@ class History {
         setting_(plan.setting_of(point)),
         point_(model_.prepare(setting_)),
         row_at_(model_.phase_rows(setting_)),
+        held_(model_, point_.get()),
         grid_(plan.phase_grid_of(point)),
         bounds_(segment_bounds(model_, setting_)),
         rows_(rows) {}
 
-  Trace at_steps() const {
+  Trace at_steps() {
     Trace trace = empty();
     for_each_step([&](const Step& step) {
-      if (step.is_first) add(step.from, step.coefs, step.start, &trace);
+      if (step.is_first) {
+        look_at(step, 0.0, step.start);
+        add(step.from, step.coefs, step.start, &trace);
+      }
+      look_at(step, 1.0, step.end);
       add(step.to, step.coefs + 2 * model_.phase_coefs.size(), step.end, &trace);
     });
     return trace;
   }
 
-  Trace resampled(std::size_t per_period) const {
+  Trace resampled(std::size_t per_period) {
     Trace trace = empty();
     const std::size_t states = model_.states.size();
     std::vector<double> slope_from(states), slope_to(states), x(states);
@@ -37,6 +45,20 @@ class History {
       const auto phase_of = [&](std::size_t sample) {
         return static_cast<double>(sample) / static_cast<double>(per_period);
       };
+      if (!model_.surfaces.empty()) {
+        look_at(step, 0.0, step.start);
+        const auto take = [&](double from, double to, const Motion& before, const Motion&) {
+          for (; phase_of(next) < step.from + to * (step.to - step.from); ++next) {
+            const double share = (phase_of(next) - step.from) / (step.to - step.from);
+            Motion motion = before;
+            carry_held(&held_, moments_of(step), from, share, &motion);
+            add_held(phase_of(next), moments_of(step)(share), motion.state.data(), &trace);
+          }
+        };
+        Motion motion{Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(states)), {}};
+        HeldStep<Motion>{&held_, moments_of(step), take}.advance(&motion);
+        return;
+      }
       bool has_slopes = false;
       for (; phase_of(next) < step.to; ++next) {
         if (!has_slopes) {
@@ -68,6 +90,29 @@ class History {
     double inside = 0.0;            // a phase of this segment
     bool is_first = false;          // of its segment
   };
+
+  struct Motion {
+    Eigen::VectorXd state;
+    Eigen::MatrixXd tangents;
+  };
+
+  StepMoments moments_of(const Step& step) const {
+    return {&row_at_,
+            model_.phase_coefs.size(),
+            step.from - std::floor(step.from),
+            step.to - step.from,
+            step.inside,
+            point_->period()};
+  }
+
+  // Holds the sides of surfaces that a state at a share of the step is on, and slides along them
+  // where it does.
+  void look_at(const Step& step, double share, const double* x) {
+    if (model_.surfaces.empty()) return;
+    const StepMoments moment_at = moments_of(step);
+    held_.begin(moment_at(share).data(), moment_at.length * moment_at.period, x);
+    held_.signals(moment_at(share).data(), x, shown_.data());
+  }
 
   template <class Visit>
   void for_each_step(const Visit& visit) const {
@@ -113,10 +158,19 @@ class History {
     return trace;
   }
 
-  void add(double periods, const double* coefs, const double* x, Trace* trace) const {
+  void add(double periods, const double* coefs, const double* x, Trace* trace) {
+    if (model_.surfaces.empty()) point_->signals(coefs, x, shown_.data());
+    add_signals(periods, x, shown_, trace);
+  }
+
+  void add_held(double periods, const std::vector<double>& coefs, const double* x, Trace* trace) {
+    held_.signals(coefs.data(), x, shown_.data());
+    add_signals(periods, x, shown_, trace);
+  }
+
+  void add_signals(double periods, const double* x, const std::vector<double>& signals,
+                   Trace* trace) const {
     trace->tau.push_back(periods * trace->period);
-    std::vector<double> signals(model_.signals.size());
-    point_->signals(coefs, x, signals.data());
     std::size_t channel = 0;
     for (std::size_t i = 0; i < model_.states.size(); ++i) trace->values[channel++].push_back(x[i]);
     for (const double signal : signals) trace->values[channel++].push_back(signal);
@@ -132,16 +186,18 @@ class History {
   const ModelSetting setting_;
   const std::unique_ptr<PreparedPoint> point_;
   const Model::PhaseRow row_at_;
+  HeldField held_;
   const PhaseGrid grid_;
   const std::vector<double> bounds_;
   const std::vector<double>& rows_;
+  std::vector<double> shown_ = std::vector<double>(model_.signals.size());  // signals
 };
 
 }  // namespace
 
 Trace trace_of(const Plan& plan, std::size_t point, const std::vector<double>& rows,
                std::size_t samples_per_period) {
-  const History history(plan, point, rows);
+  History history(plan, point, rows);
   return samples_per_period > 0 ? history.resampled(samples_per_period) : history.at_steps();
 }
 

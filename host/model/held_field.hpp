@@ -1,0 +1,88 @@
+// The field of a model whose equations jump with a state, on the sides of its surfaces that a
+// motion is on, and along the surfaces that it slides along (A. F. Filippov, Differential Equations
+// with Discontinuous Righthand Sides, 1988). Where a state is reset, impacts that follow each other
+// ever faster end in contact: the motion rests on the surface while it is pushed against it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gearsweep {
+
+// coefs: one row of phase coefficients.
+class HeldField {
+ public:
+  // Both must outlive it. It sets the sides that the point holds.
+  HeldField(const Model& model, PreparedPoint* point);
+
+  // Sets the sides by a state alone. On a surface, that is, nearer to it than a billionth of what
+  // its level changes in `step` (dimensionless time), the fields of both sides decide: where both
+  // lead to one side, that one; where both push towards it, the motion slides; where both lead
+  // away, it goes on above.
+  void begin(const double* coefs, double step, const double* x);
+
+  // As PreparedPoint has them.
+  void rhs(const double* coefs, const double* x, double* dx);
+  void jacobian(const double* coefs, const double* x, double* out);
+  // Where a motion slides, with the sides that its field mixes.
+  void signals(const double* coefs, const double* x, double* out);
+
+  // A surface on whose side a state is not any more, or along which it slid and does not; after
+  // the surfaces, the limits of the contacts.
+  std::optional<std::size_t> left_behind(const double* coefs, const double* x);
+  // Goes on behind that surface. tangents: as many vectors of one number per state; they jump by
+  // the saltation matrix (R. I. Leine, H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth
+  // Mechanical Systems, 2004, chapter 7).
+  void pass(std::size_t surface, const double* coefs, double* x, std::size_t count,
+            double* tangents);
+
+  bool slides() const;
+  // Takes a state that a step has led away from the surfaces that it slides along back onto them.
+  void put_back(const double* coefs, double* x);
+  // Whether it has begun to slide since this was asked the last time.
+  bool take_slid();
+
+ private:
+  struct Sliding;
+
+  // Of all surfaces, so many numbers each.
+  std::vector<double> values(SurfaceValue value, const double* coefs, const double* x,
+                             std::size_t each) const;
+  // Of the contacts' limits.
+  std::vector<bool> touching(const double* coefs, const double* x) const;
+  // Of the levels, along dx.
+  std::vector<double> rates(const double* coefs, const double* x, const double* dx) const;
+  // Of what a motion at this surface keeps, along dx.
+  double held_rate(std::size_t surface, const double* coefs, const double* x,
+                   const double* dx) const;
+  std::vector<double> field_with(const std::vector<double>& sides, const double* coefs,
+                                 const double* x);
+  std::vector<double> sides_below() const;
+  Sliding sliding(const double* coefs, const double* x);
+  // The level of a surface between two sides, of which this is the one above.
+  double level_of(std::size_t surface, double above) const;
+  void begin_at(std::size_t surface, double level, const double* coefs, double step,
+                const double* x);
+  void cross(std::size_t surface, const double* coefs, const double* x);
+  void rebound(std::size_t surface, double level_before, double rate_before, const double* coefs,
+               double* x);
+  void put_below(std::size_t surface, const double* coefs, double* x);
+  void settle_tangents(std::size_t surface, const double* coefs, const double* x,
+                       Eigen::Map<Eigen::MatrixXd>* w);
+
+  const Model& model_;
+  PreparedPoint* point_;
+  std::size_t states_;
+  std::vector<double> sides_;  // of a jump that it slides along: the one above
+  std::vector<bool> slides_;   // or stays at
+  std::vector<ContactLimit> limits_;
+  std::vector<bool> touches_;  // [limit]
+  double step_ = 0.0;
+  bool has_slid_ = false;
+};
+
+}  // namespace gearsweep

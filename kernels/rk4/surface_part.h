@@ -1,0 +1,89 @@
+// Parts of the steps of a model whose equations jump with a state (surfaces.h).
+#ifndef GEARSWEEP_SURFACE_PART_H
+#define GEARSWEEP_SURFACE_PART_H
+#ifdef MODEL_SURFACES
+
+// A step's phase coefficients, at its start, in its middle and at its end.
+typedef struct {
+  PhaseAt row[3];
+  TABLE PhaseCoefs* stage;
+  real h;  // its length
+} SurfaceRows;
+
+SHARED_FN SurfaceRows surface_rows(TABLE PhaseCoefs* stage, real h) {
+  const PhaseCoefs start = stage[0];
+  const PhaseCoefs middle = stage[1];
+  const PhaseCoefs end = stage[2];
+  const SurfaceRows rows = {{phase_at(&start), phase_at(&middle), phase_at(&end)}, stage, h};
+  return rows;
+}
+
+// Weights of the rows in the parabola through them, at a share of the step.
+SHARED_FN void surface_weights(real share, real* weights) {
+  const real one = 1;
+  const real two = 2;
+  weights[0] = (one - two * share) * (one - share);
+  weights[1] = two * two * share * (one - share);
+  weights[2] = share * (two * share - one);
+}
+
+SHARED_FN void surface_moment(const SurfaceRows* rows, real share, PhaseAt* moment) {
+  real weights[3];
+  surface_weights(share, weights);
+#define SURFACE_BLEND(name, meaning)                                               \
+  moment->name = weights[0] * rows->row[0].name + weights[1] * rows->row[1].name + \
+                 weights[2] * rows->row[2].name;
+  MODEL_PHASE_COEFS(SURFACE_BLEND)
+#undef SURFACE_BLEND
+}
+
+// What a motion that slides shows of its sides: the share as part of a side.
+SHARED_FN void surface_show(const ModelPoint* point, const Sliding* sliding, real* shown) {
+  const real one = 1;
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    const real side = point->sides.side[k];
+    const real mixed = side - one + sliding->share[k];
+    shown[k] = MODEL_RESETS(k) ? side : lane_select(point->sides.slides[k], mixed, side);
+  }
+}
+
+SHARED_FN void surface_show_at(const ModelPoint* point, const PhaseAt* moment, const real* x,
+                               real* shown) {
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) shown[k] = point->sides.side[k];
+  if (all_lanes(!sliding_any(point))) return;
+  Sliding sliding;
+  sliding_find(point, moment, x, &sliding);
+  surface_show(point, &sliding, shown);
+}
+
+// A part of a step, from one of its shares on, with the states and slopes at its ends.
+typedef struct {
+  const SurfaceRows* rows;
+  scalar share;    // the step's, of the period
+  real from;       // the share of the step at which it begins
+  const real* to;  // that at which it ends
+  real length;     // in time
+  const PhaseAt *start, *middle, *end;
+  const real *x, *next;
+  const Rk4Slopes* slopes;
+} SurfacePart;
+
+// The state at a share of the part, by Hermite's cubic.
+SHARED_FN void surface_inside(const SurfacePart* part, real t, real* x) {
+  const real one = 1;
+  const real two = 2;
+  const real three = 3;
+  const real end = t * t * (three - two * t);
+  const real first = part->length * t * (one - t) * (one - t);
+  const real last = part->length * t * t * (t - one);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    x[i] = part->x[i] + (end * (part->next[i] - part->x[i]) +
+                         (first * part->slopes->first[i] + last * part->slopes->last[i]));
+  }
+}
+
+#endif
+#endif
