@@ -250,7 +250,8 @@ SHARED_FN void surface_find_leaving(const ModelPoint* point, const SurfacePart* 
 }
 
 // The first event of a part.
-SHARED_FN void surface_find(const ModelPoint* point, const SurfacePart* part, SurfaceEvent* event) {
+SHARED_FN void surface_find(const ModelPoint* point, const SurfacePart* part, const mask* has_left,
+                            SurfaceEvent* event) {
   const real zero = 0;
   const real one = 1;
   const real unbounded = (real)(INFINITY);
@@ -275,8 +276,8 @@ SHARED_FN void surface_find(const ModelPoint* point, const SurfacePart* part, Su
     event->side[k] = side;
     const mask hit = surface_cross(l0[k], l1[k], part->length * r0[k], part->length * r1[k], up,
                                    down, &after, &is_up);
-    surface_take(event, hit & !point->sides.slides[k] & (after < event->after), after, k, hit,
-                 lane_select(is_up, side + one, side - one));
+    surface_take(event, hit & !point->sides.slides[k] & !has_left[k] & (after < event->after),
+                 after, k, hit, lane_select(is_up, side + one, side - one));
   }
   if (!all_lanes(!sliding_any(point))) surface_find_leaving(point, part, event);
 }
@@ -686,7 +687,8 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
 
 // A motion that a step has left beyond a surface where it should have been reset, since more
 // impacts fell into the step than are followed, is no motion of the model: it counts as diverged.
-SHARED_FN void surface_refuse(const ModelPoint* point, const SurfaceRows* rows, real* x) {
+SHARED_FN void surface_refuse(const ModelPoint* point, const SurfaceRows* rows,
+                              const mask* has_left, real* x) {
 #ifdef MODEL_HAS_RESETS
   const real zero = 0;
   const real one = 1;
@@ -694,22 +696,25 @@ SHARED_FN void surface_refuse(const ModelPoint* point, const SurfaceRows* rows, 
   real levels[MODEL_SURFACES];
   real dx[MODEL_STATE_COUNT];
   real rates[MODEL_SURFACES];
+  real pushes[MODEL_SURFACES];
   mask is_beyond = zero != zero;
   surface_moment(rows, one, &end);
   model_level_values(point, &end, x, levels);
   if (all_lanes(levels[0] <= zero) && MODEL_SURFACES == 1) return;
   surface_field(point, &end, x, dx, rates);
+  model_held_rates(point, &end, x, dx, pushes);
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
     if (!MODEL_RESETS(k)) continue;
-    const real reach = SURFACE_ON * rows->h * lane_abs(rates[k]);
+    const real reach =
+        SURFACE_ON * rows->h * lane_max(lane_abs(rates[k]), rows->h * lane_abs(pushes[k]));
     const mask is_below = point->sides.side[k] == zero;
-    is_beyond = is_beyond | (is_below & (reach < levels[k]));
+    is_beyond = is_beyond | (is_below & !has_left[k] & (reach < levels[k]));
     surface_put_below(point, &end, k, is_below & (zero < levels[k]), x);
   }
   x[0] = lane_select(is_beyond, (real)(NAN), x[0]);
 #else
-  (void)point, (void)rows, (void)x;
+  (void)point, (void)rows, (void)has_left, (void)x;
 #endif
 }
 
@@ -727,8 +732,12 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
   real from = 0;
   real to = 1;
   SurfaceEvent event;
+  // In this step, a surface where the state is reset. The level between the rows of the phase
+  // coefficients knows the push to first order only, and may rise once more.
+  mask has_left[MODEL_SURFACES];
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
+    has_left[k] = none;
     event.crossed[k] = event.left[k] = none;
     event.side[k] = point->sides.side[k];
   }
@@ -751,7 +760,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
                               &middle, &end,  x,    next, &slopes};
     SurfaceEvent found;
     found.any = none;
-    if (is_located && pass + 2 < SURFACE_PASSES) surface_find(point, &part, &found);
+    if (is_located && pass + 2 < SURFACE_PASSES) surface_find(point, &part, has_left, &found);
     const mask stops = found.any & !lands & !done;
     const mask moves = !done & !stops;
 #if TANGENTS > 0
@@ -769,6 +778,10 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
       surface_pass(point, rows, &event, lands, beside, from, x, w);
       if (beside & RK4_MIDDLE) watch_side(watcher, point, rows, from, lands, x);
     }
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      if (MODEL_RESETS(k)) has_left[k] = has_left[k] | (lands & event.left[k]);
+    }
     done = done | (moves & !lands);
     if (all_lanes(done)) break;
     if (is_located && pass + 2 < SURFACE_PASSES) {
@@ -782,7 +795,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     to = lane_select(stops, from + found.after * (one - from), one);
     lands = stops;
   }
-  if (is_located) surface_refuse(point, rows, x);
+  if (is_located) surface_refuse(point, rows, has_left, x);
 }
 
 #endif
