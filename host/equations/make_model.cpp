@@ -17,6 +17,7 @@
 #include "equations/detail/step_work.hpp"
 #include "equations/detail/text_point.hpp"
 #include "equations/field_graph.hpp"
+#include "expression/differentiate.hpp"
 #include "expression/print.hpp"
 #include "model/error.hpp"
 #include "model/range_groups.hpp"
@@ -114,6 +115,21 @@ void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula)
   for (std::size_t i = 0; i < formula->impacts.size(); ++i) {
     refuse(formula->impacts[i].when, definition.surfaces[i].when,
            fmt::format("surface '{}'", definition.surfaces[i].name));
+  }
+}
+
+// Nothing comes to a surface whose level no state changes; nor, as of sign(x), to one that jumps.
+void refuse_levels_that_stay(const ModelDefinition& definition, Formula* formula) {
+  for (std::size_t i = 0; i < formula->impacts.size(); ++i) {
+    const bool stays = std::ranges::all_of(formula->states, [&](NodeId state) {
+      const NodeId slope = derivative(&formula->graph, formula->impacts[i].when, state);
+      return formula->graph.is_number(slope, 0.0);
+    });
+    if (!stays) continue;
+    const SurfaceDefinition& surface = definition.surfaces[i];
+    throw InputError(fmt::format(
+        "{}:{}: surface '{}' lies nowhere: 'when' must rise with a state, as x - gap does",
+        surface.when.file, surface.when.line, surface.name));
   }
 }
 
@@ -260,6 +276,7 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
+  refuse_levels_that_stay(definition, &formula);
   if (definition.expressions.empty() || definition.mirrors.empty()) {
     refuse_unmirrored_starts(definition, &formula);
   } else {

@@ -220,6 +220,12 @@ TEST(Resets, SayWhatIsWrongWithThem) {
               HasSubstr("'w' is not a state"));
   EXPECT_THAT(refused("[surfaces.wall]\nwhen = 'y'\nreset = { v = '-v' }\n"),
               HasSubstr("unknown name 'y'"));
+  for (const char* const when : {"1", "sign(x)", "cos(phase)"}) {
+    EXPECT_THAT(
+        refused(fmt::format("[surfaces.wall]\nwhen = '{}'\nreset = {{ v = '-v' }}\n", when)),
+        HasSubstr("lies nowhere"))
+        << when;
+  }
   EXPECT_THAT(refused("[surfaces.x]\nwhen = 'x'\nreset = { v = '-v' }\n"), HasSubstr("'x'"));
 }
 
