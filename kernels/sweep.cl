@@ -13,7 +13,7 @@ SHARED_FN void see_start(const ModelPoint* point, const WalkGrid* grid, const re
                          Instant* start) {
 #ifdef MODEL_SURFACES
   const real zero = 0;
-  const SurfaceRows rows = surface_rows(grid->stages, grid->fractions[0] * point->period);
+  const SurfaceRows rows = surface_rows(point, grid->stages, grid->fractions[0] * point->period);
   ModelPoint own = *point;
   surfaces_begin(&own, &rows, x);
   watch_instant(&own, &rows, zero, x, start);

@@ -74,7 +74,7 @@ SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool e
     const real h = share * point->period;
     const bool is_last = segment + 1 == grid->segments;
 #ifdef MODEL_SURFACES
-    SurfaceRows rows = surface_rows(stage, h);
+    SurfaceRows rows = surface_rows(held, stage, h);
     surfaces_begin(held, &rows, x);
     if (is_watched) watch_segment(watcher, held, &rows, x);
 #else
@@ -82,7 +82,7 @@ SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool e
 #endif
     for (sweep_uint step = 0; step < steps; ++step) {
 #ifdef MODEL_SURFACES
-      rows = surface_rows(stage, h);
+      rows = surface_rows(held, stage, h);
       surfaces_step(held, &rows, share, step_beside | (beside & WALK_TANGENTS ? RK4_LINEAR : 0), x,
                     w, watcher);
 #else

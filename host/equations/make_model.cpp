@@ -8,6 +8,7 @@
 
 #include "equations/definition.hpp"
 #include "equations/detail/borders.hpp"
+#include "equations/detail/corners.hpp"
 #include "equations/detail/derived_values.hpp"
 #include "equations/detail/findings.hpp"
 #include "equations/detail/kernel_size.hpp"
@@ -118,9 +119,17 @@ void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula)
   }
 }
 
-// Nothing comes to a surface whose level no state changes; nor, as of sign(x), to one that jumps.
-void refuse_levels_that_stay(const ModelDefinition& definition, Formula* formula) {
+// Nothing comes to a surface whose level no state changes, or whose level jumps.
+void refuse_unreached_surfaces(const ModelDefinition& definition, Formula* formula) {
   for (std::size_t i = 0; i < formula->impacts.size(); ++i) {
+    if (may_jump(*formula, {formula->impacts[i].when})) {
+      const SurfaceDefinition& surface = definition.surfaces[i];
+      throw InputError(
+          fmt::format("{}:{}: surface '{}' may jump with a state: 'when' may not compare, nor have "
+                      "sign, step or "
+                      "floor; a wall on either side is abs(x) - gap",
+                      surface.when.file, surface.when.line, surface.name));
+    }
     const bool stays = std::ranges::all_of(formula->states, [&](NodeId state) {
       const NodeId slope = derivative(&formula->graph, formula->impacts[i].when, state);
       return formula->graph.is_number(slope, 0.0);
@@ -276,7 +285,7 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
-  refuse_levels_that_stay(definition, &formula);
+  refuse_unreached_surfaces(definition, &formula);
   if (definition.expressions.empty() || definition.mirrors.empty()) {
     refuse_unmirrored_starts(definition, &formula);
   } else {

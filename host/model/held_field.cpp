@@ -247,8 +247,8 @@ std::optional<std::size_t> HeldField::left_behind(const double* coefs, const dou
   return sides_.size() + static_cast<std::size_t>(changed - touch.begin());
 }
 
-void HeldField::pass(std::size_t surface, const double* coefs, double* x, std::size_t count,
-                     double* tangents) {
+void HeldField::pass(std::size_t surface, const double* coefs, HeldMotion* motion) {
+  double* const x = motion->state.data();
   if (surface >= sides_.size()) {  // the field bends, and does not jump
     touches_[surface - sides_.size()].flip();
     return;
@@ -289,18 +289,9 @@ void HeldField::pass(std::size_t surface, const double* coefs, double* x, std::s
     cross(surface, coefs, x);
   }
   rhs(coefs, x, behind.data());
-  auto w = MatrixXd::Map(tangents, states, index(count));
-  const MatrixXd given = w;
+  MatrixXd& w = motion->tangents;
   if (rate != 0.0) {
     w = (carry * w + (behind - carried) * (delays.transpose() * w)).eval();
-  }
-  if (!slides_[surface]) return;
-  if (model_.surfaces[surface].resets) settle_tangents(surface, coefs, x, &w);
-  // What is left of a vector that is lost whole is rounding.
-  for (Index j = 0; j < w.cols(); ++j) {
-    if (w.col(j).cwiseAbs().maxCoeff() < kLost * given.col(j).cwiseAbs().maxCoeff()) {
-      w.col(j).setZero();
-    }
   }
 }
 
@@ -345,18 +336,27 @@ void HeldField::rebound(std::size_t surface, double level_before, double rate_be
   put_back(coefs, x);
 }
 
-// What a tangent vector has across a surface that the motion comes to rest on is lost: in its level
-// and in the level's rate.
-void HeldField::settle_tangents(std::size_t surface, const double* coefs, const double* x,
-                                Eigen::Map<Eigen::MatrixXd>* w) {
-  const Index states = index(states_);
-  const auto row = [&](SurfaceValue value) -> VectorXd {
-    return VectorXd::Map(values(value, coefs, x, states_).data() + surface * states_, states);
-  };
-  const VectorXd level = row(SurfaceValue::level_gradient), held = row(SurfaceValue::held_gradient),
-                 turn = row(SurfaceValue::turn);
-  *w -= (level * (level.transpose() * *w) / level.squaredNorm()).eval();
-  *w -= (turn * (held.transpose() * *w) / held.dot(turn)).eval();
+// What rests on a surface has no other level, either. How much of it there is left when impacts end
+// falls with the flights, so that the way back does not matter.
+void HeldField::settle(const double* coefs, HeldMotion* motion) {
+  if (!slides() || motion->tangents.cols() == 0) return;
+  const double* const x = motion->state.data();
+  const MatrixXd given = motion->tangents;
+  MatrixXd& w = motion->tangents;
+  const std::vector<double> levels = values(SurfaceValue::level_gradient, coefs, x, states_);
+  for (std::size_t k = 0; k < slides_.size(); ++k) {
+    if (!slides_[k] || !model_.surfaces[k].resets) continue;
+    const VectorXd level = VectorXd::Map(levels.data() + k * states_, index(states_));
+    w -= (level * (level.transpose() * w) / level.squaredNorm()).eval();
+  }
+  const Sliding along = sliding(coefs, x);
+  w -= (along.turn * along.gain.partialPivLu().solve(along.gradients * w)).eval();
+  // What is left of one that is lost whole is rounding.
+  for (Index j = 0; j < w.cols(); ++j) {
+    if (w.col(j).cwiseAbs().maxCoeff() < kLost * given.col(j).cwiseAbs().maxCoeff()) {
+      w.col(j).setZero();
+    }
+  }
 }
 
 void HeldField::put_back(const double* coefs, double* x) {

@@ -13,6 +13,12 @@
 
 namespace gearsweep {
 
+// A state, and its tangent vectors, one a column.
+struct HeldMotion {
+  Eigen::VectorXd state;
+  Eigen::MatrixXd tangents;
+};
+
 // coefs: one row of phase coefficients.
 class HeldField {
  public:
@@ -34,15 +40,16 @@ class HeldField {
   // A surface on whose side a state is not any more, or along which it slid and does not; after
   // the surfaces, the limits of the contacts.
   std::optional<std::size_t> left_behind(const double* coefs, const double* x);
-  // Goes on behind that surface. tangents: as many vectors of one number per state; they jump by
-  // the saltation matrix (R. I. Leine, H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth
-  // Mechanical Systems, 2004, chapter 7).
-  void pass(std::size_t surface, const double* coefs, double* x, std::size_t count,
-            double* tangents);
+  // Goes on behind that surface. Tangents jump by the saltation matrix (R. I. Leine, H. Nijmeijer,
+  // Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004, chapter 7).
+  void pass(std::size_t surface, const double* coefs, HeldMotion* motion);
 
   bool slides() const;
   // Takes a state that a step has led away from the surfaces that it slides along back onto them.
   void put_back(const double* coefs, double* x);
+  // Takes from tangents what they have across the surfaces that the motion stays at: a neighbour
+  // that lies off them by d comes to them in a time of order d. A tangent that is lost whole is 0.
+  void settle(const double* coefs, HeldMotion* motion);
   // Whether it has begun to slide since this was asked the last time.
   bool take_slid();
 
@@ -71,8 +78,6 @@ class HeldField {
   void rebound(std::size_t surface, double level_before, double rate_before, const double* coefs,
                double* x);
   void put_below(std::size_t surface, const double* coefs, double* x);
-  void settle_tangents(std::size_t surface, const double* coefs, const double* x,
-                       Eigen::Map<Eigen::MatrixXd>* w);
 
   const Model& model_;
   PreparedPoint* point_;

@@ -51,7 +51,7 @@ void Flow::advance_period() {
     }
     for (std::uint32_t i = 0; i < count; ++i) {
       const GridStep step = {coefs, phase + length * i, length, inside};
-      has_surfaces_ ? advance_through_surfaces(step) : advance(step);
+      has_surfaces_ ? step_held(&held_, moments_of(step), &at_) : advance(step);
       extent_.take(at_.state);
       coefs += 2 * row_width_;
     }
@@ -62,11 +62,6 @@ void Flow::advance_period() {
 
 StepMoments Flow::moments_of(const GridStep& step) const {
   return {&row_at_, row_width_, step.phase, step.length, step.inside, period_};
-}
-
-void Flow::advance_through_surfaces(const GridStep& step) {
-  const auto nobody = [](double, double, const Carried&, const Carried&) {};
-  HeldStep<Carried>{&held_, moments_of(step), nobody}.advance(&at_);
 }
 
 void Flow::advance(const GridStep& step) {

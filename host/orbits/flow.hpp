@@ -37,8 +37,8 @@ struct Extent {
 class Flow {
  public:
   // From `state` at phase 0. `tangents`, one a column, travel with it; none: only the state.
-  Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point,
-       const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
+  Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point, const PhaseGrid& grid,
+       const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
 
   void advance_period();
 
@@ -51,10 +51,7 @@ class Flow {
   const Extent& extent() const { return extent_; }
 
  private:
-  struct Carried {
-    Eigen::VectorXd state;
-    Eigen::MatrixXd tangents;
-  };
+  using Carried = HeldMotion;
   // What a Runge-Kutta step works on.
   struct Work {
     Carried at, slope, sum;
@@ -80,8 +77,6 @@ class Flow {
   };
 
   void advance(const GridStep& step);
-  // Of a model with surfaces: beside these, steps are cut at limits of its contacts.
-  void advance_through_surfaces(const GridStep& step);
   StepMoments moments_of(const GridStep& step) const;
   // Carries `carried` from the start of a part to a share of the step.
   Seen carry(const Part& part, double to, Carried* carried);

@@ -1,4 +1,4 @@
-// Parts of the steps of a model whose equations jump with a state (surfaces.h).
+// Parts of the steps of a model with surfaces (surfaces.h).
 #ifndef GEARSWEEP_SURFACE_PART_H
 #define GEARSWEEP_SURFACE_PART_H
 #ifdef MODEL_SURFACES
@@ -7,14 +7,18 @@
 typedef struct {
   PhaseAt row[3];
   TABLE PhaseCoefs* stage;
-  real h;  // its length
+  real h;     // its length
+  real turn;  // the phase, in radians, that it takes
 } SurfaceRows;
 
-SHARED_FN SurfaceRows surface_rows(TABLE PhaseCoefs* stage, real h) {
+SHARED_FN SurfaceRows surface_rows(const ModelPoint* point, TABLE PhaseCoefs* stage, real h) {
   const PhaseCoefs start = stage[0];
   const PhaseCoefs middle = stage[1];
   const PhaseCoefs end = stage[2];
-  const SurfaceRows rows = {{phase_at(&start), phase_at(&middle), phase_at(&end)}, stage, h};
+  real turn;
+  model_phase_turn(point, &turn);
+  const SurfaceRows rows = {
+      {phase_at(&start), phase_at(&middle), phase_at(&end)}, stage, h, turn * (h / point->period)};
   return rows;
 }
 
@@ -27,14 +31,37 @@ SHARED_FN void surface_weights(real share, real* weights) {
   weights[2] = share * (two * share - one);
 }
 
+// The coefficients at a share of a step: the parabola through the rows; of those that surfaces are
+// made of (MODEL_PHASE_SLOPES: a coefficient, and that which is its slope) the polynomial of fifth
+// degree that has their slopes there, too. A motion that rests on a surface that moves would bounce
+// on a parabola, whose speed is wrong by the square of the step.
 SHARED_FN void surface_moment(const SurfaceRows* rows, real share, PhaseAt* moment) {
+  const real one = 1;
+  const real one_half = (scalar)(0.5);
+  const real three = 3;
+  const real four = 4;
   real weights[3];
   surface_weights(share, weights);
+  // 0 at all rows, with the slope 1 at one of them.
+  const real bend[3] = {share * weights[0] * weights[0],
+                        (share - one_half) * weights[1] * weights[1],
+                        (share - one) * weights[2] * weights[2]};
+  (void)bend, (void)three, (void)four;
 #define SURFACE_BLEND(name, meaning)                                               \
   moment->name = weights[0] * rows->row[0].name + weights[1] * rows->row[1].name + \
                  weights[2] * rows->row[2].name;
+#define SURFACE_BEND(name, slope)                                                              \
+  moment->name =                                                                               \
+      moment->name +                                                                           \
+      bend[0] * (rows->turn * rows->row[0].slope -                                             \
+                 (four * rows->row[1].name - three * rows->row[0].name - rows->row[2].name)) + \
+      bend[1] * (rows->turn * rows->row[1].slope - (rows->row[2].name - rows->row[0].name)) +  \
+      bend[2] * (rows->turn * rows->row[2].slope -                                             \
+                 (rows->row[0].name + three * rows->row[2].name - four * rows->row[1].name));
   MODEL_PHASE_COEFS(SURFACE_BLEND)
+  MODEL_PHASE_SLOPES(SURFACE_BEND)
 #undef SURFACE_BLEND
+#undef SURFACE_BEND
 }
 
 // What a motion that slides shows of its sides: the share as part of a side.

@@ -134,7 +134,7 @@ class Check:
         for name in rng.sample(sorted(models.REWRITINGS), 2):
             self.rewritten(seed, model, name, rng, folder, states, quantities, found, expected,
                            TOLERANCE_AT_JUMPS if is_rough else
-                           TOLERANCE if "not corrected" in said or model.has_state_jump else TOLERANCE_REWRITTEN)
+                           TOLERANCE if "not corrected" in said else TOLERANCE_REWRITTEN)
         if self.is_long and not is_rough:
             self.long(seed, model, reference, folder)
         shutil.rmtree(folder)

@@ -214,22 +214,31 @@ class KernelWriter {
     if (lowered_.contacts.direction_varies) out_ += "#define MODEL_FORCE_DIRECTION_VARIES\n";
   }
 
-  void write_surface_lists() {
-    std::string staircases;
+  // The surfaces of which that holds, as a condition of `surface`.
+  std::string surfaces_where(const std::function<bool(const Surface&)>& holds) const {
+    std::string found;
     for (std::size_t i = 0; i < lowered_.surfaces.size(); ++i) {
-      if (!lowered_.surfaces[i].is_staircase) continue;
-      staircases += fmt::format("{}(surface) == {}", staircases.empty() ? "" : " || ", i);
+      if (!holds(lowered_.surfaces[i])) continue;
+      found += fmt::format("{}(surface) == {}", found.empty() ? "" : " || ", i);
     }
-    out_ += fmt::format("#define MODEL_SURFACES {}\n#define MODEL_STAIRCASE(surface) ({})\n",
-                        lowered_.surfaces.size(), staircases.empty() ? "0" : staircases);
-    if (!has_resets()) return;
-    std::string resets;
-    for (std::size_t i = 0; i < lowered_.surfaces.size(); ++i) {
-      if (lowered_.surfaces[i].reset.empty()) continue;
-      resets += fmt::format("{}(surface) == {}", resets.empty() ? "" : " || ", i);
-    }
-    out_ += fmt::format("#define MODEL_HAS_RESETS\n#define MODEL_RESETS(surface) ({})\n", resets);
+    return found.empty() ? "0" : found;
   }
+
+  void write_surface_lists() {
+    out_ += fmt::format("#define MODEL_SURFACES {}\n#define MODEL_STAIRCASE(surface) ({})\n",
+                        lowered_.surfaces.size(), surfaces_where(&Surface::is_staircase));
+    std::vector<std::string> slopes;
+    for (const auto& [coef, slope] : lowered_.phase_slopes) {
+      slopes.push_back(fmt::format("w{}, w{}", coef, slope));
+    }
+    write_list("MODEL_PHASE_SLOPES", slopes);
+    if (!has_resets()) return;
+    out_ += fmt::format("#define MODEL_HAS_RESETS\n#define MODEL_RESETS(surface) ({})\n",
+                        surfaces_where(is_reset));
+  }
+
+  static bool is_reset(const Surface& surface) { return !surface.reset.empty(); }
+  bool has_resets() const { return std::ranges::any_of(lowered_.surfaces, is_reset); }
 
   NodeId change_along(NodeId value, const std::vector<NodeId>& by) {
     NodeId all = graph_->number(0.0);
@@ -240,8 +249,8 @@ class KernelWriter {
     return all;
   }
 
-  // Values of all surfaces; how they change along dx while the phase stands still, and in time; and
-  // how that changes along a tangent vector while dx stays.
+  // Values of all surfaces; how they change along dx while the phase stands still, and in time;
+  // and, of what is held, how that changes along a tangent vector while dx stays.
   void write_values(const std::string& name, NodeId Surface::*value, NodeId Surface::*drift) {
     std::vector<Assignment> values, along, rates, bends;
     for (std::size_t i = 0; i < lowered_.surfaces.size(); ++i) {
@@ -260,6 +269,7 @@ class KernelWriter {
                    "point phase x dx");
     write_function(fmt::format("model_{}_rates", name), at + "const real* dx, real* rates", rates,
                    "point phase x dx");
+    if (name != "held" && has_resets()) return;
     write_function(fmt::format("model_{}_bends", name),
                    at + "const real* dx, const real* w, real* bends", bends, "point phase x dx w");
   }
@@ -271,6 +281,8 @@ class KernelWriter {
       names_[dx_.back()] = fmt::format("dx[{}]", state_index(i));
       names_[w_.back()] = fmt::format("w[{}]", state_index(i));
     }
+    write_function("model_phase_turn", "const ModelPoint* point, real* turn",
+                   {{"*turn", lowered_.phase_turn}}, "point");
     write_values("level", &Surface::level, &Surface::drift);
     if (!has_resets()) {
       for (const char* what : {"values", "along", "rates", "bends"}) {
@@ -281,17 +293,18 @@ class KernelWriter {
     write_values("held", &Surface::held, &Surface::held_drift);
     std::vector<std::vector<Assignment>> resets, along, rates, turns;
     for (const Surface& surface : lowered_.surfaces) {
-      const bool is_reset = !surface.reset.empty();
+      const bool resets_it = is_reset(surface);
       std::vector<NodeId> carried, moved;
       for (std::size_t i = 0; i < formula_->states.size(); ++i) {
-        carried.push_back(is_reset ? change_along(surface.reset[i], dx_) : dx_[i]);
-        moved.push_back(
-            is_reset ? graph_->make(Operation::add, {carried[i], surface.reset_drift[i]}) : dx_[i]);
+        carried.push_back(resets_it ? change_along(surface.reset[i], dx_) : dx_[i]);
+        moved.push_back(resets_it
+                            ? graph_->make(Operation::add, {carried[i], surface.reset_drift[i]})
+                            : dx_[i]);
       }
-      resets.push_back(places("out", is_reset ? surface.reset : formula_->states));
+      resets.push_back(places("out", resets_it ? surface.reset : formula_->states));
       along.push_back(places("out", carried));
       rates.push_back(places("out", moved));
-      turns.push_back(is_reset ? places("out", surface.turn) : std::vector<Assignment>());
+      turns.push_back(resets_it ? places("out", surface.turn) : std::vector<Assignment>());
     }
     const std::string at = "const ModelPoint* point, const PhaseAt* phase, const real* x, ";
     write_by_contact("model_reset", at + "real* out", "point phase x out", resets);
@@ -300,11 +313,6 @@ class KernelWriter {
     write_by_contact("model_reset_rates", at + "const real* dx, real* out", "point phase x dx out",
                      rates);
     write_by_contact("model_reset_turn", at + "real* out", "point phase x out", turns);
-  }
-
-  bool has_resets() const {
-    return std::ranges::any_of(lowered_.surfaces,
-                               [](const Surface& surface) { return !surface.reset.empty(); });
   }
 
   // A backlash that is never negative takes fewer operations.

@@ -59,6 +59,7 @@ class Lowering {
       }
     }
     lower_surfaces(equations);
+    if (!lowered_.surfaces.empty()) find_phase_slopes();
     find_contacts_of(free, equations);
     return std::move(lowered_);
   }
@@ -160,11 +161,41 @@ class Lowering {
     return rate;
   }
 
-  // The rate of what changes with the phase, whose turns make the cycle of a period.
+  // The phase that a period takes, whose turns make its cycle.
+  NodeId phase_turn() {
+    return make(Operation::multiply, graph_->number(kWholePhase), formula_->cycle);
+  }
+
+  // The rate of what changes with the phase.
   NodeId drift_of(NodeId id) {
-    const NodeId turns = make(Operation::multiply, graph_->number(kWholePhase), formula_->cycle);
     const NodeId slope = derivative(graph_, id, formula_->phase);
-    return make(Operation::multiply, slope, make(Operation::divide, turns, formula_->period));
+    return make(Operation::multiply, slope,
+                make(Operation::divide, phase_turn(), formula_->period));
+  }
+
+  // Of the coefficients that surfaces are made of. How a table changes with the phase is not known.
+  void find_phase_slopes() {
+    std::vector<NodeId> roots;
+    for (const Surface& surface : lowered_.surfaces) {
+      roots.insert(roots.end(), {surface.level, surface.drift, surface.held, surface.held_drift});
+      roots.insert(roots.end(), surface.reset.begin(), surface.reset.end());
+    }
+    lowered_.phase_turn = inner(phase_turn());
+    const std::vector<NodeId> parts = parts_of(*graph_, roots);
+    const std::size_t count = lowered_.coefs.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (std::ranges::find(parts, lowered_.coefs[i]) == parts.end()) continue;
+      const NodeId value = lowered_.coef_values[i];
+      const NodeId slope = derivative(graph_, value, formula_->phase);
+      const std::vector<NodeId> of_value = parts_of(*graph_, {value});
+      const bool is_read = std::ranges::any_of(
+          of_value, [&](NodeId part) { return (*graph_)[part].operation == Operation::table; });
+      if (is_read || graph_->is_number(slope, 0.0)) continue;
+      coef(slope);
+      const auto place = std::ranges::find(lowered_.coef_values, slope);
+      lowered_.phase_slopes.emplace_back(
+          i, static_cast<std::size_t>(place - lowered_.coef_values.begin()));
+    }
   }
 
   void count_uses(const std::vector<NodeId>& roots) {

@@ -2,6 +2,7 @@
 // what is left for the inner loop.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "equations/detail/contacts.hpp"
@@ -38,6 +39,10 @@ struct Lowered {
   std::vector<NodeId> jacobian;  // [row][column]
   Contacts contacts;
   std::vector<Surface> surfaces;
+  // Of what surfaces are made of: the places in `coefs` of a coefficient and of its derivative by
+  // the phase; and the phase that a period takes, of parameters.
+  std::vector<std::pair<std::size_t, std::size_t>> phase_slopes;
+  NodeId phase_turn = 0;
   // Corners that are no contacts and are not corrected, and jumps with a state that steps are not
   // cut at.
   std::vector<RoughPlace> uncorrected, jumps;

@@ -143,7 +143,7 @@ void Trajectory::step_through_surfaces(double phase, double inside, double share
     seen(step);
   };
   Bundle motion{state_, tangents_};
-  HeldStep<Bundle>{&held_, moment, tell}.advance(&motion);
+  step_held(&held_, moment, &motion, tell);
   state_ = motion.state;
   tangents_ = motion.tangents;
 }

@@ -56,10 +56,7 @@ class Trajectory {
 
  private:
   // A state with its tangents, or their rates of change.
-  struct Bundle {
-    Eigen::VectorXd state;
-    Eigen::MatrixXd tangents;
-  };
+  using Bundle = HeldMotion;
 
   Bundle slope(std::size_t row, const Bundle& at) const;
   Instant moment(std::size_t row, const Eigen::VectorXd& state) const;

@@ -249,39 +249,21 @@ void ProbeMotion::look_at_sides() {
 
 bool ProbeMotion::meets_surface(double length, std::vector<double>* end) {
   if (model_.surfaces.empty()) return false;
-  struct Motion {
-    Eigen::VectorXd state;
-    Eigen::MatrixXd tangents;
-  };
   const StepMoments moment_at = moments_of(length);
   held_.put_back(moment_at(1.0).data(), end->data());
   if (!held_.left_behind(moment_at(1.0).data(), end->data())) return false;
   const auto size = static_cast<Eigen::Index>(x_.size());
-  Motion motion{Eigen::VectorXd::Map(x_.data(), size), {}};
-  const auto nobody = [](double, double, const Motion&, const Motion&) {};
-  HeldStep<Motion>{&held_, moment_at, nobody}.advance(&motion);
+  HeldMotion motion{Eigen::VectorXd::Map(x_.data(), size), {}};
+  step_held(&held_, moment_at, &motion);
   end->assign(motion.state.begin(), motion.state.end());
   return true;
 }
 
 std::vector<double> ProbeMotion::step(const StepMoments& moment_at, double begin, double end,
                                       const std::vector<double>& from) {
-  const std::size_t states = from.size();
-  const double length = (end - begin) * moment_at.length * period_;
-  const std::vector<double> coefs[] = {moment_at(begin), moment_at(0.5 * (begin + end)),
-                                       moment_at(end)};
-  std::vector<double> at = from, slope(states), sum(states, 0.0);
-  const double reach[] = {0.5, 0.5, 1.0, 0.0};
-  const double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
-  for (std::size_t stage = 0; stage < 4; ++stage) {
-    held_.rhs(coefs[(stage + 1) / 2].data(), at.data(), slope.data());
-    for (std::size_t i = 0; i < states; ++i) {
-      sum[i] += weight[stage] * slope[i];
-      at[i] = from[i] + reach[stage] * length * slope[i];
-    }
-  }
-  for (std::size_t i = 0; i < states; ++i) at[i] = from[i] + length * sum[i];
-  return at;
+  HeldMotion motion{Eigen::VectorXd::Map(from.data(), static_cast<Eigen::Index>(from.size())), {}};
+  carry_held(&held_, moment_at, begin, end, &motion);
+  return {motion.state.begin(), motion.state.end()};
 }
 
 ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) {

@@ -47,16 +47,16 @@ class History {
       };
       if (!model_.surfaces.empty()) {
         look_at(step, 0.0, step.start);
-        const auto take = [&](double from, double to, const Motion& before, const Motion&) {
+        const auto take = [&](double from, double to, const HeldMotion& before, const HeldMotion&) {
           for (; phase_of(next) < step.from + to * (step.to - step.from); ++next) {
             const double share = (phase_of(next) - step.from) / (step.to - step.from);
-            Motion motion = before;
+            HeldMotion motion = before;
             carry_held(&held_, moments_of(step), from, share, &motion);
             add_held(phase_of(next), moments_of(step)(share), motion.state.data(), &trace);
           }
         };
-        Motion motion{Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(states)), {}};
-        HeldStep<Motion>{&held_, moments_of(step), take}.advance(&motion);
+        HeldMotion motion{Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(states)), {}};
+        step_held(&held_, moments_of(step), &motion, take);
         return;
       }
       bool has_slopes = false;
@@ -89,11 +89,6 @@ class History {
     const double* coefs = nullptr;  // rows of phase coefficients: start, middle, end
     double inside = 0.0;            // a phase of this segment
     bool is_first = false;          // of its segment
-  };
-
-  struct Motion {
-    Eigen::VectorXd state;
-    Eigen::MatrixXd tangents;
   };
 
   StepMoments moments_of(const Step& step) const {

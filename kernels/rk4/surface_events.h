@@ -1,0 +1,198 @@
+// Where a part of a step comes to a surface, or leaves one that it stays at.
+
+#ifdef MODEL_SURFACES
+
+// Of the distance that a level goes in a step: nearer than that to a surface a motion is on it.
+#define SURFACE_NEAR ((scalar)(REAL_BITS == 64 ? 1e-9 : 1e-4))
+// The same where the state is reset: a motion that has just met it must not count as beyond it.
+#define SURFACE_ON ((scalar)(REAL_BITS == 64 ? 1e-6 : 1e-3))
+
+// What ends a step, or a part of it.
+typedef struct {
+  mask any;
+  real after;  // share of the part at which it lies
+  // Of each surface: whether it is this one that is crossed, or that the motion leaves, along which
+  // it slid; and the side on which it goes on.
+  mask crossed[MODEL_SURFACES], left[MODEL_SURFACES];
+  real side[MODEL_SURFACES];
+} SurfaceEvent;
+
+// The level at which a surface lies between two sides, of which this is the one above.
+SHARED_FN real surface_level(int surface, real above) {
+  const real zero = 0;
+  return MODEL_STAIRCASE(surface) ? above : zero;
+}
+
+// The field, and the rates of the levels along it.
+SHARED_FN void surface_field(const ModelPoint* point, const PhaseAt* moment, const real* x,
+                             real* dx, real* rates) {
+  ContactSeen seen;
+  rk4_slope(point, moment, x, &seen, dx);
+  model_level_rates(point, moment, x, dx, rates);
+}
+
+// The cubic of a level over a part of a step: its values and slopes at both ends.
+typedef struct {
+  real value, slope, square, cube;
+} SurfaceCurve;
+
+SHARED_FN real surface_curve_at(const SurfaceCurve* curve, real t) {
+  return curve->value + t * (curve->slope + t * (curve->square + t * curve->cube));
+}
+
+// Where a level first goes above `up` or below `down`; false where it does not. l, r: the level
+// and its slope at the part's start and end.
+SHARED_FN mask surface_cross(real l0, real l1, real r0, real r1, real up, real down, real* after,
+                             mask* is_up) {
+  const real zero = 0;
+  const real one = 1;
+  const real two = 2;
+  const real three = 3;
+  const real change = l1 - l0;
+  const SurfaceCurve curve = {l0, r0, three * change - two * r0 - r1, r0 + r1 - two * change};
+  // A turn inside the part counts from a distance that rounding does not make.
+  const real told = SURFACE_NEAR * (lane_abs(change) + lane_abs(r0) + lane_abs(r1));
+  const real under_root = curve.square * curve.square - three * curve.cube * curve.slope;
+  const real root = lane_sqrt(lane_max(under_root, zero));
+  const real q = -(curve.square + lane_select(curve.square < zero, -root, root));
+  const real one_turn = q / (three * curve.cube);
+  const real other_turn = curve.slope / q;
+  const mask turns = zero < under_root;
+  const real a = lane_select(turns & (zero < one_turn) & (one_turn < one), one_turn, one);
+  const real b = lane_select(turns & (zero < other_turn) & (other_turn < one), other_turn, one);
+  const real first = lane_min(a, b);
+  const real second = lane_max(a, b);
+  const real at_first = surface_curve_at(&curve, first);
+  const real at_second = surface_curve_at(&curve, second);
+  const mask first_up = up + told < at_first;
+  const mask first_hit = first_up | (at_first < down - told);
+  const mask second_up = up + told < at_second;
+  const mask second_hit = second_up | (at_second < down - told);
+  const mask end_up = up < l1;
+  const mask end_hit = end_up | (l1 < down);
+  const mask hit = first_hit | second_hit | end_hit;
+  *after = one;
+  *is_up = (first_hit & first_up) | (!first_hit & second_hit & second_up) |
+           (!first_hit & !second_hit & end_up);
+  if (all_lanes(!hit)) return hit;
+  real low = lane_select(first_hit, zero, lane_select(second_hit, first, second));
+  real high = lane_select(first_hit, first, lane_select(second_hit, second, one));
+  const real limit = lane_select(*is_up, up, down);
+  const mask rises = *is_up;
+  for (int i = 0; i < 8; ++i) {
+    const real middle = (scalar)(0.5) * (low + high);
+    const real value = surface_curve_at(&curve, middle);
+    const mask is_beyond = (rises & (limit < value)) | (!rises & (value < limit));
+    high = lane_select(is_beyond, middle, high);
+    low = lane_select(is_beyond, low, middle);
+  }
+  real t = (scalar)(0.5) * (low + high);
+  for (int i = 0; i < 3; ++i) {
+    const real slope = curve.slope + t * (two * curve.square + three * curve.cube * t);
+    const real next = t - (surface_curve_at(&curve, t) - limit) / slope;
+    t = lane_select(slope != zero, lane_clamp(next, low, high), t);
+  }
+  *after = lane_select(hit, t, one);
+  return hit;
+}
+
+SHARED_FN void surface_take(SurfaceEvent* event, mask is_earlier, real after, int surface,
+                            mask is_crossed, real side) {
+  const mask none = event->any & !event->any;
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    event->crossed[k] =
+        lane_select(is_earlier, k == surface ? is_crossed : none, event->crossed[k]);
+    event->left[k] = lane_select(is_earlier, k == surface ? !is_crossed : none, event->left[k]);
+  }
+  event->side[surface] = lane_select(is_earlier, side, event->side[surface]);
+  event->after = lane_select(is_earlier, after, event->after);
+  event->any = event->any | is_earlier;
+}
+
+// Where the share of a surface that the motion slides along leaves [0, 1].
+SHARED_FN void surface_find_leaving(const ModelPoint* point, const SurfacePart* part,
+                                    SurfaceEvent* event) {
+  const real zero = 0;
+  const real one = 1;
+  Sliding first;
+  Sliding last;
+  sliding_find(point, part->start, part->x, &first);
+  sliding_find(point, part->end, part->next, &last);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    // How far the share is inside; the bound is that which it passes at the end, or is beyond at
+    // the start.
+    const real most = MODEL_RESETS(k) ? (real)(INFINITY) : one;
+    const mask starts_out =
+        (first.share[k] < -SURFACE_NEAR) | (most + SURFACE_NEAR < first.share[k]);
+    const real deciding = lane_select(starts_out, first.share[k], last.share[k]);
+    const mask is_above = most < deciding;
+    const mask leaves =
+        point->sides.slides[k] & (starts_out | (last.share[k] < zero) | (most < last.share[k]));
+    if (all_lanes(!leaves)) continue;
+    const real bound = lane_select(is_above, one, zero);
+    const real way = lane_select(is_above, -one, one);
+    real low = 0;
+    real high = 1;
+    real at_low = way * (first.share[k] - bound);
+    real at_high = way * (last.share[k] - bound);
+    real t = 0;
+    for (int i = 0; i < 12; ++i) {
+      PhaseAt moment;
+      Sliding sliding;
+      real x[MODEL_STATE_COUNT];
+      t = lane_select(at_low != at_high, low + (high - low) * (at_low / (at_low - at_high)), low);
+      t = lane_clamp(t, low, high);
+      surface_moment(part->rows, part->from + t * (one - part->from), &moment);
+      surface_inside(part, t, x);
+      sliding_find(point, &moment, x, &sliding);
+      const real inside = way * (sliding.share[k] - bound);
+      const mask is_in = zero < inside;
+      // The end that stays counts half from now on (the Illinois method).
+      at_high = lane_select(is_in, (scalar)(0.5) * at_high, inside);
+      at_low = lane_select(is_in, inside, (scalar)(0.5) * at_low);
+      low = lane_select(is_in, t, low);
+      high = lane_select(is_in, high, t);
+    }
+    // Where it is outside for sure.
+    t = lane_select(starts_out, zero, high);
+    const real side = point->sides.side[k];
+    surface_take(event, leaves & (t < event->after), t, k, leaves & !leaves,
+                 MODEL_RESETS(k) ? side : lane_select(is_above, side, side - one));
+  }
+}
+
+// The first event of a part.
+SHARED_FN void surface_find(const ModelPoint* point, const SurfacePart* part, SurfaceEvent* event) {
+  const real zero = 0;
+  const real one = 1;
+  const real unbounded = (real)(INFINITY);
+  real l0[MODEL_SURFACES];
+  real l1[MODEL_SURFACES];
+  real r0[MODEL_SURFACES];
+  real r1[MODEL_SURFACES];
+  model_level_values(point, part->start, part->x, l0);
+  model_level_values(point, part->end, part->next, l1);
+  model_level_rates(point, part->start, part->x, part->slopes->first, r0);
+  model_level_rates(point, part->end, part->next, part->slopes->last, r1);
+  event->any = zero != zero;
+  event->after = (scalar)(2);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    const real side = point->sides.side[k];
+    const real up = MODEL_STAIRCASE(k) ? side + one : lane_select(side < one, zero, unbounded);
+    const real down = MODEL_STAIRCASE(k) ? side : lane_select(zero < side, zero, -unbounded);
+    real after;
+    mask is_up;
+    event->crossed[k] = event->left[k] = zero != zero;
+    event->side[k] = side;
+    const mask hit = surface_cross(l0[k], l1[k], part->length * r0[k], part->length * r1[k], up,
+                                   down, &after, &is_up);
+    surface_take(event, hit & !point->sides.slides[k] & (after < event->after), after, k, hit,
+                 lane_select(is_up, side + one, side - one));
+  }
+  if (!all_lanes(!sliding_any(point))) surface_find_leaving(point, part, event);
+}
+
+#endif

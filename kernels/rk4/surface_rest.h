@@ -1,0 +1,182 @@
+// Surfaces where the state is reset, and what stays at a surface. Impacts that follow each other
+// ever faster end in contact: once a flight takes less than a thousandth of a step, or is lower
+// than rounding, the motion rests on the surface while it is pushed against it.
+
+#ifdef MODEL_SURFACES
+
+#define SURFACE_SHORT_FLIGHT ((scalar)(1e-3))                            // of a step
+#define SURFACE_ROUNDING ((scalar)(REAL_BITS == 64 ? 1.8e-15 : 9.6e-7))  // 8 roundings
+
+// The change of the state that takes a surface's level up by 1; and what rounding may leave of the
+// level.
+SHARED_FN real surface_normal(const ModelPoint* point, const PhaseAt* moment, const real* x,
+                              int surface, real* normal) {
+  real squares = 0;
+  real terms = 0;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    real unit[MODEL_STATE_COUNT];
+    real rates[MODEL_SURFACES];
+    UNROLL
+    for (int j = 0; j < MODEL_STATE_COUNT; ++j) unit[j] = i == j ? 1 : 0;
+    model_level_along(point, moment, x, unit, rates);
+    normal[i] = rates[surface];
+    squares = squares + normal[i] * normal[i];
+    terms = terms + lane_abs(normal[i] * x[i]);
+  }
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) normal[i] = normal[i] / squares;
+  return SURFACE_ROUNDING * terms;
+}
+
+// What rounding may leave of the rate of a surface's level.
+SHARED_FN real surface_rate_rounding(const ModelPoint* point, const PhaseAt* moment, const real* x,
+                                     int surface, const real* field) {
+  real normal[MODEL_STATE_COUNT];
+  real squares = 0;
+  real terms = 0;
+  (void)surface_normal(point, moment, x, surface, normal);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    squares = squares + normal[i] * normal[i];
+    terms = terms + lane_abs(normal[i] * field[i]);
+  }
+  return SURFACE_ROUNDING * (terms / squares);
+}
+
+// Takes lanes to just below a surface, so that by rounding none counts as beyond it. Returns what
+// rounding may leave of the level.
+SHARED_FN real surface_put_below(const ModelPoint* point, const PhaseAt* moment, int surface,
+                                 mask where, real* x) {
+  real normal[MODEL_STATE_COUNT];
+  real levels[MODEL_SURFACES];
+  model_level_values(point, moment, x, levels);
+  const real rounding = surface_normal(point, moment, x, surface, normal);
+  const real down = levels[surface] + rounding;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    x[i] = lane_select(where, x[i] - down * normal[i], x[i]);
+  }
+  return rounding;
+}
+
+// Takes a motion that slides back onto its surfaces: a step leaves them by what it is wrong by.
+SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, mask where, real* x) {
+  const mask slides = where & sliding_any(point);
+  if (all_lanes(!slides)) return;
+  Sliding sliding;
+  real levels[MODEL_SURFACES];
+  real back[MODEL_STATE_COUNT];
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    if (!MODEL_RESETS(k)) continue;
+    surface_put_below(point, moment, k, where & point->sides.slides[k], x);
+  }
+  sliding_find(point, moment, x, &sliding);
+  model_held_values(point, moment, x, levels);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    levels[k] = surface_level(k, point->sides.side[k]) - levels[k];
+  }
+  sliding_solve(point, &sliding, levels);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) back[i] = x[i];
+  sliding_add(&sliding, levels, back);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(slides, back[i], x[i]);
+}
+
+#ifdef MODEL_HAS_RESETS
+// Resets the state where a surface was met from below, and carries the field and the tangent
+// vectors by the reset's derivative.
+SHARED_FN void surface_reset(const ModelPoint* point, const PhaseAt* moment, const mask* hit,
+                             const real* rates, int beside, real* x, real* field, real* w) {
+  const real zero = 0;
+  real from[MODEL_STATE_COUNT];
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) from[i] = x[i];
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    if (!MODEL_RESETS(k)) continue;
+    const mask is_reset = hit[k] & (zero < rates[k]);
+    if (all_lanes(!is_reset)) continue;
+    real out[MODEL_STATE_COUNT];
+    model_reset(point, moment, from, k, out);
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(is_reset, out[i], x[i]);
+    model_reset_rates(point, moment, from, k, field, out);
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) field[i] = lane_select(is_reset, out[i], field[i]);
+#if TANGENTS > 0
+    for (int j = 0; j < TANGENTS && beside & RK4_LINEAR; ++j) {
+      real* own = w + j * MODEL_STATE_COUNT;
+      model_reset_along(point, moment, from, k, own, out);
+      UNROLL
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) own[i] = lane_select(is_reset, out[i], own[i]);
+    }
+#else
+    (void)beside, (void)w;
+#endif
+  }
+}
+
+// Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
+// the flight to the next impact would be too short to count.
+SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, const mask* hit,
+                               const mask* came_up, const real* rates, const real* levels_before,
+                               const real* field, const real* rates_behind, real* x) {
+  const real zero = 0;
+  const real one = 1;
+  real levels[MODEL_SURFACES];
+  real pushes[MODEL_SURFACES];
+  mask rests = zero != zero;
+  model_level_values(point, moment, x, levels);
+  model_held_rates(point, moment, x, field, pushes);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    if (!MODEL_RESETS(k)) continue;
+    const mask is_reset = hit[k] & (zero < rates[k]);
+    const real rate = rates_behind[k];
+    const real push = pushes[k];
+    // The reset leaves the level what it was, but for rounding.
+    const real reach =
+        lane_abs(levels_before[k]) + SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
+    const mask is_at = lane_abs(levels[k]) <= (scalar)(2) * reach;
+    // Of a reset that leaves no speed the rate is rounding.
+    const real smallest =
+        SURFACE_NEAR * rates[k] + surface_rate_rounding(point, moment, x, k, field);
+    const mask goes_on = smallest < rate;
+    const mask is_above = (is_at & goes_on) | (!is_at & (zero < levels[k]));
+    // What only touches it from below goes on there.
+    const mask touches = hit[k] & came_up[k] & !is_reset;
+    const mask returns = touches | (is_reset & !is_above);
+    const real rounding = surface_put_below(point, moment, k, touches | (returns & is_at), x);
+    // A flight that is too short, or too low.
+    const mask is_short = (scalar)(2) * lane_abs(rate) <= SURFACE_SHORT_FLIGHT * h * push;
+    const mask is_low = rate * rate <= (scalar)(8) * push * rounding;
+    const mask stays =
+        (touches | (is_reset & is_at & !goes_on)) & (zero < push) & (is_short | is_low);
+    point->sides.side[k] =
+        lane_select(returns, zero, lane_select(is_reset, one, point->sides.side[k]));
+    point->sides.slides[k] = point->sides.slides[k] | stays;
+    rests = rests | stays;
+  }
+  if (all_lanes(!rests)) return;
+  point->sides.slid = point->sides.slid | rests;
+  surface_return(point, moment, rests, x);
+}
+
+#else
+SHARED_FN void surface_reset(const ModelPoint* point, const PhaseAt* moment, const mask* hit,
+                             const real* rates, int beside, real* x, real* field, real* w) {
+  (void)point, (void)moment, (void)hit, (void)rates, (void)beside, (void)x, (void)field, (void)w;
+}
+SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, const mask* hit,
+                               const mask* came_up, const real* rates, const real* levels_before,
+                               const real* field, const real* rates_behind, real* x) {
+  (void)point, (void)moment, (void)h, (void)hit, (void)came_up, (void)rates, (void)levels_before;
+  (void)field, (void)rates_behind, (void)x;
+}
+#endif
+
+#endif
