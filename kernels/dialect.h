@@ -44,6 +44,15 @@ typedef JOIN(MASK_NAME, LANES) mask;
 #endif
 #endif
 
+// One lane of a real or a mask that lies in memory, and numbers of reals one by one.
+#if LANES == 1
+#define LANE(value, lane) (value)
+#define SCALARS(numbers) (numbers)
+#else
+#define LANE(value, lane) ((value)[lane])
+#define SCALARS(numbers) ((__global scalar*)(numbers))
+#endif
+
 #define SHARED_FN static inline __attribute__((always_inline))
 #ifdef __clang__
 // "unroll" alone may leave a part of a loop, and with it an array in memory.

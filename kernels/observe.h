@@ -6,7 +6,8 @@
 // sums are the numbers that an observable keeps during the record. An observable with
 // NAME_PER_CHANNEL looks at one state or signal: its init gets the value at the start; its step
 // gets the values at the step's four moments, and the step. One with NAME_PER_CONTACT gets the
-// depths of a contact instead.
+// depths of a contact instead. One with NAME_PER_SECTION looks at a section of the model: its step
+// gets how the step comes through it, and the step.
 
 // An instant on the phase grid. At a break phase there are two of them.
 typedef struct {
@@ -39,6 +40,20 @@ SHARED_FN ContactDepths contact_depths(real deflection, real backlash, bool is_o
   return depths;
 }
 
+// How a step comes through a section (section_crossing.h).
+typedef struct {
+  mask where;                 // whether it does
+  real share;                 // of the step, at which it does
+  real x[MODEL_STATE_COUNT];  // the state there
+  real last;                  // the section's level where the step before ended
+} SectionCrossing;
+
+// Where samples go, [sample][chosen state][item], so many for each point.
+typedef struct {
+  __global real* numbers;
+  uint samples, items, item;
+} Series;
+
 // What observables see of a step: its start, middle and end, and the moment half a step before
 // them. Between these a quantity follows a cubic (step_curve.h).
 typedef struct {
@@ -49,6 +64,8 @@ typedef struct {
   Share weight;  // the step's share of a period
   mask smooth;   // the same flanks touch at start, middle and end
   real cubic;    // 0 where `earlier` lies in another segment, or in a step that is not smooth
+  const SectionCrossing* crossings;  // of the sections that the study looks at, in its order
+  const Series* series;
 } Step;
 
 #include "step_curve.h"

@@ -1,9 +1,16 @@
 // A walk (walk.h) whose steps the observers see.
 
+#include "section_crossing.h"
+#ifndef WATCHED_SECTIONS
+#define WATCHED_SECTION_COUNT 1  // an array must have a member
+#endif
+
 typedef struct {
   const Observers* observers;
   Instant earlier, before, middle, after;
   mask was_smooth;  // the step before this one, of the same segment
+  SectionCrossing crossings[WATCHED_SECTION_COUNT];
+  Series series;
 } Watcher;
 
 // Whether the same flanks of one contact touch at two moments.
@@ -49,7 +56,9 @@ SHARED_FN void watch_seen(Watcher* watcher, Share weight) {
                      &watcher->after,
                      weight,
                      smooth,
-                     lane_select(watcher->was_smooth, sixth, zero)};
+                     lane_select(watcher->was_smooth, sixth, zero),
+                     watcher->crossings,
+                     &watcher->series};
   observers_step(watcher->observers, &step);
   watcher->earlier = watcher->middle;
   watcher->before = watcher->after;
@@ -121,6 +130,14 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
   const mask was_smooth = watcher->was_smooth;
   Instant earlier = watcher->earlier;
   watcher->was_smooth = was_smooth & is_whole;
+#ifdef WATCHED_SECTIONS
+  const real length = lane_select(where, part->length, zero);
+  if (sections_find(&watcher->before, &watcher->middle, &watcher->after, length, sliding_any(point),
+                    watcher->crossings)) {
+    sections_take(length, watcher->before.x, watcher->after.x, part->slopes->first,
+                  part->slopes->last, watcher->crossings);
+  }
+#endif
   watch_seen(watcher, lane_select(where, (*part->to - part->from) * part->share, zero));
   watcher->was_smooth = lane_select(where, watcher->was_smooth & is_whole, was_smooth);
   watch_select(!where, &earlier, &watcher->earlier);
@@ -150,6 +167,23 @@ SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE Phase
                           scalar share, const real* middle, const real* x) {
   take_moment(point, stage - 1, middle, &watcher->middle);
   take_moment(point, stage, x, &watcher->after);
+#ifdef WATCHED_SECTIONS
+  const real length = share * point->period;
+  const mask slides = length != length;
+  if (sections_find(&watcher->before, &watcher->middle, &watcher->after, length, slides,
+                    watcher->crossings)) {
+    const PhaseCoefs start = stage[-RK4_STAGES_PER_STEP];
+    const PhaseCoefs end = stage[0];
+    const PhaseAt start_phase = phase_at(&start);
+    const PhaseAt end_phase = phase_at(&end);
+    real first[MODEL_STATE_COUNT];
+    real last[MODEL_STATE_COUNT];
+    ContactSeen seen;
+    rk4_slope(point, &start_phase, watcher->before.x, &seen, first);
+    rk4_slope(point, &end_phase, watcher->after.x, &seen, last);
+    sections_take(length, watcher->before.x, watcher->after.x, first, last, watcher->crossings);
+  }
+#endif
   watch_seen(watcher, share);
 }
 

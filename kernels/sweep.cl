@@ -76,12 +76,24 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   real w[TANGENT_NUMBERS];
   real log_stretching[TANGENT_VECTORS];
   load_components(tangents, items, item, 0, TANGENTS * MODEL_STATE_COUNT, w);
+  watcher.series.numbers = series;
+  watcher.series.samples = round.samples;
+  watcher.series.items = items;
+  watcher.series.item = item;
   if (round.done == 0) {
     see_start(&point, &grid, x, &watcher.before);
     observers_init(&observers, &watcher.before);
   } else {
     observers_load(&observers, accumulators, items, item);
   }
+#ifdef WATCHED_SECTIONS
+  observers_sections(&observers, watcher.crossings);
+#endif
+#ifdef SAMPLED_AT_SECTION
+  for (uint i = 0; round.done == 0 && i < round.samples * SAMPLED_AT_SECTION; ++i) {
+    series[(size_t)i * items + item] = NAN;
+  }
+#endif
   for (uint period = 0; period < round.periods; ++period) {
     const uint number = round.done + period;
     for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;

@@ -84,9 +84,11 @@ struct ReturnMaps {
 };
 
 // Periods of a study's settling that a search for orbits may take: what is left is the warm-up of
-// the tangent vectors, which belongs to the record.
+// the tangent vectors, which belongs to the record. None where the study looks at sections: their
+// returns are counted in the whole record.
 inline std::size_t searched_periods(const Study& study) {
   const Integrate& integrate = study.integrate;
+  if (!study.selection.watched_sections().empty()) return 0;
   const bool warms_up = study.selection.tangent_count() > 0;
   return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
 }

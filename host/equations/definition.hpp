@@ -43,6 +43,15 @@ struct SurfaceDefinition {
   std::vector<ExpressionText> reset;  // [state]
 };
 
+// [sections.top]: where `value`, or its rate along the motion, goes from below 0 to above it; with
+// is_down from above to below.
+struct SectionDefinition {
+  std::string name;
+  ExpressionText value;
+  bool of_rate = false, is_down = false;
+  auto operator<=>(const SectionDefinition&) const = default;
+};
+
 struct ModelDefinition {
   std::string name, summary;
   std::vector<std::string> assumptions;  // of Model
@@ -71,6 +80,7 @@ struct ModelDefinition {
   std::vector<ExpressionText> start;          // [state]; of parameters alone
   std::vector<ExpressionText> signal_values;  // [signal]
   std::vector<SurfaceDefinition> surfaces;
+  std::vector<SectionDefinition> sections;
   ExpressionText period;  // in dimensionless time; of parameters alone
   // How many of these make a period of the forcing, whole, of parameters alone: `turn` counts them
   // from 0 on, and `phase` begins anew in each. Empty: one.

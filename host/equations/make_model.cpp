@@ -117,28 +117,41 @@ void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula)
     refuse(formula->impacts[i].when, definition.surfaces[i].when,
            fmt::format("surface '{}'", definition.surfaces[i].name));
   }
+  for (std::size_t i = 0; i < formula->sections.size(); ++i) {
+    refuse(formula->sections[i].value, definition.sections[i].value,
+           fmt::format("section '{}'", definition.sections[i].name));
+  }
 }
 
-// Nothing comes to a surface whose level no state changes, or whose level jumps.
-void refuse_unreached_surfaces(const ModelDefinition& definition, Formula* formula) {
-  for (std::size_t i = 0; i < formula->impacts.size(); ++i) {
-    if (may_jump(*formula, {formula->impacts[i].when})) {
-      const SurfaceDefinition& surface = definition.surfaces[i];
-      throw InputError(
-          fmt::format("{}:{}: surface '{}' may jump with a state: 'when' may not compare, nor have "
-                      "sign, step or "
-                      "floor; a wall on either side is abs(x) - gap",
-                      surface.when.file, surface.when.line, surface.name));
-    }
-    const bool stays = std::ranges::all_of(formula->states, [&](NodeId state) {
-      const NodeId slope = derivative(&formula->graph, formula->impacts[i].when, state);
-      return formula->graph.is_number(slope, 0.0);
-    });
-    if (!stays) continue;
-    const SurfaceDefinition& surface = definition.surfaces[i];
+// Nothing comes to a place whose level no state changes, or whose level jumps. what: "surface
+// 'wall'".
+void refuse_unreached(const ExpressionText& text, const std::string& what, NodeId level,
+                      Formula* formula) {
+  if (may_jump(*formula, {level})) {
     throw InputError(fmt::format(
-        "{}:{}: surface '{}' lies nowhere: 'when' must rise with a state, as x - gap does",
-        surface.when.file, surface.when.line, surface.name));
+        "{}: {} may jump with a state: where it lies may not compare, nor have sign, step or "
+        "floor; a wall on either side is abs(x) - gap",
+        text.place(), what));
+  }
+  const bool stays = std::ranges::all_of(formula->states, [&](NodeId state) {
+    return formula->graph.is_number(derivative(&formula->graph, level, state), 0.0);
+  });
+  if (!stays) return;
+  throw InputError(
+      fmt::format("{}: {} lies nowhere: its expression must change with a state, as x - gap does",
+                  text.place(), what));
+}
+
+void refuse_unreached_places(const ModelDefinition& definition, Formula* formula) {
+  for (std::size_t i = 0; i < formula->impacts.size(); ++i) {
+    const SurfaceDefinition& surface = definition.surfaces[i];
+    refuse_unreached(surface.when, fmt::format("surface '{}'", surface.name),
+                     formula->impacts[i].when, formula);
+  }
+  for (std::size_t i = 0; i < formula->sections.size(); ++i) {
+    const SectionDefinition& section = definition.sections[i];
+    refuse_unreached(section.value, fmt::format("section '{}'", section.name),
+                     formula->sections[i].value, formula);
   }
 }
 
@@ -198,14 +211,42 @@ std::string unit_of(const Formula& formula, const ModelDefinition& definition, N
   return "1";
 }
 
-void refuse_taken(const ModelDefinition& definition, const std::string& name) {
+// what: it belongs to.
+void refuse_taken(const ModelDefinition& definition, const std::string& name,
+                  const std::string& what) {
   const auto is_taken = [&](const auto& infos) {
     return std::ranges::any_of(infos, [&](const auto& info) { return info.name == name; });
   };
   if (!is_taken(definition.states) && !is_taken(definition.signals)) return;
-  throw InputError(fmt::format(
-      "{}: '{}' is what a signal of one of the model's contacts is called; take another name",
-      definition.period.file, name));
+  throw InputError(fmt::format("{}: '{}' is what a signal of {} is called; take another name",
+                               definition.period.file, name, what));
+}
+
+// The sections, whose signals are lowered, and get their names here.
+std::vector<SectionInfo> add_section_signals(const Formula& formula, ModelDefinition* definition) {
+  std::vector<SectionInfo> sections;
+  for (std::size_t i = 0; i < formula.sections.size(); ++i) {
+    const std::string& name = definition->sections[i].name;
+    const auto is_same = [&](const SectionInfo& section) { return section.name == name; };
+    if (std::ranges::any_of(sections, is_same)) {
+      throw InputError(fmt::format("{}: there are two sections '{}'",
+                                   definition->sections[i].value.place(), name));
+    }
+    const std::string unit = definition->sections[i].of_rate
+                                 ? "1"
+                                 : unit_of(formula, *definition, formula.sections[i].value);
+    const auto add = [&](const std::string& suffix, const std::string& signal_unit,
+                         const std::string& meaning) {
+      refuse_taken(*definition, name + suffix, fmt::format("section '{}'", name));
+      definition->signals.push_back({name + suffix, signal_unit, meaning});
+      return definition->signals.size() - 1;
+    };
+    const std::size_t level = add("_level", unit, "what rises through 0 at the section");
+    const std::size_t rate = add("_rate", "1", "rate of that");
+    const std::size_t size = add("_size", unit, "what its terms come to without their signs");
+    sections.push_back({name, level, rate, size});
+  }
+  return sections;
 }
 
 // The contacts, with the signals that what looks at them needs.
@@ -217,7 +258,7 @@ std::vector<ContactInfo> add_contact_signals(const Formula& formula, ModelDefini
     const std::string before = contact.name.empty() ? "" : contact.name + "_";
     const std::string unit = unit_of(formula, *definition, contact.deflection);
     const auto add = [&](const std::string& name, const std::string& meaning, NodeId id) {
-      refuse_taken(*definition, before + name);
+      refuse_taken(*definition, before + name, "one of the model's contacts");
       definition->signals.push_back({before + name, unit, meaning});
       lowered->signals.push_back(id);
       return lowered->signals.size() - 1;
@@ -285,7 +326,7 @@ Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
   refuse_unrolled_angles(definition, &formula);
-  refuse_unreached_surfaces(definition, &formula);
+  refuse_unreached_places(definition, &formula);
   if (definition.expressions.empty() || definition.mirrors.empty()) {
     refuse_unmirrored_starts(definition, &formula);
   } else {
@@ -297,6 +338,7 @@ Model make_model(const ModelDefinition& given) {
   // Kept of a model whose options are not chosen yet.
   const auto written = formula.choices.empty() ? nullptr : std::make_shared<const Formula>(formula);
   Lowered lowered = lower(&formula);
+  const std::vector<SectionInfo> sections = add_section_signals(formula, &definition);
   const std::vector<ContactInfo> contacts = add_contact_signals(formula, &definition, &lowered);
   const auto tapes = std::make_shared<const Tapes>(make_tapes(definition, lowered, &formula));
   const auto derived = std::make_shared<const DerivedValues>(definition, formula);
@@ -304,6 +346,7 @@ Model make_model(const ModelDefinition& given) {
   set_lists(definition, formula, lowered, &model);
   set_derived(tapes, derived, &model);
   model.contacts = contacts;
+  model.sections = sections;
   model.corners = lowered.contacts.list.size() - contacts.size();
   for (const RoughPlace& place : lowered.uncorrected) {
     model.uncorrected.push_back(

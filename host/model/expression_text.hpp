@@ -1,6 +1,7 @@
 // The text of an expression, with its place in a file.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <string>
 
@@ -14,7 +15,7 @@ struct ExpressionText {
 
   // "impact.toml:12"
   std::string place() const { return line == 0 ? file : file + ":" + std::to_string(line); }
-  bool operator==(const ExpressionText&) const = default;
+  auto operator<=>(const ExpressionText&) const = default;
 };
 
 }  // namespace gearsweep

@@ -102,6 +102,14 @@ struct SurfaceInfo {
   bool resets = false;
 };
 
+// A place that a motion is looked at where it comes up through it, and nothing happens.
+struct SectionInfo {
+  std::string name;  // its quantities begin with it
+  // Signals: the level is 0 there; its rate along the motion; the size of its terms, whose rounding
+  // the level must leave.
+  std::size_t level = 0, rate = 0, size = 0;
+};
+
 // What is worked out of all surfaces. A motion may stay at one: along a jump its level is held, at
 // one where the state is reset the level's rate.
 enum class SurfaceValue {
@@ -248,6 +256,7 @@ struct Model {
   // Corners with a state that steps are not corrected for; a line each says which, and why.
   std::vector<std::string> uncorrected;
   std::vector<SurfaceInfo> surfaces;
+  std::vector<SectionInfo> sections;
   std::vector<MirrorPairs> mirror_pairs;
   // A table bends inside the steps: nothing is read between the moments of a step.
   bool is_rough = false;

@@ -71,6 +71,7 @@ enum class ObservedPart {
   whole,    // once: its quantities are NAME or NAME_suffix
   channel,  // for each state and signal: CHANNEL_suffix
   contact,  // for each contact: NAME_suffix, or CONTACT_NAME_suffix where contacts have names
+  section,  // for each section of the model: SECTION_suffix
 };
 
 struct Observable {

@@ -38,6 +38,11 @@ std::set<std::size_t> signals_looked_at(const Study& study) {
       const int signal = study.model->find_signal(observer.part);
       if (signal >= 0) signals.insert(static_cast<std::size_t>(signal));
     }
+    for (const SectionInfo& section : study.model->sections) {
+      const bool is_seen =
+          observer.observable->part == ObservedPart::section && section.name == observer.part;
+      if (is_seen) signals.insert({section.level, section.rate, section.size});
+    }
     if (observer.observable->part != ObservedPart::contact) continue;
     for (const ContactInfo& contact : study.model->contacts) {
       if (contact.name == observer.part) signals.insert({contact.deflection, contact.backlash});

@@ -10,6 +10,7 @@
 #include "model/array.hpp"
 #include "reference/detail/lyapunov_observables.hpp"
 #include "reference/detail/observables.hpp"
+#include "reference/detail/section_observables.hpp"
 #include "reference/detail/trajectory.hpp"
 #include "sweep_types.h"
 
@@ -52,18 +53,28 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   }
   const std::vector<std::size_t>& sampled = study.selection.poincare;
   for (const auto& observable : observables) observable->begin(trajectory.state());
-  result.samples.resize(sampled.size() * window.samples);
+  result.samples.assign(sampled.size() * window.samples, std::numeric_limits<double>::quiet_NaN());
+  std::size_t sample = 0;
+  const auto keep = [&](const Eigen::VectorXd& state) {
+    for (std::size_t j = 0; j < sampled.size() && sample < window.samples; ++j) {
+      result.samples[j * window.samples + sample] = state[static_cast<Eigen::Index>(sampled[j])];
+    }
+    ++sample;
+  };
+  const std::string& named = study.selection.section;
+  std::optional<SectionWatch> section;
+  if (!named.empty()) {
+    section.emplace(*std::ranges::find(study.model->sections, named, &SectionInfo::name));
+  }
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
     result.diverged = !advance([&](const TrajectoryStep& step) {
       for (const auto& observable : observables) observable->step(step);
+      if (section) section->see(step, [&](const Eigen::VectorXd& state, double) { keep(state); });
     });
     for (const auto& observable : observables) {
       observable->period(trajectory.state(), log_stretching, trajectory.period());
     }
-    for (std::size_t j = 0; j < sampled.size() && i < window.samples; ++j) {
-      result.samples[j * window.samples + i] =
-          trajectory.state()[static_cast<Eigen::Index>(sampled[j])];
-    }
+    if (!section) keep(trajectory.state());
   }
   result.state = trajectory.state();
   for (const auto& observable : observables) {

@@ -326,19 +326,24 @@ class Description {
     add_count("sample", record, "recorded period");
 
     const SampleBlock block = block_of_samples(study_);
-    DataVariable variable = {
-        .name = "poincare",
-        .stored = stored_real(),
-        .dimensions = map_dimensions_,
-        .attributes = notes_.describe(states, "state", "states at phase 0 of each recorded period"),
-        .elements = std::span(result_.samples),
-        .is_compressed = true,
-        .chunk = {block.rows, block.columns, states.size(), record}};
+    DataVariable variable = {.name = "poincare",
+                             .stored = stored_real(),
+                             .dimensions = map_dimensions_,
+                             .attributes = notes_.describe(states, "state", sampled_where()),
+                             .elements = std::span(result_.samples),
+                             .is_compressed = true,
+                             .chunk = {block.rows, block.columns, states.size(), record}};
     if (map_dimensions_.size() == 1) variable.chunk.erase(variable.chunk.begin());
     variable.dimensions.insert(variable.dimensions.end(), {"state", "sample"});
     variable.attributes.push_back(fill_of(variable.stored));
     add_columns(&variable);
     out_.variables.push_back(std::move(variable));
+  }
+
+  std::string sampled_where() const {
+    const std::string& section = study_.selection.section;
+    if (section.empty()) return "states at phase 0 of each recorded period";
+    return fmt::format("states at the first returns to section {}", section);
   }
 
   std::vector<ChannelInfo> chosen_states() const {

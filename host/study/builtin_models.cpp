@@ -40,7 +40,8 @@ const Model* find_model(std::string_view name) {
 std::shared_ptr<const Model> built_in_model(const std::string& name,
                                             const std::set<std::string>& swept,
                                             const ModelKeys& keys,
-                                            const std::set<std::string>& promoted) {
+                                            const std::set<std::string>& promoted,
+                                            const std::vector<SectionDefinition>& sections) {
   constexpr std::size_t kMany = 16;
   const std::string* text = model_text(name);
   if (text == nullptr) return nullptr;
@@ -50,13 +51,16 @@ std::shared_ptr<const Model> built_in_model(const std::string& name,
     if (promoted.contains(constant.name)) constants.insert(constant.name);
   }
   static std::mutex mutex;
-  static std::map<std::tuple<std::string, std::set<std::string>, ModelKeys, std::set<std::string>>,
+  static std::map<std::tuple<std::string, std::set<std::string>, ModelKeys, std::set<std::string>,
+                             std::vector<SectionDefinition>>,
                   std::shared_ptr<const Model>>
       held;
   const std::lock_guard lock(mutex);
   if (held.size() == kMany) held.clear();
-  auto& model = held[{name, swept, keys, constants}];
-  if (model == nullptr) model = read_model_text(*text, name + ".toml", swept, {}, keys, constants);
+  auto& model = held[{name, swept, keys, constants, sections}];
+  if (model == nullptr) {
+    model = read_model_text(*text, name + ".toml", swept, {}, keys, constants, sections);
+  }
   return model;
 }
 

@@ -25,7 +25,8 @@ const Model* find_model(std::string_view name);
 std::shared_ptr<const Model> built_in_model(const std::string& name,
                                             const std::set<std::string>& swept,
                                             const ModelKeys& keys,
-                                            const std::set<std::string>& promoted = {});
+                                            const std::set<std::string>& promoted = {},
+                                            const std::vector<SectionDefinition>& sections = {});
 
 // The text of one; nullptr when there is none of that name.
 const std::string* model_text(std::string_view name);

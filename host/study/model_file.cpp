@@ -80,7 +80,8 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
                                              const std::optional<std::set<std::string>>& swept,
                                              const TablePoints& table_points,
                                              const std::optional<ModelKeys>& keys,
-                                             const std::set<std::string>& promoted) {
+                                             const std::set<std::string>& promoted,
+                                             const std::vector<SectionDefinition>& sections) {
   if (text.size() > kMaxBytes) {
     throw InputError(
         fmt::format("{}: too large for a model; at most {} bytes are possible", source, kMaxBytes));
@@ -98,6 +99,7 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
     }
     if (keys) definition.choices = choices_of(definition, *keys);
     definition.table_points = table_points;
+    definition.sections.insert(definition.sections.end(), sections.begin(), sections.end());
     check_presets(definition);
     const auto model = std::make_shared<Model>(make_model(definition));
     check_defaults(*model);

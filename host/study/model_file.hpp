@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "equations/definition.hpp"
 #include "model/model.hpp"
@@ -21,11 +22,13 @@ using ModelKeys = std::map<std::string, std::string>;
 // source: names the text in messages. swept: names in which the points of a study differ
 // (ModelDefinition); all, if nothing is given. table_points: of the files that it names. keys: its
 // options are chosen so; none is, if nothing is given. promoted: its constants of these names
-// become parameters, where they are plain numbers. Throws InputError with the place.
+// become parameters, where they are plain numbers. sections: beside its own. Throws InputError with
+// the place.
 std::shared_ptr<const Model> read_model_text(
     const std::string& text, const std::string& source,
     const std::optional<std::set<std::string>>& swept = std::nullopt,
     const TablePoints& table_points = {}, const std::optional<ModelKeys>& keys = std::nullopt,
-    const std::set<std::string>& promoted = {});
+    const std::set<std::string>& promoted = {},
+    const std::vector<SectionDefinition>& sections = {});
 
 }  // namespace gearsweep

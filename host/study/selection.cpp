@@ -48,13 +48,20 @@ std::vector<Part> parts_for(const Observable& observable, const Model& model) {
         parts.push_back({contact.name, model.signals[contact.deflection].unit, contact.name});
       }
       return parts;
+    case ObservedPart::section:
+      for (const SectionInfo& section : model.sections) {
+        parts.push_back({section.name, model.signals[section.level].unit, section.name});
+      }
+      return parts;
   }
   return parts;
 }
 
 // What the names of the observable's quantities begin with.
 std::string stem_of(const Observable& observable, const Part& part) {
-  if (observable.part == ObservedPart::channel) return part.name;
+  const bool is_named_by_part =
+      observable.part == ObservedPart::channel || observable.part == ObservedPart::section;
+  if (is_named_by_part) return part.name;
   return part.name.empty() ? observable.name : part.name + "_" + observable.name;
 }
 
@@ -81,6 +88,12 @@ void add_offers(const Observable& observable, const Part& part, const Sizes& siz
     quantity.width = observable.width(sizes);
     offers->push_back({quantity, {&observable, part.name, i}});
   }
+}
+
+// Of `poincare` at another place, which has no name of its own.
+bool is_sampled_at_section(const Offer& offer) {
+  const Observable& observable = *offer.source.observable;
+  return observable.role == ObservableRole::samples && observable.part == ObservedPart::section;
 }
 
 std::vector<Offer> offers_of(const Model& model, const Sizes& sizes) {
@@ -236,6 +249,17 @@ std::vector<std::size_t> find_states(const Model& model, const std::vector<std::
   return found;
 }
 
+void refuse_unknown_section(const Model& model, const std::string& name) {
+  std::vector<std::string> known;
+  for (const SectionInfo& section : model.sections) known.push_back(section.name);
+  if (std::ranges::find(known, name) != known.end()) return;
+  throw InputError(known.empty() ? fmt::format("model '{}' has no sections: give one, as in\n"
+                                               "  [sections.{}]\n  maximum_of = \"{}\"",
+                                               model.name, name, model.states.front().name)
+                                 : fmt::format("unknown section '{}' of model '{}'{}", name,
+                                               model.name, suggest_name(name, known)));
+}
+
 }  // namespace
 
 std::optional<std::size_t> Selection::output_of(OutputRole role) const {
@@ -270,10 +294,21 @@ std::size_t Selection::tangent_count() const {
   return count;
 }
 
+std::vector<std::string> Selection::watched_sections() const {
+  std::vector<std::string> names;
+  for (const Observer& observer : observers) {
+    if (observer.observable->part != ObservedPart::section) continue;
+    if (std::ranges::find(names, observer.part) == names.end()) names.push_back(observer.part);
+  }
+  return names;
+}
+
 std::vector<Quantity> offered_quantities(const Model& model) {
   const Sizes sizes = {model.states.size(), kDefaultOrders.size()};
   std::vector<Quantity> out;
-  for (const Offer& offer : offers_of(model, sizes)) out.push_back(offer.quantity);
+  for (const Offer& offer : offers_of(model, sizes)) {
+    if (!is_sampled_at_section(offer)) out.push_back(offer.quantity);
+  }
   for (const LoadFactor& factor : load_factors(model)) out.push_back(factor.quantity);
   for (const Quantity& quantity : census_quantities()) out.push_back(quantity);
   Quantity status;
@@ -294,12 +329,14 @@ std::vector<std::string> motion_names() {
 
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
                             const std::vector<std::string>& poincare_states,
-                            const std::vector<double>& orders) {
+                            const std::vector<double>& orders, const std::string& section) {
   const Sizes sizes = {model.states.size(), orders.size()};
   const std::vector<Offer> offers = offers_of(model, sizes);
   const std::vector<std::size_t> sampled = find_states(model, poincare_states);
   const std::vector<Quantity> known = offered_quantities(model);
   Selection selection;
+  selection.section = section;
+  if (!section.empty()) refuse_unknown_section(model, section);
   std::set<std::string> listed;
   for (const std::string& name : names) {
     const auto found = std::find_if(known.begin(), known.end(), [&](const Quantity& candidate) {
@@ -339,7 +376,11 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       selection.quantities.push_back(quantity);
       continue;
     }
+    const bool is_elsewhere = name == "poincare" && !section.empty();
     const Offer& offer = *std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
+      if (is_elsewhere) {
+        return is_sampled_at_section(candidate) && candidate.source.part == section;
+      }
       return candidate.quantity.name == name;
     });
     if (offer.source.observable->role == ObservableRole::samples && sampled.empty()) {

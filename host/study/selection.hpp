@@ -58,6 +58,7 @@ struct Selection {
   std::vector<Observer> observers;
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
+  std::string section;                // at which they are, instead; empty: at phase 0
   // Of which amplitudes and phases are asked for, in multiples of the mesh frequency
   // (Model::mesh_periods); empty: of none.
   std::vector<double> orders;
@@ -74,6 +75,8 @@ struct Selection {
   std::size_t output_count() const;       // of all observers
   std::size_t accumulator_count() const;  // of all observers
   std::size_t tangent_count() const;      // tangent vectors that suffice for all observers
+  // Names of the sections that observers look at, in the order of these; none twice.
+  std::vector<std::string> watched_sections() const;
 };
 
 // Every quantity that a model offers, `poincare` and `status` included.
@@ -85,10 +88,11 @@ std::vector<std::string> motion_names();
 // Those of a study that names none.
 inline const std::vector<double> kDefaultOrders = {1.0, 2.0, 3.0};
 
-// Resolves quantity names. Throws InputError with the nearest known name (the caller adds the
-// place).
+// Resolves quantity names. section: where poincare samples are taken. Throws InputError with the
+// nearest known name (the caller adds the place).
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
                             const std::vector<std::string>& poincare_states,
-                            const std::vector<double>& orders = kDefaultOrders);
+                            const std::vector<double>& orders = kDefaultOrders,
+                            const std::string& section = "");
 
 }  // namespace gearsweep

@@ -50,6 +50,7 @@ StudyTable whole_study() {
        {"axes", "one or two tables", "required",
         "What is swept; the first axis is x. A list of points may take the place of one."},
        {"points", table, "", "A list of points, instead of an axis or beside one."},
+       {"sections", table, "", "Places at which motions are looked at, beside the model's own."},
        {"initial", table, "", "Where points start."},
        {"uncertain", table, "", "Parameters that are known within tolerances."},
        {"integrate", table, "", "How, and for how long, points are integrated."},
@@ -102,6 +103,19 @@ constexpr std::string_view kForms[] = {"number",
                                        "file beside the study",
                                        "file with a number per tooth",
                                        "file over the path of contact"};
+
+StudyTable sections_table() {
+  StudyKey section{
+      "SECTION", "table", "",
+      "A name of your own, with when = \"v\", an expression that goes through 0 there, "
+      "and direction = \"up\", as without it, or \"down\"; or with maximum_of = \"x\" "
+      "or minimum_of = \"x\". Its quantities begin with its name: top_return_time."};
+  section.is_pattern = true;
+  return {"sections",
+          "[sections]",
+          "Places at which a motion is looked at where it comes through them.",
+          {section}};
+}
 
 StudyTable gear_table() {
   StudyTable table{
@@ -276,6 +290,9 @@ StudyTable observe_table() {
             "What becomes a map: 'gearsweep model NAME' lists them. status is always there."},
            {"poincare", "list of strings", "the first state",
             "States sampled at phase 0 of each recorded period, for the quantity poincare."},
+           {"section", "string", "phase 0",
+            "A section of the model or the study, at which the quantity poincare is sampled "
+            "instead: at the first so many returns as there are recorded periods."},
            {"period_tolerance", "number", "1e-6",
             "Two states at phase 0 are the same when they differ by no more than this, relative to "
             "the range of the motion. Without it 1e-4 in fp32.",
@@ -291,8 +308,9 @@ StudyTable observe_table() {
 
 const std::vector<StudyTable>& study_tables() {
   static const std::vector<StudyTable> kTables = {
-      whole_study(),  model_table(),   parameters_table(), gear_table(),      axes_table(),
-      points_table(), initial_table(), uncertain_table(),  integrate_table(), observe_table()};
+      whole_study(),     model_table(),     parameters_table(), gear_table(),
+      axes_table(),      points_table(),    sections_table(),   initial_table(),
+      uncertain_table(), integrate_table(), observe_table()};
   return kTables;
 }
 

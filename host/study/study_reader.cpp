@@ -218,6 +218,7 @@ Study read_tables(const StudyText& text) {
   read_model(root, reader.table("model"), &study);
   const toml::table* parameters = reader.table("parameters");
   reader.table("gear");
+  reader.table("sections");  // read_model()
   reader.table("points");
   reader.table("uncertain");
   refuse_misplaced(root, *study.model);

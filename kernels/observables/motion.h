@@ -117,7 +117,7 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const real much = 10;
   const real nothing = (scalar)(0.01);
   const real size = lane_abs(log_stretching);
-  const mask recurs = period_found(sums + motion_recurrence, round.record) > zero;
+  const mask recurs = period_found(sums + motion_recurrence) > zero;
   const mask positive = (log_stretching > error) & (log_stretching > turn);
   const mask neutral = (size <= nothing) | ((size <= error) & (size <= much));
   real ranges[MODEL_STATE_COUNT];

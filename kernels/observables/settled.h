@@ -26,7 +26,7 @@ SHARED_FN void settled_end_period(real* sums, const Section* section) {
 
 SHARED_FN void settled_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
-  const real total = sums[period_since] + (scalar)(round.settled);
-  out[0] = lane_select(period_found(sums, round.record) > zero, total, (real)(NAN));
+  const real total = sums[period_recurrence + recurrence_since] + (scalar)(round.settled);
+  out[0] = lane_select(period_found(sums) > zero, total, (real)(NAN));
 }
 #endif

@@ -68,6 +68,9 @@ class FormulaReader {
         formula_.impacts.back().reset.push_back(without_table(text));
       }
     }
+    for (const SectionDefinition& section : definition_.sections) {
+      formula_.sections.push_back({without_table(section.value), section.of_rate, section.is_down});
+    }
     for (const ExpressionText& text : definition_.start) {
       formula_.start.push_back(of_parameters(text, "a start"));
     }

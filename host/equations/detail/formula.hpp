@@ -32,9 +32,14 @@ struct Formula {
     NodeId when = 0;
     std::vector<NodeId> reset;  // [state]
   };
-  std::vector<Impact> impacts;   // of the definition's surfaces
-  NodeId period = 0, cycle = 0;  // of the whole cycle; how many times the phase begins anew in it
-  std::vector<NodeId> checks;    // conditions, as numbers that are 1 where they hold
+  std::vector<Impact> impacts;  // of the definition's surfaces
+  struct Section {
+    NodeId value = 0;
+    bool of_rate = false, is_down = false;
+  };
+  std::vector<Section> sections;  // of the definition
+  NodeId period = 0, cycle = 0;   // of the whole cycle; how many times the phase begins anew in it
+  std::vector<NodeId> checks;     // conditions, as numbers that are 1 where they hold
   std::vector<std::vector<NodeId>> check_values;  // [check]: those that its message has
   std::vector<UnusedName> unused;
 };

@@ -10,6 +10,7 @@
 #include "equations/detail/dependence.hpp"
 #include "equations/detail/phase_breaks.hpp"
 #include "expression/differentiate.hpp"
+#include "expression/magnitude.hpp"
 
 namespace gearsweep {
 namespace {
@@ -44,6 +45,7 @@ class Lowering {
     if (!formula_->impacts.empty() || may_jump(*formula_, equations)) {
       hold_sides(&equations, &signals);
     }
+    add_sections(equations, &signals);
     lowered_.is_second_order = is_second_order(equations);
     if (lowered_.is_second_order) dependences_.know_velocities();
     const auto changes = [this](NodeId id) { return of(id).phase; };
@@ -93,6 +95,19 @@ class Lowering {
     Rewriter hold(graph_, held_);
     for (NodeId& id : *equations) id = hold(id);
     for (NodeId& id : *signals) id = hold(id);
+  }
+
+  // Level, rate and size of each section are signals. equations: held on their sides.
+  void add_sections(const std::vector<NodeId>& equations, std::vector<NodeId>* signals) {
+    Rewriter hold(graph_, held_), simplify(graph_, {});
+    for (const Formula::Section& section : formula_->sections) {
+      NodeId level = hold(simplify(section.value));
+      if (section.of_rate) level = rate_of(level, equations);
+      if (section.is_down) level = graph_->make(Operation::negate, {level});
+      signals->push_back(level);
+      signals->push_back(rate_of(level, equations));
+      signals->push_back(magnitude_of(graph_, level));
+    }
   }
 
   // What a node is on a side of a jump: of one that is a number on both sides without a choice.

@@ -35,7 +35,8 @@ struct Lowered {
   // The first half of the states are positions, the second half their velocities, in the same
   // order.
   bool is_second_order = false;
-  std::vector<NodeId> equations, signals;
+  std::vector<NodeId> equations;
+  std::vector<NodeId> signals;   // of the formula, then level, rate and size of each section
   std::vector<NodeId> jacobian;  // [row][column]
   Contacts contacts;
   std::vector<Surface> surfaces;

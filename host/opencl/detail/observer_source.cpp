@@ -7,6 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "equations/field_graph.hpp"
+#include "expression/differentiate.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -47,27 +50,43 @@ std::string wrapped(const std::string& statement) {
   return text + line + "\n";
 }
 
+// Whether the level of a section depends on the side of a jump that the motion is on.
+bool jumps_with_state(const Model& model, const SectionInfo& section) {
+  const FieldGraph& field = *model.field;
+  const std::vector<NodeId> parts = parts_of(field.graph, {field.signals[section.level]});
+  return std::ranges::any_of(
+      parts, [&](NodeId part) { return field.graph[part].symbol.starts_with("side["); });
+}
+
 class ObserverSource {
  public:
   explicit ObserverSource(const Study& study)
-      : study_(study), observers_(study.selection.observers) {}
+      : study_(study),
+        observers_(study.selection.observers),
+        sections_(study.selection.watched_sections()) {}
 
   std::string text() {
     write_settings();
     write_includes();
     write_struct();
-    write_function(
-        "init", "const Observers* observers, const Instant* start",
-        [&](const Observer& observer) { return fmt::format(", {}", seen(observer, "start")); });
+    write_function("init", "const Observers* observers, const Instant* start",
+                   [&](const Observer& observer) {
+                     const bool is_section = observer.observable->part == ObservedPart::section;
+                     return fmt::format(", {}", is_section ? "start" : seen(observer, "start"));
+                   });
     write_function(
         "step", "const Observers* observers, const Step* step", [&](const Observer& observer) {
           if (observer.observable->part == ObservedPart::whole) return std::string(", step");
+          if (observer.observable->part == ObservedPart::section) {
+            return fmt::format(", {}, step", seen(observer, "step"));
+          }
           return fmt::format(", {}, {}, {}, {}, step", seen(observer, "step->earlier"),
                              seen(observer, "step->before"), seen(observer, "step->middle"),
                              seen(observer, "step->after"));
         });
     write_function("end_period", "const Observers* observers, const Section* section",
                    [](const Observer&) { return std::string(", section"); });
+    if (!sections_.empty()) write_sections();
     write_finish();
     write_move("load", "__global const real* accumulators");
     write_move("store", "__global real* accumulators");
@@ -79,11 +98,30 @@ class ObserverSource {
   // differs in nothing else need not be built again.
   void write_settings() {
     for (const Observer& observer : observers_) {
-      if (!is_verdict(observer)) continue;
+      const bool recurs = is_verdict(observer) || observer.observable->name == "cycle";
+      if (!recurs) continue;
       out_ << fmt::format("#define PERIOD_TOLERANCE {}\n", study_.selection.period_tolerance);
       break;
     }
+    if (!sections_.empty()) {
+      out_ << fmt::format("#define WATCHED_SECTION_COUNT {}\n#define WATCHED_SECTIONS(X)",
+                          sections_.size());
+      for (std::size_t i = 0; i < sections_.size(); ++i) {
+        const Model& model = *study_.model;
+        const SectionInfo& section =
+            *std::ranges::find(model.sections, sections_[i], &SectionInfo::name);
+        out_ << fmt::format(" \\\n  X({}, {}, {}, {}, {})", i,
+                            model.name_in_kernel(model.signals[section.level].name),
+                            model.name_in_kernel(model.signals[section.rate].name),
+                            model.name_in_kernel(model.signals[section.size].name),
+                            jumps_with_state(model, section) ? 1 : 0);
+      }
+      out_ << "\n";
+    }
     if (study_.selection.poincare.empty()) return;
+    if (!study_.selection.section.empty()) {
+      out_ << fmt::format("#define SAMPLED_AT_SECTION {}\n", study_.selection.poincare.size());
+    }
     out_ << "#define SAMPLED_STATES {";
     for (const std::size_t state : study_.selection.poincare) {
       const Model& model = *study_.model;
@@ -131,6 +169,10 @@ class ObserverSource {
       return model.find_state(observer.part) >= 0 ? fmt::format("{}->x[STATE_{}]", moment, name)
                                                   : fmt::format("{}->signals.{}", moment, name);
     }
+    if (observer.observable->part == ObservedPart::section) {
+      const auto place = std::ranges::find(sections_, observer.part) - sections_.begin();
+      return fmt::format("&{}->crossings[{}]", moment, place);
+    }
     const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
     return fmt::format("contact_depths({0}->signals.{1}, {0}->signals.{2}, {3})", moment,
                        model.name_in_kernel(model.signals[contact->deflection].name),
@@ -145,6 +187,20 @@ class ObserverSource {
     for (const Observer& observer : observers_) {
       out_ << wrapped(fmt::format("{}_{}({}{});", observer.observable->name, verb,
                                   sums_of(observer), rest(observer)));
+    }
+    out_ << "}\n";
+  }
+
+  // Each observer of a section keeps first where its level was when the last step ended.
+  void write_sections() {
+    out_ << "\nSHARED_FN void observers_sections(const Observers* observers,\n"
+            "                                  SectionCrossing* crossings) {\n";
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      const auto looks = [&](const Observer& observer) {
+        return observer.observable->part == ObservedPart::section && observer.part == sections_[i];
+      };
+      const auto observer = std::ranges::find_if(observers_, looks);
+      out_ << wrapped(fmt::format("crossings[{}].last = {}[0];", i, sums_of(*observer)));
     }
     out_ << "}\n";
   }
@@ -187,6 +243,7 @@ class ObserverSource {
 
   const Study& study_;
   const std::vector<Observer>& observers_;
+  const std::vector<std::string> sections_;  // that are watched
   std::ostringstream out_;
 };
 

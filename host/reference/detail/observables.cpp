@@ -14,6 +14,7 @@
 #include "reference/detail/contact_observables.hpp"
 #include "reference/detail/lyapunov_observables.hpp"
 #include "reference/detail/orbit_observables.hpp"
+#include "reference/detail/section_observables.hpp"
 #include "reference/detail/state_moments.hpp"
 #include "reference/detail/zero_one_observable.hpp"
 
@@ -132,6 +133,11 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
     const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
     if (kind == "contact") return make_contact(model, *contact);
     if (kind == "contact_impacts") return make_contact_impacts(model, *contact);
+  }
+  if (observer.observable->part == ObservedPart::section) {
+    const auto section = std::ranges::find(model.sections, observer.part, &SectionInfo::name);
+    if (kind == "returns") return make_returns(*section);
+    if (kind == "cycle") return make_cycle(*section, period_tolerance, kinds);
   }
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();

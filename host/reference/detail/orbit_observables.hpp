@@ -1,7 +1,6 @@
 // The reference engine's observables of the sections, the states at phase 0 of each period: how
-// they recur, and what kind of motion that makes. All sections of the record are kept, so that the
-// definitions (kernels/observables/period.h, settled.h, motion.h, section.h) are followed as they
-// stand.
+// they recur, and what kind of motion that makes, by the definitions in kernels/observables/
+// (period.h, settled.h, motion.h, section.h).
 #pragma once
 
 #include <memory>

@@ -59,6 +59,9 @@ bool Trajectory::advance_period(const StepCallback& each_step,
       seen.is_smooth = !is_rough_ && same_contact(seen.before, seen.middle) &&
                        same_contact(seen.middle, seen.after);
       seen.earlier = earlier;
+      seen.at = [&](double within) {
+        return moment_within(moments_of(phase + share * i, inside, share), start, within);
+      };
       each_step(seen);
       earlier.reset();
       if (seen.is_smooth) earlier = seen.middle;
@@ -92,6 +95,25 @@ Instant Trajectory::moment(std::size_t row, const Eigen::VectorXd& state) const 
   out.state = state;
   out.signals.resize(static_cast<Eigen::Index>(signal_count_));
   point_->signals(grid_.coefs.data() + row * row_width_, state.data(), out.signals.data());
+  return out;
+}
+
+Instant Trajectory::moment_within(const StepMoments& moment_at, const Eigen::VectorXd& start,
+                                  double share) const {
+  const double h = share * moment_at.length * moment_at.period;
+  const auto slope_at = [&](double place, const Eigen::VectorXd& state) {
+    Eigen::VectorXd out(state.size());
+    point_->rhs(moment_at(place).data(), state.data(), out.data());
+    return out;
+  };
+  const Eigen::VectorXd k1 = slope_at(0.0, start);
+  const Eigen::VectorXd k2 = slope_at(0.5 * share, start + 0.5 * h * k1);
+  const Eigen::VectorXd k3 = slope_at(0.5 * share, start + 0.5 * h * k2);
+  const Eigen::VectorXd k4 = slope_at(share, start + h * k3);
+  Instant out;
+  out.state = start + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+  out.signals.resize(static_cast<Eigen::Index>(signal_count_));
+  point_->signals(moment_at(share).data(), out.state.data(), out.signals.data());
   return out;
 }
 
@@ -130,16 +152,20 @@ void Trajectory::step_through_surfaces(double phase, double inside, double share
   const StepMoments moment = moments_of(phase, inside, share);
   const auto tell = [&](double from, double to, const Bundle& before, const Bundle& after) {
     if (!seen) return;
-    Bundle middle{before.state, Eigen::MatrixXd(before.state.size(), 0)};
-    const double half = 0.5 * (from + to);
-    carry_held(&held_, moment, from, half, &middle);
+    const auto at = [&](double share_of_part) {
+      const double end = from + share_of_part * (to - from);
+      Bundle there{before.state, Eigen::MatrixXd(before.state.size(), 0)};
+      carry_held(&held_, moment, from, end, &there);
+      return held_instant(moment(end), there.state);
+    };
     TrajectoryStep step = {.before = held_instant(moment(from), before.state),
-                           .middle = held_instant(moment(half), middle.state),
+                           .middle = at(0.5),
                            .after = held_instant(moment(to), after.state),
                            .share = (to - from) * share,
                            .ends_step = to == 1.0};
     step.is_smooth = !is_rough_ && same_contact(step.before, step.middle) &&
                      same_contact(step.middle, step.after);
+    step.at = at;
     seen(step);
   };
   Bundle motion{state_, tangents_};

@@ -26,6 +26,8 @@ struct TrajectoryStep {
   bool is_smooth = false;  // no limit of the contact, nor a bend, lies between the three moments
   // The middle of the step before, when that was smooth and lies in the same segment.
   std::optional<Instant> earlier = {};
+  // Any moment, by a step of the method from `before` to that share of this one.
+  std::function<Instant(double share)> at = {};
 };
 using StepCallback = std::function<void(const TrajectoryStep&)>;
 
@@ -60,6 +62,8 @@ class Trajectory {
 
   Bundle slope(std::size_t row, const Bundle& at) const;
   Instant moment(std::size_t row, const Eigen::VectorXd& state) const;
+  Instant moment_within(const StepMoments& moment_at, const Eigen::VectorXd& start,
+                        double share) const;
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
   // Of a model with surfaces: a step from a phase on. seen: told the step's parts.

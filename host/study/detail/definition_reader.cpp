@@ -14,6 +14,7 @@
 #include "study/detail/definition_lists.hpp"
 #include "study/detail/model_names.hpp"
 #include "study/detail/preset_reader.hpp"
+#include "study/detail/section_reader.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/study_keys.hpp"
 
@@ -46,6 +47,7 @@ class DefinitionReader {
     read_forcing(required(&reader, "forcing"));
     read_signals(reader.table("signals"));
     read_surfaces(reader.table("surfaces"));
+    definition_.sections = read_sections(reader.table("sections"));
     read_presets(reader.table("presets"), &definition_);
     read_checks(reader.table("checks"), &definition_);
     read_mirrors(root_["model"].as_table()->get("mirrors"), &definition_);

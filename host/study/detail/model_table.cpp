@@ -12,6 +12,7 @@
 #include "study/builtin_models.hpp"
 #include "study/detail/definition_entries.hpp"
 #include "study/detail/parameter_values.hpp"
+#include "study/detail/section_reader.hpp"
 #include "study/detail/toml_access.hpp"
 #include "study/model_file.hpp"
 #include "study/study_keys.hpp"
@@ -153,7 +154,8 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
   };
   try {
     study->own_model = read_model_text(reader->text("text", ""), file, axis_names(root), points_of,
-                                       keys_of(root["model"].as_table()), given_names(root));
+                                       keys_of(root["model"].as_table()), given_names(root),
+                                       read_sections(root["sections"].as_table()));
   } catch (const InputError& error) {
     // The name of the file alone does not tell where it lies.
     if (const toml::node* named = reader->find("file")) fail_at(*named, error.what());
@@ -171,8 +173,8 @@ void read_own_model(const toml::table& root, TableReader* reader, Study* study) 
 // One of equations is read anew: what is tabulated depends on the study's axes.
 void read_builtin_model(const toml::table& root, TableReader* reader, Study* study) {
   const std::string name = reader->text("name", kDefaultModel);
-  study->own_model =
-      built_in_model(name, axis_names(root), keys_of(root["model"].as_table()), given_names(root));
+  study->own_model = built_in_model(name, axis_names(root), keys_of(root["model"].as_table()),
+                                    given_names(root), read_sections(root["sections"].as_table()));
   study->model = study->own_model.get();
   if (study->model != nullptr) return;
   fail_at(*reader->find("name"),

@@ -46,6 +46,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   const double rounding = study->integrate.fp64 ? 1e-6 : 1e-4;
   const double tolerance = reader.number("period_tolerance", rounding);
   const std::vector<double> orders = read_orders(&reader);
+  const std::string section = reader.text("section", "");
   reader.refuse_unknown();
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;
@@ -56,7 +57,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
                         first_state));
   }
   try {
-    study->selection = select_quantities(*study->model, quantities, states, orders);
+    study->selection = select_quantities(*study->model, quantities, states, orders, section);
     study->selection.period_tolerance = tolerance;
   } catch (const InputError& error) {
     fail_at(*place, error.what());

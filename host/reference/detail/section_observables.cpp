@@ -1,0 +1,110 @@
+#include "reference/detail/section_observables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "reference/detail/state_sequence.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+class Returns final : public ReferenceObservable {
+ public:
+  explicit Returns(const SectionInfo& section) : watch_(section) {}
+  void step(const TrajectoryStep& step) override {
+    watch_.see(step, [&](const Eigen::VectorXd&, double time) { times_.push_back(time); });
+  }
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double length) override {
+    length_ = length;
+    ++periods_;
+  }
+  std::vector<double> finish(const Window&) const override {
+    const double each = static_cast<double>(times_.size()) / static_cast<double>(periods_);
+    if (times_.size() < 2) return {each, kNothing, kNothing, kNothing};
+    std::vector<double> between;
+    for (std::size_t i = 1; i < times_.size(); ++i) between.push_back(times_[i] - times_[i - 1]);
+    const auto [shortest, longest] = std::ranges::minmax(between);
+    const double mean = (times_.back() - times_.front()) / static_cast<double>(between.size());
+    return {each, length_ * mean, length_ * shortest, length_ * longest};
+  }
+
+ private:
+  SectionWatch watch_;
+  std::vector<double> times_;
+  double length_ = 0.0;
+  std::size_t periods_ = 0;
+};
+
+class Cycle final : public ReferenceObservable {
+ public:
+  Cycle(const SectionInfo& section, double tolerance, const StateKinds& kinds)
+      : watch_(section), sections_(tolerance, kinds) {}
+  void step(const TrajectoryStep& step) override {
+    watch_.see(step, [&](const Eigen::VectorXd& state, double time) {
+      sections_.is_empty() ? sections_.begin(state) : sections_.add(state);
+      times_.push_back(time);
+    });
+    if (!sections_.is_empty()) sections_.pass(step.after.state);
+  }
+  void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double length) override {
+    length_ = length;
+  }
+  std::vector<double> finish(const Window&) const override {
+    constexpr std::size_t kLongestWindow = 64;
+    const Recurrence found = sections_.recurrence(kLongestWindow);
+    if (found.period == 0) return {0.0, kNothing};
+    const std::size_t turns = (sections_.last() - found.since) / found.period;
+    const double time = times_[found.since + turns * found.period] - times_[found.since];
+    return {static_cast<double>(found.period), length_ * time / static_cast<double>(turns)};
+  }
+
+ private:
+  SectionWatch watch_;
+  StateSequence sections_;
+  std::vector<double> times_;
+  double length_ = 0.0;
+};
+
+}  // namespace
+
+double SectionWatch::level(const Instant& moment) const {
+  const double level = moment.signals[static_cast<Eigen::Index>(section_.level)];
+  const double size = moment.signals[static_cast<Eigen::Index>(section_.size)];
+  const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * size;
+  return std::abs(level) <= rounding ? 0.0 : level;
+}
+
+void SectionWatch::see(const TrajectoryStep& step, const Callback& came) {
+  constexpr int kLooks = 4;  // so that a dip below the section is seen
+  double from = 0.0, level_from = level(step.before);
+  if (last_ <= 0.0 && level_from > 0.0) came(step.before.state, time_);  // it jumps up
+  for (int look = 1; look <= kLooks; ++look) {
+    const double to = static_cast<double>(look) / kLooks;
+    const double level_to = look == kLooks ? level(step.after) : level(step.at(to));
+    if (level_from <= 0.0 && level_to > 0.0) {
+      double low = from, high = to;
+      for (double middle = 0.5 * (low + high); low < middle && middle < high;
+           middle = 0.5 * (low + high)) {
+        (level(step.at(middle)) > 0.0 ? high : low) = middle;
+      }
+      came(step.at(high).state, time_ + high * step.share);
+    }
+    from = to;
+    level_from = level_to;
+  }
+  last_ = level_from;
+  time_ += step.share;
+}
+
+std::unique_ptr<ReferenceObservable> make_returns(const SectionInfo& section) {
+  return std::make_unique<Returns>(section);
+}
+std::unique_ptr<ReferenceObservable> make_cycle(const SectionInfo& section, double tolerance,
+                                                const StateKinds& kinds) {
+  return std::make_unique<Cycle>(section, tolerance, kinds);
+}
+
+}  // namespace gearsweep
