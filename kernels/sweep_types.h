@@ -17,8 +17,14 @@ typedef std::uint32_t sweep_uint;
 #define SWEEP_STATUS_CODE(name, code, meaning) STATUS_##name = code,
 enum { SWEEP_STATUSES(SWEEP_STATUS_CODE) };
 
-// Kinds of motion, the values of motion_class (observables/motion.h).
-enum { MOTION_undecided, MOTION_periodic, MOTION_quasi_periodic, MOTION_chaotic };
+// Kinds of motion, the values of motion_class (observables/motion.h, return_motion.h).
+enum {
+  MOTION_undecided,
+  MOTION_periodic,
+  MOTION_quasi_periodic,
+  MOTION_chaotic,
+  MOTION_equilibrium
+};
 
 // The row of a parameter that is the same for all points.
 #define NOT_SWEPT 0xffffffffu

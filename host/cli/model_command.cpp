@@ -129,7 +129,7 @@ void print_channels(const Model& model) {
     states.add({info.name, info.unit, meaning_of(info) + judged_by(model, i)});
   }
   for (const ChannelInfo& info : model.signals) {
-    signals.add({info.name, info.unit, meaning_of(info)});
+    if (!info.is_hidden) signals.add({info.name, info.unit, meaning_of(info)});
   }
   answer("\nstates\n{}\nsignals\n{}", states.text(), signals.text());
 }
@@ -234,7 +234,9 @@ void print_model_as_json(const Study& study) {
   json["findings"] = model.findings;
   json["phase_findings"] = model.phase_findings;
   for (const ChannelInfo& info : model.states) json["states"].push_back(info.name);
-  for (const ChannelInfo& info : model.signals) json["signals"].push_back(info.name);
+  for (const ChannelInfo& info : model.signals) {
+    if (!info.is_hidden) json["signals"].push_back(info.name);
+  }
   for (const Quantity& quantity : offered_quantities(model)) {
     json["quantities"].push_back(quantity.name);
   }

@@ -222,6 +222,35 @@ void refuse_taken(const ModelDefinition& definition, const std::string& name,
                                definition.period.file, name, what));
 }
 
+bool has_phase(const Formula& formula) {
+  std::vector<NodeId> all = formula.equations;
+  all.insert(all.end(), formula.signals.begin(), formula.signals.end());
+  const std::vector<NodeId> parts = parts_of(formula.graph, all);
+  return std::ranges::find(parts, formula.phase) != parts.end();
+}
+
+void refuse_phase_without_clock(const ModelDefinition& definition, const Formula& formula) {
+  if (!definition.is_clockless || !has_phase(formula)) return;
+  throw InputError(
+      fmt::format("{}: the equations have a phase, so the model needs its period:\n"
+                  "  [forcing]\n  period = \"2*pi/omega\"",
+                  definition.period.file));
+}
+
+constexpr const char* kMaxima = "maxima";
+
+// A motion without a clock is looked at where its first state is largest, where its file and the
+// study say nothing else. A state that turns has no largest value.
+void add_own_section(ModelDefinition* definition, Formula* formula) {
+  const auto first = std::ranges::find(definition->are_angles, false);
+  const bool has_one = !definition->sections.empty() || has_phase(*formula);
+  if (has_one || definition->states.size() < 2 || first == definition->are_angles.end()) return;
+  const auto state = static_cast<std::size_t>(first - definition->are_angles.begin());
+  const std::string& name = definition->states[state].name;
+  definition->sections.push_back({kMaxima, {name, definition->period.file}, true, true});
+  formula->sections.push_back({formula->states[state], true, true});
+}
+
 // The sections, whose signals are lowered, and get their names here.
 std::vector<SectionInfo> add_section_signals(const Formula& formula, ModelDefinition* definition) {
   std::vector<SectionInfo> sections;
@@ -238,7 +267,9 @@ std::vector<SectionInfo> add_section_signals(const Formula& formula, ModelDefini
     const auto add = [&](const std::string& suffix, const std::string& signal_unit,
                          const std::string& meaning) {
       refuse_taken(*definition, name + suffix, fmt::format("section '{}'", name));
-      definition->signals.push_back({name + suffix, signal_unit, meaning});
+      ChannelInfo info{name + suffix, signal_unit, meaning};
+      info.is_hidden = true;
+      definition->signals.push_back(std::move(info));
       return definition->signals.size() - 1;
     };
     const std::size_t level = add("_level", unit, "what rises through 0 at the section");
@@ -302,6 +333,7 @@ ModelDefinition bound(ModelDefinition definition, const Binding& binding) {
   definition.choices = binding.options;
   definition.swept = binding.parameters;
   definition.expressions = binding.expressions;
+  if (definition.is_clockless) definition.period.text = fmt::format("{}", binding.clock);
   return definition;
 }
 
@@ -325,6 +357,8 @@ void set_derived(const std::shared_ptr<const Tapes>& tapes,
 Model make_model(const ModelDefinition& given) {
   ModelDefinition definition = given;
   Formula formula = parse_formula(definition);
+  refuse_phase_without_clock(definition, formula);
+  add_own_section(&definition, &formula);
   refuse_unrolled_angles(definition, &formula);
   refuse_unreached_places(definition, &formula);
   if (definition.expressions.empty() || definition.mirrors.empty()) {
@@ -401,7 +435,9 @@ Model make_model(const ModelDefinition& given) {
       return tapes->cycle.run(inputs_of(*tapes, setting));
     };
   }
+  model.is_clockless = given.is_clockless;
   model.binding = {given.given_curves, given.choices, given.swept, given.expressions};
+  if (given.is_clockless) model.binding.clock = std::stod(given.period.text);
   model.bound = [defined = std::make_shared<const ModelDefinition>(given)](const Binding& binding) {
     return make_model(bound(*defined, binding));
   };

@@ -27,6 +27,7 @@ struct ChannelInfo {
   // Of a signal with the role mesh_force, the parameter that is its load where the signal names
   // one.
   std::string load = {};
+  bool is_hidden = false;  // a signal that nobody looks at
 };
 
 struct ParameterInfo {
@@ -216,6 +217,7 @@ struct Binding {
   std::set<std::string> parameters;  // in which points differ
   // Of derived parameters: the equations have these in their place.
   ParameterExpressions expressions = {};
+  double clock = 1.0;  // of a model without forcing, in its time
   bool operator==(const Binding&) const = default;
 };
 
@@ -244,6 +246,8 @@ struct Model {
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
   bool is_autonomous = false;       // no equation depends on the phase
+  // Its file has no [forcing]: time is cut into periods of Binding::clock.
+  bool is_clockless = false;
   // [state] Distances between states are relative to the range of the motion, state by state.
   // States of the same number share the largest of their ranges.
   std::vector<std::size_t> range_groups;

@@ -388,7 +388,7 @@ ResultMap ResultFile::read(const std::string& quantity, const std::optional<Cut>
     count[axes_.size()] = 1;
     map.parts = {ChannelInfo(*part)};
     map.unit = map.parts.front().unit;
-    map.meaning = map.parts.front().meaning;
+    if (!map.is_poincare()) map.meaning = map.parts.front().meaning;
   }
   map.values = file_->read(variable, start, count);
   mark_missing(*file_, variable, &map.values);

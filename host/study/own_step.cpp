@@ -94,28 +94,52 @@ void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest)
 }
 
 // The longest that is no longer than `step` and divides the period into a number of the ladder.
-double rounded_down(double step, double period) {
-  const double steps = period / step;
-  const double octave = std::exp2(std::floor(std::log2(steps)));
-  return period / (octave / 4.0 * std::ceil(4.0 * steps / octave - 1e-9));
-}
+double rounded_down(double step, double period) { return period / rounded_up(period / step); }
 
 }  // namespace
+
+double rounded_up(double steps) {
+  const double octave = std::exp2(std::floor(std::log2(steps)));
+  return octave / 4.0 * std::ceil(4.0 * steps / octave - 1e-9);
+}
 
 OwnStep find_own_step(const Study& study) {
   const std::vector<ProbeStart> starts = probe_starts(study);
   Shortest shortest;
   for (const ProbeStart& start : starts) ask_motion(study, start, &shortest);
-  if (starts.empty()) return {1.0, "no point can be computed"};
+  if (starts.empty()) return {1.0, 1.0, "no point can be computed"};
   const double period = study.model->period(starts.front().setting);
   if (!std::isfinite(shortest.step)) {
     const bool is_defined = std::ranges::all_of(starts, [&](const ProbeStart& start) {
       return ProbeMotion(*study.model, start.setting, start.state).has_finite_rates();
     });
-    return {period / ProbeMotion::kForcedSteps,
-            is_defined ? "nothing moves" : "the equations are not finite at the start"};
+    const double step = period / ProbeMotion::kForcedSteps;
+    return {step, step, is_defined ? "nothing moves" : "the equations are not finite at the start"};
   }
-  return {rounded_down(shortest.step, period), shortest.reason};
+  return {rounded_down(shortest.step, period), shortest.step, shortest.reason};
+}
+
+double mean_return_time(const Study& study) {
+  constexpr std::size_t kEnough = 8;
+  constexpr int kMostStretches = 32;
+  std::vector<double> times;
+  for (const ProbeStart& start : probe_starts(study)) {
+    ProbeMotion motion(*study.model, start.setting, start.state);
+    motion.go_on(kSteps);
+    const std::size_t before = motion.returns().size();
+    for (int i = 0; i < kMostStretches && motion.returns().size() < before + kEnough; ++i) {
+      motion.go_on(kSteps);
+      if (motion.escapes()) break;
+    }
+    const std::size_t seen = motion.returns().size() - before;
+    if (motion.escapes() || seen < 2) continue;
+    const double span = motion.returns().back() - motion.returns()[before];
+    times.push_back(span / static_cast<double>(seen - 1));
+  }
+  if (times.empty()) return 0.0;
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::ranges::nth_element(times, middle);
+  return *middle;
 }
 
 std::map<std::string, double> motion_ranges(const Study& study) {

@@ -26,8 +26,9 @@
 namespace gearsweep {
 
 struct OwnStep {
-  double step = 0.0;   // in the model's time
-  std::string reason;  // "the fastest rate of the motion is 21.7", for the summary
+  double step = 0.0;     // in the model's time
+  double longest = 0.0;  // before it was rounded
+  std::string reason;    // "the fastest rate of the motion is 21.7", for the summary
 };
 
 // Of a study whose axes, setting and start are known. The same study has the same step: it depends
@@ -35,6 +36,13 @@ struct OwnStep {
 // 2^(k/4), so that a unit of time does not change how it is rounded. Takes some milliseconds for
 // each of up to nine points.
 OwnStep find_own_step(const Study& study);
+
+// To the next number of that ladder.
+double rounded_up(double steps);
+
+// The time after which such motions come back to the model's first section, on average; the median
+// of the points. 0 where none does.
+double mean_return_time(const Study& study);
 
 // What each state and signal ranges over in the later half of such motions, by name: the median of
 // the points. It knows no offset. Without motions that go to infinity.

@@ -34,6 +34,7 @@ struct Part {
 std::vector<Part> parts_for(const Observable& observable, const Model& model) {
   std::vector<Part> parts;
   const auto add = [&](const ChannelInfo& channel) {
+    if (channel.is_hidden) return;
     parts.push_back({channel.name, channel.unit, channel.meaning});
   };
   switch (observable.part) {
@@ -74,6 +75,7 @@ std::string unit_of(const ObservableOutput& output, const std::string& seen) {
 // The offers of one observable for a part of the model.
 void add_offers(const Observable& observable, const Part& part, const Sizes& sizes,
                 std::vector<Offer>* offers) {
+  if (numbers_of(observable.tangents, sizes) > sizes.states) return;
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
     const std::string stem = stem_of(observable, part);
@@ -96,13 +98,55 @@ bool is_sampled_at_section(const Offer& offer) {
   return observable.role == ObservableRole::samples && observable.part == ObservedPart::section;
 }
 
-std::vector<Offer> offers_of(const Model& model, const Sizes& sizes) {
+// Whether a quantity goes by a name that another one has taken, or has none.
+bool is_unnamed(const std::vector<Offer>& offers, const Offer& offer) {
+  const bool is_plain = offer.source.observable->part == ObservedPart::section;
+  const auto takes = [&](const Offer& other) {
+    return other.quantity.name == offer.quantity.name &&
+           other.source.observable->part == ObservedPart::section;
+  };
+  if (offer.source.observable->part == ObservedPart::section &&
+      offer.quantity.name == offer.source.part + "_motion_class") {
+    return true;
+  }
+  return is_sampled_at_section(offer) || (!is_plain && std::ranges::any_of(offers, takes));
+}
+
+// The section by which a motion is judged: the one that a study chose, or the first; empty where
+// the model has none.
+std::string judging_section(const Model& model, const std::string& chosen) {
+  if (!chosen.empty() || model.sections.empty()) return chosen;
+  return model.sections.front().name;
+}
+
+// Of a section's quantities these have a plain name, too: of a model without forcing instead of
+// those that count by a clock.
+std::vector<Offer> plain_offers(const Model& model, const std::vector<Offer>& offers,
+                                const std::string& section) {
+  std::vector<Offer> plain;
+  for (const Offer& offer : offers) {
+    if (section.empty() || offer.source.part != section) continue;
+    if (offer.source.observable->part != ObservedPart::section) continue;
+    Offer other = offer;
+    other.quantity.name = offer.quantity.name.substr(section.size() + 1);
+    const bool judges = other.quantity.name == "period" || other.quantity.name == "motion_class";
+    if (other.quantity.name == "cycle_time" || (judges && model.is_autonomous)) {
+      plain.push_back(other);
+    }
+  }
+  return plain;
+}
+
+// Those with a plain name first.
+std::vector<Offer> offers_of(const Model& model, const Sizes& sizes, const std::string& section) {
   std::vector<Offer> offers;
   for (const Observable& observable : observables()) {
     for (const Part& part : parts_for(observable, model)) {
       add_offers(observable, part, sizes, &offers);
     }
   }
+  const std::vector<Offer> plain = plain_offers(model, offers, judging_section(model, section));
+  offers.insert(offers.begin(), plain.begin(), plain.end());
   return offers;
 }
 
@@ -306,8 +350,9 @@ std::vector<std::string> Selection::watched_sections() const {
 std::vector<Quantity> offered_quantities(const Model& model) {
   const Sizes sizes = {model.states.size(), kDefaultOrders.size()};
   std::vector<Quantity> out;
-  for (const Offer& offer : offers_of(model, sizes)) {
-    if (!is_sampled_at_section(offer)) out.push_back(offer.quantity);
+  const std::vector<Offer> offers = offers_of(model, sizes, "");
+  for (const Offer& offer : offers) {
+    if (!is_unnamed(offers, offer)) out.push_back(offer.quantity);
   }
   for (const LoadFactor& factor : load_factors(model)) out.push_back(factor.quantity);
   for (const Quantity& quantity : census_quantities()) out.push_back(quantity);
@@ -331,7 +376,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
                             const std::vector<std::string>& poincare_states,
                             const std::vector<double>& orders, const std::string& section) {
   const Sizes sizes = {model.states.size(), orders.size()};
-  const std::vector<Offer> offers = offers_of(model, sizes);
+  const std::vector<Offer> offers = offers_of(model, sizes, section);
   const std::vector<std::size_t> sampled = find_states(model, poincare_states);
   const std::vector<Quantity> known = offered_quantities(model);
   Selection selection;

@@ -292,7 +292,9 @@ StudyTable observe_table() {
             "States sampled at phase 0 of each recorded period, for the quantity poincare."},
            {"section", "string", "phase 0",
             "A section of the model or the study, at which the quantity poincare is sampled "
-            "instead: at the first so many returns as there are recorded periods."},
+            "instead: at the first so many returns as there are recorded periods. Of a model "
+            "without forcing its first section, by which motion_class, period and cycle_time are "
+            "judged."},
            {"period_tolerance", "number", "1e-6",
             "Two states at phase 0 are the same when they differ by no more than this, relative to "
             "the range of the motion. Without it 1e-4 in fp32.",

@@ -174,6 +174,19 @@ void check_size(const toml::table& root, const Study& study) {
   }
 }
 
+// A model without forcing counts time in periods of about one return to its first section, of so
+// many steps of its own, so that chaos does not make a different clock of each rounding; or, where
+// nothing returns, in periods of 128 such steps.
+void wind_clock(Study* study) {
+  if (!study->model->is_clockless) return;
+  const double own = study->model->max_step;
+  const double step = own > 0.0 ? own : find_own_step(*study).longest;
+  const double steps = study->model->sections.empty() ? 0.0 : mean_return_time(*study) / step;
+  Binding binding = study->model->binding;
+  binding.clock = step * (steps > 0.0 ? std::max(rounded_up(steps), 16.0) : 128.0);
+  study->bind(binding);
+}
+
 // A study as TOML, with all that lies in files taken in.
 struct StudyText {
   toml::table root;
@@ -246,6 +259,7 @@ Study read_tables(const StudyText& text) {
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);
 
+  wind_clock(&study);
   if (study.integrate.max_step == 0.0 && study.integrate.steps_per_period == 0) {
     const OwnStep own = find_own_step(study);
     study.integrate.max_step = own.step;

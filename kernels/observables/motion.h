@@ -106,20 +106,35 @@ SHARED_FN void motion_end_period(real* sums, const Section* section) {
   }
 }
 
-SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
-  const real zero = 0;
+// What a perturbation grew by in the record.
+typedef struct {
+  real log_stretching, error;  // three standard errors
+  mask grows, shrinks;         // by more than that; and, of what shrinks, by exp(2)
+} MotionGrowth;
+
+// sums: of lyapunov_max.
+SHARED_FN MotionGrowth motion_growth(const real* sums, real forcing, SweepRound round) {
   real exponent[lyapunov_max_outputs];
-  lyapunov_max_finish(sums + motion_exponent, round, exponent);
-  const real time = (scalar)(round.record) * sums[motion_forcing];
-  const real log_stretching = exponent[0] * time;
-  const real error = (scalar)(3) * exponent[1] * time;
+  lyapunov_max_finish(sums, round, exponent);
+  const real time = (scalar)(round.record) * forcing;
+  const real turn = 2;
+  MotionGrowth growth;
+  growth.log_stretching = exponent[0] * time;
+  growth.error = (scalar)(3) * exponent[1] * time;
+  growth.grows = growth.log_stretching > growth.error;
+  growth.shrinks = (growth.log_stretching < -growth.error) & (growth.log_stretching < -turn);
+  return growth;
+}
+
+// The kind of a motion without a period.
+SHARED_FN real motion_without_period(const real* sums, MotionGrowth growth, SweepRound round) {
   const real turn = 2;
   const real much = 10;
   const real nothing = (scalar)(0.01);
+  const real log_stretching = growth.log_stretching;
   const real size = lane_abs(log_stretching);
-  const mask recurs = period_found(sums + motion_recurrence) > zero;
-  const mask positive = (log_stretching > error) & (log_stretching > turn);
-  const mask neutral = (size <= nothing) | ((size <= error) & (size <= much));
+  const mask positive = growth.grows & (log_stretching > turn);
+  const mask neutral = (size <= nothing) | ((size <= growth.error) & (size <= much));
   real ranges[MODEL_STATE_COUNT];
   real extents[MODEL_STATE_COUNT];
   share_ranges(sums + motion_recurrence + period_ranges, ranges);
@@ -139,13 +154,20 @@ SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
   const mask steady = (whole <= (scalar)(0.1)) |
                       ((whole <= (scalar)(1.25) * early) & (whole <= (scalar)(1.25) * late));
 
-  const real undecided = MOTION_undecided;
-  const real periodic = MOTION_periodic;
-  real bounded = undecided;
+  real bounded = MOTION_undecided;
   if (round.is_last || round.record >= motion_min_neutral) {
     bounded = lane_select(neutral & steady, (real)(MOTION_quasi_periodic), bounded);
   }
-  const real other = lane_select(positive & stays, (real)(MOTION_chaotic), bounded);
-  out[0] = lane_select(recurs, lane_select(log_stretching > error, undecided, periodic), other);
+  return lane_select(positive & stays, (real)(MOTION_chaotic), bounded);
+}
+
+SHARED_FN void motion_finish(const real* sums, SweepRound round, real* out) {
+  const real zero = 0;
+  const real undecided = MOTION_undecided;
+  const real periodic = MOTION_periodic;
+  const MotionGrowth growth = motion_growth(sums + motion_exponent, sums[motion_forcing], round);
+  const real without = motion_without_period(sums, growth, round);
+  const mask recurs = period_found(sums + motion_recurrence) > zero;
+  out[0] = lane_select(recurs, lane_select(growth.grows, undecided, periodic), without);
 }
 #endif

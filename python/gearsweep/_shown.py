@@ -119,7 +119,8 @@ def find_shown(maps: xarray.Dataset, quantity: str | None, axes: list[str]) -> S
         one = one._replace(unit=str(chosen[units].item()), meaning=str(chosen[meanings].item()))
     if name != _SAMPLES:
         return one._replace(meaning=f"{variable.attrs.get('long_name', '')}, {extra[0]} {part}")
-    return one._replace(meaning=f"{one.meaning}, at phase 0 of each recorded period")
+    sampled = str(variable.attrs.get("long_name", ""))
+    return one._replace(meaning=f"{one.meaning},{sampled.removeprefix('states')}")
 
 
 def find_band(maps: xarray.Dataset, shown: Shown) -> Band | None:

@@ -36,19 +36,20 @@ period = "2*pi/omega"
 grip = { expression = "if(v > 0, friction, -friction)" }
 )toml";
 
-std::string study_of(const std::string& model, const std::string& rest) {
+std::string jumping_study(const std::string& model, const std::string& rest) {
   return "[model]\ntext = '''\n" + model + "'''\n" + rest;
 }
 
 // All studies of it observe the same, so that they share a program.
 std::string dry_study(const std::string& parameters, const std::string& axes,
                       const std::string& integrate) {
-  return study_of(kDry, "[parameters]\n" + parameters + axes +
-                            "[initial]\npolicy = 'fixed'\nstate = { x = 1.0, v = 0.5 }\n"
-                            "[integrate]\n" +
-                            integrate +
-                            "[observe]\npoincare = ['x', 'v']\nquantities = ['x_max', 'grip_rms', "
-                            "'lyapunov_spectrum', 'poincare']\n");
+  return jumping_study(kDry,
+                       "[parameters]\n" + parameters + axes +
+                           "[initial]\npolicy = 'fixed'\nstate = { x = 1.0, v = 0.5 }\n"
+                           "[integrate]\n" +
+                           integrate +
+                           "[observe]\npoincare = ['x', 'v']\nquantities = ['x_max', 'grip_rms', "
+                           "'lyapunov_spectrum', 'poincare']\n");
 }
 
 // Den Hartog, Transactions of the ASME 53 (1931), APM-53-9: the motion that never sticks, of
@@ -188,12 +189,13 @@ class JumpingModels : public ::testing::TestWithParam<Jumping> {
     const std::string model = "[model]\nname = \"tested\"\n[states]\n" + GetParam().states +
                               "[parameters]\nomega = 0.7\n[equations]\n" + GetParam().equations +
                               "[forcing]\nperiod = \"2*pi/omega\"\n";
-    return run(study_of(model, fmt::format("[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 0.8\n"
-                                           "count = 16\n[integrate]\nsettle = 0\nrecord = 3\n"
-                                           "stop = 'never'\nwarm_up = 0\nsteps_per_period = {}\n"
-                                           "engine = '{}'\n[observe]\npoincare = ['x', 'v']\n"
-                                           "quantities = ['x_rms', 'lyapunov_max', 'poincare']\n",
-                                           steps, engine)));
+    return run(
+        jumping_study(model, fmt::format("[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 0.8\n"
+                                         "count = 16\n[integrate]\nsettle = 0\nrecord = 3\n"
+                                         "stop = 'never'\nwarm_up = 0\nsteps_per_period = {}\n"
+                                         "engine = '{}'\n[observe]\npoincare = ['x', 'v']\n"
+                                         "quantities = ['x_rms', 'lyapunov_max', 'poincare']\n",
+                                         steps, engine)));
   }
   static double difference(const SweepResult& a, const SweepResult& b, const char* map) {
     double sum = 0.0;
@@ -235,7 +237,8 @@ INSTANTIATE_TEST_SUITE_P(Models, JumpingModels, ::testing::ValuesIn(kJumping),
 // closed forms part at rates of 0.156, 0.160 and 0.165 over 3,000 units of time. At x = 0 a jump of
 // x''' alone leaves volumes what they are.
 TEST(Jumps, HaveTheExponentsOfAJerk) {
-  const SweepResult result = run(study_of(R"toml([model]
+  const SweepResult result =
+      run(jumping_study(R"toml([model]
 name = "jerk"
 [states]
 x = { start = "0.1" }
@@ -250,10 +253,10 @@ z = "-a*z - y - x + sign(x)"
 [forcing]
 period = "1"
 )toml",
-                                          "[[axes]]\nname = 'y'\nfrom = 0.1\nto = 0.2\ncount = 8\n"
-                                          "[integrate]\nsteps_per_period = 20\nsettle = 500\n"
-                                          "record = 8000\nextend = 1\n"
-                                          "[observe]\nquantities = ['lyapunov_spectrum']\n"));
+                        "[[axes]]\nname = 'y'\nfrom = 0.1\nto = 0.2\ncount = 8\n"
+                        "[integrate]\nsteps_per_period = 20\nsettle = 500\n"
+                        "record = 8000\nextend = 1\n"
+                        "[observe]\nquantities = ['lyapunov_spectrum']\n"));
   for (std::size_t i = 0; i < 8; ++i) {
     const double* const exponents = map_of(result, "lyapunov_spectrum").data() + 3 * i;
     const double first = exponents[0], second = exponents[1], third = exponents[2];
@@ -266,7 +269,7 @@ period = "1"
 // A block on a belt, with friction that falls with the speed: it sticks and slips. What a tangent
 // vector has across the belt's speed is lost where it sticks.
 TEST(Jumps, LoseATangentVectorWhereTheMotionSticks) {
-  const SweepResult result = run(study_of(R"toml([model]
+  const SweepResult result = run(jumping_study(R"toml([model]
 name = "belt"
 [states]
 x = { start = "0.5" }
@@ -279,11 +282,11 @@ v = "-x + sign(w - v)/(1 + 3*abs(w - v))"
 [forcing]
 period = "1"
 )toml",
-                                          "[[axes]]\nname = 'w'\nvalues = [0.2, 0.3, 0.4]\n"
-                                          "[integrate]\nsteps_per_period = 40\nsettle = 200\n"
-                                          "record = 2000\nextend = 1\n"
-                                          "[observe]\nquantities = ['lyapunov_spectrum', "
-                                          "'v_max']\n"));
+                                               "[[axes]]\nname = 'w'\nvalues = [0.2, 0.3, 0.4]\n"
+                                               "[integrate]\nsteps_per_period = 40\nsettle = 200\n"
+                                               "record = 2000\nextend = 1\n"
+                                               "[observe]\nquantities = ['lyapunov_spectrum', "
+                                               "'v_max']\n"));
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(map_of(result, "lyapunov_spectrum")[2 * i], 0.0, 1e-3);
     EXPECT_EQ(map_of(result, "lyapunov_spectrum")[2 * i + 1], -INFINITY);
@@ -309,11 +312,11 @@ period = "2*pi/omega"
 )toml";
   for (const char* const engine : {"opencl", "reference"}) {
     const SweepResult result =
-        run(study_of(model, fmt::format("[[axes]]\nname = 'omega'\nvalues = [1.0, 1.1]\n"
-                                        "[integrate]\nsettle = 2\nrecord = 2\nstop = 'never'\n"
-                                        "steps_per_period = 200\nengine = '{}'\n"
-                                        "[observe]\nquantities = ['lyapunov_spectrum']\n",
-                                        engine)));
+        run(jumping_study(model, fmt::format("[[axes]]\nname = 'omega'\nvalues = [1.0, 1.1]\n"
+                                             "[integrate]\nsettle = 2\nrecord = 2\nstop = 'never'\n"
+                                             "steps_per_period = 200\nengine = '{}'\n"
+                                             "[observe]\nquantities = ['lyapunov_spectrum']\n",
+                                             engine)));
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_NEAR(map_of(result, "lyapunov_spectrum")[2 * i], -2.0, 1e-6) << engine;
       EXPECT_EQ(map_of(result, "lyapunov_spectrum")[2 * i + 1], -INFINITY) << engine;
@@ -339,11 +342,11 @@ period = "2*pi/omega"
 )toml";
   for (const char* const engine : {"opencl", "reference"}) {
     const SweepResult result =
-        run(study_of(model, fmt::format("[[axes]]\nname = 'omega'\nvalues = [1.0, 1.1]\n"
-                                        "[integrate]\nsettle = 2\nrecord = 2\nstop = 'never'\n"
-                                        "steps_per_period = 100\nengine = '{}'\n"
-                                        "[observe]\nquantities = ['x_max']\n",
-                                        engine)));
+        run(jumping_study(model, fmt::format("[[axes]]\nname = 'omega'\nvalues = [1.0, 1.1]\n"
+                                             "[integrate]\nsettle = 2\nrecord = 2\nstop = 'never'\n"
+                                             "steps_per_period = 100\nengine = '{}'\n"
+                                             "[observe]\nquantities = ['x_max']\n",
+                                             engine)));
     EXPECT_THAT(result.status, ::testing::Each(STATUS_diverged)) << engine;
   }
 }

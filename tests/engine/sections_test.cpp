@@ -19,15 +19,16 @@ const std::string kReturns =
     "[observe]\nquantities = ['top_returns', 'top_return_time', 'top_return_time_min', "
     "'top_return_time_max', 'top_period', 'top_cycle_time', 'poincare']\nsection = 'top'\n";
 
-std::string study_of(const std::string& model, const std::string& section, const std::string& axis,
-                     const std::string& integrate, const std::string& rest = "") {
+std::string section_study(const std::string& model, const std::string& section,
+                          const std::string& axis, const std::string& integrate,
+                          const std::string& rest = "") {
   return fmt::format("[model]\n{}\n[sections.top]\n{}\n[[axes]]\n{}\n[integrate]\n{}\n{}{}", model,
                      section, axis, integrate, rest, kReturns);
 }
 
 std::string rossler(const std::string& axis, const std::string& integrate,
                     const std::string& rest = "") {
-  return study_of("name = 'rossler'", "maximum_of = 'x'", axis, integrate, rest);
+  return section_study("name = 'rossler'", "maximum_of = 'x'", axis, integrate, rest);
 }
 
 // Maxima of x from x = y = 1, z = 0.5 with c = 5.7, by DOP853 (E. Hairer, S. P. Norsett, G. Wanner,
@@ -93,8 +94,8 @@ period = "2*pi/omega"
 """)";
   const double w = 1.3, a = 1.0 / std::hypot(1.0 - w * w, 0.4 * w);
   const SweepResult result =
-      run(study_of(linear, "when = 'x - at'", "name = 'at'\nfrom = -0.6\nto = 0.6\ncount = 8",
-                   "settle = 60\nrecord = 8\nsteps_per_period = 200"));
+      run(section_study(linear, "when = 'x - at'", "name = 'at'\nfrom = -0.6\nto = 0.6\ncount = 8",
+                        "settle = 60\nrecord = 8\nsteps_per_period = 200"));
   for (std::size_t i = 0; i < 8; ++i) {
     const double level = -0.6 + 1.2 * static_cast<double>(i) / 7.0;
     EXPECT_EQ(map_of(result, "top_returns")[i], 1.0);
@@ -107,9 +108,9 @@ period = "2*pi/omega"
 // At the wall x' jumps from above 0 to below it: a maximum that no rate passes through. Between
 // the resonances there is one impact in two periods.
 TEST(Sections, SeeAMaximumThatIsACorner) {
-  const SweepResult result = run(study_of("name = 'hard_impact'", "maximum_of = 'x'",
-                                          "name = 'omega'\nvalues = [3.9, 4.0]",
-                                          "settle = 600\nrecord = 40\nsteps_per_period = 100"));
+  const SweepResult result = run(section_study(
+      "name = 'hard_impact'", "maximum_of = 'x'", "name = 'omega'\nvalues = [3.9, 4.0]",
+      "settle = 600\nrecord = 40\nsteps_per_period = 100"));
   for (std::size_t i = 0; i < 2; ++i) {
     const double omega = 3.9 + 0.1 * static_cast<double>(i);
     EXPECT_NEAR(map_of(result, "top_returns")[i], 0.5, 1e-12);
@@ -135,7 +136,7 @@ TEST(Sections, AreTheSameInBothEnginesAndInEachLane) {
   };
   for (const Case& one : cases) {
     SCOPED_TRACE(one.model);
-    const std::string study = study_of(
+    const std::string study = section_study(
         fmt::format("name = '{}'", one.model), one.section, fmt::format("{}\ncount = 8", one.axis),
         "settle = 0\nrecord = 3\nsteps_per_period = 128\nstop = 'never'");
     const SweepResult kernel = run(study, {"integrate.lanes=8"});

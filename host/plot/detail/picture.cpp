@@ -249,7 +249,11 @@ ChannelInfo shown_by(const Picture& picture) {
 
 std::string meaning_of(const Picture& picture) {
   if (!picture.map.is_poincare()) return picture.map.meaning;
-  return picture.map.parts.front().meaning + ", at phase 0 of each recorded period";
+  // "states at phase 0 of each recorded period"
+  const std::string& sampled = picture.map.meaning;
+  const std::size_t at = sampled.find(" at ");
+  return picture.map.parts.front().meaning +
+         (at == std::string::npos ? "" : "," + sampled.substr(at));
 }
 
 void add_missing_marks(const Picture& picture, const std::string& colour, PlotScript* script) {

@@ -138,6 +138,7 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
     const auto section = std::ranges::find(model.sections, observer.part, &SectionInfo::name);
     if (kind == "returns") return make_returns(*section);
     if (kind == "cycle") return make_cycle(*section, period_tolerance, kinds);
+    if (kind == "return_motion") return make_return_motion(*section, period_tolerance, kinds);
   }
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/detail/lyapunov_observables.hpp"
+#include "reference/detail/motion_judge.hpp"
 #include "reference/detail/state_sequence.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
-
-// A section that grows so many times from one half of the record to the other has no bounds.
-constexpr double kRunaway = 100.0;
 
 // Collects the sections.
 class SectionObservable : public ReferenceObservable {
@@ -55,47 +53,22 @@ class Settled final : public SectionObservable {
 
 class Motion final : public SectionObservable {
  public:
-  Motion(double tolerance, const StateKinds& kinds)
-      : SectionObservable(tolerance, kinds), exponent_(make_lyapunov_max()) {}
+  using SectionObservable::SectionObservable;
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
               double length) override {
     SectionObservable::period(state, log_stretching, length);
-    exponent_->period(state, log_stretching, length);
-    time_ += length;
+    watch_.period(log_stretching, length);
   }
   std::vector<double> finish(const Window& window) const override {
-    return {static_cast<double>(kind(window))};
+    const Growth growth = watch_.growth(window);
+    const int kind = recurrence().period == 0
+                         ? motion_without_period(sections(), growth, window)
+                         : (growth.grows() ? MOTION_undecided : MOTION_periodic);
+    return {static_cast<double>(kind)};
   }
 
  private:
-  enum Kind { undecided, periodic, quasi_periodic, chaotic };
-
-  Kind kind(const Window& window) const {
-    const std::vector<double> exponent = exponent_->finish(window);
-    const double log_stretching = exponent[0] * time_;
-    const double error = 3.0 * exponent[1] * time_;
-    if (recurrence().period > 0) return log_stretching > error ? undecided : periodic;
-    const double early = extent(true), late = extent(false);
-    // In half the record a linear growth takes half of the stretching.
-    const double grown = std::min(std::exp(0.4 * log_stretching), kRunaway);
-    if (log_stretching > std::max(error, 2.0) && late <= grown * early) return chaotic;
-    const bool neutral = std::abs(log_stretching) <= std::max(0.01, std::min(error, 10.0));
-    const bool is_long = window.is_last || window.record >= 1000;
-    const double whole = sections().extent(0, sections().last());
-    const bool is_steady = whole <= std::max(0.1, 1.25 * std::min(early, late));
-    if (neutral && is_long && is_steady) return quasi_periodic;
-    return undecided;
-  }
-
-  // The extent of the section in one half of the record.
-  double extent(bool is_first) const {
-    const std::size_t middle = sections().last() / 2;
-    return is_first ? sections().extent(0, middle)
-                    : sections().extent(middle + 1, sections().last());
-  }
-
-  std::unique_ptr<ReferenceObservable> exponent_;
-  double time_ = 0.0;
+  GrowthWatch watch_{0};
 };
 
 class SectionBox final : public ReferenceObservable {

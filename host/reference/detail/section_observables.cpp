@@ -4,7 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "reference/detail/motion_judge.hpp"
 #include "reference/detail/state_sequence.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep {
 namespace {
@@ -52,9 +54,12 @@ class Cycle final : public ReferenceObservable {
   void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double length) override {
     length_ = length;
   }
-  std::vector<double> finish(const Window&) const override {
+  Recurrence recurrence() const {
     constexpr std::size_t kLongestWindow = 64;
-    const Recurrence found = sections_.recurrence(kLongestWindow);
+    return sections_.recurrence(kLongestWindow);
+  }
+  std::vector<double> finish(const Window&) const override {
+    const Recurrence found = recurrence();
     if (found.period == 0) return {0.0, kNothing};
     const std::size_t turns = (sections_.last() - found.since) / found.period;
     const double time = times_[found.since + turns * found.period] - times_[found.since];
@@ -66,6 +71,43 @@ class Cycle final : public ReferenceObservable {
   StateSequence sections_;
   std::vector<double> times_;
   double length_ = 0.0;
+};
+
+class ReturnMotion final : public ReferenceObservable {
+ public:
+  ReturnMotion(const SectionInfo& section, double tolerance, const StateKinds& kinds)
+      : cycle_(section, tolerance, kinds), states_(tolerance, kinds) {}
+  void begin(const Eigen::VectorXd& state) override { states_.begin(state); }
+  void step(const TrajectoryStep& step) override {
+    cycle_.step(step);
+    states_.pass(step.after.state);
+  }
+  void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
+              double length) override {
+    cycle_.period(state, log_stretching, length);
+    states_.add(state);
+    first_.period(log_stretching, length);
+    second_.period(log_stretching, length);
+  }
+  std::vector<double> finish(const Window& window) const override {
+    return {static_cast<double>(kind(window))};
+  }
+
+ private:
+  int kind(const Window& window) const {
+    const Growth first = first_.growth(window);
+    if (first.shrinks()) return MOTION_equilibrium;
+    if (cycle_.recurrence().period > 0) return first.grows() ? MOTION_undecided : MOTION_periodic;
+    if (states_.state_size() < 3) return MOTION_undecided;  // the plane has no torus, and no chaos
+    const int without = motion_without_period(states_, first, window);
+    const bool is_cycle =
+        without == MOTION_quasi_periodic && second_.growth(window).shrinks();  // not settled
+    return is_cycle ? MOTION_undecided : without;
+  }
+
+  Cycle cycle_;
+  StateSequence states_;
+  GrowthWatch first_{0}, second_{1};
 };
 
 }  // namespace
@@ -101,6 +143,10 @@ void SectionWatch::see(const TrajectoryStep& step, const Callback& came) {
 
 std::unique_ptr<ReferenceObservable> make_returns(const SectionInfo& section) {
   return std::make_unique<Returns>(section);
+}
+std::unique_ptr<ReferenceObservable> make_return_motion(const SectionInfo& section,
+                                                        double tolerance, const StateKinds& kinds) {
+  return std::make_unique<ReturnMotion>(section, tolerance, kinds);
 }
 std::unique_ptr<ReferenceObservable> make_cycle(const SectionInfo& section, double tolerance,
                                                 const StateKinds& kinds) {

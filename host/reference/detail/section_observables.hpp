@@ -35,5 +35,9 @@ std::unique_ptr<ReferenceObservable> make_returns(const SectionInfo& section);
 // Returns after which the motion repeats, and the time that takes (kernels/observables/cycle.h).
 std::unique_ptr<ReferenceObservable> make_cycle(const SectionInfo& section, double tolerance,
                                                 const StateKinds& kinds);
+// The kind of motion where there is no clock (kernels/observables/return_motion.h); needs two
+// tangent vectors.
+std::unique_ptr<ReferenceObservable> make_return_motion(const SectionInfo& section,
+                                                        double tolerance, const StateKinds& kinds);
 
 }  // namespace gearsweep

@@ -44,7 +44,7 @@ class DefinitionReader {
     read_functions(reader.table("functions"));
     read_constants(reader.table("constants"));
     read_equations(required(&reader, "equations"));
-    read_forcing(required(&reader, "forcing"));
+    read_forcing(reader.table("forcing"));
     read_signals(reader.table("signals"));
     read_surfaces(reader.table("surfaces"));
     definition_.sections = read_sections(reader.table("sections"));
@@ -318,12 +318,17 @@ class DefinitionReader {
   }
 
   void read_forcing(const toml::table* table) {
+    if (table == nullptr) {
+      definition_.is_clockless = true;
+      definition_.period = {"1", source_, 0, 0};
+      return;
+    }
     TableReader reader(table, "[forcing]");
     const toml::node* period = reader.find("period");
     if (period == nullptr) {
       fail_at(*table,
-              "[forcing] needs the period: period = \"2*pi/omega\" (of a model without "
-              "forcing the time from section to section)");
+              "[forcing] needs the period: period = \"2*pi/omega\"; a model without forcing needs "
+              "no [forcing]");
     }
     definition_.period = expression_of(*period, "period");
     if (const toml::node* cycle = reader.find("cycle")) {

@@ -46,7 +46,10 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   const double rounding = study->integrate.fp64 ? 1e-6 : 1e-4;
   const double tolerance = reader.number("period_tolerance", rounding);
   const std::vector<double> orders = read_orders(&reader);
-  const std::string section = reader.text("section", "");
+  const Model& model = *study->model;
+  // Where there is no clock there is no phase 0.
+  const bool has_own = model.is_clockless && !model.sections.empty();
+  const std::string section = reader.text("section", has_own ? model.sections.front().name : "");
   reader.refuse_unknown();
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;

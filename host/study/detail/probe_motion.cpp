@@ -194,10 +194,15 @@ std::vector<double> ProbeMotion::coefs_at(double phase) const {
   return row;
 }
 
-void ProbeMotion::look_at_signals(Stretch* stretch) const {
+void ProbeMotion::look_at_signals(Stretch* stretch) {
   std::vector<double> now(model_.signals.size());
   if (now.empty()) return;
   point_->signals(coefs_at(phase_).data(), x_.data(), now.data());
+  if (!model_.sections.empty()) {
+    const double level = now[model_.sections.front().level];
+    if (level_ < 0.0 && level >= 0.0) returns_.push_back(time_);
+    level_ = level;
+  }
   if (stretch->low_signals.empty()) stretch->low_signals = stretch->high_signals = now;
   for (std::size_t i = 0; i < now.size(); ++i) {
     stretch->low_signals[i] = std::min(stretch->low_signals[i], now[i]);

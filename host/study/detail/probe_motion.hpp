@@ -42,6 +42,8 @@ class ProbeMotion {
   bool has_finite_rates() const;
   // Whether it went to infinity.
   bool escapes() const { return escapes_; }
+  // Times at which it came up through the model's first section, at the ends of steps.
+  const std::vector<double>& returns() const { return returns_; }
   double period() const { return period_; }
 
  private:
@@ -54,7 +56,7 @@ class ProbeMotion {
   void find_pulses();
   // The next phase, behind this one, at which a pulse begins; above 1 where there is none.
   double next_pulse(double phase) const;
-  void look_at_signals(Stretch* stretch) const;
+  void look_at_signals(Stretch* stretch);
   void look_at_rates(Stretch* stretch) const;
   // A part of a step of `length`, from one share of it to another.
   std::vector<double> step(const StepMoments& moment_at, double begin, double end,
@@ -84,6 +86,8 @@ class ProbeMotion {
   double phase_ = 0.0;
   double length_ = 0.0;  // of the next step
   double time_ = 0.0;    // since the start
+  double level_ = 0.0;   // of the first section
+  std::vector<double> returns_;
   bool escapes_ = false;
 };
 

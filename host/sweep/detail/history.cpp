@@ -143,7 +143,8 @@ class History {
     trace.period = point_->period();
     trace.mesh_periods = model_.mesh_periods(setting_);
     trace.channels = model_.states;
-    trace.channels.insert(trace.channels.end(), model_.signals.begin(), model_.signals.end());
+    std::ranges::copy_if(model_.signals, std::back_inserter(trace.channels),
+                         [](const ChannelInfo& signal) { return !signal.is_hidden; });
     for (const ContactInfo& contact : model_.contacts) {
       trace.channels.push_back(
           {contact.name.empty() ? "contact" : contact.name + "_contact", "1",
@@ -168,7 +169,9 @@ class History {
     trace->tau.push_back(periods * trace->period);
     std::size_t channel = 0;
     for (std::size_t i = 0; i < model_.states.size(); ++i) trace->values[channel++].push_back(x[i]);
-    for (const double signal : signals) trace->values[channel++].push_back(signal);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      if (!model_.signals[i].is_hidden) trace->values[channel++].push_back(signals[i]);
+    }
     for (const ContactInfo& contact : model_.contacts) {
       const double deflection = signals[contact.deflection], backlash = signals[contact.backlash];
       const bool drive = deflection > backlash;

@@ -1,0 +1,35 @@
+// What kind of motion it is where none of its states recurs, by kernels/observables/motion.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "reference/detail/observables.hpp"
+#include "reference/detail/state_sequence.hpp"
+
+namespace gearsweep {
+
+// What a perturbation grew by in a record.
+struct Growth {
+  double log_stretching = 0.0, error = 0.0;  // three standard errors
+  bool grows() const { return log_stretching > error; }
+  bool shrinks() const { return log_stretching < -error && log_stretching < -2.0; }
+};
+
+// Follows one tangent vector: the first, or the one behind it.
+class GrowthWatch {
+ public:
+  explicit GrowthWatch(Eigen::Index vector);
+  void period(const Eigen::VectorXd& log_stretching, double length);
+  Growth growth(const Window& window) const;
+
+ private:
+  Eigen::Index vector_;
+  std::unique_ptr<ReferenceObservable> exponent_;
+  double time_ = 0.0;
+};
+
+// The values of motion_class (sweep_types.h). states: at the ends of the periods.
+int motion_without_period(const StateSequence& states, const Growth& growth, const Window& window);
+
+}  // namespace gearsweep

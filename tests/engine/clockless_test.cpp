@@ -1,0 +1,141 @@
+// Models without forcing: time has no phase, and a motion is judged by its returns to a section.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "study/refusal.hpp"
+#include "support/run.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep::testing {
+namespace {
+
+// x'' = mu (1 - x^2) x' - x, with lengths in `size` and times in `unit`.
+std::string van_der_pol(double size, double unit, const std::string& rest) {
+  return fmt::format(R"toml([model]
+text = """
+[model]
+name = "free"
+[states]
+x = {{ start = "2*size" }}
+v = {{}}
+[parameters]
+mu = 1.0
+size = {}
+unit = {}
+[equations]
+x = "v"
+v = "mu*(1 - (x/size)^2)*v/unit - x/unit^2"
+"""
+[[axes]]
+name = "mu"
+values = [0.5, 1.0, 10.0]
+[observe]
+quantities = ["motion_class", "period", "cycle_time", "maxima_return_time", "poincare", "x_max"]
+{})toml",
+                     size, unit, rest);
+}
+
+// The period at mu = 1 and 10 by DOP853 with located maxima, tolerance 1e-13.
+TEST(Clockless, CyclesHaveTheirPeriodInAnyUnits) {
+  for (const auto& [size, unit] : {std::pair(1.0, 1.0), {1e-6, 1e3}, {1000.0, 1e-9}}) {
+    SCOPED_TRACE(size);
+    const SweepResult result = run(van_der_pol(size, unit, ""));
+    EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(MOTION_periodic));
+    EXPECT_THAT(map_of(result, "period"), ::testing::Each(1.0));
+    EXPECT_NEAR(map_of(result, "cycle_time")[1] / unit, 6.663286859, 1e-6);
+    EXPECT_NEAR(map_of(result, "cycle_time")[2] / unit, 19.07836957, 3e-5);
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Samples are those of the section.
+      EXPECT_NEAR(samples_of(result, i, 0)[0] / map_of(result, "x_max")[i], 1.0, 1e-6);
+    }
+  }
+}
+
+TEST(Clockless, TellsRestCycleAndChaosByTheExponentsThatSuchMotionsHave) {
+  const auto classes = [](const std::string& model, const std::string& axis) {
+    return map_of(run(fmt::format("[model]\nname = '{}'\n[[axes]]\n{}\n[integrate]\nsettle = 2000\n"
+                                  "record = 1000\nmax_step = 0.002\n[observe]\nquantities = ['motion_class']\n",
+                                  model, axis)),
+                  "motion_class");
+  };
+  EXPECT_THAT(classes("brusselator", "name = 'b'\nvalues = [1.5, 1.9, 2.1, 3.0]"),
+              ::testing::ElementsAre(MOTION_equilibrium, MOTION_equilibrium, MOTION_periodic,
+                                     MOTION_periodic));
+  EXPECT_THAT(
+      classes("rossler", "name = 'c'\nvalues = [2.5, 3.5, 4.0, 5.7]"),
+      ::testing::ElementsAre(MOTION_periodic, MOTION_periodic, MOTION_periodic, MOTION_chaotic));
+  EXPECT_THAT(classes("lorenz", "name = 'rho'\nvalues = [10.0, 28.0, 160.0]"),
+              ::testing::ElementsAre(MOTION_equilibrium, MOTION_chaotic, MOTION_periodic));
+}
+
+// Two oscillators of van der Pol without a coupling: frequencies 1 and sqrt(2).
+constexpr const char* kTorus = R"toml([model]
+text = """
+[model]
+name = "torus"
+[states]
+x = { start = "1" }
+v = {}
+y = { start = "0.5" }
+w = {}
+[parameters]
+mu = 0.3
+[equations]
+x = "v"
+v = "mu*(1 - x^2)*v - x"
+y = "w"
+w = "mu*(1 - y^2)*w - 2*y"
+"""
+[[axes]]
+name = "mu"
+values = [0.2, 0.3]
+[integrate]
+settle = 500
+record = 1000
+[observe]
+quantities = ["motion_class", "maxima_period"]
+)toml";
+
+TEST(Clockless, TellsATorusFromACycleThatHasNotSettled) {
+  EXPECT_THAT(map_of(run(kTorus), "motion_class"), ::testing::Each(MOTION_quasi_periodic));
+  const SweepResult unsettled =
+      run(van_der_pol(1.0, 1.0, "[integrate]\nsettle = 0\nrecord = 8\nextend = 1\n"));
+  for (const double kind : map_of(unsettled, "motion_class")) {
+    EXPECT_THAT(kind, ::testing::AnyOf(MOTION_undecided, MOTION_periodic));
+  }
+}
+
+TEST(Clockless, AreJudgedAlikeByBothEngines) {
+  for (const std::string given :
+       {"name = 'brusselator'\n[parameters]\nb = 2.6",
+        "name = 'brusselator'\n[parameters]\nb = 1.6", "name = 'rossler'\n[parameters]\nc = 3.4"}) {
+    SCOPED_TRACE(given);
+    const std::string study = fmt::format(
+        "[model]\n{}\n[[axes]]\nname = 'x'\nfrom = 0.4\nto = 1.1\ncount = 8\n[integrate]\n"
+        "settle = 300\nrecord = 300\nextend = 1\n[observe]\n"
+        "quantities = ['motion_class', 'period', 'cycle_time']\n",
+        given);
+    const SweepResult kernel = run(study), reference = run(study, {"integrate.engine=reference"});
+    EXPECT_EQ(map_of(kernel, "motion_class"), map_of(reference, "motion_class"));
+    EXPECT_EQ(map_of(kernel, "period"), map_of(reference, "period"));
+  }
+}
+
+TEST(Clockless, SayWhatIsWrongWithThem) {
+  const auto refused = [](const std::string& equation) {
+    return refusal(
+        "[model]\ntext = '''\n[model]\nname = \"a\"\n[states]\nx = {}\nv = {}\n"
+        "[parameters]\nk = 1.0\n[equations]\nx = \"v\"\nv = \"" +
+        equation + "\"\n'''\n[[axes]]\nname = 'k'\nfrom = 1\nto = 2\ncount = 4\n");
+  };
+  using ::testing::HasSubstr;
+  EXPECT_EQ(refused("-k*x"), "");
+  EXPECT_THAT(refused("-k*x + cos(phase)"), HasSubstr("the model needs its period"));
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
