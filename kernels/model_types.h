@@ -79,6 +79,12 @@ typedef struct {
   mask slid;                    // it began to slide since this was last cleared
 } Sides;
 
+// Which surfaces have reset the state, and how fast their levels rose there.
+typedef struct {
+  mask hit[MODEL_SURFACES];
+  real rate[MODEL_SURFACES];
+} SurfaceMet;
+
 // Phase coefficients at a moment of a lane's own.
 #define MODEL_PHASE_AT_FIELD(name, meaning) real name;
 #define MODEL_TAKE_PHASE(name, meaning) at.name = row->name;

@@ -7,7 +7,9 @@
 // NAME_PER_CHANNEL looks at one state or signal: its init gets the value at the start; its step
 // gets the values at the step's four moments, and the step. One with NAME_PER_CONTACT gets the
 // depths of a contact instead. One with NAME_PER_SECTION looks at a section of the model: its step
-// gets how the step comes through it, and the step.
+// gets how the step comes through it, and the step. One with NAME_PER_SURFACE looks at a surface
+// where the state is reset:
+//   NAME_meet(sums, hit, rate)      where it is met, at a rate of its level
 
 // An instant on the phase grid. At a break phase there are two of them.
 typedef struct {
@@ -63,6 +65,7 @@ typedef struct {
   const Instant* after;
   Share weight;  // the step's share of a period
   mask smooth;   // the same flanks touch at start, middle and end
+  mask stays;    // the motion stays at a surface
   real cubic;    // 0 where `earlier` lies in another segment, or in a step that is not smooth
   const SectionCrossing* crossings;  // of the sections that the study looks at, in its order
   const Series* series;

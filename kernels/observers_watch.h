@@ -45,7 +45,7 @@ SHARED_FN mask watch_same_contact(const Instant* a, const Instant* b) {
 
 // Shows the observers the part from `before` to `after`, which the watcher has, and takes the end
 // for the next part's start.
-SHARED_FN void watch_seen(Watcher* watcher, Share weight) {
+SHARED_FN void watch_seen(Watcher* watcher, Share weight, mask stays) {
   const real zero = 0;
   const real sixth = (scalar)(1.0 / 6.0);
   const mask smooth = watch_same_contact(&watcher->before, &watcher->middle) &
@@ -56,6 +56,7 @@ SHARED_FN void watch_seen(Watcher* watcher, Share weight) {
                      &watcher->after,
                      weight,
                      smooth,
+                     stays,
                      lane_select(watcher->was_smooth, sixth, zero),
                      watcher->crossings,
                      &watcher->series};
@@ -138,14 +139,20 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
                   part->slopes->last, watcher->crossings);
   }
 #endif
-  watch_seen(watcher, lane_select(where, (*part->to - part->from) * part->share, zero));
+  watch_seen(watcher, lane_select(where, (*part->to - part->from) * part->share, zero),
+             sliding_any(point));
   watcher->was_smooth = lane_select(where, watcher->was_smooth & is_whole, was_smooth);
   watch_select(!where, &earlier, &watcher->earlier);
 }
 
 SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
-                          real share, mask where, const real* x) {
+                          real share, mask where, const SurfaceMet* met, const real* x) {
   Instant instant;
+#ifdef WATCHED_SURFACES
+  observers_meet(watcher->observers, where, met);
+#else
+  (void)met;
+#endif
   watch_instant(point, rows, share, x, &instant);
   watch_select(where, &instant, &watcher->before);
   watcher->was_smooth = watcher->was_smooth & !where;
@@ -184,7 +191,7 @@ SHARED_FN void watch_step(Watcher* watcher, const ModelPoint* point, TABLE Phase
     sections_take(length, watcher->before.x, watcher->after.x, first, last, watcher->crossings);
   }
 #endif
-  watch_seen(watcher, share);
+  watch_seen(watcher, share, x[0] != x[0]);
 }
 
 #endif

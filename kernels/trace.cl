@@ -25,7 +25,7 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
                           mask where) {}
 
 SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
-                          real share, mask where, const real* x) {}
+                          real share, mask where, const SurfaceMet* met, const real* x) {}
 
 SHARED_FN void watch_step_end(Watcher* watcher, const real* x) { keep_row(watcher, x); }
 #else

@@ -18,8 +18,8 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
 }
 
 SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
-                          real share, mask where, const real* x) {
-  (void)watcher, (void)point, (void)rows, (void)share, (void)where, (void)x;
+                          real share, mask where, const SurfaceMet* met, const real* x) {
+  (void)watcher, (void)point, (void)rows, (void)share, (void)where, (void)met, (void)x;
 }
 
 SHARED_FN void watch_step_end(Watcher* watcher, const real* x) { (void)watcher, (void)x; }

@@ -9,8 +9,9 @@
 // these
 //   watch_segment(watcher, point, rows, x)   the same
 //   watch_part(watcher, point, part, where)  called when a part of a step has ended in these lanes
-//   watch_side(watcher, point, rows, share, where, x)
-//                                            called when these have changed a side
+//   watch_side(watcher, point, rows, share, where, met, x)
+//                                            called when these have changed a side; met: the
+//                                            surfaces that reset the state there
 //   watch_step_end(watcher, x)               called when a step has ended
 // unwatched.h defines a watcher that does nothing.
 

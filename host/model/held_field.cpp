@@ -280,6 +280,7 @@ void HeldField::pass(std::size_t surface, const double* coefs, HeldMotion* motio
                               drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
                               gradients =
                                   values(SurfaceValue::reset_gradient, coefs, x, states_ * states_);
+    met_.push_back({surface, rate});
     carry = RowMajor::Map(gradients.data() + surface * states_ * states_, states, states);
     carried = carry * before + VectorXd::Map(drifts.data() + surface * states_, states);
     const double level = values(SurfaceValue::level, coefs, x, 1)[surface];

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/model.hpp"
@@ -50,6 +51,13 @@ class HeldField {
   // Takes from tangents what they have across the surfaces that the motion stays at: a neighbour
   // that lies off them by d comes to them in a time of order d. A tangent that is lost whole is 0.
   void settle(const double* coefs, HeldMotion* motion);
+  // Surfaces that have reset the state since this was asked the last time, and the rates at which
+  // their levels rose there.
+  struct Met {
+    std::size_t surface;
+    double rate;
+  };
+  std::vector<Met> take_met() { return std::exchange(met_, {}); }
   // Whether it has begun to slide since this was asked the last time.
   bool take_slid();
 
@@ -88,6 +96,7 @@ class HeldField {
   std::vector<bool> touches_;  // [limit]
   double step_ = 0.0;
   bool has_slid_ = false;
+  std::vector<Met> met_;
 };
 
 }  // namespace gearsweep

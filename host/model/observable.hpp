@@ -72,12 +72,14 @@ enum class ObservedPart {
   channel,  // for each state and signal: CHANNEL_suffix
   contact,  // for each contact: NAME_suffix, or CONTACT_NAME_suffix where contacts have names
   section,  // for each section of the model: SECTION_suffix
+  surface,  // for each surface where the state is reset: SURFACE_suffix
 };
 
 struct Observable {
   std::string name;
   ObservableRole role;
   ObservedPart part = ObservedPart::whole;
+  bool is_of_surfaces = false;  // of models that have some
   // Numbers that it keeps for each point between rounds, tangent vectors that it needs; counts in
   // kPerState and kPerOrder.
   int accumulators;

@@ -39,7 +39,13 @@ std::vector<Part> parts_for(const Observable& observable, const Model& model) {
   };
   switch (observable.part) {
     case ObservedPart::whole:
+      if (observable.is_of_surfaces && model.surfaces.empty()) return {};
       return {{}};
+    case ObservedPart::surface:
+      for (const SurfaceInfo& surface : model.surfaces) {
+        if (surface.resets) parts.push_back({surface.name, "1", surface.name});
+      }
+      return parts;
     case ObservedPart::channel:
       std::ranges::for_each(model.states, add);
       std::ranges::for_each(model.signals, add);
@@ -60,8 +66,9 @@ std::vector<Part> parts_for(const Observable& observable, const Model& model) {
 
 // What the names of the observable's quantities begin with.
 std::string stem_of(const Observable& observable, const Part& part) {
-  const bool is_named_by_part =
-      observable.part == ObservedPart::channel || observable.part == ObservedPart::section;
+  const bool is_named_by_part = observable.part == ObservedPart::channel ||
+                                observable.part == ObservedPart::section ||
+                                observable.part == ObservedPart::surface;
   if (is_named_by_part) return part.name;
   return part.name.empty() ? observable.name : part.name + "_" + observable.name;
 }

@@ -109,7 +109,8 @@ SHARED_FN void motion_end_period(real* sums, const Section* section) {
 // What a perturbation grew by in the record.
 typedef struct {
   real log_stretching, error;  // three standard errors
-  mask grows, shrinks;         // by more than that; and, of what shrinks, by exp(2)
+  mask grows;                  // by more than that
+  mask neutral;                // by no more than that, nor than exp(10); a hundredth is nothing
 } MotionGrowth;
 
 // sums: of lyapunov_max.
@@ -117,24 +118,22 @@ SHARED_FN MotionGrowth motion_growth(const real* sums, real forcing, SweepRound 
   real exponent[lyapunov_max_outputs];
   lyapunov_max_finish(sums, round, exponent);
   const real time = (scalar)(round.record) * forcing;
-  const real turn = 2;
+  const real much = 10;
+  const real nothing = (scalar)(0.01);
   MotionGrowth growth;
   growth.log_stretching = exponent[0] * time;
   growth.error = (scalar)(3) * exponent[1] * time;
   growth.grows = growth.log_stretching > growth.error;
-  growth.shrinks = (growth.log_stretching < -growth.error) & (growth.log_stretching < -turn);
+  const real size = lane_abs(growth.log_stretching);
+  growth.neutral = (size <= nothing) | ((size <= growth.error) & (size <= much));
   return growth;
 }
 
 // The kind of a motion without a period.
 SHARED_FN real motion_without_period(const real* sums, MotionGrowth growth, SweepRound round) {
   const real turn = 2;
-  const real much = 10;
-  const real nothing = (scalar)(0.01);
   const real log_stretching = growth.log_stretching;
-  const real size = lane_abs(log_stretching);
   const mask positive = growth.grows & (log_stretching > turn);
-  const mask neutral = (size <= nothing) | ((size <= growth.error) & (size <= much));
   real ranges[MODEL_STATE_COUNT];
   real extents[MODEL_STATE_COUNT];
   share_ranges(sums + motion_recurrence + period_ranges, ranges);
@@ -156,7 +155,7 @@ SHARED_FN real motion_without_period(const real* sums, MotionGrowth growth, Swee
 
   real bounded = MOTION_undecided;
   if (round.is_last || round.record >= motion_min_neutral) {
-    bounded = lane_select(neutral & steady, (real)(MOTION_quasi_periodic), bounded);
+    bounded = lane_select(growth.neutral & steady, (real)(MOTION_quasi_periodic), bounded);
   }
   return lane_select(positive & stays, (real)(MOTION_chaotic), bounded);
 }

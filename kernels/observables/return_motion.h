@@ -1,13 +1,13 @@
 // What kind of motion it is where there is no clock, from the two largest Lyapunov exponents and
 // from the returns to a section. One exponent of a motion that does not rest is 0, that of a shift
 // along it, so:
-//   equilibrium     the largest is negative: the motion ends at rest, or is there;
-//   periodic        the largest is 0, and the state recurs after some returns (recurrence.h);
-//   quasi_periodic  both are 0, and no return recurs; with the bounds of observables/motion.h;
-//   chaotic         as in observables/motion.h;
+//   equilibrium     a perturbation shrinks by more than exp(10) in the record, as no motion that
+//                   settles onto a cycle makes it: the motion ends at rest, or is there;
+//   periodic        the state recurs after some returns (recurrence.h), and nothing grows;
+//   quasi_periodic  both exponents are 0 and no return recurs, in three dimensions or more, with
+//                   the bounds of observables/motion.h;
+//   chaotic         as in observables/motion.h, in three dimensions or more;
 //   undecided       all else: a cycle that has not settled, one whose period is too long.
-// An exponent is negative when it is so by more than three errors and by a factor of exp(2) in the
-// record.
 #include "observables/cycle.h"
 #include "observables/motion.h"
 
@@ -61,13 +61,15 @@ SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* ou
   const MotionGrowth second = motion_growth(sums + return_motion_second, forcing, round);
   const mask recurs = zero < recurrence_found(sums + return_motion_cycle + cycle_recurrence);
   const real without = motion_without_period(sums + return_motion_motion, first, round);
-  const real tori = MOTION_quasi_periodic;
-  // A cycle that has not settled is neutral, too, and shrinks across.
-  const mask is_cycle = (without == tori) & second.shrinks;
+  const real torus = MOTION_quasi_periodic;
+  const real much = 10;
+  // A cycle that has not settled is neutral, too, but not across.
+  const mask is_cycle = (without == torus) & !second.neutral;
   // In the plane there is neither a torus nor chaos (Poincare and Bendixson).
   const mask has_room = MODEL_STATE_COUNT > 2 ? zero == zero : zero != zero;
   const real open = lane_select(is_cycle | !has_room, undecided, without);
   const real moving = lane_select(recurs, lane_select(first.grows, undecided, periodic), open);
-  out[0] = lane_select(first.shrinks, equilibrium, moving);
+  const mask rests = first.log_stretching < -lane_max(first.error, much);
+  out[0] = lane_select(rests, equilibrium, moving);
 }
 #endif

@@ -136,7 +136,7 @@ SHARED_FN void surface_land(const ModelPoint* point, const SurfaceRows* rows,
 
 // Takes lanes that have come to an event, at a share of the step, to the other side.
 SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const SurfaceEvent* event,
-                            mask where, int beside, real share, real* x, real* w) {
+                            mask where, int beside, real share, real* x, real* w, SurfaceMet* met) {
   const real zero = 0;
   const real one = 1;
   PhaseAt moment;
@@ -161,6 +161,8 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
     point->sides.side[k] = lane_select(moves, event->side[k], point->sides.side[k]);
     point->sides.slides[k] = point->sides.slides[k] & !(where & event->left[k]);
     hit[k] = where & event->crossed[k];
+    met->hit[k] = MODEL_RESETS(k) ? hit[k] & came_up[k] & (zero < rates[k]) : zero != zero;
+    met->rate[k] = rates[k];
   }
 #if TANGENTS > 0
   if (beside & RK4_LINEAR) surface_delays(point, &moment, x, rates, hit, w, delays);
@@ -248,8 +250,9 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(moves, next[i], x[i]);
     from = lane_select(moves, to, from);
     if (!all_lanes(!lands)) {
-      surface_pass(point, rows, &event, lands, beside, from, x, w);
-      if (beside & RK4_MIDDLE) watch_side(watcher, point, rows, from, lands, x);
+      SurfaceMet met;
+      surface_pass(point, rows, &event, lands, beside, from, x, w, &met);
+      if (beside & RK4_MIDDLE) watch_side(watcher, point, rows, from, lands, &met, x);
     }
     done = done | (moves & !lands);
     if (all_lanes(done)) break;

@@ -119,7 +119,7 @@ TEST(Sections, SeeAMaximumThatIsACorner) {
   }
 }
 
-struct Case {
+struct Sectioned {
   const char *model, *section, *axis;
   double tolerance;  // of the engines: what is left of errors of fourth order
 };
@@ -127,14 +127,15 @@ struct Case {
 // The reference engine halves whole steps of the method to come to a section.
 TEST(Sections, AreTheSameInBothEnginesAndInEachLane) {
   const std::array cases = {
-      Case{"duffing", "when = 'v'\ndirection = 'down'", "name = 'x'\nfrom = 0.5\nto = 1.5", 1e-5},
-      Case{"coulomb", "maximum_of = 'v'", "name = 'omega'\nfrom = 0.5\nto = 1.5", 1e-6},
-      Case{"hard_impact", "when = 'x + 0.3*cos(phase) + 0.2'", "name = 'x'\nfrom = -1\nto = -0.1",
-           1e-6},
-      Case{"gear1", "maximum_of = 'x'", "name = 'omega'\nfrom = 0.5\nto = 1.5", 1e-6},
-      Case{"pendulum", "when = 'sin(x)'", "name = 'x'\nfrom = 0.5\nto = 1.5", 1e-5},
+      Sectioned{"duffing", "when = 'v'\ndirection = 'down'", "name = 'x'\nfrom = 0.5\nto = 1.5",
+                1e-5},
+      Sectioned{"coulomb", "maximum_of = 'v'", "name = 'omega'\nfrom = 0.5\nto = 1.5", 1e-6},
+      Sectioned{"hard_impact", "when = 'x + 0.3*cos(phase) + 0.2'",
+                "name = 'x'\nfrom = -1\nto = -0.1", 1e-6},
+      Sectioned{"gear1", "maximum_of = 'x'", "name = 'omega'\nfrom = 0.5\nto = 1.5", 1e-6},
+      Sectioned{"pendulum", "when = 'sin(x)'", "name = 'x'\nfrom = 0.5\nto = 1.5", 1e-5},
   };
-  for (const Case& one : cases) {
+  for (const Sectioned& one : cases) {
     SCOPED_TRACE(one.model);
     const std::string study = section_study(
         fmt::format("name = '{}'", one.model), one.section, fmt::format("{}\ncount = 8", one.axis),

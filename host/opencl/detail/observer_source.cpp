@@ -23,6 +23,16 @@ bool is_verdict(const Observer& observer) {
   return observer.observable->role == ObservableRole::verdict;
 }
 
+// Of a moment or of a step: an observer of a surface is told of impacts beside.
+bool sees_all(const Observer& observer) {
+  const ObservedPart part = observer.observable->part;
+  return part == ObservedPart::whole || part == ObservedPart::surface;
+}
+
+bool is_of_surface(const Observer& observer) {
+  return observer.observable->part == ObservedPart::surface;
+}
+
 bool has_many_sums(const Observer& observer) {
   return is_verdict(observer) || observer.observable->role == ObservableRole::statistic;
 }
@@ -76,7 +86,7 @@ class ObserverSource {
                    });
     write_function(
         "step", "const Observers* observers, const Step* step", [&](const Observer& observer) {
-          if (observer.observable->part == ObservedPart::whole) return std::string(", step");
+          if (sees_all(observer)) return std::string(", step");
           if (observer.observable->part == ObservedPart::section) {
             return fmt::format(", {}, step", seen(observer, "step"));
           }
@@ -87,6 +97,7 @@ class ObserverSource {
     write_function("end_period", "const Observers* observers, const Section* section",
                    [](const Observer&) { return std::string(", section"); });
     if (!sections_.empty()) write_sections();
+    if (std::ranges::any_of(observers_, is_of_surface)) write_meetings();
     write_finish();
     write_move("load", "__global const real* accumulators");
     write_move("store", "__global real* accumulators");
@@ -163,7 +174,7 @@ class ObserverSource {
   // What an observer sees of a moment: all of it, the value of its channel, or its contact.
   std::string seen(const Observer& observer, const std::string& moment) const {
     const Model& model = *study_.model;
-    if (observer.observable->part == ObservedPart::whole) return moment;
+    if (sees_all(observer)) return moment;
     if (observer.observable->part == ObservedPart::channel) {
       const std::string name = model.name_in_kernel(observer.part);
       return model.find_state(observer.part) >= 0 ? fmt::format("{}->x[STATE_{}]", moment, name)
@@ -201,6 +212,21 @@ class ObserverSource {
       };
       const auto observer = std::ranges::find_if(observers_, looks);
       out_ << wrapped(fmt::format("crossings[{}].last = {}[0];", i, sums_of(*observer)));
+    }
+    out_ << "}\n";
+  }
+
+  void write_meetings() {
+    out_ << "\n#define WATCHED_SURFACES\n"
+            "SHARED_FN void observers_meet(const Observers* observers, mask where,\n"
+            "                              const SurfaceMet* met) {\n";
+    const std::vector<SurfaceInfo>& surfaces = study_.model->surfaces;
+    for (const Observer& observer : observers_) {
+      if (!is_of_surface(observer)) continue;
+      const auto place =
+          std::ranges::find(surfaces, observer.part, &SurfaceInfo::name) - surfaces.begin();
+      out_ << wrapped(fmt::format("{0}_meet({1}, where & met->hit[{2}], met->rate[{2}]);",
+                                  observer.observable->name, sums_of(observer), place));
     }
     out_ << "}\n";
   }

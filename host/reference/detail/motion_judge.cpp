@@ -34,12 +34,10 @@ int motion_without_period(const StateSequence& states, const Growth& growth, con
   if (growth.log_stretching > std::max(growth.error, 2.0) && late <= grown * early) {
     return MOTION_chaotic;
   }
-  const bool neutral =
-      std::abs(growth.log_stretching) <= std::max(0.01, std::min(growth.error, 10.0));
   const bool is_long = window.is_last || window.record >= 1000;
   const double whole = states.extent(0, states.last());
   const bool is_steady = whole <= std::max(0.1, 1.25 * std::min(early, late));
-  return neutral && is_long && is_steady ? MOTION_quasi_periodic : MOTION_undecided;
+  return growth.is_neutral() && is_long && is_steady ? MOTION_quasi_periodic : MOTION_undecided;
 }
 
 }  // namespace gearsweep

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "reference/detail/observables.hpp"
@@ -13,7 +15,9 @@ namespace gearsweep {
 struct Growth {
   double log_stretching = 0.0, error = 0.0;  // three standard errors
   bool grows() const { return log_stretching > error; }
-  bool shrinks() const { return log_stretching < -error && log_stretching < -2.0; }
+  bool is_neutral() const {
+    return std::abs(log_stretching) <= std::max(0.01, std::min(error, 10.0));
+  }
 };
 
 // Follows one tangent vector: the first, or the one behind it.

@@ -16,6 +16,7 @@
 #include "reference/detail/orbit_observables.hpp"
 #include "reference/detail/section_observables.hpp"
 #include "reference/detail/state_moments.hpp"
+#include "reference/detail/surface_observables.hpp"
 #include "reference/detail/zero_one_observable.hpp"
 
 namespace gearsweep {
@@ -133,6 +134,11 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
     const auto contact = std::ranges::find(model.contacts, observer.part, &ContactInfo::name);
     if (kind == "contact") return make_contact(model, *contact);
     if (kind == "contact_impacts") return make_contact_impacts(model, *contact);
+  }
+  if (kind == "sticking") return make_sticking();
+  if (kind == "surface_impacts") {
+    const auto surface = std::ranges::find(model.surfaces, observer.part, &SurfaceInfo::name);
+    return make_surface_impacts(static_cast<std::size_t>(surface - model.surfaces.begin()));
   }
   if (observer.observable->part == ObservedPart::section) {
     const auto section = std::ranges::find(model.sections, observer.part, &SectionInfo::name);

@@ -96,12 +96,12 @@ class ReturnMotion final : public ReferenceObservable {
  private:
   int kind(const Window& window) const {
     const Growth first = first_.growth(window);
-    if (first.shrinks()) return MOTION_equilibrium;
+    if (first.log_stretching < -std::max(first.error, 10.0)) return MOTION_equilibrium;
     if (cycle_.recurrence().period > 0) return first.grows() ? MOTION_undecided : MOTION_periodic;
     if (states_.state_size() < 3) return MOTION_undecided;  // the plane has no torus, and no chaos
     const int without = motion_without_period(states_, first, window);
-    const bool is_cycle =
-        without == MOTION_quasi_periodic && second_.growth(window).shrinks();  // not settled
+    const bool is_cycle =  // that has not settled
+        without == MOTION_quasi_periodic && !second_.growth(window).is_neutral();
     return is_cycle ? MOTION_undecided : without;
   }
 

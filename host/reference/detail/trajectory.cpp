@@ -166,6 +166,8 @@ void Trajectory::step_through_surfaces(double phase, double inside, double share
     step.is_smooth = !is_rough_ && same_contact(step.before, step.middle) &&
                      same_contact(step.middle, step.after);
     step.at = at;
+    step.stays = held_.slides();
+    step.met = held_.take_met();
     seen(step);
   };
   Bundle motion{state_, tangents_};

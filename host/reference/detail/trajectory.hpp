@@ -26,6 +26,8 @@ struct TrajectoryStep {
   bool is_smooth = false;  // no limit of the contact, nor a bend, lies between the three moments
   // The middle of the step before, when that was smooth and lies in the same segment.
   std::optional<Instant> earlier = {};
+  bool stays = false;                    // at a surface
+  std::vector<HeldField::Met> met = {};  // impacts since the step before
   // Any moment, by a step of the method from `before` to that share of this one.
   std::function<Instant(double share)> at = {};
 };
