@@ -27,6 +27,7 @@ inline std::string observe_all_of(const Model& model) {
   std::string quantities, sampled;
   for (const auto& list : {model.states, model.signals}) {
     for (const ChannelInfo& channel : list) {
+      if (channel.is_hidden) continue;
       for (const char* what : {"_min", "_max", "_mean", "_rms"}) {
         quantities += "'" + channel.name + what + "', ";
       }
