@@ -57,9 +57,10 @@ TEST(Clockless, CyclesHaveTheirPeriodInAnyUnits) {
 
 TEST(Clockless, TellsRestCycleAndChaosByTheExponentsThatSuchMotionsHave) {
   const auto classes = [](const std::string& model, const std::string& axis) {
-    return map_of(run(fmt::format("[model]\nname = '{}'\n[[axes]]\n{}\n[integrate]\nsettle = 2000\n"
-                                  "record = 1000\nmax_step = 0.002\n[observe]\nquantities = ['motion_class']\n",
-                                  model, axis)),
+    return map_of(run(fmt::format(
+                      "[model]\nname = '{}'\n[[axes]]\n{}\n[integrate]\nsettle = 2000\n"
+                      "record = 1000\nmax_step = 0.002\n[observe]\nquantities = ['motion_class']\n",
+                      model, axis)),
                   "motion_class");
   };
   EXPECT_THAT(classes("brusselator", "name = 'b'\nvalues = [1.5, 1.9, 2.1, 3.0]"),
