@@ -41,7 +41,8 @@ SHARED_FN void cycle_init(real* sums, const Instant* start) {
 SHARED_FN void cycle_step(real* sums, const SectionCrossing* crossing, const Step* step) {
   const real zero = 0;
   const real one = 1;
-  const real whole = sums[cycle_since] + step->weight;
+  // Not a number from where the level is none, or infinite, on.
+  const real whole = sums[cycle_since] + step->weight + zero * crossing->last;
   const mask counts = crossing->where;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
@@ -84,7 +85,8 @@ SHARED_FN void cycle_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
   const real period = recurrence_found(sums + cycle_recurrence);
   const real time = sums[cycle_forcing] * (sums[cycle_total] / sums[cycle_turns]);
-  out[0] = period;
-  out[1] = lane_select(zero < period, time, (real)(NAN));
+  const mask is_defined = sums[cycle_since] == sums[cycle_since];
+  out[0] = lane_select(is_defined, period, (real)(NAN));
+  out[1] = lane_select(is_defined & (zero < period), time, (real)(NAN));
 }
 #endif

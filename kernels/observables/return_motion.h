@@ -70,6 +70,7 @@ SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* ou
   const real open = lane_select(is_cycle | !has_room, undecided, without);
   const real moving = lane_select(recurs, lane_select(first.grows, undecided, periodic), open);
   const mask rests = first.log_stretching < -lane_max(first.error, much);
-  out[0] = lane_select(rests, equilibrium, moving);
+  const real since = sums[return_motion_cycle + cycle_since];
+  out[0] = lane_select(rests, equilibrium, lane_select(since == since, moving, undecided));
 }
 #endif

@@ -33,7 +33,8 @@ SHARED_FN void returns_step(real* sums, const SectionCrossing* crossing, const S
   const real zero = 0;
   const real one = 1;
   const mask counts = crossing->where;
-  const real whole = sums[returns_since] + step->weight;
+  // Not a number from where the level is none, or infinite, on.
+  const real whole = sums[returns_since] + step->weight + zero * crossing->last;
   sums[returns_level] = crossing->last;
   sums[returns_since] = whole;
   if (all_lanes(!counts)) return;
@@ -57,8 +58,9 @@ SHARED_FN void returns_finish(const real* sums, SweepRound round, real* out) {
   const real nothing = NAN;
   const real count = sums[returns_count];
   const real period = sums[returns_period];
-  const mask any = one < count;
-  out[0] = count / (scalar)(round.record);
+  const mask is_defined = sums[returns_since] == sums[returns_since];
+  const mask any = (one < count) & is_defined;
+  out[0] = lane_select(is_defined, count / (scalar)(round.record), nothing);
   out[1] = lane_select(any, period * (sums[returns_total] / (count - one)), nothing);
   out[2] = lane_select(any, period * sums[returns_shortest], nothing);
   out[3] = lane_select(any, period * sums[returns_longest], nothing);

@@ -174,6 +174,19 @@ TEST(Sections, LeaveTheMotionAsItIs) {
   EXPECT_EQ(map_of(bare, "x_rms"), map_of(watched, "x_rms"));
 }
 
+// log(x) is no number where x is negative.
+TEST(Sections, OfAnUndefinedPlaceHaveNoReturns) {
+  const std::string study = section_study("name = 'duffing'", "when = 'log(x)'",
+                                          "name = 'x'\nfrom = 0.5\nto = 1.5\ncount = 4",
+                                          "settle = 0\nrecord = 4\nstop = 'never'");
+  for (const char* const engine : {"opencl", "reference"}) {
+    const SweepResult result = run(study, {std::string("integrate.engine=") + engine});
+    for (const char* const quantity : {"top_returns", "top_return_time", "top_period"}) {
+      for (const double value : map_of(result, quantity)) EXPECT_TRUE(std::isnan(value)) << engine;
+    }
+  }
+}
+
 TEST(Sections, SayWhatIsWrongWithThem) {
   const auto refused = [](const std::string& section, const std::string& observe = kReturns) {
     return refusal("[model]\nname = 'duffing'\n" + section +

@@ -25,6 +25,7 @@ class Returns final : public ReferenceObservable {
   }
   std::vector<double> finish(const Window&) const override {
     const double each = static_cast<double>(times_.size()) / static_cast<double>(periods_);
+    if (!watch_.is_defined()) return {kNothing, kNothing, kNothing, kNothing};
     if (times_.size() < 2) return {each, kNothing, kNothing, kNothing};
     std::vector<double> between;
     for (std::size_t i = 1; i < times_.size(); ++i) between.push_back(times_[i] - times_[i - 1]);
@@ -54,12 +55,14 @@ class Cycle final : public ReferenceObservable {
   void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double length) override {
     length_ = length;
   }
+  bool is_defined() const { return watch_.is_defined(); }
   Recurrence recurrence() const {
     constexpr std::size_t kLongestWindow = 64;
     return sections_.recurrence(kLongestWindow);
   }
   std::vector<double> finish(const Window&) const override {
     const Recurrence found = recurrence();
+    if (!is_defined()) return {kNothing, kNothing};
     if (found.period == 0) return {0.0, kNothing};
     const std::size_t turns = (sections_.last() - found.since) / found.period;
     const double time = times_[found.since + turns * found.period] - times_[found.since];
@@ -97,6 +100,7 @@ class ReturnMotion final : public ReferenceObservable {
   int kind(const Window& window) const {
     const Growth first = first_.growth(window);
     if (first.log_stretching < -std::max(first.error, 10.0)) return MOTION_equilibrium;
+    if (!cycle_.is_defined()) return MOTION_undecided;
     if (cycle_.recurrence().period > 0) return first.grows() ? MOTION_undecided : MOTION_periodic;
     if (states_.state_size() < 3) return MOTION_undecided;  // the plane has no torus, and no chaos
     const int without = motion_without_period(states_, first, window);
@@ -138,6 +142,7 @@ void SectionWatch::see(const TrajectoryStep& step, const Callback& came) {
     level_from = level_to;
   }
   last_ = level_from;
+  is_defined_ &= std::isfinite(last_);
   time_ += step.share;
 }
 

@@ -19,6 +19,8 @@ class SectionWatch {
   using Callback = std::function<void(const Eigen::VectorXd& state, double time)>;
   explicit SectionWatch(const SectionInfo& section) : section_(section) {}
   void see(const TrajectoryStep& step, const Callback& came);
+  // Whether the section's level was a finite number so far.
+  bool is_defined() const { return is_defined_; }
 
  private:
   // Rounding of its terms is 0.
@@ -27,6 +29,7 @@ class SectionWatch {
   SectionInfo section_;
   double last_ = std::numeric_limits<double>::infinity();  // where the step before ended
   double time_ = 0.0;
+  bool is_defined_ = true;
 };
 
 // Returns per period; mean, shortest and longest time from one to the next (kernels/observables/
