@@ -82,7 +82,8 @@ struct ModelDefinition {
   std::vector<SurfaceDefinition> surfaces;
   std::vector<SectionDefinition> sections;
   ExpressionText period;      // in dimensionless time; of parameters alone
-  bool is_clockless = false;  // there is no forcing, and the period is a number
+  // Of a model without forcing: what its time is counted in, of which `period` is the text.
+  std::optional<double> clock;
   // How many of these make a period of the forcing, whole, of parameters alone: `turn` counts them
   // from 0 on, and `phase` begins anew in each. Empty: one.
   std::optional<ExpressionText> cycle;

@@ -222,17 +222,23 @@ void refuse_taken(const ModelDefinition& definition, const std::string& name,
                                definition.period.file, name, what));
 }
 
+// In its equations, and wherever else a motion is made or looked at.
 bool has_phase(const Formula& formula) {
   std::vector<NodeId> all = formula.equations;
   all.insert(all.end(), formula.signals.begin(), formula.signals.end());
+  for (const Formula::Impact& impact : formula.impacts) {
+    all.push_back(impact.when);
+    all.insert(all.end(), impact.reset.begin(), impact.reset.end());
+  }
+  for (const Formula::Section& section : formula.sections) all.push_back(section.value);
   const std::vector<NodeId> parts = parts_of(formula.graph, all);
   return std::ranges::find(parts, formula.phase) != parts.end();
 }
 
 void refuse_phase_without_clock(const ModelDefinition& definition, const Formula& formula) {
-  if (!definition.is_clockless || !has_phase(formula)) return;
+  if (!definition.clock || !has_phase(formula)) return;
   throw InputError(
-      fmt::format("{}: the equations have a phase, so the model needs its period:\n"
+      fmt::format("{}: there is a phase in it, so the model needs its period:\n"
                   "  [forcing]\n  period = \"2*pi/omega\"",
                   definition.period.file));
 }
@@ -333,7 +339,10 @@ ModelDefinition bound(ModelDefinition definition, const Binding& binding) {
   definition.choices = binding.options;
   definition.swept = binding.parameters;
   definition.expressions = binding.expressions;
-  if (definition.is_clockless) definition.period.text = fmt::format("{}", binding.clock);
+  if (definition.clock) {
+    definition.clock = binding.clock;
+    definition.period.text = fmt::format("{}", binding.clock);
+  }
   return definition;
 }
 
@@ -435,9 +444,9 @@ Model make_model(const ModelDefinition& given) {
       return tapes->cycle.run(inputs_of(*tapes, setting));
     };
   }
-  model.is_clockless = given.is_clockless;
+  model.is_clockless = given.clock.has_value();
   model.binding = {given.given_curves, given.choices, given.swept, given.expressions};
-  if (given.is_clockless) model.binding.clock = std::stod(given.period.text);
+  if (given.clock) model.binding.clock = *given.clock;
   model.bound = [defined = std::make_shared<const ModelDefinition>(given)](const Binding& binding) {
     return make_model(bound(*defined, binding));
   };

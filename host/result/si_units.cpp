@@ -16,6 +16,7 @@ SiUnit si_unit(const std::string& unit, const Scales& scales) {
   if (unit == "varpi") return {scales.varpi, "rad/s"};
   if (unit == "1/varpi") return {1.0 / scales.varpi, "s"};
   if (unit == "1/tau") return {scales.varpi, "1/s"};
+  if (unit == "tau") return {1.0 / scales.varpi, "s"};
   if (unit == "k0") return {scales.k0, "N/m"};
   if (unit == "k0 b_n") return {scales.k0 * scales.b_n, "N"};
   if (unit == "k0 b_n^2 varpi") {

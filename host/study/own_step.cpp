@@ -121,7 +121,7 @@ OwnStep find_own_step(const Study& study) {
 
 double mean_return_time(const Study& study) {
   constexpr std::size_t kEnough = 8;
-  constexpr int kMostStretches = 32;
+  constexpr int kMostStretches = 8;
   std::vector<double> times;
   for (const ProbeStart& start : probe_starts(study)) {
     ProbeMotion motion(*study.model, start.setting, start.state);

@@ -22,6 +22,7 @@ struct Source {
 struct Offer {
   Quantity quantity;
   Source source;
+  bool is_named = true;  // false of one whose name another one has, or that has none of its own
 
   OutputRole role() const { return source.observable->outputs[source.output_in_observable].role; }
 };
@@ -105,20 +106,6 @@ bool is_sampled_at_section(const Offer& offer) {
   return observable.role == ObservableRole::samples && observable.part == ObservedPart::section;
 }
 
-// Whether a quantity goes by a name that another one has taken, or has none.
-bool is_unnamed(const std::vector<Offer>& offers, const Offer& offer) {
-  const bool is_plain = offer.source.observable->part == ObservedPart::section;
-  const auto takes = [&](const Offer& other) {
-    return other.quantity.name == offer.quantity.name &&
-           other.source.observable->part == ObservedPart::section;
-  };
-  if (offer.source.observable->part == ObservedPart::section &&
-      offer.quantity.name == offer.source.part + "_motion_class") {
-    return true;
-  }
-  return is_sampled_at_section(offer) || (!is_plain && std::ranges::any_of(offers, takes));
-}
-
 // The section by which a motion is judged: the one that a study chose, or the first; empty where
 // the model has none.
 std::string judging_section(const Model& model, const std::string& chosen) {
@@ -153,6 +140,13 @@ std::vector<Offer> offers_of(const Model& model, const Sizes& sizes, const std::
     }
   }
   const std::vector<Offer> plain = plain_offers(model, offers, judging_section(model, section));
+  for (Offer& offer : offers) {
+    const bool is_taken = std::ranges::any_of(
+        plain, [&](const Offer& other) { return other.quantity.name == offer.quantity.name; });
+    const bool judges_returns = offer.source.observable->part == ObservedPart::section &&
+                                offer.role() == OutputRole::motion;
+    offer.is_named = !is_taken && !judges_returns && !is_sampled_at_section(offer);
+  }
   offers.insert(offers.begin(), plain.begin(), plain.end());
   return offers;
 }
@@ -357,9 +351,8 @@ std::vector<std::string> Selection::watched_sections() const {
 std::vector<Quantity> offered_quantities(const Model& model) {
   const Sizes sizes = {model.states.size(), kDefaultOrders.size()};
   std::vector<Quantity> out;
-  const std::vector<Offer> offers = offers_of(model, sizes, "");
-  for (const Offer& offer : offers) {
-    if (!is_unnamed(offers, offer)) out.push_back(offer.quantity);
+  for (const Offer& offer : offers_of(model, sizes, "")) {
+    if (offer.is_named) out.push_back(offer.quantity);
   }
   for (const LoadFactor& factor : load_factors(model)) out.push_back(factor.quantity);
   for (const Quantity& quantity : census_quantities()) out.push_back(quantity);
@@ -433,7 +426,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       if (is_elsewhere) {
         return is_sampled_at_section(candidate) && candidate.source.part == section;
       }
-      return candidate.quantity.name == name;
+      return candidate.is_named && candidate.quantity.name == name;
     });
     if (offer.source.observable->role == ObservableRole::samples && sampled.empty()) {
       throw InputError(fmt::format("observe.{} names no state", name));

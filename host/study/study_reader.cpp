@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -176,15 +177,28 @@ void check_size(const toml::table& root, const Study& study) {
 
 // A model without forcing counts time in periods of about one return to its first section, of so
 // many steps of its own, so that chaos does not make a different clock of each rounding; or, where
-// nothing returns, in periods of 128 such steps.
-void wind_clock(Study* study) {
-  if (!study->model->is_clockless) return;
-  const double own = study->model->max_step;
-  const double step = own > 0.0 ? own : find_own_step(*study).longest;
+// nothing returns, in periods of 128 such steps. A return of very many, as of a cycle that is slow
+// beside its fastest rate, is several periods: a longer one would be refused.
+void wind_clock(double step, Study* study) {
+  constexpr double kMostSteps = 4096.0;
   const double steps = study->model->sections.empty() ? 0.0 : mean_return_time(*study) / step;
   Binding binding = study->model->binding;
-  binding.clock = step * (steps > 0.0 ? std::max(rounded_up(steps), 16.0) : 128.0);
+  binding.clock = step * (steps > 0.0 ? std::clamp(rounded_up(steps), 16.0, kMostSteps) : 128.0);
   study->bind(binding);
+}
+
+// The step of a study that names none, and the clock of a model that has none.
+void find_steps(Study* study) {
+  const Integrate& given = study->integrate;
+  const bool needs_step = given.max_step == 0.0 && given.steps_per_period == 0;
+  const bool needs_clock = study->model->is_clockless;
+  const double models = study->model->max_step;
+  std::optional<OwnStep> own;
+  if (needs_step || (needs_clock && models == 0.0)) own = find_own_step(*study);
+  if (needs_clock) wind_clock(models > 0.0 ? models : own->longest, study);
+  if (!needs_step) return;
+  study->integrate.max_step = needs_clock ? own->longest : own->step;  // that divides the clock
+  study->step_reason = own->reason;
 }
 
 // A study as TOML, with all that lies in files taken in.
@@ -259,12 +273,7 @@ Study read_tables(const StudyText& text) {
   bind_limits(root["integrate"].as_table(), &study);
   check_starts(root, study);
 
-  wind_clock(&study);
-  if (study.integrate.max_step == 0.0 && study.integrate.steps_per_period == 0) {
-    const OwnStep own = find_own_step(study);
-    study.integrate.max_step = own.step;
-    study.step_reason = own.reason;
-  }
+  find_steps(&study);
   study.toml = print_study(root);
   return study;
 }

@@ -1,6 +1,6 @@
 // Period of the motion, in forcing periods: after how many the full state at phase 0 recurs
-// (recurrence.h). Windows are of 64 periods, or of the largest power of two that is at
-// most a third of the record; ranges are those of the motion during any period so far (items.h).
+// (recurrence.h). Windows are of 64 periods, or of the largest power of two that is at most a third
+// of the record; ranges are those of the motion during any period so far (items.h).
 #include "recurrence.h"
 
 #define PERIOD_ROLE verdict

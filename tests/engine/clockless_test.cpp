@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "plan/plan.hpp"
 #include "study/refusal.hpp"
 #include "support/run.hpp"
 #include "sweep_types.h"
@@ -110,6 +111,14 @@ TEST(Clockless, TellsATorusFromACycleThatHasNotSettled) {
   }
 }
 
+// From far away the steps are so short that a return takes hundreds of thousands of them.
+TEST(Clockless, AStiffStartIsNoReasonToRefuse) {
+  const std::string study =
+      van_der_pol(1.0, 1.0, "[initial]\npolicy = 'fixed'\nstate = { x = 100.0 }\n");
+  const Plan plan(read_study(study, "test.toml", {"integrate.settle=0"}), 16);
+  EXPECT_LE(plan.steps_of(0), 4096U);
+}
+
 TEST(Clockless, AreJudgedAlikeByBothEngines) {
   for (const std::string given :
        {"name = 'brusselator'\n[parameters]\nb = 2.6",
@@ -136,6 +145,14 @@ TEST(Clockless, SayWhatIsWrongWithThem) {
   using ::testing::HasSubstr;
   EXPECT_EQ(refused("-k*x"), "");
   EXPECT_THAT(refused("-k*x + cos(phase)"), HasSubstr("the model needs its period"));
+  for (const char* const place :
+       {"[surfaces.wall]\nwhen = \"x - cos(phase)\"\nreset = {v = \"-v\"}",
+        "[surfaces.wall]\nwhen = \"x\"\nreset = {v = \"-v*cos(phase)\"}",
+        "[sections.top]\nwhen = \"x - cos(phase)\""}) {
+    EXPECT_THAT(refused("-k*x\"\n" + std::string(place) + "\n#"),
+                HasSubstr("the model needs its period"))
+        << place;
+  }
 }
 
 }  // namespace

@@ -37,6 +37,13 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
                     "sides push towards it slides along it",
                     surface.place.expression, equation_of(definition, surface.place)));
   }
+  for (const SectionDefinition& section : definition.sections) {
+    const char* const extreme = section.is_down ? "largest" : "smallest";
+    add(section.of_rate
+            ? fmt::format("section '{}': where {} is {}", section.name, section.value.text, extreme)
+            : fmt::format("section '{}': where {} goes {} through 0", section.name,
+                          section.value.text, section.is_down ? "down" : "up"));
+  }
   for (const Contact& contact : lowered.contacts.list) {
     if (contact.is_hidden) {
       add(fmt::format("corner of {}: steps that cross it are corrected", contact.name));

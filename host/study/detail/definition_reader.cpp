@@ -319,7 +319,7 @@ class DefinitionReader {
 
   void read_forcing(const toml::table* table) {
     if (table == nullptr) {
-      definition_.is_clockless = true;
+      definition_.clock = 1.0;
       definition_.period = {"1", source_, 0, 0};
       return;
     }
