@@ -81,7 +81,7 @@ struct ModelDefinition {
   std::vector<ExpressionText> signal_values;  // [signal]
   std::vector<SurfaceDefinition> surfaces;
   std::vector<SectionDefinition> sections;
-  ExpressionText period;      // in dimensionless time; of parameters alone
+  ExpressionText period;  // in dimensionless time; of parameters alone
   // Of a model without forcing: what its time is counted in, of which `period` is the text.
   std::optional<double> clock;
   // How many of these make a period of the forcing, whole, of parameters alone: `turn` counts them
