@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace gearsweep {
 namespace {
@@ -90,26 +91,33 @@ double HeldField::held_rate(std::size_t surface, const double* coefs, const doub
 
 void HeldField::begin(const double* coefs, double step, const double* x) {
   step_ = step;
-  const std::vector<double> at = values(SurfaceValue::level, coefs, x, 1);
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    sides_[k] = model_.surfaces[k].is_staircase ? std::floor(at[k]) : at[k] > 0.0 ? 1.0 : 0.0;
-    slides_[k] = false;
-  }
-  for (std::size_t k = 0; k < at.size(); ++k) begin_at(k, at[k], coefs, step, x);
-  has_slid_ = has_slid_ || slides();
-  point_->hold(sides_);
+  std::vector<std::size_t> all(sides_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  find_sides(all, values(SurfaceValue::level, coefs, x, 1), coefs, x);
   touches_ = touching(coefs, x);
 }
 
-void HeldField::begin_at(std::size_t k, double level, const double* coefs, double step,
-                         const double* x) {
+void HeldField::find_sides(const std::vector<std::size_t>& surfaces,
+                           const std::vector<double>& levels, const double* coefs,
+                           const double* x) {
+  for (const std::size_t k : surfaces) {
+    const double level = levels[k];
+    sides_[k] = model_.surfaces[k].is_staircase ? std::floor(level) : level > 0.0 ? 1.0 : 0.0;
+    slides_[k] = false;
+  }
+  for (const std::size_t k : surfaces) begin_at(k, levels[k], coefs, x);
+  has_slid_ = has_slid_ || slides();
+  point_->hold(sides_);
+}
+
+void HeldField::begin_at(std::size_t k, double level, const double* coefs, const double* x) {
   if (model_.surfaces[k].resets) {
     const std::vector<double> dx = field_with(sides_, coefs, x);
     const double rate = rates(coefs, x, dx.data())[k], push = held_rate(k, coefs, x, dx.data());
-    const double reach = kOn * step * std::max(std::fabs(rate), step * std::fabs(push));
+    const double reach = kOn * step_ * std::max(std::fabs(rate), step_ * std::fabs(push));
     if (std::fabs(level) > reach) return;
     sides_[k] = 0.0;
-    slides_[k] = push > 0.0 && std::fabs(rate) <= kNear * step * push;
+    slides_[k] = push > 0.0 && std::fabs(rate) <= kNear * step_ * push;
     return;
   }
   const double above = model_.surfaces[k].is_staircase ? std::rint(level) : 1.0;
@@ -119,7 +127,7 @@ void HeldField::begin_at(std::size_t k, double level, const double* coefs, doubl
     return rates(coefs, x, field_with(sides, coefs, x).data())[k];
   };
   const double up = rate_on(above), down = rate_on(above - 1.0);
-  const double reach = kNear * step * std::max(std::fabs(up), std::fabs(down));
+  const double reach = kNear * step_ * std::max(std::fabs(up), std::fabs(down));
   if (std::fabs(level - level_of(k, above)) > reach) return;
   slides_[k] = up < 0.0 && down > 0.0;
   sides_[k] = up < 0.0 && !slides_[k] ? above - 1.0 : above;
@@ -273,26 +281,58 @@ void HeldField::pass(std::size_t surface, const double* coefs, HeldMotion* motio
           values(SurfaceValue::level_gradient, coefs, x, states_).data() + surface * states_,
           states) /
       rate;
-  MatrixXd carry = MatrixXd::Identity(states, states);  // by a reset
-  VectorXd carried = before;
+  Carried carried{MatrixXd::Identity(states, states), before};
   if (model_.surfaces[surface].resets && sides_[surface] < 0.5) {
-    const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
-                              drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
-                              gradients =
-                                  values(SurfaceValue::reset_gradient, coefs, x, states_ * states_);
-    met_.push_back({surface, rate});
-    carry = RowMajor::Map(gradients.data() + surface * states_ * states_, states, states);
-    carried = carry * before + VectorXd::Map(drifts.data() + surface * states_, states);
-    const double level = values(SurfaceValue::level, coefs, x, 1)[surface];
-    std::copy_n(to.begin() + static_cast<std::ptrdiff_t>(surface * states_), states_, x);
-    rebound(surface, level, rate, coefs, x);
+    reset_from(surface, rate, coefs, x, &carried);
   } else {
     cross(surface, coefs, x);
   }
   rhs(coefs, x, behind.data());
   MatrixXd& w = motion->tangents;
-  if (rate != 0.0) {
-    w = (carry * w + (behind - carried) * (delays.transpose() * w)).eval();
+  if (rate != 0.0 && w.cols() > 0) {
+    w = (carried.by * w + (behind - carried.field) * (delays.transpose() * w)).eval();
+  }
+}
+
+// Resets at a surface that is met, and at those that this lifts the state above, each once.
+void HeldField::reset_from(std::size_t surface, double rate, const double* coefs, double* x,
+                           Carried* carried) {
+  const Index states = index(states_);
+  const double level_there = std::fabs(values(SurfaceValue::level, coefs, x, 1)[surface]);
+  std::vector<Met> met = {{surface, rate}};
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    const std::size_t one = met[i].surface;
+    const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
+                              drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
+                              slopes =
+                                  values(SurfaceValue::reset_gradient, coefs, x, states_ * states_),
+                              before = values(SurfaceValue::level, coefs, x, 1);
+    const MatrixXd slope = RowMajor::Map(slopes.data() + one * states_ * states_, states, states);
+    carried->by = (slope * carried->by).eval();
+    carried->field =
+        (slope * carried->field + VectorXd::Map(drifts.data() + one * states_, states)).eval();
+    std::copy_n(to.begin() + static_cast<std::ptrdiff_t>(one * states_), states_, x);
+    const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1);
+    std::vector<std::size_t> elsewhere;
+    std::optional<std::size_t> lifted_above;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      if (std::ranges::find(met, k, &Met::surface) != met.end()) continue;
+      if (model_.surfaces[k].resets && sides_[k] < 0.5 && levels[k] > 0.0) {
+        if (!lifted_above) lifted_above = k;
+      } else if (levels[k] != before[k]) {
+        elsewhere.push_back(k);
+      }
+    }
+    find_sides(elsewhere, levels, coefs, x);
+    if (!lifted_above) continue;
+    std::vector<double> dx(states_);
+    slides_[*lifted_above] = false;
+    rhs(coefs, x, dx.data());
+    met.push_back({*lifted_above, std::max(rates(coefs, x, dx.data())[*lifted_above], 0.0)});
+  }
+  for (const Met& one : met) {
+    rebound(one, one.surface == surface ? level_there : 0.0, coefs, x);
+    met_.push_back(one);
   }
 }
 
@@ -315,19 +355,18 @@ void HeldField::cross(std::size_t surface, const double* coefs, const double* x)
 
 // Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
 // the flight to the next impact would be too short to count.
-void HeldField::rebound(std::size_t surface, double level_before, double rate_before,
-                        const double* coefs, double* x) {
+void HeldField::rebound(const Met& met, double level_there, const double* coefs, double* x) {
+  const std::size_t surface = met.surface;
   std::vector<double> dx(states_);
   rhs(coefs, x, dx.data());
   const double level = values(SurfaceValue::level, coefs, x, 1)[surface];
   const double rate = rates(coefs, x, dx.data())[surface];
   const double push = held_rate(surface, coefs, x, dx.data());
   // The reset leaves the level what it was, but for rounding.
-  const double reach =
-      std::fabs(level_before) + kNear * step_ * std::max(std::fabs(rate), step_ * push);
+  const double reach = level_there + kNear * step_ * std::max(std::fabs(rate), step_ * push);
   const bool is_at = std::fabs(level) <= 2.0 * reach;
   // Of a reset that leaves no speed the rate is rounding.
-  const bool goes_on = rate > kNear * rate_before;
+  const bool goes_on = rate > kNear * met.rate;
   sides_[surface] = (is_at ? goes_on : level > 0.0) ? 1.0 : 0.0;
   point_->hold(sides_);
   if (!is_at || goes_on) return;

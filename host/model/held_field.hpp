@@ -63,6 +63,11 @@ class HeldField {
 
  private:
   struct Sliding;
+  // What resets make of tangent vectors, and of the field before them.
+  struct Carried {
+    Eigen::MatrixXd by;
+    Eigen::VectorXd field;
+  };
 
   // Of all surfaces, so many numbers each.
   std::vector<double> values(SurfaceValue value, const double* coefs, const double* x,
@@ -80,11 +85,15 @@ class HeldField {
   Sliding sliding(const double* coefs, const double* x);
   // The level of a surface between two sides, of which this is the one above.
   double level_of(std::size_t surface, double above) const;
-  void begin_at(std::size_t surface, double level, const double* coefs, double step,
-                const double* x);
+  // By the state alone, as begin() does; levels: of all surfaces.
+  void find_sides(const std::vector<std::size_t>& surfaces, const std::vector<double>& levels,
+                  const double* coefs, const double* x);
+  void begin_at(std::size_t surface, double level, const double* coefs, const double* x);
   void cross(std::size_t surface, const double* coefs, const double* x);
-  void rebound(std::size_t surface, double level_before, double rate_before, const double* coefs,
-               double* x);
+  void reset_from(std::size_t surface, double rate, const double* coefs, double* x,
+                  Carried* carried);
+  // level_there: how far off the surface the motion came to it.
+  void rebound(const Met& met, double level_there, const double* coefs, double* x);
   void put_below(std::size_t surface, const double* coefs, double* x);
 
   const Model& model_;

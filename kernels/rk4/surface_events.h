@@ -33,6 +33,77 @@ SHARED_FN void surface_field(const ModelPoint* point, const PhaseAt* moment, con
   model_level_rates(point, moment, x, dx, rates);
 }
 
+// On a surface where the state is reset, a motion that is pushed against it rests.
+SHARED_FN void surface_find_rest(ModelPoint* point, const PhaseAt* moment, real h, const real* x,
+                                 int surface, real level, mask where) {
+  const real zero = 0;
+  real dx[MODEL_STATE_COUNT];
+  real rates[MODEL_SURFACES];
+  real pushes[MODEL_SURFACES];
+  surface_field(point, moment, x, dx, rates);
+  model_held_rates(point, moment, x, dx, pushes);
+  const real rate = lane_abs(rates[surface]);
+  const real push = pushes[surface];
+  const mask near =
+      where & (lane_abs(level) <= SURFACE_ON * h * lane_max(rate, h * lane_abs(push)));
+  point->sides.side[surface] = lane_select(near, zero, point->sides.side[surface]);
+  point->sides.slides[surface] =
+      point->sides.slides[surface] | (near & (zero < push) & (rate <= SURFACE_NEAR * h * push));
+}
+
+// On a jump the fields of both sides decide: where both lead to one side, that one; where both push
+// towards it, the motion slides; where both lead away, it goes on above.
+SHARED_FN void surface_find_side(ModelPoint* point, const PhaseAt* moment, real h, const real* x,
+                                 int surface, real level, mask where) {
+  const real zero = 0;
+  const real one = 1;
+  const real above_side = MODEL_STAIRCASE(surface) ? lane_rint(level) : one;
+  ModelPoint above = *point;
+  ModelPoint below = *point;
+  real dx[MODEL_STATE_COUNT];
+  real rates_above[MODEL_SURFACES];
+  real rates_below[MODEL_SURFACES];
+  above.sides.side[surface] = above_side;
+  below.sides.side[surface] = above_side - one;
+  surface_field(&above, moment, x, dx, rates_above);
+  surface_field(&below, moment, x, dx, rates_below);
+  const real up = rates_above[surface];
+  const real down = rates_below[surface];
+  const real reach = SURFACE_NEAR * h * lane_max(lane_abs(up), lane_abs(down));
+  const mask near = where & (lane_abs(level - surface_level(surface, above_side)) <= reach);
+  const mask slides = near & (up < zero) & (zero < down);
+  const mask falls = near & (up < zero) & !slides;
+  const mask rises = near & !(up < zero);
+  const real side = lane_select(falls, above_side - one, point->sides.side[surface]);
+  point->sides.side[surface] = lane_select(slides | rises, above_side, side);
+  point->sides.slides[surface] = point->sides.slides[surface] | slides;
+}
+
+// The sides of surfaces in these lanes, by the state alone.
+SHARED_FN void surfaces_find_sides(ModelPoint* point, const PhaseAt* moment, real h, const real* x,
+                                   const real* levels, const mask* where) {
+  const real zero = 0;
+  const real one = 1;
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    const real whole = lane_floor(levels[k]);
+    const real upper = lane_select(zero < levels[k], one, zero);
+    point->sides.side[k] =
+        lane_select(where[k], MODEL_STAIRCASE(k) ? whole : upper, point->sides.side[k]);
+    point->sides.slides[k] = point->sides.slides[k] & !where[k];
+  }
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    if (all_lanes(!where[k])) continue;
+    if (MODEL_RESETS(k)) {
+      surface_find_rest(point, moment, h, x, k, levels[k], where[k]);
+    } else {
+      surface_find_side(point, moment, h, x, k, levels[k], where[k]);
+    }
+  }
+  point->sides.slid = point->sides.slid | sliding_any(point);
+}
+
 SHARED_FN void surface_take(SurfaceEvent* event, mask is_earlier, real after, int surface,
                             mask is_crossed, real side) {
   const mask none = event->any & !event->any;

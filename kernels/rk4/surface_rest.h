@@ -87,44 +87,85 @@ SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, ma
 }
 
 #ifdef MODEL_HAS_RESETS
-// Resets the state where a surface was met from below, and carries the field and the tangent
-// vectors by the reset's derivative.
-SHARED_FN void surface_reset(const ModelPoint* point, const PhaseAt* moment, const mask* hit,
-                             const real* rates, int beside, real* x, real* field, real* w) {
-  const real zero = 0;
+// Resets the state in these lanes, and carries the field and the tangent vectors by the reset's
+// derivative.
+SHARED_FN void surface_reset(const ModelPoint* point, const PhaseAt* moment, int surface,
+                             mask where, int beside, real* x, real* field, real* w) {
   real from[MODEL_STATE_COUNT];
+  real out[MODEL_STATE_COUNT];
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) from[i] = x[i];
+  model_reset(point, moment, from, surface, out);
   UNROLL
-  for (int k = 0; k < MODEL_SURFACES; ++k) {
-    if (!MODEL_RESETS(k)) continue;
-    const mask is_reset = hit[k] & (zero < rates[k]);
-    if (all_lanes(!is_reset)) continue;
-    real out[MODEL_STATE_COUNT];
-    model_reset(point, moment, from, k, out);
-    UNROLL
-    for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(is_reset, out[i], x[i]);
-    model_reset_rates(point, moment, from, k, field, out);
-    UNROLL
-    for (int i = 0; i < MODEL_STATE_COUNT; ++i) field[i] = lane_select(is_reset, out[i], field[i]);
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(where, out[i], x[i]);
+  model_reset_rates(point, moment, from, surface, field, out);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) field[i] = lane_select(where, out[i], field[i]);
 #if TANGENTS > 0
-    for (int j = 0; j < TANGENTS && beside & RK4_LINEAR; ++j) {
-      real* own = w + j * MODEL_STATE_COUNT;
-      model_reset_along(point, moment, from, k, own, out);
-      UNROLL
-      for (int i = 0; i < MODEL_STATE_COUNT; ++i) own[i] = lane_select(is_reset, out[i], own[i]);
-    }
+  for (int j = 0; j < TANGENTS && beside & RK4_LINEAR; ++j) {
+    real* own = w + j * MODEL_STATE_COUNT;
+    model_reset_along(point, moment, from, surface, own, out);
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) own[i] = lane_select(where, out[i], own[i]);
+  }
 #else
-    (void)beside, (void)w;
+  (void)beside, (void)w;
 #endif
+}
+
+// Resets the state at the surfaces that are met. Where that puts it to another side of others, it
+// is there at once; where it lifts it above one that resets it, too, that one is met at the same
+// moment: one after the other, each once.
+SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, int beside, real* x,
+                              real* field, real* w, SurfaceMet* met) {
+  const real zero = 0;
+  const real one = 1;
+  mask now[MODEL_SURFACES];
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) now[k] = met->hit[k];
+  for (int times = 0; times < MODEL_SURFACES; ++times) {
+    real before[MODEL_SURFACES];
+    real after[MODEL_SURFACES];
+    real dx[MODEL_STATE_COUNT];
+    real rates[MODEL_SURFACES];
+    mask moved[MODEL_SURFACES];
+    mask any = now[0];
+    UNROLL
+    for (int k = 1; k < MODEL_SURFACES; ++k) any = any | now[k];
+    if (all_lanes(!any)) break;
+    model_level_values(point, moment, x, before);
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      if (!MODEL_RESETS(k) || all_lanes(!now[k])) continue;
+      surface_reset(point, moment, k, now[k], beside, x, field, w);
+    }
+    model_level_values(point, moment, x, after);
+    mask is_free = any;  // no other surface is met next
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      const mask is_lifted = any & !met->hit[k] & (point->sides.side[k] < one) & (zero < after[k]);
+      now[k] = MODEL_RESETS(k) ? is_lifted & is_free : zero != zero;
+      is_free = is_free & !now[k];
+      moved[k] = any & !met->hit[k] & (after[k] != before[k]) & !(MODEL_RESETS(k) & is_lifted);
+    }
+    surfaces_find_sides(point, moment, h, x, after, moved);
+    surface_field(point, moment, x, dx, rates);
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      if (!MODEL_RESETS(k)) continue;
+      met->hit[k] = met->hit[k] | now[k];
+      met->rate[k] = lane_select(now[k], lane_max(rates[k], zero), met->rate[k]);
+      point->sides.slides[k] = point->sides.slides[k] & !now[k];
+    }
   }
 }
 
 // Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
 // the flight to the next impact would be too short to count.
 SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, const mask* hit,
-                               const mask* came_up, const real* rates, const real* levels_before,
-                               const real* field, const real* rates_behind, real* x) {
+                               const mask* touched, const SurfaceMet* met,
+                               const real* levels_before, const real* field,
+                               const real* rates_behind, real* x) {
   const real zero = 0;
   const real one = 1;
   real levels[MODEL_SURFACES];
@@ -135,20 +176,20 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
     if (!MODEL_RESETS(k)) continue;
-    const mask is_reset = hit[k] & (zero < rates[k]);
+    const mask is_reset = met->hit[k];
     const real rate = rates_behind[k];
     const real push = pushes[k];
-    // The reset leaves the level what it was, but for rounding.
-    const real reach =
-        lane_abs(levels_before[k]) + SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
+    // The reset leaves the level what it was, but for rounding; where the motion came to it.
+    const real came_to = lane_select(hit[k], lane_abs(levels_before[k]), zero);
+    const real reach = came_to + SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
     const mask is_at = lane_abs(levels[k]) <= (scalar)(2) * reach;
     // Of a reset that leaves no speed the rate is rounding.
     const real smallest =
-        SURFACE_NEAR * rates[k] + surface_rate_rounding(point, moment, x, k, field);
+        SURFACE_NEAR * met->rate[k] + surface_rate_rounding(point, moment, x, k, field);
     const mask goes_on = smallest < rate;
     const mask is_above = (is_at & goes_on) | (!is_at & (zero < levels[k]));
     // What only touches it from below goes on there.
-    const mask touches = hit[k] & came_up[k] & !is_reset;
+    const mask touches = touched[k];
     const mask returns = touches | (is_reset & !is_above);
     const real rounding = surface_put_below(point, moment, k, touches | (returns & is_at), x);
     // A flight that is too short, or too low.
@@ -167,14 +208,15 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
 }
 
 #else
-SHARED_FN void surface_reset(const ModelPoint* point, const PhaseAt* moment, const mask* hit,
-                             const real* rates, int beside, real* x, real* field, real* w) {
-  (void)point, (void)moment, (void)hit, (void)rates, (void)beside, (void)x, (void)field, (void)w;
+SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, int beside, real* x,
+                              real* field, real* w, SurfaceMet* met) {
+  (void)point, (void)moment, (void)h, (void)beside, (void)x, (void)field, (void)w, (void)met;
 }
 SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, const mask* hit,
-                               const mask* came_up, const real* rates, const real* levels_before,
-                               const real* field, const real* rates_behind, real* x) {
-  (void)point, (void)moment, (void)h, (void)hit, (void)came_up, (void)rates, (void)levels_before;
+                               const mask* touched, const SurfaceMet* met,
+                               const real* levels_before, const real* field,
+                               const real* rates_behind, real* x) {
+  (void)point, (void)moment, (void)h, (void)hit, (void)touched, (void)met, (void)levels_before;
   (void)field, (void)rates_behind, (void)x;
 }
 #endif

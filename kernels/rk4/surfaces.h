@@ -14,67 +14,17 @@
 
 #define SURFACE_PASSES 256  // each crossing takes two
 
-// On a surface where the state is reset, a motion that is pushed against it rests.
-SHARED_FN void surface_begin_rest(ModelPoint* point, const PhaseAt* moment, real h, const real* x,
-                                  int surface, real level) {
-  const real zero = 0;
-  real dx[MODEL_STATE_COUNT];
-  real rates[MODEL_SURFACES];
-  real pushes[MODEL_SURFACES];
-  surface_field(point, moment, x, dx, rates);
-  model_held_rates(point, moment, x, dx, pushes);
-  const real rate = lane_abs(rates[surface]);
-  const real push = pushes[surface];
-  const mask near = lane_abs(level) <= SURFACE_ON * h * lane_max(rate, h * lane_abs(push));
-  point->sides.side[surface] = lane_select(near, zero, point->sides.side[surface]);
-  point->sides.slides[surface] = near & (zero < push) & (rate <= SURFACE_NEAR * h * push);
-}
-
-// The sides at a state where nothing is known of the way there. On a surface the fields of both
-// sides decide: where both lead to one side, that one; where both push towards it, the motion
-// slides; where both lead away, it goes on above.
+// The sides at a state where nothing is known of the way there.
 SHARED_FN void surfaces_begin(ModelPoint* point, const SurfaceRows* rows, const real* x) {
   const real zero = 0;
-  const real one = 1;
   PhaseAt moment;
   real levels[MODEL_SURFACES];
+  mask all[MODEL_SURFACES];
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) all[k] = zero == zero;
   surface_moment(rows, zero, &moment);
   model_level_values(point, &moment, x, levels);
-  UNROLL
-  for (int k = 0; k < MODEL_SURFACES; ++k) {
-    const real whole = lane_floor(levels[k]);
-    const real upper = lane_select(zero < levels[k], one, zero);
-    point->sides.side[k] = MODEL_STAIRCASE(k) ? whole : upper;
-    point->sides.slides[k] = zero != zero;
-  }
-  UNROLL
-  for (int k = 0; k < MODEL_SURFACES; ++k) {
-    if (MODEL_RESETS(k)) {
-      surface_begin_rest(point, &moment, rows->h, x, k, levels[k]);
-      continue;
-    }
-    const real above_side = MODEL_STAIRCASE(k) ? lane_rint(levels[k]) : one;
-    ModelPoint above = *point;
-    ModelPoint below = *point;
-    real dx[MODEL_STATE_COUNT];
-    real rates_above[MODEL_SURFACES];
-    real rates_below[MODEL_SURFACES];
-    above.sides.side[k] = above_side;
-    below.sides.side[k] = above_side - one;
-    surface_field(&above, &moment, x, dx, rates_above);
-    surface_field(&below, &moment, x, dx, rates_below);
-    const real up = rates_above[k];
-    const real down = rates_below[k];
-    const real reach = SURFACE_NEAR * rows->h * lane_max(lane_abs(up), lane_abs(down));
-    const mask near = lane_abs(levels[k] - surface_level(k, above_side)) <= reach;
-    const mask slides = near & (up < zero) & (zero < down);
-    const mask falls = near & (up < zero) & !slides;
-    const mask rises = near & !(up < zero);
-    const real side = lane_select(falls, above_side - one, point->sides.side[k]);
-    point->sides.side[k] = lane_select(slides | rises, above_side, side);
-    point->sides.slides[k] = slides;
-  }
-  point->sides.slid = point->sides.slid | sliding_any(point);
+  surfaces_find_sides(point, &moment, rows->h, x, levels, all);
 }
 
 // How much later the motion is on a surface. A flight between impacts has two ends: of the parabola
@@ -141,7 +91,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
   const real one = 1;
   PhaseAt moment;
   mask hit[MODEL_SURFACES];
-  mask came_up[MODEL_SURFACES];
+  mask touched[MODEL_SURFACES];  // from below, and not gone through
   real levels[MODEL_SURFACES];
   real carried[MODEL_STATE_COUNT];  // the field before it, by a reset
   real delays[TANGENT_VECTORS];     // at which tangent vectors come to the surface, negative
@@ -157,17 +107,18 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
     const mask moves = where & (event->crossed[k] | event->left[k]);
-    came_up[k] = point->sides.side[k] < event->side[k];
+    const mask came_up = point->sides.side[k] < event->side[k];
     point->sides.side[k] = lane_select(moves, event->side[k], point->sides.side[k]);
     point->sides.slides[k] = point->sides.slides[k] & !(where & event->left[k]);
     hit[k] = where & event->crossed[k];
-    met->hit[k] = MODEL_RESETS(k) ? hit[k] & came_up[k] & (zero < rates[k]) : zero != zero;
+    met->hit[k] = MODEL_RESETS(k) ? hit[k] & came_up & (zero < rates[k]) : zero != zero;
     met->rate[k] = rates[k];
+    touched[k] = hit[k] & came_up & !met->hit[k];
   }
 #if TANGENTS > 0
   if (beside & RK4_LINEAR) surface_delays(point, &moment, x, rates, hit, w, delays);
 #endif
-  surface_reset(point, &moment, hit, rates, beside, x, carried, w);
+  surface_resets(point, &moment, rows->h, beside, x, carried, w, met);
   surface_field(point, &moment, x, behind, rates_behind);
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
@@ -178,7 +129,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
     point->sides.slid = point->sides.slid | is_pushed_back;
     point->sides.side[k] = lane_select(is_below, point->sides.side[k] + one, point->sides.side[k]);
   }
-  surface_rebound(point, &moment, rows->h, hit, came_up, rates, levels, behind, rates_behind, x);
+  surface_rebound(point, &moment, rows->h, hit, touched, met, levels, behind, rates_behind, x);
   sliding_slope(point, &moment, x, behind);
 #if TANGENTS > 0
   if (beside & RK4_LINEAR) {

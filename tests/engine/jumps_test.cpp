@@ -181,7 +181,19 @@ const std::vector<Jumping> kJumping = {
     {.name = "a_surface_that_bends",
      .states = "x = { start = '0.6' }\nv = { start = '0.2' }\n",
      .equations = "x = \"v\"\n"
-                  "v = \"cos(phase) - 0.1*v - x - 0.5*sign(x^2 + v^2 - 0.8)*v\"\n"}};
+                  "v = \"cos(phase) - 0.1*v - x - 0.5*sign(x^2 + v^2 - 0.8)*v\"\n"},
+    // A reset takes v to the other side of the jump.
+    {.name = "friction_and_a_wall",
+     .states = "x = { start = '0.1' }\nv = { start = '0.3' }\n",
+     .equations = "x = \"v\"\nv = \"cos(phase) - 0.1*v - x - 0.3*sign(v)\"\n"
+                  "[surfaces.wall]\nwhen = \"x - 0.4\"\nreset = { v = \"-0.8*v\" }\n"},
+    // A reset lifts the other state, now and then above its own threshold.
+    {.name = "neurons",
+     .states = "x = { start = '0.1' }\nv = { start = '0.5' }\n",
+     .equations =
+         "x = \"1.3 + 0.2*cos(phase) - x\"\nv = \"1.2 - v\"\n"
+         "[surfaces.one]\nwhen = \"x - 1\"\nreset = { x = \"0\", v = \"v + 0.3\" }\n"
+         "[surfaces.other]\nwhen = \"v - 1\"\nreset = { v = \"0.1*v\", x = \"x + 0.2\" }\n"}};
 
 class JumpingModels : public ::testing::TestWithParam<Jumping> {
  protected:

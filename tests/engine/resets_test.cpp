@@ -257,6 +257,95 @@ reset = { v = "-65", u = "u + 8" }
   }
 }
 
+// x' = 1, y' = rate: what two events make of it, by their definitions.
+std::vector<double> by_events(double rate, bool is_saw, double until) {
+  double time = 0.0, x = 0.03, y = 0.0, z = 0.0;
+  while (true) {
+    const double to_first = 2.0 - x;
+    const double to_second = is_saw ? (x <= 1.0 ? 1.0 - x : 1e9) : (1.0 - y) / rate;
+    const double later = std::min({to_first, to_second, until - time});
+    time += later;
+    x += later;
+    y += rate * later;
+    if (time >= until) return {x, y, z};
+    if (is_saw) {
+      to_first <= to_second ? (void)(x = 0.0) : (void)(x += 0.5, y += 1.0);
+      continue;
+    }
+    if (to_first <= to_second) {
+      x = 0.0;
+      y += 1.0;
+    }
+    if (to_second < to_first || y > 1.0) {
+      y -= 1.0;
+      z += 1.0;
+    }
+  }
+}
+
+std::string event_study(const char* rate, const char* surfaces, const std::string& integrate) {
+  return fmt::format(R"toml([model]
+text = """
+[model]
+name = "events"
+[states]
+x = {{ start = "0.03" }}
+y = {{}}
+z = {{}}
+[parameters]
+time = {{ value = 1.0, min = 0.01 }}
+[equations]
+x = "1"
+y = "{}"
+z = "0"
+[forcing]
+period = "time"
+{}"""
+[[axes]]
+name = "time"
+values = [1.0]
+[integrate]
+settle = 0
+record = 12
+stop = "never"
+warm_up = 0
+steps_per_period = 20
+{}
+[observe]
+quantities = ["poincare", "first_impacts", "second_impacts"]
+poincare = ["x", "y", "z"]
+)toml",
+                     rate, surfaces, integrate);
+}
+
+// A reset may put the state below a surface, which counts as left, or above one, which is met at
+// the same moment.
+TEST(Resets, TakeTheStateToTheOtherSideOfOtherSurfaces) {
+  constexpr const char* kSaw =
+      "[surfaces.first]\nwhen = \"x - 2\"\nreset = { x = \"0\" }\n"
+      "[surfaces.second]\nwhen = \"x - 1\"\nreset = { x = \"x + 0.5\", y = \"y + 1\" }\n";
+  constexpr const char* kLift =
+      "[surfaces.first]\nwhen = \"x - 2\"\nreset = { x = \"0\", y = \"y + 1\" }\n"
+      "[surfaces.second]\nwhen = \"y - 1\"\nreset = { y = \"y - 1\", z = \"z + 1\" }\n";
+  for (const bool is_saw : {true, false}) {
+    for (const char* engine : {"opencl", "reference"}) {
+      SCOPED_TRACE(engine);
+      const SweepResult result = run(event_study(is_saw ? "0" : "0.31", is_saw ? kSaw : kLift,
+                                                 fmt::format("engine = '{}'", engine)));
+      for (std::size_t period = 0; period < 12; ++period) {
+        const std::vector<double> exact =
+            by_events(is_saw ? 0.0 : 0.31, is_saw, static_cast<double>(period + 1));
+        for (std::size_t state = 0; state < 3; ++state) {
+          EXPECT_NEAR(samples_of(result, 0, state)[period], exact[state], 1e-9)
+              << is_saw << ' ' << period << ' ' << state;
+        }
+      }
+      const double met = by_events(is_saw ? 0.0 : 0.31, is_saw, 12.0)[is_saw ? 1 : 2];
+      EXPECT_NEAR(map_of(result, "second_impacts")[0], met / 12.0, 1e-12);
+    }
+  }
+}
+
 TEST(Resets, SayWhatIsWrongWithThem) {
   const auto refused = [](const std::string& surface) {
     std::string model = kImpact;
