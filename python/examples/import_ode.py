@@ -1,9 +1,9 @@
 """A model of XPPAUT's, opened: its .ode file becomes a file of equations.
 
 You learn how a model looks as text, and you get one for each .ode file that you have: equations,
-parameters, functions, hidden and auxiliary quantities, arrays, sums. What such a file may have and a
-study has no place for (delays, noise, resets, boundary conditions, integral operators) is refused by
-name; nothing is left out in silence but what concerns pictures and the choice of a solver.
+parameters, functions, hidden and auxiliary quantities, arrays, sums, resets of states at events. What such
+a file may have and a study has no place for (delays, noise, boundary conditions, integral operators) is
+refused by name; nothing is left out in silence but what concerns pictures and the choice of a solver.
 
     import_ode.py lorenz.ode > lorenz.toml
     gearsweep model lorenz.toml
@@ -23,7 +23,6 @@ WORDS = {*SAME, "floor", "step", "if", "pi", "phase", "clamp", "backlash", "stop
 WORDS |= {"and", "or", "not", "turn", "status", "deflection", "sqrt1pm1", "tau"}
 # Lines that make a file more than ordinary differential equations.
 REFUSED = {
-    "global": "resets at events",
     "wiener": "noise",
     "markov": "Markov variables",
     "table": "tables",
@@ -38,6 +37,13 @@ CALLS = {"delay": "delays", "ran": "noise", "normal": "noise", "int": "integrals
 CALLS |= {"hom_bcs": "boundary conditions", "bessel": "Bessel functions", "erf": "erf"}
 # i' of a sum; XPPAUT's names are shorter, so that none of a file is the same.
 INDEX = "index_of_the_sum"
+# The time in a sum: times numbers and one factor.
+TIME = re.compile(
+    r"(?<=[(+-])\s*(?:[\d.]+\s*\*\s*)*?(?:([\w.]+)\s*\*\s*t|t\s*\*\s*([\w.]+)|t)\b"
+    r"(?:\s*[*/]\s*[\d.]+)*\s*(?=[)+-])"
+)
+# What an event of XPPAUT's may do beside its resets, and a surface cannot.
+NO_RESETS = {"out_put": "a line of output", "no_interp": "an event at the end of its step"}
 
 
 class Refused(Exception):
@@ -83,6 +89,10 @@ def assignments(text: str) -> list[tuple[str, str]]:
     return [(name, value or "0") for name, _, value in pairs]
 
 
+def names_in(text: str) -> set[str]:
+    return set(re.findall(r"\b[a-z_]\w*", text))
+
+
 def call_at(text: str, begin: int) -> tuple[list[str], int]:
     """The arguments of the parenthesis that opens at `begin`, and where it ends."""
     arguments: list[str] = []
@@ -101,15 +111,12 @@ def call_at(text: str, begin: int) -> tuple[list[str], int]:
 
 
 def call_around(text: str, place: int) -> str:
-    """The function whose argument has this place in it; '' where there is none."""
+    """The function whose argument has this place in it, in no other parenthesis; '' where there is none."""
     depth = 0
     for i in range(place - 1, -1, -1):
         depth += {")": 1, "(": -1}.get(text[i], 0)
         if depth < 0:
-            name = re.search(r"(\w*)\s*$", text[:i])
-            if name and name[1]:
-                return name[1]
-            depth = 0
+            return re.sub(r".*?(\w*)\s*$", r"\1", text[:i])
     return ""
 
 
@@ -169,23 +176,30 @@ class Ode:
         self.constants: dict[str, str] = {}
         self.functions: dict[str, str] = {}
         self.signals: dict[str, str] = {}
+        self.events: list[tuple[str, dict[str, str]]] = []  # when, and what states become
+        self.event_lines: list[str] = []
+        self.warnings: list[str] = []
         for line in logical_lines(text):
             self.take(line)
         if not self.states:
             raise Refused("no differential equation")
         for head in [head for head in self.functions if head.endswith("(t)")]:
             self.settle_time(head)
+        for line in self.event_lines:
+            self.settle_event(line)
 
     def take(self, line: str) -> None:
         word = re.match(r"[a-z]+\s", line)
         first = word[0].strip() if word and "=" not in line[: word.end() + 1] else ""
         rest = line[len(first) :].strip()
         for name, what in REFUSED.items():
-            if first and (name.startswith(first) if len(first) > 1 else first in "gwmb" and name[0] == first):
+            if first and (name.startswith(first) if len(first) > 1 else first in "wmb" and name[0] == first):
                 raise Refused(what)
-        if re.match(r"0\s*=", line):
+        if first and "global".startswith(first):
+            self.event_lines.append(line)
+        elif re.match(r"0\s*=", line):
             raise Refused("algebraic equations")
-        if first and "parameters".startswith(first[:3]) and first[0] == "p":
+        elif first and "parameters".startswith(first[:3]) and first[0] == "p":
             self.parameters |= dict(assignments(rest))
         elif first and "number".startswith(first):
             self.constants |= dict(assignments(rest))
@@ -233,19 +247,73 @@ class Ode:
         else:
             self.functions[f"{name}(t_)"] = re.sub(r"\bt\b", "t_", body)
 
+    def settle_event(self, line: str) -> None:
+        """global SIGN {condition} {name=value; ...} is a surface with a reset.
+
+        The manual of XPPAUT (xppodes.html, "global"): with sign 1 it happens where the condition changes
+        from negative to positive, with -1 from positive to negative, with 0 where it "vanishes
+        identically": not on the way through 0, but where a step ends with 0 itself. Values are worked
+        out one after the other (flags.c): in {x=y; y=x} both become y. Quantities of the file's own keep
+        what they were before the event.
+        """
+        found = re.match(r"[a-z]+\s+([+-]?\d+)\s*(?:{([^{}]+)}|([^{}\s][^{}]*))\s*{([^{}]*)}", line)
+        if not found or int(found[1]) not in (-1, 0, 1):
+            raise Refused(f"an event of no known kind: {line}")
+        if int(found[1]) == 0:
+            raise Refused(f"an event of sign 0; write one of sign 1 and one of sign -1: {line}")
+        condition = (found[2] or found[3]).strip()
+        if not self.depended_on(names_in(condition)) & set(self.states):
+            raise Refused(f"an event that waits for no state: {line}")
+        resets: dict[str, str] = {}
+        for part in filter(None, map(str.strip, found[4].split(";"))):
+            name, _, value = (one.strip() for one in part.partition("="))
+            if name in NO_RESETS:
+                self.warnings.append(f"left out is {NO_RESETS[name]} ({name}): {line}")
+            elif name == "arret":
+                raise Refused(f"the end of a motion at an event: {line}")
+            elif name not in self.states:
+                what = "parameters" if name in self.parameters else f"'{name}', which is no state"
+                raise Refused(f"resets of {what}: {line}")
+            else:
+                resets[name] = self.after(resets, value, line)
+        if resets:
+            self.events.append((condition if int(found[1]) == 1 else f"-({condition})", resets))
+
+    def after(self, resets: dict[str, str], value: str, line: str) -> str:
+        """A value in which the states that have been reset before stand as what they have become."""
+        calls = [head for head in self.functions if head.partition("(")[0] in names_in(value)]
+        if set(resets) & set().union(*map(self.read_by, calls)):
+            raise Refused(f"a function of a state that has just been reset: {line}")
+        return re.sub(
+            r"\b[a-z_]\w*", lambda name: f"({resets[name[0]]})" if name[0] in resets else name[0], value
+        )
+
+    def read_by(self, head: str) -> set[str]:
+        """What a function or a quantity depends on beside its arguments."""
+        body = self.functions.get(head) or self.constants[head]
+        return self.depended_on(names_in(body) - set(re.findall(r"\w+", head)[1:]))
+
+    def depended_on(self, names: set[str]) -> set[str]:
+        """These names, and what those of functions and quantities stand for."""
+        heads = [head for head in (*self.functions, *self.constants) if head.partition("(")[0] in names]
+        return names.union(*map(self.read_by, heads))
+
 
 def forcing_of(ode: Ode) -> tuple[str, str]:
-    """The period of the forcing, and what is the phase in the equations ('w*t'; '' without forcing)."""
+    """The period of the forcing, and by what factor the phase is the time; both '' without forcing."""
     texts = [*ode.states.values(), *ode.constants.values(), *ode.signals.values(), *ode.functions.values()]
+    texts += [text for when, resets in ode.events for text in (when, *resets.values())]
     factors = set()
     for text in texts:
         for found in re.finditer(r"\bt\b", text):
             if call_around(text, found.start()) not in ("sin", "cos"):
-                raise Refused("the time outside of a sine or cosine")
-        for found in re.finditer(r"(?:([\w.]+)\s*\*\s*)?\bt\b(?:\s*\*\s*([\w.]+))?", text):
-            factors.add(found[1] or found[2] or "1")
+                raise Refused(f"the time outside of a sine or cosine: {text}")
+        terms = list(TIME.finditer(text))
+        if len(terms) < len(re.findall(r"\bt\b", text)):
+            raise Refused(f"the time in another product than 'w*t': {text}")
+        factors |= {term[1] or term[2] or "1" for term in terms}
     if not factors:
-        return "period", ""
+        return "", ""
     if len(factors) > 1:
         raise Refused(f"the time in more than one product: {', '.join(sorted(factors))}")
     (factor,) = factors
@@ -281,10 +349,8 @@ def model_text(ode: Ode, name: str) -> str:
         lines.append(f"{named(state)} = {{ start = {written(ode.starts.get(state, '0'))} }}")
     lines.append("[parameters]")
     lines += [f"{named(key)} = {float(value)!r}" for key, value in ode.parameters.items()]
-    if not factor:
-        lines.append("period = { value = 1.0, min = 1e-9, max = 1e9, meaning = \"from section to section\" }")
-        if "period" in own:
-            raise Refused("a name of its own, 'period', beside no forcing")
+    if not ode.parameters:  # a model must have one; this name is longer than any of XPPAUT's
+        lines.append('no_parameters = { value = 0.0, meaning = "the .ode file has none" }')
     for table, entries in (("constants", ode.constants), ("functions", ode.functions)):
         if entries:
             lines.append(f"[{table}]")
@@ -294,7 +360,11 @@ def model_text(ode: Ode, name: str) -> str:
             lines.append(f"{json.dumps(told) if head[1] else told} = {written(value)}")
     lines.append("[equations]")
     lines += [f"{named(key)} = {written(value)}" for key, value in ode.states.items()]
-    lines += ["[forcing]", f"period = {written(period)}"]
+    if factor:
+        lines += ["[forcing]", f"period = {written(period)}"]
+    for number, (when, resets) in enumerate(ode.events, 1):
+        values = ", ".join(f"{named(key)} = {written(value)}" for key, value in resets.items())
+        lines += [f"[surfaces.event_{number}]", f"when = {written(when)}", f"reset = {{ {values} }}"]
     taken = {*ode.states, *ode.parameters, *ode.constants}
     signals = {key + "_aux" if key in taken else key: value for key, value in ode.signals.items()}
     if signals:
@@ -308,10 +378,13 @@ def main() -> int:
     parser.add_argument("file", type=Path, help="the .ode file")
     arguments = parser.parse_args()
     try:
-        text = model_text(Ode(arguments.file.read_text(errors="replace")), arguments.file.stem)
+        ode = Ode(arguments.file.read_text(errors="replace"))
+        text = model_text(ode, arguments.file.stem)
     except Refused as what:
         print(f"{arguments.file}: there is no place for {what}", file=sys.stderr)
         return 2
+    for warning in ode.warnings:
+        print(f"{arguments.file}: warning: {warning}", file=sys.stderr)
     print(text, end="")
     return 0
 

@@ -61,14 +61,107 @@ def test_its_motion_is_that_of_the_equations(tmp_path):
     numpy.testing.assert_allclose(trace.energy, 0.5 * (exact.y[3] ** 2 + exact.y[4] ** 2), atol=1e-7)
 
 
+# A neuron that falls back and adapts: values of an event are worked out one after the other, and 'last' is
+# what it was before. Another event, downwards, lifts the slow state; one does no more than write a line.
+NEURON = """
+par i=1.5,a=.2
+v'=i-v-w+a*cos(s)
+w'=-w/5
+s'=-.3*s
+last=w+.1
+global 1 {v-1} {v=-w;w=.3+w-v;w=w+.1*last}
+glob -1 s-p {s=s+.9; out_put=1}
+global +1 {w-p} {out_put=1;}
+init s=3,w=.1
+par p=1
+done
+"""
+
+
+def test_what_happens_at_an_event_is_a_surface(tmp_path):
+    text = imported(tmp_path, NEURON)
+    assert 'when = "-(s-p)"\nreset = { s = "s+0.9" }' in text
+    assert "forcing" not in text and "event_3" not in text
+    (tmp_path / "chain.toml").write_text(text)
+    study = gearsweep.Study.of(gearsweep.Model.read(tmp_path / "chain.toml")).sweep(i=[1.5])
+    trace = gearsweep.trace(study.integrate(max_step=0.01), i=1.5, settle=0, record=1)
+
+    def slope(t: float, state: numpy.ndarray) -> list[float]:
+        v, w, s = state
+        return [1.5 - v - w + 0.2 * numpy.cos(s), -w / 5, -0.3 * s]
+
+    def fires(t: float, state: numpy.ndarray) -> float:
+        return state[0] - 1
+
+    def is_low(t: float, state: numpy.ndarray) -> float:
+        return state[2] - 1
+
+    fires.terminal = is_low.terminal = True
+    fires.direction, is_low.direction = 1, -1
+    begin, state, counts = 0.0, numpy.array([0, 0.1, 3]), [0, 0]
+    times = trace.tau.values[trace.tau.values < 20]
+    assert times[-1] > 19
+    exact = numpy.empty((3, times.size))
+    while True:
+        flight = solve_ivp(
+            slope,
+            (begin, 20),
+            state,
+            "DOP853",
+            dense_output=True,
+            events=(fires, is_low),
+            rtol=1e-11,
+            atol=1e-12,
+        )
+        later = times >= begin
+        exact[:, later] = flight.sol(times[later])
+        if flight.status != 1:
+            break
+        begin, (v, w, s) = flight.t[-1], flight.y[:, -1]
+        fired = len(flight.t_events[0])
+        counts[0 if fired else 1] += 1
+        state = numpy.array([-w, 0.3 + w + w + 0.1 * (w + 0.1), s] if fired else [v, w, s + 0.9])
+    assert counts[0] > 4 and counts[1] > 2
+    for i, name in enumerate("vws"):
+        numpy.testing.assert_allclose(trace[name][: times.size], exact[i], atol=1e-7)
+
+
+def test_it_warns_of_what_is_left_out(tmp_path):
+    events = "global 1 {x-1} {x=0;y=y+.1;no_interp=1}\nglobal 1 {y-1} {y=0}\n"
+    (tmp_path / "pair.ode").write_text(f"x'=1\ny'=1\n{events}")
+    done = subprocess.run(
+        [sys.executable, IMPORT, tmp_path / "pair.ode"], capture_output=True, text=True, check=True
+    )
+    assert "left out is an event at the end of its step (no_interp): global 1 {x-1}" in done.stderr
+
+
+def test_a_file_whose_equations_have_no_time_has_no_forcing(tmp_path):
+    text = imported(tmp_path, "x'=y\ny'=-k*x\npar k=1\nperiod=2\naux e=x^2+y^2+period\ninit x=1\ndone\n")
+    assert "forcing" not in text and "phase" not in text
+    (tmp_path / "chain.toml").write_text(text)
+    study = gearsweep.Study.of(gearsweep.Model.read(tmp_path / "chain.toml")).sweep(k=[1.0])
+    trace = gearsweep.trace(study.integrate(max_step=0.01), k=1.0, settle=0, record=2)
+    numpy.testing.assert_allclose(trace.x, numpy.cos(trace.tau), atol=1e-8)
+    assert "no_parameters = " in imported(tmp_path, "x'=-x\ndone\n")
+
+
 @pytest.mark.parametrize(
     ("line", "what"),
     [
-        ("global 1 x-1 {x=0}", "resets"),
+        ("global 1 x-1 {p=0}\npar p=1", "resets of parameters: global 1 x-1 {p=0}"),
+        ("global 1 {x-1} {q=0}\nq=x+1", "resets of 'q', which is no state: global 1"),
+        ("global 0 {x-1} {x=0}", "an event of sign 0; write one of sign 1 and one of sign -1: global 0"),
+        ("global 1 x-1 {arret=1}", "the end of a motion at an event: global"),
+        ("global 1 {sin(t)} {x=0}", "an event that waits for no state: global"),
+        ("global 1 {x-t} {x=0}", "the time outside of a sine or cosine: x-t"),
+        ("global 2 {x-1} {x=0}", "no known kind: global 2"),
+        ("global 1 {x-1} {x=0;y=f(1)}\ny'=1\nf(u)=u*x", "just been reset: global"),
         ("w'=delay(x,2)", "delays"),
         ("wiener n", "noise"),
         ("y'=if(t<1)then(1)else(0)", "the time outside of a sine"),
         ("y'=sin(t)+sin(1.5*t)", "more than one product"),
+        ("y'=sin(w^2*t)\npar w=2", "another product than 'w*t': sin(w^2*t)"),
+        ("y'=sin(x*w*t)\npar w=2", "another product than 'w*t'"),
         ("0=x-y", "algebraic"),
         ("nonsense", "no known kind"),
     ],
