@@ -66,7 +66,7 @@ SHARED_FN void watch_seen(Watcher* watcher, Share weight, mask stays) {
   watcher->was_smooth = smooth;
 }
 
-#include "rk4/surface_part.h"
+#include "rk4/surface_rest.h"
 
 #ifdef MODEL_SURFACES
 // At a share of a step. Where the motion slides, signals have the sides that its field mixes.
@@ -119,8 +119,12 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
   real inside[MODEL_STATE_COUNT];
   Instant middle;
   Instant after;
+  const real halfway = one_half * (part->from + *part->to);
+  PhaseAt moment;
   surface_inside(part, one_half, inside);
-  watch_instant(point, part->rows, one_half * (part->from + *part->to), inside, &middle);
+  surface_moment(part->rows, halfway, &moment);
+  surface_return(point, &moment, part->rows->h, where, inside);
+  watch_instant(point, part->rows, halfway, inside, &middle);
   watch_instant(point, part->rows, *part->to, part->next, &after);
   watcher->middle = watcher->before;
   watcher->after = watcher->before;

@@ -73,7 +73,7 @@ SHARED_FN void sections_take(real length, const real* before, const real* after,
 
 // The change that the level's rate would make in the step is that of a parabola where the motion
 // slides along a jump that the level has, too: the rate knows nothing of how the mixture of both
-// sides changes.
+// sides changes, nor of what a motion rests against: where the level stays 0 it is 0.
 #define SECTION_FIND(number, level, rate, size, jumps)                                         \
   {                                                                                            \
     const real a = section_level(before->signals.level, before->signals.size);                 \
@@ -85,6 +85,9 @@ SHARED_FN void sections_take(real length, const real* before, const real* after,
       first = lane_select(slides, four * m - three * a - b, first);                            \
       last = lane_select(slides, a + three * b - four * m, last);                              \
     }                                                                                          \
+    const mask stays = (a == zero) & (m == zero) & (b == zero);                                \
+    first = lane_select(stays, zero, first);                                                   \
+    last = lane_select(stays, zero, last);                                                     \
     section_find(a, first, b, last, ROUNDINGS_TOLD * after->signals.size, &crossings[number]); \
   }
 

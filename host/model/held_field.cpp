@@ -414,6 +414,17 @@ void HeldField::put_back(const double* coefs, double* x) {
     off[i] = level_of(k, sides_[k]) - at[k];
   }
   state += along.turn * along.gain.partialPivLu().solve(off);
+  // What sticks is at rest: what is left of a velocity is rounding of what a step adds to it.
+  for (Index i = 0; i < states; ++i) {
+    double added = std::fabs(along.base[i]);
+    bool is_held = false;
+    for (Index j = 0; j < off.size(); ++j) {
+      is_held = is_held || along.turn(i, j) != 0.0;
+      const bool jumps = !model_.surfaces[along.surfaces[static_cast<std::size_t>(j)]].resets;
+      if (jumps) added += std::fabs(along.turn(i, j));
+    }
+    if (is_held && std::fabs(state[i]) <= kRounding * step_ * added) state[i] = 0.0;
+  }
 }
 
 // To just below a surface, so that by rounding it does not count as beyond it.

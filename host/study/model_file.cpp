@@ -103,7 +103,8 @@ std::shared_ptr<const Model> read_model_text(const std::string& text, const std:
     check_presets(definition);
     const auto model = std::make_shared<Model>(make_model(definition));
     check_defaults(*model);
-    model->answers = read_answers(root, *model);
+    // They are told of the model as its file has it, without sections of a study.
+    if (sections.empty()) model->answers = read_answers(root, *model);
     return model;
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", source, error.source().begin.line,

@@ -119,22 +119,39 @@ OwnStep find_own_step(const Study& study) {
   return {rounded_down(shortest.step, period), shortest.step, shortest.reason};
 }
 
+// How far the states range in a stretch, in the largest of the ranges in `widest`, which it widens.
+double extent_of(const ProbeMotion::Stretch& stretch, std::vector<double>* widest) {
+  widest->resize(stretch.low.size(), 0.0);
+  double extent = 0.0;
+  for (std::size_t i = 0; i < stretch.low.size(); ++i) {
+    const double range = stretch.high[i] - stretch.low[i];
+    (*widest)[i] = std::max((*widest)[i], range);
+    if (range > stretch.rounding[i]) extent = std::max(extent, range / (*widest)[i]);
+  }
+  return extent;
+}
+
 double mean_return_time(const Study& study) {
-  constexpr std::size_t kEnough = 8;
-  constexpr int kMostStretches = 8;
+  constexpr std::size_t kEnough = 8, kSome = 2;
+  constexpr int kStretches = 8, kMostStretches = 200;
+  constexpr double kAtRest = 1e-3;  // of the ranges that the motion has had
   std::vector<double> times;
   for (const ProbeStart& start : probe_starts(study)) {
     ProbeMotion motion(*study.model, start.setting, start.state);
-    motion.go_on(kSteps);
+    std::vector<double> widest;
+    extent_of(motion.go_on(kSteps), &widest);
     const std::size_t before = motion.returns().size();
-    for (int i = 0; i < kMostStretches && motion.returns().size() < before + kEnough; ++i) {
-      motion.go_on(kSteps);
-      if (motion.escapes()) break;
+    const auto seen = [&] { return motion.returns().size() - before; };
+    for (int i = 0; i < kMostStretches && seen() < kEnough; ++i) {
+      if (i >= kStretches && seen() >= kSome) break;
+      // A cycle may be slow beside its steps; but not where another motion has told.
+      if (i >= kStretches && !times.empty()) break;
+      const double extent = extent_of(motion.go_on(kSteps), &widest);
+      if (motion.escapes() || (i >= kStretches && extent < kAtRest)) break;
     }
-    const std::size_t seen = motion.returns().size() - before;
-    if (motion.escapes() || seen < 2) continue;
+    if (motion.escapes() || seen() < kSome) continue;
     const double span = motion.returns().back() - motion.returns()[before];
-    times.push_back(span / static_cast<double>(seen - 1));
+    times.push_back(span / static_cast<double>(seen() - 1));
   }
   if (times.empty()) return 0.0;
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);

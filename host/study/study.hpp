@@ -129,7 +129,8 @@ struct Study {
   Initial initial;
   Uncertain uncertain;
   Integrate integrate;
-  std::string step_reason;  // of a max_step that the study found; empty: it was given
+  std::string step_reason;   // of a max_step that the study found; empty: it was given
+  std::string clock_reason;  // what a period is, of a model without a clock
   Selection selection;
   std::string toml;  // the whole study as TOML, overrides included: reading it gives this study
   // What the model's equations leave of the steps' fourth order; empty where that holds.

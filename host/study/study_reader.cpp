@@ -182,6 +182,9 @@ void check_size(const toml::table& root, const Study& study) {
 void wind_clock(double step, Study* study) {
   constexpr double kMostSteps = 4096.0;
   const double steps = study->model->sections.empty() ? 0.0 : mean_return_time(*study) / step;
+  study->clock_reason = steps > kMostSteps ? "a part of a return"
+                        : steps > 0.0      ? "about a return"
+                                           : "128 steps, since no motion looked at comes back";
   Binding binding = study->model->binding;
   binding.clock = step * (steps > 0.0 ? std::clamp(rounded_up(steps), 16.0, kMostSteps) : 128.0);
   study->bind(binding);

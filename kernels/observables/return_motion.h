@@ -1,9 +1,10 @@
 // What kind of motion it is where there is no clock, from the two largest Lyapunov exponents and
 // from the returns to a section. One exponent of a motion that does not rest is 0, that of a shift
 // along it, so:
-//   equilibrium     a perturbation shrinks by more than exp(10) in the record, and by more than its
-//                   error, which a transient onto a cycle that is over has a large one of: the
-//                   motion ends at rest, or is there;
+//   equilibrium     no state changes in the record; or a perturbation shrinks by more than exp(10)
+//   in
+//                   it, and by more than its error, which a transient onto a cycle that is over has
+//                   a large one of: the motion ends at rest, or is there;
 //   periodic        the state recurs after some returns (recurrence.h), and nothing grows;
 //   quasi_periodic  both exponents are 0 and no return recurs, in three dimensions or more, with
 //                   the bounds of observables/motion.h;
@@ -70,7 +71,14 @@ SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* ou
   const mask has_room = MODEL_STATE_COUNT > 2 ? zero == zero : zero != zero;
   const real open = lane_select(is_cycle | !has_room, undecided, without);
   const real moving = lane_select(recurs, lane_select(first.grows, undecided, periodic), open);
-  const mask rests = first.log_stretching < -lane_max(first.error, much);
+  mask rests = zero == zero;  // as a motion that sticks
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    const real low = sums[return_motion_cycle + cycle_low + i];
+    const real high = sums[return_motion_cycle + cycle_high + i];
+    rests = rests & (high - low <= ROUNDINGS_TOLD * lane_max(lane_abs(low), lane_abs(high)));
+  }
+  rests = rests | (first.log_stretching < -lane_max(first.error, much));
   const real since = sums[return_motion_cycle + cycle_since];
   out[0] = lane_select(rests, equilibrium, lane_select(since == since, moving, undecided));
 }

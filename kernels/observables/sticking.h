@@ -33,7 +33,8 @@ SHARED_FN void sticking_step(real* sums, const Step* step) {
 SHARED_FN void sticking_end_period(real* sums, const Section* section) {}
 
 SHARED_FN void sticking_finish(const real* sums, SweepRound round, real* out) {
-  out[0] = sums[sticking_time] / (scalar)(round.record);
+  // Rounding of the sum makes no more than all of it.
+  out[0] = lane_min(sums[sticking_time] / (scalar)(round.record), (real)(1));
   out[1] = sums[sticking_count] / (scalar)(round.record);
 }
 #endif

@@ -1,6 +1,7 @@
 // Where a part of a step comes to a surface, or leaves one that it stays at.
 
 #include "rk4/level_cross.h"
+#include "rk4/surface_part.h"
 
 #ifdef MODEL_SURFACES
 

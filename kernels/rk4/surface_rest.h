@@ -2,6 +2,8 @@
 // ever faster end in contact: once a flight takes less than a thousandth of a step, or is lower
 // than rounding, the motion rests on the surface while it is pushed against it.
 
+#include "rk4/surface_events.h"
+
 #ifdef MODEL_SURFACES
 
 #define SURFACE_SHORT_FLIGHT ((scalar)(1e-3))                            // of a step
@@ -60,8 +62,12 @@ SHARED_FN real surface_put_below(const ModelPoint* point, const PhaseAt* moment,
   return rounding;
 }
 
-// Takes a motion that slides back onto its surfaces: a step leaves them by what it is wrong by.
-SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, mask where, real* x) {
+// Takes a motion that slides back onto its surfaces: a step leaves them by what it is wrong by. A
+// state that the way back leaves nothing of but rounding of what a step of length h adds to it is
+// 0, so that what sticks is at rest.
+SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, real h, mask where,
+                              real* x) {
+  const real zero = 0;
   const mask slides = where & sliding_any(point);
   if (all_lanes(!slides)) return;
   Sliding sliding;
@@ -83,7 +89,17 @@ SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, ma
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) back[i] = x[i];
   sliding_add(&sliding, levels, back);
   UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(slides, back[i], x[i]);
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    real added = lane_abs(sliding.base[i]);
+    mask is_held = zero != zero;
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      is_held = is_held | (sliding.turn[k][i] != zero);
+      if (!MODEL_RESETS(k)) added = added + lane_abs(sliding.turn[k][i]);
+    }
+    const mask is_rounding = is_held & (lane_abs(back[i]) <= SURFACE_ROUNDING * h * added);
+    x[i] = lane_select(slides, lane_select(is_rounding, zero, back[i]), x[i]);
+  }
 }
 
 #ifdef MODEL_HAS_RESETS
@@ -204,7 +220,7 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
   }
   if (all_lanes(!rests)) return;
   point->sides.slid = point->sides.slid | rests;
-  surface_return(point, moment, rests, x);
+  surface_return(point, moment, h, rests, x);
 }
 
 #else

@@ -194,7 +194,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
       surface_tangents(point, &part, beside, linear, &crossings, moves, w);
     }
 #endif
-    surface_return(point, &end, moves, next);
+    surface_return(point, &end, rows->h, moves, next);
     if (!all_lanes(!lands)) surface_land(point, rows, &event, lands, &to, next);
     if (beside & RK4_MIDDLE) watch_part(watcher, point, &part, moves);
     UNROLL

@@ -155,5 +155,53 @@ TEST(Clockless, SayWhatIsWrongWithThem) {
   }
 }
 
+// A cycle that is longer than the record is found in longer ones, and so are its extremes. Radau at
+// 1e-11 gives 753.99391678 and 6.36271982.
+TEST(Clockless, ACycleHasItsExtremesWhereTheRecordIsAPartOfIt) {
+  const SweepResult result =
+      run("[model]\nname = 'lugre'\n[[axes]]\nname = 'pull'\nvalues = [100.0]\n[integrate]\n"
+          "settle = 400\nrecord = 60\n[observe]\n"
+          "quantities = ['motion_class', 'cycle_time', 'e_max']\n");
+  EXPECT_EQ(map_of(result, "motion_class")[0], MOTION_periodic);
+  EXPECT_NEAR(map_of(result, "cycle_time")[0], 6.36271982, 1e-5);
+  EXPECT_NEAR(map_of(result, "e_max")[0], 753.99391678, 1e-4);
+}
+
+// Friction holds a mass wherever it stops: no exponent tells that it rests.
+TEST(Clockless, WhatSticksForEverIsAtRest) {
+  for (const char* engine : {"opencl", "reference"}) {
+    const SweepResult result = run(fmt::format(
+        "[model]\ntext = \"\"\"\n[model]\nname = 'dry'\n[states]\nx = {{ start = 1.0 }}\nv = {{}}\n"
+        "[parameters]\nmu = 0.1\n[equations]\nx = 'v'\nv = '-x - mu*sign(v)'\n\"\"\"\n"
+        "[[axes]]\nname = 'mu'\nvalues = [0.05, 0.11, 0.3]\n[integrate]\nengine = '{}'\n[observe]\n"
+        "quantities = ['motion_class', 'period', 'maxima_returns', 'sticking_share']\n",
+        engine));
+    EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(MOTION_equilibrium)) << engine;
+    EXPECT_THAT(map_of(result, "period"), ::testing::Each(0.0)) << engine;
+    EXPECT_THAT(map_of(result, "maxima_returns"), ::testing::Each(0.0)) << engine;
+    EXPECT_THAT(map_of(result, "sticking_share"),
+                ::testing::Each(::testing::DoubleNear(1.0, 1e-9)));
+  }
+}
+
+// So does a plate a ball that has come to rest on it.
+TEST(Clockless, ABallThatHasStoppedIsAtRest) {
+  for (const char* engine : {"opencl", "reference"}) {
+    const SweepResult result = run(fmt::format(
+        "[model]\ntext = \"\"\"\n[model]\nname = 'ball'\n[states]\nz = {{ start = 1.0 }}\nv = "
+        "{{}}\n"
+        "[parameters]\nr = 0.5\n[equations]\nz = 'v'\nv = '-1'\n[surfaces.plate]\nwhen = '-z'\n"
+        "reset = {{ v = '-r*v' }}\n\"\"\"\n[[axes]]\nname = 'r'\nvalues = [0.0, 0.5, 0.9]\n"
+        "[integrate]\nengine = '{}'\n[observe]\n"
+        "quantities = ['motion_class', 'period', 'maxima_returns', 'plate_impacts']\n",
+        engine));
+    EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(MOTION_equilibrium)) << engine;
+    EXPECT_THAT(map_of(result, "period"), ::testing::Each(0.0)) << engine;
+    EXPECT_THAT(map_of(result, "maxima_returns"), ::testing::Each(0.0)) << engine;
+    // What was met before the record is not counted.
+    EXPECT_THAT(map_of(result, "plate_impacts"), ::testing::Each(0.0)) << engine;
+  }
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

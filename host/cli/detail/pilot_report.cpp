@@ -29,6 +29,14 @@ std::string describe_steps(const Study& study, const std::optional<PilotFindings
                      study.integrate.max_step, study.step_reason);
 }
 
+std::string describe_clock(const Study& study) {
+  if (study.clock_reason.empty()) return "";
+  const double clock = study.model->binding.clock;
+  return fmt::format(
+      "periods of {:.4g}, for a model without forcing: {}; the record is {:.4g} long\n", clock,
+      study.clock_reason, clock * static_cast<double>(study.integrate.record));
+}
+
 nlohmann::json pilot_as_json(const PilotFindings& pilot) {
   return {{"max_step", pilot.step},       {"error", pilot.error},
           {"errors", pilot.errors},       {"kept", pilot.kept},

@@ -12,6 +12,9 @@ namespace gearsweep {
 // study of a model without max_step (study/own_step.hpp). Empty where the step was given.
 std::string describe_steps(const Study& study, const std::optional<PilotFindings>& pilot);
 
+// What a period is, of a model without forcing; empty of others.
+std::string describe_clock(const Study& study);
+
 nlohmann::json pilot_as_json(const PilotFindings& pilot);
 
 }  // namespace gearsweep

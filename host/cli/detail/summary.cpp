@@ -228,6 +228,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
   if (const std::string steps = describe_steps(result.study, result.pilot); !steps.empty()) {
     text += "steps of " + steps;
   }
+  text += describe_clock(result.study);
   text += describe_attractors(result);
   text += describe_tolerances(result);
   text += describe_agreement(result);

@@ -80,10 +80,15 @@ class ReturnMotion final : public ReferenceObservable {
  public:
   ReturnMotion(const SectionInfo& section, double tolerance, const StateKinds& kinds)
       : cycle_(section, tolerance, kinds), states_(tolerance, kinds) {}
-  void begin(const Eigen::VectorXd& state) override { states_.begin(state); }
+  void begin(const Eigen::VectorXd& state) override {
+    states_.begin(state);
+    lowest_ = highest_ = state;
+  }
   void step(const TrajectoryStep& step) override {
     cycle_.step(step);
     states_.pass(step.after.state);
+    lowest_ = lowest_.cwiseMin(step.after.state);
+    highest_ = highest_.cwiseMax(step.after.state);
   }
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
               double length) override {
@@ -97,9 +102,16 @@ class ReturnMotion final : public ReferenceObservable {
   }
 
  private:
+  // Whether no state has changed by more than rounding.
+  bool is_still() const {
+    constexpr double kRoundings = 64.0 * std::numeric_limits<double>::epsilon();
+    const Eigen::ArrayXd size = lowest_.array().abs().max(highest_.array().abs());
+    return ((highest_ - lowest_).array() <= kRoundings * size).all();
+  }
   int kind(const Window& window) const {
     const Growth first = first_.growth(window);
     if (first.log_stretching < -std::max(first.error, 10.0)) return MOTION_equilibrium;
+    if (is_still()) return MOTION_equilibrium;
     if (!cycle_.is_defined()) return MOTION_undecided;
     if (cycle_.recurrence().period > 0) return first.grows() ? MOTION_undecided : MOTION_periodic;
     if (states_.state_size() < 3) return MOTION_undecided;  // the plane has no torus, and no chaos
@@ -111,6 +123,7 @@ class ReturnMotion final : public ReferenceObservable {
 
   Cycle cycle_;
   StateSequence states_;
+  Eigen::VectorXd lowest_, highest_;
   GrowthWatch first_{0}, second_{1};
 };
 

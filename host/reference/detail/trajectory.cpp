@@ -156,6 +156,7 @@ void Trajectory::step_through_surfaces(double phase, double inside, double share
       const double end = from + share_of_part * (to - from);
       Bundle there{before.state, Eigen::MatrixXd(before.state.size(), 0)};
       carry_held(&held_, moment, from, end, &there);
+      held_.put_back(moment(end).data(), there.state.data());
       return held_instant(moment(end), there.state);
     };
     TrajectoryStep step = {.before = held_instant(moment(from), before.state),
@@ -172,6 +173,7 @@ void Trajectory::step_through_surfaces(double phase, double inside, double share
   };
   Bundle motion{state_, tangents_};
   step_held(&held_, moment, &motion, tell);
+  if (!seen) held_.take_met();  // nobody asks for it
   state_ = motion.state;
   tangents_ = motion.tangents;
 }

@@ -46,7 +46,9 @@ void adopt_verdicts(const Study& study, const std::vector<std::size_t>& position
 
 void adopt_longer_window(const Study& study, const std::vector<std::size_t>& positions,
                          const TileResult& subset, TileResult* whole) {
-  adopt(study, {ObservableRole::verdict, ObservableRole::statistic}, positions, subset, whole);
+  std::set<ObservableRole> roles = {ObservableRole::verdict, ObservableRole::statistic};
+  if (study.model->is_clockless) roles.insert(ObservableRole::measure);
+  adopt(study, roles, positions, subset, whole);
 }
 
 }  // namespace gearsweep

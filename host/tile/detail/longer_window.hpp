@@ -18,7 +18,9 @@ std::vector<std::size_t> undecided_positions(const Study& study, const TileResul
 // in the replayed window has diverged.
 void adopt_verdicts(const Study& study, const std::vector<std::size_t>& positions,
                     const TileResult& subset, TileResult* whole);
-// The same after a longer window, whose steps the observers saw: statistics are adopted, too.
+// The same after a longer window, whose steps the observers saw: statistics are adopted, too. Where
+// there is no clock so are averages and extremes: a window that does not tell a cycle may be a part
+// of it.
 void adopt_longer_window(const Study& study, const std::vector<std::size_t>& positions,
                          const TileResult& subset, TileResult* whole);
 
