@@ -1,5 +1,5 @@
-// gearsweep floquet: the periodic orbit at one point of a study, its Floquet multipliers, and the
-// bifurcations along a parameter.
+// gearsweep floquet: the periodic orbit or the equilibrium at one point of a study, its Floquet
+// multipliers or eigenvalues, and the bifurcations along a parameter.
 #include <fmt/format.h>
 
 #include <memory>
@@ -21,7 +21,7 @@ struct FloquetArguments {
   std::vector<std::string> at, overrides;
   std::string device;
   std::optional<std::size_t> period, steps;
-  bool as_json = false;
+  bool is_equilibrium = false, as_json = false;
 };
 
 OrbitFindings compute(const FloquetArguments& arguments) {
@@ -30,7 +30,8 @@ OrbitFindings compute(const FloquetArguments& arguments) {
                           .range = {},
                           .range_origin = "--along",
                           .period = arguments.period,
-                          .steps = arguments.steps};
+                          .steps = arguments.steps,
+                          .is_equilibrium = arguments.is_equilibrium};
   if (!arguments.along.empty()) request.range = read_range(*whole.model, arguments.along);
   request.place = read_place(whole, arguments.at);
   SweepOptions options;
@@ -43,7 +44,7 @@ OrbitFindings compute(const FloquetArguments& arguments) {
 
 void add_floquet_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand(
-      "floquet", "The periodic orbit at a point, its multipliers, and its bifurcations");
+      "floquet", "The orbit or the equilibrium at a point, its multipliers, and its bifurcations");
   const auto arguments = std::make_shared<FloquetArguments>();
   add_study_argument(command, &arguments->study);
   add_point_option(command, &arguments->at,
@@ -57,26 +58,37 @@ void add_floquet_command(CLI::App* app) {
       ->type_name("NAME=FROM:TO");
   command
       ->add_option("--period", arguments->period,
-                   "The orbit's length in forcing periods (default: the smallest after which the "
-                   "motion repeats, 64 at most)")
+                   "The orbit's length in forcing periods, or in maxima of the first state where "
+                   "nothing drives the model (default: the smallest after which the motion "
+                   "repeats, 64 at most)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 4096));
   command
-      ->add_option("--steps", arguments->steps,
-                   fmt::format("Integration steps per period (default: {} or the study's, if that "
-                               "is more)",
-                               kMinOrbitSteps))
+      ->add_option(
+          "--steps", arguments->steps,
+          fmt::format("Integration steps per period, or from a maximum to the next (default: "
+                      "{} or the study's, if that is more)",
+                      kMinOrbitSteps))
       ->type_name(kNumberValue)
       ->check(whole_number(16, 65536));
   add_device_option(command, &arguments->device, false);
   add_set_option(command, &arguments->overrides);
+  command
+      ->add_flag(
+          "--equilibrium", arguments->is_equilibrium,
+          "The equilibrium that Newton's method comes to from the start, stable or not, of a "
+          "model that nothing drives")
+      ->excludes("--period");
   command->add_flag("--json", arguments->as_json, "For scripts, with every orbit on the way");
   command->footer(
       "Examples:\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5 --along omega=0.6:0.8\n"
       "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 1   an orbit inside chaos\n\n"
-      "The engine settles the motion; Newton's method on the period map finds the orbit. Steps\n"
+      "  gearsweep floquet my-brusselator --at b=2.5 --along b=2.5:1.8   a cycle, to its birth\n"
+      "  gearsweep floquet my-lorenz --at x=8,y=8,z=20 --equilibrium --along rho=20:28\n\n"
+      "The engine settles the motion; Newton's method on the period map finds the orbit. Where\n"
+      "nothing drives the model it is an equilibrium, or a cycle whose time is found, too. Steps\n"
       "end where teeth meet or part. The digits shown are those that steps of twice the length\n"
       "agree on.");
   command->callback([arguments] {

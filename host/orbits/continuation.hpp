@@ -1,4 +1,4 @@
-// Follows a periodic orbit through a parameter by pseudo-arclength continuation (H. B. Keller, in
+// Follows an orbit through a parameter by pseudo-arclength continuation (H. B. Keller, in
 // Applications of Bifurcation Theory, 1977), stable or not and around folds, and locates the
 // bifurcations that it meets.
 #pragma once
@@ -16,7 +16,7 @@ struct BranchOrbit {
   Orbit orbit;
 };
 
-// An orbit at which a multiplier is on the unit circle.
+// An orbit at which a multiplier is on the unit circle, or an eigenvalue on the imaginary axis.
 struct LocatedBifurcation {
   Bifurcation kind = Bifurcation::fold;
   double parameter = 0.0;
@@ -39,15 +39,17 @@ struct FollowRequest {
   std::size_t parameter = 0;  // index of the parameter to follow along
   double from = 0.0;          // the branch is left when the parameter leaves from .. to
   double to = 0.0;            // from < to
-  std::size_t steps = 0;      // minimum number of steps per period, as in PeriodMap
-  bool upwards = true;        // direction of the parameter at the start
+  // Minimum number of steps per period, as in PeriodMap. A cycle has its own.
+  std::size_t steps = 0;
+  bool upwards = true;                      // direction of the parameter at the start
   const std::atomic<bool>* stop = nullptr;  // as in PeriodMap
 };
 
 // Follows the orbit `start` of `request.setting`. Bifurcations are located to about 1e-9 of the
 // range; two of one kind within one step of the branch (at most 2 % of range and state) are missed.
-// Ends where the parameter leaves the range or the branch was born; earlier when there is no smooth
-// way on, as at a corner of the branch: see Branch::ended.
+// Ends where the parameter leaves the range or the branch was born, of cycles at a Hopf
+// bifurcation, too; earlier when there is no smooth way on, as at a corner of the branch: see
+// Branch::ended.
 Branch follow_orbit(const FollowRequest& request, const Orbit& start);
 
 }  // namespace gearsweep

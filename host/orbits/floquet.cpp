@@ -1,12 +1,8 @@
 #include "orbits/floquet.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "model/eigenvalues.hpp"
 #include "model/error.hpp"
@@ -15,94 +11,55 @@ namespace gearsweep {
 namespace {
 
 using Eigen::MatrixXd;
+using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kResidual = 1e-12;  // of the states' sizes
-constexpr double kCarried = 1e-2;    // of what a period makes of magnitudes: the same for residuals
-constexpr double kMinSize = 1e-6;    // of a state's magnitude, and of what is carried into it
-constexpr int kMaxIterations = 40;
-constexpr int kMaxHalvings = 10;     // of a Newton step
-constexpr std::size_t kGuesses = 8;  // of an orbit inside chaos
-constexpr double kSameOrbit = 1e-8;  // of the states' sizes: two states of one orbit
-
-// The largest component of a difference of states, in their sizes.
-double distance_of(const VectorXd& difference, const VectorXd& sizes) {
-  return difference.cwiseQuotient(sizes).cwiseAbs().maxCoeff();
-}
+constexpr double kCarried = 1e-2;  // of what a period makes of magnitudes: the same for residuals
 
 // What sizes of all states become in each of them, at most.
 VectorXd carried(const VectorXd& sizes, const MatrixXd& monodromy) {
   return monodromy.cwiseAbs() * sizes;
 }
 
-// The smallest divisor of the orbit's period after which the state is back.
-std::size_t min_period(const PeriodMap& map, const Orbit& orbit) {
-  VectorXd state = orbit.state;
-  for (std::size_t divisor = 1; divisor < orbit.period; ++divisor) {
-    const std::optional<VectorXd> next = map.advance(state, 1);
-    if (!next) break;
-    state = *next;
-    if (orbit.period % divisor == 0 && distance_of(state - orbit.state, orbit.sizes) < kSameOrbit) {
-      return divisor;
-    }
-  }
-  return orbit.period;
+VectorXcd eigenvalues_of(const MatrixXd& matrix) {
+  if (matrix.size() == 0) return {};
+  const std::vector<std::complex<double>> found =
+      eigenvalues(matrix.data(), static_cast<std::size_t>(matrix.rows()));
+  if (found.empty()) throw RunError("the multipliers of an orbit cannot be computed");
+  return Eigen::Map<const VectorXcd>(found.data(), static_cast<Eigen::Index>(found.size()));
 }
 
-RunError left_range() {
-  return RunError("the trajectory left the finite range while an orbit was looked for");
+// A complex pair has one modulus: the member above the real axis comes first.
+void sort_by_modulus(VectorXcd* multipliers) {
+  std::stable_sort(multipliers->begin(), multipliers->end(),
+                   [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
 }
 
-// The states at phase 0 of a trajectory, its start first.
-std::vector<VectorXd> section(const PeriodMap& map, const VectorXd& start, std::size_t periods) {
-  std::vector<VectorXd> states = {start};
-  while (states.size() <= periods) {
-    const std::optional<VectorXd> next = map.advance(states.back(), 1);
-    if (!next) throw left_range();
-    states.push_back(*next);
-  }
-  return states;
-}
-
-// The sizes of states on a trajectory, of which `states` are a section.
-VectorXd sizes_of_section(const PeriodMap& map, const std::vector<VectorXd>& states) {
-  std::optional<PeriodImage> image = map.linearize(states.back(), 1);
-  if (!image) throw left_range();
-  for (const VectorXd& state : states) image->extent.take(state);
-  return sizes_of(*image);
-}
-
-// The smallest period after which the last state of a trajectory repeats an earlier one. Close
-// returns come first: a coarse tolerance would take an orbit that has just doubled for the one
-// before. 0 when there is none.
-std::size_t return_period(const std::vector<VectorXd>& states, const VectorXd& sizes) {
-  const VectorXd& last = states.back();
-  for (int digits = 9; digits >= 3; --digits) {
-    const double tolerance = std::pow(10.0, -digits);
-    for (std::size_t period = 1; period < states.size(); ++period) {
-      const VectorXd& earlier = states[states.size() - 1 - period];
-      if (distance_of(last - earlier, sizes) < tolerance) return period;
-    }
-  }
-  return 0;
-}
-
-// The states of a trajectory that the `period`-th iterate moves least, the best first.
-std::vector<VectorXd> closest_returns(const std::vector<VectorXd>& states, const VectorXd& sizes,
-                                      std::size_t period) {
-  std::vector<std::pair<double, std::size_t>> moved;
-  for (std::size_t i = 0; i + period < states.size(); ++i) {
-    moved.emplace_back(distance_of(states[i + period] - states[i], sizes), i);
-  }
-  std::sort(moved.begin(), moved.end());
-  std::vector<VectorXd> out;
-  for (std::size_t i = 0; i < std::min(kGuesses, moved.size()); ++i) {
-    out.push_back(states[moved[i].second]);
-  }
-  return out;
+// A way that returns, with all but its multipliers.
+Orbit without_multipliers(OrbitKind kind, const VectorXd& state, const PeriodImage& image) {
+  Orbit orbit;
+  orbit.kind = kind;
+  orbit.state = state;
+  orbit.monodromy = image.monodromy;
+  orbit.grazes = image.grazes;
+  orbit.sizes = sizes_of(image);
+  orbit.reach = image.extent.reach();
+  return orbit;
 }
 
 }  // namespace
+
+std::string name_of(OrbitKind kind) {
+  switch (kind) {
+    case OrbitKind::forced:
+      return "forced";
+    case OrbitKind::cycle:
+      return "cycle";
+    case OrbitKind::equilibrium:
+      return "equilibrium";
+  }
+  return "";
+}
 
 std::string name_of(Bifurcation kind) {
   switch (kind) {
@@ -114,6 +71,8 @@ std::string name_of(Bifurcation kind) {
       return "flip";
     case Bifurcation::neimark_sacker:
       return "Neimark-Sacker";
+    case Bifurcation::hopf:
+      return "Hopf";
   }
   return "";
 }
@@ -121,7 +80,10 @@ std::string name_of(Bifurcation kind) {
 bool Orbit::stable() const { return unstable_count() == 0; }
 
 std::size_t Orbit::unstable_count() const {
-  return static_cast<std::size_t>((multipliers.cwiseAbs().array() > 1.0).count());
+  const auto count = kind == OrbitKind::equilibrium
+                         ? (multipliers.real().array() > 0.0).count()
+                         : (multipliers.cwiseAbs().array() > 1.0).count();
+  return static_cast<std::size_t>(count);
 }
 
 const Graze* Orbit::graze_within(const VectorXd& errors) const {
@@ -137,18 +99,22 @@ const Graze* Orbit::graze_within(const VectorXd& errors) const {
   return nearest;
 }
 
-Nearest nearest_bifurcation(const Orbit& orbit) {
-  const auto distance = [](const std::complex<double>& m) { return std::fabs(1.0 - std::abs(m)); };
-  const std::complex<double> nearest =
-      *std::min_element(orbit.multipliers.begin(), orbit.multipliers.end(),
-                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+std::optional<Nearest> nearest_bifurcation(const Orbit& orbit) {
+  if (orbit.multipliers.size() == 0) return std::nullopt;
+  const bool rests = orbit.kind == OrbitKind::equilibrium;
+  const auto margin = [&](const std::complex<double>& m) {
+    return rests ? -m.real() : 1.0 - std::abs(m);
+  };
+  const std::complex<double> nearest = *std::min_element(
+      orbit.multipliers.begin(), orbit.multipliers.end(),
+      [&](const auto& a, const auto& b) { return std::fabs(margin(a)) < std::fabs(margin(b)); });
   Nearest out;
   out.multiplier = nearest;
-  out.margin = 1.0 - std::abs(nearest);
+  out.margin = margin(nearest);
   if (nearest.imag() != 0.0) {
-    out.kind = Bifurcation::neimark_sacker;
+    out.kind = rests ? Bifurcation::hopf : Bifurcation::neimark_sacker;
   } else {
-    out.kind = nearest.real() > 0.0 ? Bifurcation::fold : Bifurcation::flip;
+    out.kind = rests || nearest.real() > 0.0 ? Bifurcation::fold : Bifurcation::flip;
   }
   return out;
 }
@@ -159,28 +125,69 @@ std::string name_of(const Nearest& nearest) {
 }
 
 Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t period) {
-  const std::vector<std::complex<double>> multipliers =
-      eigenvalues(image.monodromy.data(), static_cast<std::size_t>(image.monodromy.rows()));
-  if (multipliers.empty()) throw RunError("the multipliers of an orbit cannot be computed");
-  Orbit orbit{state,
-              period,
-              image.monodromy,
-              Eigen::Map<const Eigen::VectorXcd>(multipliers.data(),
-                                                 static_cast<Eigen::Index>(multipliers.size())),
-              image.grazes,
-              sizes_of(image),
-              image.extent.reach()};
-  // A complex pair has one modulus: the member above the real axis comes first.
-  std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
+  Orbit orbit = without_multipliers(OrbitKind::forced, state, image);
+  orbit.period = period;
+  orbit.multipliers = eigenvalues_of(image.monodromy);
+  sort_by_modulus(&orbit.multipliers);
   return orbit;
+}
+
+Orbit make_cycle(const VectorXd& state, const PeriodImage& image, const TimeSpan& span,
+                 const VectorXd& rate, std::size_t returns) {
+  Orbit orbit = without_multipliers(OrbitKind::cycle, state, image);
+  orbit.period = std::max<std::size_t>(returns, 1);
+  orbit.duration = span.duration;
+  orbit.steps = span.steps;
+  // In a basis of which the first vector is along the motion, the rest is the return map's.
+  const VectorXd direction = rate.cwiseQuotient(orbit.sizes);
+  const MatrixXd basis = Eigen::HouseholderQR<MatrixXd>(direction).householderQ();
+  const MatrixXd scaled =
+      orbit.sizes.cwiseInverse().asDiagonal() * image.monodromy * orbit.sizes.asDiagonal();
+  const MatrixXd turned = basis.transpose() * scaled * basis;
+  const Eigen::Index across = state.size() - 1;
+  orbit.along = turned(0, 0);
+  orbit.multipliers = eigenvalues_of(turned.bottomRightCorner(across, across));
+  sort_by_modulus(&orbit.multipliers);
+  return orbit;
+}
+
+Orbit make_equilibrium(const VectorXd& state, const MatrixXd& jacobian, const VectorXd& sizes) {
+  Orbit orbit;
+  orbit.kind = OrbitKind::equilibrium;
+  orbit.state = state;
+  orbit.monodromy = jacobian;
+  orbit.sizes = sizes;
+  orbit.reach = state.cwiseAbs();
+  orbit.multipliers = eigenvalues_of(jacobian);
+  std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
+                   [](const auto& a, const auto& b) { return a.real() > b.real(); });
+  return orbit;
+}
+
+std::size_t returning_state(const Model& model) {
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    if (std::ranges::find(model.angles, i) == model.angles.end()) return i;
+  }
+  return 0;
+}
+
+namespace {
+
+// What has no size at all is judged as it is.
+VectorXd above_zero(const VectorXd& sizes) {
+  return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
+}
+
+}  // namespace
+
+VectorXd sizes_of(const Extent& extent) {
+  return above_zero(extent.swing().cwiseMax(kMinSize * extent.reach()));
 }
 
 VectorXd sizes_of(const PeriodImage& image) {
   const VectorXd swing = image.extent.swing();
-  const VectorXd sizes = swing.cwiseMax(kMinSize * image.extent.reach())
-                             .cwiseMax(kMinSize * carried(swing, image.monodromy));
-  return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
+  return above_zero(swing.cwiseMax(kMinSize * image.extent.reach())
+                        .cwiseMax(kMinSize * carried(swing, image.monodromy)));
 }
 
 VectorXd rounding_sizes(const PeriodImage& image, const VectorXd& sizes) {
@@ -192,64 +199,8 @@ double stretch_of(const MatrixXd& matrix, const VectorXd& sizes) {
   return (sizes.cwiseInverse().asDiagonal() * matrix * sizes.asDiagonal()).cwiseAbs().maxCoeff();
 }
 
-std::optional<Orbit> shoot(const PeriodMap& map, const VectorXd& guess, std::size_t period) {
-  const MatrixXd identity = MatrixXd::Identity(guess.size(), guess.size());
-  VectorXd state = guess;
-  std::optional<PeriodImage> image = map.linearize(state, period);
-  if (!image) return std::nullopt;
-  const VectorXd sizes = sizes_of(*image);
-  for (int iteration = 0; image && iteration < kMaxIterations; ++iteration) {
-    const VectorXd residual = image->state - state;
-    if (distance_of(residual, rounding_sizes(*image, sizes)) <= kResidual) {
-      return make_orbit(state, *image, period);
-    }
-    const double before = distance_of(residual, sizes);
-    const VectorXd step = (image->monodromy - identity).fullPivLu().solve(-residual);
-    std::optional<PeriodImage> next;
-    double damping = 1.0;
-    for (int halvings = 0; halvings < kMaxHalvings; ++halvings, damping *= 0.5) {
-      next = map.linearize(state + damping * step, period);
-      if (next && distance_of(next->state - (state + damping * step), sizes) < before) break;
-      next.reset();
-    }
-    state += damping * step;
-    image = std::move(next);
-  }
-  return std::nullopt;
-}
-
-Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<std::size_t> period) {
-  const std::vector<VectorXd> states =
-      section(map, settled, kLongestPeriod + 4 * period.value_or(0));
-  const VectorXd sizes = sizes_of_section(map, states);
-  const std::size_t wanted = period ? *period : return_period(states, sizes);
-  if (wanted == 0) {
-    throw RunError(
-        fmt::format("the trajectory does not repeat itself within {} periods: it is chaotic, or "
-                    "not settled (raise integrate.settle). An unstable orbit inside chaos can be "
-                    "found with --period",
-                    kLongestPeriod));
-  }
-  const std::vector<VectorXd> guesses =
-      period ? closest_returns(states, sizes, wanted) : std::vector<VectorXd>{states.back()};
-  std::optional<Orbit> found;
-  for (std::size_t i = 0; !found && i < guesses.size(); ++i) found = shoot(map, guesses[i], wanted);
-  if (!found) {
-    throw RunError(
-        fmt::format("Newton's method found no orbit of period {}: try a longer integrate.settle, "
-                    "another --period, or more --steps",
-                    wanted));
-  }
-  const std::size_t min = min_period(map, *found);
-  if (min == wanted) return *found;
-  if (period) {
-    throw RunError(fmt::format(
-        "Newton's method came to an orbit of period {}, not {}: give --period {}, or another "
-        "start (a state in --at)",
-        min, wanted, min));
-  }
-  const std::optional<PeriodImage> image = map.linearize(found->state, min);
-  return make_orbit(found->state, *image, min);
+double distance_of(const VectorXd& difference, const VectorXd& sizes) {
+  return difference.cwiseQuotient(sizes).cwiseAbs().maxCoeff();
 }
 
 }  // namespace gearsweep

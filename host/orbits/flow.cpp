@@ -18,17 +18,45 @@ void Extent::take(const Eigen::VectorXd& state) {
   max = max.cwiseMax(state);
 }
 
+MaximaCount::MaximaCount(const Eigen::VectorXd& start)
+    : last_(start),
+      first_way_(static_cast<std::size_t>(start.size()), Way::none),
+      last_way_(first_way_),
+      counts_(first_way_.size(), 0) {}
+
+void MaximaCount::take(const Eigen::VectorXd& state) {
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    const double change = state[static_cast<Eigen::Index>(i)] - last_[static_cast<Eigen::Index>(i)];
+    if (change == 0.0) continue;
+    const Way way = change > 0.0 ? Way::up : Way::down;
+    if (first_way_[i] == Way::none) first_way_[i] = way;
+    if (last_way_[i] == Way::up && way == Way::down) ++counts_[i];
+    last_way_[i] = way;
+  }
+  last_ = state;
+}
+
+std::vector<std::size_t> MaximaCount::counts() const {
+  std::vector<std::size_t> counts = counts_;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (last_way_[i] == Way::up && first_way_[i] == Way::down) ++counts[i];
+  }
+  return counts;
+}
+
 Flow::Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point,
-           const PhaseGrid& grid, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents)
+           const PhaseGrid& grid, double duration, const Eigen::VectorXd& state,
+           const Eigen::MatrixXd& tangents)
     : row_at_(model.phase_rows(setting)),
       grid_(grid),
-      period_(point->period()),
+      duration_(duration),
       row_width_(model.phase_coefs.size()),
       field_(model, *point),
       held_(model, point),
       has_surfaces_(!model.surfaces.empty()),
       grazes_(model.contact_limits().size()),
       extent_{state, state},
+      maxima_(state),
       at_{state, tangents},
       start_(at_),
       moving_{at_, at_, at_},
@@ -38,7 +66,7 @@ Flow::Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point
   rows_.fill(std::vector<double>(row_width_));
 }
 
-void Flow::advance_period() {
+void Flow::advance_grid() {
   const double* coefs = grid_.coefs.data();
   double phase = 0.0;
   for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
@@ -47,12 +75,13 @@ void Flow::advance_period() {
     const double inside = phase + 0.5 * length * count;
     if (has_surfaces_) {
       const GridStep first = {coefs, phase, length, inside};
-      held_.begin(moments_of(first)(0.0).data(), length * period_, at_.state.data());
+      held_.begin(moments_of(first)(0.0).data(), length * duration_, at_.state.data());
     }
     for (std::uint32_t i = 0; i < count; ++i) {
       const GridStep step = {coefs, phase + length * i, length, inside};
       has_surfaces_ ? step_held(&held_, moments_of(step), &at_) : advance(step);
       extent_.take(at_.state);
+      maxima_.take(at_.state);
       coefs += 2 * row_width_;
     }
     phase += length * count;
@@ -61,7 +90,7 @@ void Flow::advance_period() {
 }
 
 StepMoments Flow::moments_of(const GridStep& step) const {
-  return {&row_at_, row_width_, step.phase, step.length, step.inside, period_};
+  return {&row_at_, row_width_, step.phase, step.length, step.inside, duration_};
 }
 
 void Flow::advance(const GridStep& step) {
@@ -80,7 +109,7 @@ void Flow::advance(const GridStep& step) {
 }
 
 Flow::Seen Flow::carry(const Part& part, double to, Carried* carried) {
-  const double h = (to - part.from) * part.step.length * period_;
+  const double h = (to - part.from) * part.step.length * duration_;
   const double* const first = coefs_at(part.step, part.from, &rows_[0]);
   const double* const middle = coefs_at(part.step, 0.5 * (part.from + to), &rows_[1]);
   const double* const last = coefs_at(part.step, to, &rows_[2]);
@@ -165,7 +194,7 @@ std::optional<double> Flow::share_beyond(const Part& part, std::size_t flank, co
   if (turn.clearance < bend) turn = find_turn(part, flank);
   const double distance = std::fabs(turn.clearance);
   if (distance < grazes_[flank].distance) {
-    const double h = (1.0 - part.from) * part.step.length * period_;
+    const double h = (1.0 - part.from) * part.step.length * duration_;
     grazes_[flank] = {distance, 2.0 * bend / (h * h),
                       field_.force_at(part.step.coefs, start_.state, flank),
                       field_.gradient_at(part.step.coefs, start_.state, flank)};

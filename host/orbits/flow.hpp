@@ -1,4 +1,4 @@
-// A trajectory with its derivative by the start, by the classical Runge-Kutta method on the phase
+// A trajectory with its derivative by the start, by the classical Runge-Kutta method on a phase
 // grid. Where the motion crosses a limit of the backlash inside a step, the step is cut at the
 // crossing: the field is continuous there, so nothing jumps, and the field of each part is smooth.
 // Both the state and the derivative keep fourth order.
@@ -34,13 +34,33 @@ struct Extent {
   Eigen::VectorXd swing() const { return 0.5 * (max - min); }
 };
 
+// How many maxima each state has on a closed way, at the ends of its steps.
+class MaximaCount {
+ public:
+  explicit MaximaCount(const Eigen::VectorXd& start);
+
+  void take(const Eigen::VectorXd& state);
+  // Where the way ends, it begins again.
+  std::vector<std::size_t> counts() const;
+
+ private:
+  enum class Way { none, up, down };
+
+  Eigen::VectorXd last_;
+  std::vector<Way> first_way_, last_way_;  // [state]
+  std::vector<std::size_t> counts_;
+};
+
 class Flow {
  public:
-  // From `state` at phase 0. `tangents`, one a column, travel with it; none: only the state.
+  // From `state` at phase 0. The grid takes `duration`, in dimensionless time: a forcing period, or
+  // of a model without a phase what is asked for. `tangents`, one a column, travel with the state;
+  // none: only the state.
   Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point, const PhaseGrid& grid,
-       const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
+       double duration, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
 
-  void advance_period();
+  // Through the whole grid.
+  void advance_grid();
 
   const Eigen::VectorXd& state() const { return at_.state; }
   const Eigen::MatrixXd& tangents() const { return at_.tangents; }
@@ -49,6 +69,7 @@ class Flow {
   const std::vector<Graze>& nearest_grazes() const { return grazes_; }
   // The extent of the way so far, at the ends of its steps.
   const Extent& extent() const { return extent_; }
+  const MaximaCount& maxima() const { return maxima_; }
 
  private:
   using Carried = HeldMotion;
@@ -59,7 +80,7 @@ class Flow {
   // A step of the phase grid. Places in it are told by shares of it, 0 to 1.
   struct GridStep {
     const double* coefs;   // rows at its start, middle and end
-    double phase, length;  // where it starts, and its share of the period
+    double phase, length;  // where it starts, and its share of the grid
     double inside;         // a phase within its segment
   };
   // What is left of a step from a share on, and the contact that is held.
@@ -98,13 +119,14 @@ class Flow {
 
   Model::PhaseRow row_at_;
   const PhaseGrid& grid_;
-  double period_;
+  double duration_;
   std::size_t row_width_;
   ContactField field_;
   HeldField held_;
   bool has_surfaces_;
   std::vector<Graze> grazes_;
   Extent extent_;
+  MaximaCount maxima_;
   Carried at_;     // where the trajectory is
   Carried start_;  // where the part of the step began that is being tried
   // Kept from step to step: allocating them anew costs more than a small model's right-hand side.

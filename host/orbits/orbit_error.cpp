@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "orbits/shooting.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -28,18 +30,38 @@ Eigen::VectorXd shifts(const Eigen::VectorXcd& fine, const Eigen::VectorXcd& coa
   return out;
 }
 
+// What rounding does to an equilibrium: the eigenvalues are computed again with entries of the
+// Jacobian that differ by more than theirs.
+OrbitError error_of_rest(const Orbit& orbit) {
+  Eigen::MatrixXd jacobian = orbit.monodromy;
+  for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+    for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+      jacobian(i, j) *= 1.0 + ((i + j) % 2 == 0 ? kRounding : -kRounding);
+    }
+  }
+  const Orbit other = make_equilibrium(orbit.state, jacobian, orbit.sizes);
+  const double fastest = orbit.multipliers.cwiseAbs().maxCoeff();
+  return {
+      kRounding * orbit.sizes,
+      kErrorPerChange * shifts(orbit.multipliers, other.multipliers).array() + kRounding * fastest,
+      0.0, std::nullopt};
+}
+
 }  // namespace
 
 OrbitError error_of(const Orbit& orbit, const PeriodMap& coarser) {
-  const Eigen::VectorXd none =
-      Eigen::VectorXd::Constant(orbit.state.size(), std::numeric_limits<double>::infinity());
-  OrbitError error{none, none, std::nullopt};
-  const std::optional<Orbit> coarse = shoot(coarser, orbit.state, orbit.period);
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  OrbitError error{Eigen::VectorXd::Constant(orbit.state.size(), kUnknown),
+                   Eigen::VectorXd::Constant(orbit.multipliers.size(), kUnknown), kUnknown,
+                   std::nullopt};
+  if (orbit.kind == OrbitKind::equilibrium) return error_of_rest(orbit);
+  const std::optional<Orbit> coarse = shoot_again(coarser, orbit, (orbit.steps + 1) / 2);
   if (!coarse) return error;
   // Each state's own change may be small by chance.
-  const double change =
-      (coarse->state - orbit.state).cwiseQuotient(orbit.sizes).cwiseAbs().maxCoeff();
+  const double change = distance_of(coarser.difference(coarse->state, orbit.state), orbit.sizes);
   error.state = kErrorPerChange * change * orbit.sizes + kRounding * orbit.reach;
+  error.duration =
+      kErrorPerChange * std::fabs(coarse->duration - orbit.duration) + kRounding * orbit.duration;
   const double stretch = std::max(1.0, stretch_of(orbit.monodromy, orbit.sizes));
   error.multipliers = kErrorPerChange * shifts(orbit.multipliers, coarse->multipliers).array() +
                       kRounding * stretch;

@@ -18,6 +18,7 @@ constexpr double kErrorPerChange = 2.0;
 struct OrbitError {
   Eigen::VectorXd state;        // of each state
   Eigen::VectorXd multipliers;  // of their real and imaginary parts, in the orbit's order
+  double duration = 0.0;        // of a cycle
   // How near the motion turns to a limit of a backlash, where that is nearer than the states are
   // known: their error decides if it touches. The multipliers change there with the root of the
   // distance.
@@ -26,8 +27,8 @@ struct OrbitError {
   bool grazing() const { return graze_distance.has_value(); }
 };
 
-// The error of `orbit`, found with finer steps than those of `coarser`. Infinite when no orbit is
-// found near it.
+// The error of `orbit`, found with finer steps than those of `coarser`; a cycle is computed again
+// with half of its steps. Infinite when no orbit is found near it. Equilibria know no steps.
 OrbitError error_of(const Orbit& orbit, const PeriodMap& coarser);
 
 }  // namespace gearsweep

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/error.hpp"
+#include "orbits/find_orbit.hpp"
 #include "plan/plan.hpp"
 #include "sweep/sweep.hpp"
 
@@ -71,25 +73,55 @@ std::vector<std::size_t> parameters_of(const Study& study, const Place& place) {
   return all;
 }
 
+Eigen::VectorXd vector_of(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
+}
+
 // Where the engine's trajectory is after the study's settling periods.
 std::optional<Eigen::VectorXd> end_state(const Study& study, const SweepOptions& options) {
   const std::optional<SweepResult> result = run_sweep(study, options);
   if (!result) return std::nullopt;
-  const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(
-      result->samples.data(), static_cast<Eigen::Index>(result->samples.size()));
+  const Eigen::VectorXd state = vector_of(result->samples);
   if (!state.allFinite())
     throw RunError("the trajectory diverged: there is no orbit to start from");
   return state;
 }
 
-std::size_t steps_of(const Study& study, const OrbitRequest& request) {
-  return request.steps.value_or(std::max(kMinOrbitSteps, Plan(study, 1).steps_of(0)));
+// Of a model without a phase.
+Orbit find_free(const PeriodMap& map, const Eigen::VectorXd& start, const Eigen::VectorXd& settled,
+                const CycleSearch& search) {
+  if (!search.period) {
+    if (const std::optional<Orbit> rest = find_rest(map, start, settled)) return *rest;
+  }
+  return find_cycle(map, settled, search);
 }
 
-void require_driven(const PeriodMap& map, const Model& model) {
-  if (map.driven()) return;
-  throw InputError(fmt::format(
-      "model '{}' is autonomous: floquet is for models that are driven periodically", model.name));
+// A cycle with steps that are short enough for its multiplier along itself to be 1, within reason,
+// and while that helps.
+Orbit refined(const PeriodMap& map, Orbit cycle) {
+  constexpr double kNearOne = 1e-9;
+  constexpr int kMaxDoublings = 3;
+  for (int doublings = 0; doublings < kMaxDoublings && cycle.along; ++doublings) {
+    if (std::fabs(*cycle.along - 1.0) < kNearOne) break;
+    std::optional<Orbit> finer = shoot_again(map, cycle, 2 * cycle.steps);
+    if (!finer || std::fabs(*finer->along - 1.0) > 0.5 * std::fabs(*cycle.along - 1.0)) break;
+    cycle = *std::move(finer);
+  }
+  return cycle;
+}
+
+Orbit find_unstable_rest(const PeriodMap& map, const Eigen::VectorXd& start) {
+  if (const std::optional<Orbit> rest = find_equilibrium(map, start)) return *rest;
+  throw RunError(
+      "Newton's method found no equilibrium: try a start that is nearer to one (states in --at)");
+}
+
+void require_free(const PeriodMap& map, const Model& model) {
+  if (!map.driven()) return;
+  throw InputError(
+      fmt::format("model '{}' is driven: it has no equilibria, but orbits of the forcing's period",
+                  model.name));
 }
 
 void require_smooth(const Study& study) {
@@ -142,12 +174,29 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
   const Study study = settling_study(whole, request, place);
   const Model& model = *study.model;
   require_smooth(study);
-  const PeriodMap map(model, study.setting, steps_of(study, request), options.stop);
-  require_driven(map, model);
-  const std::optional<Eigen::VectorXd> settled = end_state(study, options);
-  if (!settled) return std::nullopt;
+  const Plan plan(study, 1);
+  const std::size_t own_steps = plan.steps_of(0);
+  const std::size_t steps = request.steps.value_or(std::max(kMinOrbitSteps, own_steps));
+  const PeriodMap map(model, study.setting, steps, options.stop);
+  const Eigen::VectorXd start = vector_of(plan.own_initial_state(0));
+  std::optional<Eigen::VectorXd> settled;
+  if (request.is_equilibrium) {
+    require_free(map, model);
+  } else {
+    settled = end_state(study, options);
+    if (!settled) return std::nullopt;
+  }
   try {
-    const Orbit orbit = find_orbit(map, *settled, request.period);
+    Orbit orbit;
+    if (request.is_equilibrium) {
+      orbit = find_unstable_rest(map, start);
+    } else if (map.driven()) {
+      orbit = find_orbit(map, *settled, request.period);
+    } else {
+      const double step = map.period() / static_cast<double>(own_steps);
+      orbit = find_free(map, start, *settled, {step, steps, request.period});
+      if (!request.steps) orbit = refined(map, std::move(orbit));
+    }
     const OrbitError error =
         error_of(orbit, PeriodMap(model, study.setting, map.steps() / 2, options.stop));
     std::vector<Branch> branches;

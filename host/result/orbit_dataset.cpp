@@ -32,12 +32,14 @@ class OrbitDescription {
         study_(findings.study),
         model_(*findings.study.model),
         line_(orbits_of(findings)),
+        kind_(findings.orbit.kind),
+        spectrum_(kind_ == OrbitKind::equilibrium ? "eigenvalue" : "multiplier"),
         notes_(findings.study, varied_parameters(findings)) {}
 
   Dataset make(const Provenance& provenance) {
     add_notes(provenance);
     add_states();
-    add_count("multiplier", static_cast<std::size_t>(findings_.orbit.multipliers.size()));
+    add_count(spectrum_, static_cast<std::size_t>(findings_.orbit.multipliers.size()));
     Names along;
     if (findings_.range) {
       along = {"orbit"};
@@ -55,12 +57,16 @@ class OrbitDescription {
 
  private:
   void add_notes(const Provenance& provenance) {
-    const Nearest nearest = nearest_bifurcation(findings_.orbit);
     out_.attributes = {{"content", kContentOfOrbits}};
     for (Attribute& own : notes_.provenance(provenance)) out_.attributes.push_back(std::move(own));
-    out_.attributes.push_back({"forcing_period", findings_.forcing_period});
-    out_.attributes.push_back({"nearest_bifurcation", name_of(nearest)});
-    out_.attributes.push_back({"nearest_margin", nearest.margin});
+    out_.attributes.push_back({"kind", name_of(kind_)});
+    if (kind_ == OrbitKind::forced) {
+      out_.attributes.push_back({"forcing_period", findings_.forcing_period});
+    }
+    if (const std::optional<Nearest> nearest = nearest_bifurcation(findings_.orbit)) {
+      out_.attributes.push_back({"nearest_bifurcation", name_of(*nearest)});
+      out_.attributes.push_back({"nearest_margin", nearest->margin});
+    }
     if (!findings_.range) return;
     Names ended;
     for (const Branch& branch : findings_.branches) ended.push_back(branch.ended);
@@ -93,9 +99,11 @@ class OrbitDescription {
 
   // A parameter with the name of something else here gives way.
   std::string name_here(const std::string& parameter) const {
-    const Names own = {"orbit",   "bifurcation",      "multiplier",    "state",
-                       "period",  "stable",           "section",       "multiplier_real",
-                       "grazing", "multiplier_error", "section_error", "multiplier_imag"};
+    const Names own = {"orbit",      "bifurcation",      "multiplier",      "state",
+                       "period",     "stable",           "section",         "multiplier_real",
+                       "grazing",    "multiplier_error", "section_error",   "multiplier_imag",
+                       "eigenvalue", "eigenvalue_real",  "eigenvalue_imag", "eigenvalue_error",
+                       "cycle_time", "cycle_time_error", "multiplier_along"};
     const bool is_taken = std::find(own.begin(), own.end(), parameter) != own.end() ||
                           parameter.starts_with("state_") || parameter.starts_with("bifurcation_");
     return is_taken ? "parameter_" + parameter : parameter;
@@ -135,32 +143,52 @@ class OrbitDescription {
       for (const Orbit* orbit : orbits) append(*orbit, &numbers);
       return numbers;
     };
-    add(prefix + "period", Stored::integer, along,
-        notes_.describe("1", "period of the orbit in forcing periods"),
-        each([](const Orbit& orbit, auto* out) {
-          out->push_back(static_cast<double>(orbit.period));
-        }));
-    add(prefix + "stable", Stored::byte, along,
-        notes_.describe("", "whether no multiplier lies outside the unit circle"),
+    if (kind_ != OrbitKind::equilibrium) {
+      add(prefix + "period", Stored::integer, along, notes_.describe("1", period_meaning()),
+          each([](const Orbit& orbit, auto* out) {
+            out->push_back(static_cast<double>(orbit.period));
+          }));
+    }
+    add(prefix + "stable", Stored::byte, along, notes_.describe("", stable_meaning()),
         each([](const Orbit& orbit, auto* out) { out->push_back(orbit.stable() ? 1.0 : 0.0); }));
     Names of_states = along, of_multipliers = along;
     of_states.emplace_back("state");
-    of_multipliers.emplace_back("multiplier");
-    add(prefix + "section", Stored::real, of_states,
-        notes_.describe(model_.states, "state", "state of the orbit at phase 0"),
+    of_multipliers.push_back(spectrum_);
+    const std::string where = kind_ == OrbitKind::forced  ? "state of the orbit at phase 0"
+                              : kind_ == OrbitKind::cycle ? "a state of the cycle"
+                                                          : "the equilibrium";
+    add(prefix + "section", Stored::real, of_states, notes_.describe(model_.states, "state", where),
         each([](const Orbit& orbit, auto* out) {
           out->insert(out->end(), orbit.state.begin(), orbit.state.end());
         }));
-    add(prefix + "multiplier_real", Stored::real, of_multipliers,
-        notes_.describe("1", "real part of the multipliers"),
+
+    add(prefix + spectrum_ + "_real", Stored::real, of_multipliers,
+        notes_.describe("1", "real part of the " + spectrum_ + "s"),
         each([](const Orbit& orbit, auto* out) {
           for (const std::complex<double>& m : orbit.multipliers) out->push_back(m.real());
         }));
-    add(prefix + "multiplier_imag", Stored::real, of_multipliers,
-        notes_.describe("1", "imaginary part of the multipliers"),
+    add(prefix + spectrum_ + "_imag", Stored::real, of_multipliers,
+        notes_.describe("1", "imaginary part of the " + spectrum_ + "s"),
         each([](const Orbit& orbit, auto* out) {
           for (const std::complex<double>& m : orbit.multipliers) out->push_back(m.imag());
         }));
+    if (kind_ != OrbitKind::cycle) return;
+    add(prefix + "cycle_time", Stored::real, along,
+        notes_.describe("1", "dimensionless time of a turn of the cycle"),
+        each([](const Orbit& orbit, auto* out) { out->push_back(orbit.duration); }));
+    add(prefix + "multiplier_along", Stored::real, along,
+        notes_.describe("1", "multiplier along the cycle, which is 1 but for the steps' error"),
+        each([](const Orbit& orbit, auto* out) { out->push_back(orbit.along.value_or(1.0)); }));
+  }
+
+  std::string period_meaning() const {
+    if (kind_ == OrbitKind::forced) return "period of the orbit in forcing periods";
+    return fmt::format("maxima of {} in a turn of the cycle",
+                       model_.states[returning_state(model_)].name);
+  }
+  std::string stable_meaning() const {
+    return kind_ == OrbitKind::equilibrium ? "whether no eigenvalue has a positive real part"
+                                           : "whether no multiplier lies outside the unit circle";
   }
 
   void add_errors() {
@@ -169,9 +197,15 @@ class OrbitDescription {
     add("section_error", Stored::real, {"state"},
         notes_.describe(model_.states, "state", "error of each state" + of_start + " at most"),
         {error.state.begin(), error.state.end()});
-    add("multiplier_error", Stored::real, {"multiplier"},
-        notes_.describe("1", "error of each part of the multipliers" + of_start + " at most"),
+    add(spectrum_ + "_error", Stored::real, {spectrum_},
+        notes_.describe("1",
+                        "error of each part of the " + spectrum_ + "s" + of_start + " at most"),
         {error.multipliers.begin(), error.multipliers.end()});
+    if (kind_ == OrbitKind::cycle) {
+      add("cycle_time_error", Stored::real, {},
+          notes_.describe("", "error of the time of a turn" + of_start + " at most"),
+          {error.duration});
+    }
     add("grazing", Stored::byte, {},
         notes_.describe("", "whether the motion" + of_start + " grazes a limit of the backlash"),
         {error.grazing() ? 1.0 : 0.0});
@@ -211,6 +245,8 @@ class OrbitDescription {
   const Study& study_;
   const Model& model_;
   const OrbitLine line_;
+  const OrbitKind kind_;
+  const std::string spectrum_;  // the name of one of the numbers that decide the stability
   const FileNotes notes_;
   Names coordinates_;
   Dataset out_;

@@ -5,7 +5,7 @@
 
 #include "model/array.hpp"
 #include "model/error.hpp"
-#include "orbits/floquet.hpp"
+#include "orbits/shooting.hpp"
 #include "plan/plan.hpp"
 #include "study/builtin_models.hpp"
 #include "verify/answers.hpp"

@@ -77,6 +77,7 @@ class Session:
         along: tuple[str, float, float] | None,
         period: int | None,
         steps: int | None,
+        equilibrium: bool,
         device: str,
         call: str,
     ) -> _Described: ...

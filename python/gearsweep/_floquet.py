@@ -24,13 +24,15 @@ def floquet(
     along: tuple[str, float, float] | None = None,
     period: int | None = None,
     steps: int | None = None,
+    equilibrium: bool = False,
     set: Mapping[str, Any] | None = None,
     device: int | str | None = None,
     **place: SupportsFloat,
 ) -> xarray.Dataset:
-    """Find the periodic orbit at a point, and follow it through a parameter.
+    """Find the periodic orbit at a point, or the equilibrium, and follow it through a parameter.
 
-    The motion settles on the device; Newton's method finds the orbit, stable or not.
+    The motion settles on the device; Newton's method finds the orbit, stable or not. Where nothing
+    drives the model that is a cycle, whose time is found, too, or an equilibrium.
 
     Parameters
     ----------
@@ -45,10 +47,15 @@ def floquet(
         A parameter, and from where to where the orbit is followed: ``("omega", 0.5, 0.7)``. It
         begins where the place says, or else at the first of the two values.
     period : int, optional
-        The orbit's length in forcing periods. By default the smallest after which the motion
-        repeats, 64 at most. Finds an unstable orbit inside chaos, too.
+        The orbit's length in forcing periods, of a cycle in maxima of its first state. By default
+        the smallest after which the motion repeats, 64 at most. Finds an unstable orbit inside
+        chaos, too.
     steps : int, optional
-        Integration steps of a forcing period; by default 2048, or the study's if that is more.
+        Integration steps of a forcing period, of a cycle from one maximum to the next; by default
+        2048, or the study's if that is more.
+    equilibrium : bool, optional
+        Find the equilibrium that Newton's method comes to from the start, stable or not, of a model
+        that nothing drives.
     set : mapping of str to object, optional
         Changes of the study, as `run` takes them.
     device : int or str, optional
@@ -62,6 +69,11 @@ def floquet(
         modulus first. ``section_error`` (state) and ``multiplier_error`` (multiplier) say how far
         they may be off at most, ``grazing`` why.
 
+        ``attrs["kind"]`` is ``"forced"``, ``"cycle"`` or ``"equilibrium"``. A cycle has
+        ``cycle_time`` and ``multiplier_along``, which is 1 but for the steps' error; ``multipliers``
+        are the others, and ``period`` counts maxima. An equilibrium has ``eigenvalues``
+        (eigenvalue), largest real part first, and no period.
+
         With `along`, all orbits of the branch stand along the dimension ``orbit``, in one line
         from the first value to the second, with the parameter as a coordinate; the errors are
         those of the orbit at the start, number ``attrs["start_orbit"]``. Along the dimension
@@ -73,7 +85,7 @@ def floquet(
     Raises
     ------
     InputError
-        The study, the place or an option is wrong, or the model is autonomous.
+        The study, the place or an option is wrong.
     RunError
         There is no such orbit; the message says what to try.
     KeyboardInterrupt
@@ -95,12 +107,27 @@ def floquet(
         along=_range(along),
         period=count_of(period, "period", 1, 4096),
         steps=count_of(steps, "steps", 16, 65536),
+        equilibrium=_truth(equilibrium),
         device=device_text(device),
         call=call_text(
-            "floquet", study, at=at, along=along, period=period, steps=steps, set=set, **place
+            "floquet",
+            study,
+            at=at,
+            along=along,
+            period=period,
+            steps=steps,
+            equilibrium=equilibrium or None,
+            set=set,
+            **place,
         ),
     )
     return _with_python_types(dataset_of(*described))
+
+
+def _truth(equilibrium: Any) -> bool:
+    if not isinstance(equilibrium, bool):
+        raise InputError(f"equilibrium: True or False, not {equilibrium!r}")
+    return equilibrium
 
 
 def _range(along: Any) -> tuple[str, float, float] | None:
@@ -122,8 +149,10 @@ def _with_python_types(stored: xarray.Dataset) -> xarray.Dataset:
         elif stem != name:
             numbers = variable + 1j * stored[f"{stem}_imag"]
             meaning = "Floquet multipliers, largest modulus first"
+            if stem.endswith("eigenvalue"):
+                meaning = "eigenvalues of the Jacobian, largest real part first"
             made[f"{stem}s"] = numbers.assign_attrs(units="1", long_name=meaning)
-        elif not str(name).endswith("multiplier_imag"):
+        elif not str(name).endswith(("multiplier_imag", "eigenvalue_imag")):
             made[name] = variable
     attributes = dict(stored.attrs)
     if "start_orbit" in attributes:

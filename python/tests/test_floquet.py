@@ -168,9 +168,30 @@ def test_wrong_requests_are_refused(call, said):
     assert said in refusal(lambda: gearsweep.floquet(PENDULUM, **call))
 
 
-def test_autonomous_models_are_refused():
-    lorenz = "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [28.0]\n"
-    assert "autonomous" in refusal(lambda: gearsweep.floquet(lorenz))
+def test_a_model_that_nothing_drives_has_cycles():
+    rossler = "[model]\nname = 'rossler'\n[[axes]]\nname = 'c'\nvalues = [2.5]\n"
+    cycle = gearsweep.floquet(rossler)
+    assert cycle.attrs["kind"] == "cycle" and int(cycle.period) == 1 and bool(cycle.stable)
+    # By DOP853 at 1e-13.
+    assert float(cycle.cycle_time) == pytest.approx(5.748991183278, abs=1e-9)
+    assert cycle.multipliers.values[0] == pytest.approx(-0.769693642, abs=1e-8)
+    assert float(cycle.multiplier_along) == pytest.approx(1, abs=1e-8)
+    branch = gearsweep.floquet(rossler, along=("c", 2.5, 3.0))
+    assert branch.bifurcation_kind.values.tolist() == ["flip"]
+    assert float(branch.bifurcation_value[0]) == pytest.approx(2.83244502786, abs=1e-7)
+    assert branch.cycle_time.dims == ("orbit",)
+
+
+def test_a_model_that_nothing_drives_has_equilibria():
+    lorenz = "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [22.0]\n"
+    start = {"x": 8.0, "y": 8.0, "z": 20.0}
+    branch = gearsweep.floquet(lorenz, equilibrium=True, along=("rho", 22, 28), **start)
+    assert branch.attrs["kind"] == "equilibrium" and "period" not in branch
+    assert branch.eigenvalues.dims == ("orbit", "eigenvalue")
+    assert branch.bifurcation_kind.values.tolist() == ["Hopf"]
+    assert float(branch.bifurcation_value[0]) == pytest.approx(470 / 19, abs=1e-7)
+    assert "driven" in refusal(lambda: gearsweep.floquet(PENDULUM, equilibrium=True, **PLACE))
+    assert "True or False" in refusal(lambda: gearsweep.floquet(lorenz, equilibrium=1))
 
 
 def test_chaos_is_no_orbit_and_says_what_to_try():

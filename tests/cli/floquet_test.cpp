@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <regex>
 #include <string>
@@ -231,14 +232,35 @@ TEST(FloquetCommand, DoesNotDependOnUnits) {
   }
 }
 
-TEST(FloquetCommand, AutonomousModelsAreRefused) {
+TEST(FloquetCommand, TellsCyclesAndEquilibriaOfModelsThatNothingDrives) {
   const Folder folder;
-  folder.write("lorenz.toml",
-               "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [28.0]\n"
+  folder.write("rossler.toml",
+               "[model]\nname = 'rossler'\n[[axes]]\nname = 'c'\nvalues = [2.5]\n"
                "[observe]\nquantities = ['x_rms']\n");
-  const Outcome outcome = gearsweep(folder, "floquet lorenz.toml");
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("autonomous"));
+  folder.write("lorenz.toml",
+               "[model]\nname = 'lorenz'\n[[axes]]\nname = 'rho'\nvalues = [22.0]\n"
+               "[observe]\nquantities = ['x_rms']\n");
+  const auto floquet = [&](const std::string& arguments) {
+    return gearsweep(folder, "floquet " + arguments).out;
+  };
+  const std::string cycle = floquet("rossler.toml --along c=2.5:3");
+  EXPECT_THAT(cycle, HasSubstr("cycle with 1 maximum of x (stable), T = 5.748991183\n"));
+  EXPECT_THAT(cycle, HasSubstr("and the one along the cycle, which is 1: off by "));
+  EXPECT_THAT(cycle, HasSubstr("flip               c = 2.83244503\n"));
+  // It settles on one of the two rests.
+  const std::string rest = floquet("lorenz.toml --at rho=20 --along rho=20:28");
+  EXPECT_THAT(rest, HasSubstr("equilibrium (stable)\n"));
+  EXPECT_THAT(rest, HasSubstr("Hopf               rho = 24.73684211\n"));
+  const std::string origin = floquet("lorenz.toml --at x=0.1,y=0.1,z=0.1 --equilibrium");
+  EXPECT_THAT(origin,
+              HasSubstr("equilibrium (unstable, 1 of 3 eigenvalues with a positive real part)"));
+  const nlohmann::json json = nlohmann::json::parse(floquet("rossler.toml --json"));
+  EXPECT_EQ(json["kind"], "cycle");
+  EXPECT_NEAR(json["cycle_time"].get<double>(), 5.748991183278, 1e-9);
+  EXPECT_LT(json["cycle_time_error"].get<double>(), 1e-8);
+  const Outcome chaos = gearsweep(folder, "floquet lorenz.toml --at rho=28");
+  EXPECT_EQ(chaos.status, 1);
+  EXPECT_THAT(chaos.err, HasSubstr("does not repeat itself within 64 returns"));
 }
 
 }  // namespace

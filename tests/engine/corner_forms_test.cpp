@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "engine/exact_pieces.hpp"
-#include "orbits/floquet.hpp"
-#include "orbits/period_map.hpp"
+#include "orbits/shooting.hpp"
 #include "study/model_file.hpp"
 #include "support/run.hpp"
 

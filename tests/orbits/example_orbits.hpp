@@ -6,6 +6,7 @@
 #include <string>
 
 #include "orbits/continuation.hpp"
+#include "orbits/find_orbit.hpp"
 #include "study/builtin_models.hpp"
 #include "support/settings.hpp"
 

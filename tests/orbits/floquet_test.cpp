@@ -52,7 +52,7 @@ TEST(Floquet, AnUnstableOrbitIsFoundAllTheSame) {
   ASSERT_TRUE(orbit.has_value());
   EXPECT_EQ(orbit->unstable_count(), 1U);
   EXPECT_NEAR(orbit->monodromy.trace(), Meissner(1.97).trace, 1e-9);
-  EXPECT_EQ(nearest_bifurcation(*orbit).kind, Bifurcation::flip);
+  EXPECT_EQ(nearest_bifurcation(*orbit)->kind, Bifurcation::flip);
 }
 
 // Liouville: the multipliers' product is the exponential of the field's divergence over the orbit,

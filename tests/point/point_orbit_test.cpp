@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "model/error.hpp"
+#include "orbits/shooting.hpp"
 
 namespace gearsweep::testing {
 namespace {

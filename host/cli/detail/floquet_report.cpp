@@ -12,15 +12,23 @@
 namespace gearsweep {
 namespace {
 
+bool is_equilibrium(const Orbit& orbit) { return orbit.kind == OrbitKind::equilibrium; }
+
 std::string describe_multipliers(const OrbitFindings& findings) {
-  std::string text = "multipliers (modulus, real and imaginary part; the digits that hold)\n";
   const Orbit& orbit = findings.orbit;
+  std::string text =
+      fmt::format("{} (modulus, real and imaginary part; the digits that hold)\n",
+                  is_equilibrium(orbit) ? "eigenvalues, per unit of time" : "multipliers");
   for (Eigen::Index i = 0; i < orbit.multipliers.size(); ++i) {
     const std::complex<double>& m = orbit.multipliers[i];
     const double error = findings.error.multipliers[i];
     text += fmt::format("  {:<14} {} {}{}i\n", with_digits(std::abs(m), error),
                         with_digits(m.real(), error), m.imag() < 0.0 ? "-" : "+",
                         with_digits(std::fabs(m.imag()), error));
+  }
+  if (orbit.along) {
+    text += fmt::format("and the one along the cycle, which is 1: off by {:.1g}\n",
+                        std::fabs(*orbit.along - 1.0));
   }
   if (findings.error.grazing()) {
     text += fmt::format(
@@ -33,6 +41,12 @@ std::string describe_multipliers(const OrbitFindings& findings) {
         "steps of twice the length find no such orbit, so no digit is sure: give more --steps\n";
   }
   return text;
+}
+
+// "real part -0.03".
+std::string describe_real_part(const Nearest& nearest, double error) {
+  const std::string part = with_digits(nearest.multiplier.real(), error);
+  return part == "?" ? "no digit of its real part holds" : "real part " + part;
 }
 
 // "modulus 0.97, 0.03 inside the unit circle".
@@ -48,6 +62,42 @@ std::string describe_margin(const Nearest& nearest, double error) {
                      nearest.margin >= 0.0 ? "inside" : "outside");
 }
 
+std::string describe_stability(const Orbit& orbit) {
+  if (orbit.stable()) return "stable";
+  return fmt::format(
+      "unstable, {} of {} {}", orbit.unstable_count(), orbit.multipliers.size(),
+      is_equilibrium(orbit) ? "eigenvalues with a positive real part" : "multipliers outside");
+}
+
+// "orbit of period 2 (stable), T = 12.56637061".
+std::string describe_kind(const OrbitFindings& findings) {
+  const Orbit& orbit = findings.orbit;
+  const Model& model = *findings.study.model;
+  const std::string stability = describe_stability(orbit);
+  switch (orbit.kind) {
+    case OrbitKind::forced:
+      return fmt::format("orbit of period {} ({}), T = {:.10g}\n", orbit.period, stability,
+                         static_cast<double>(orbit.period) * findings.forcing_period);
+    case OrbitKind::cycle:
+      return fmt::format("cycle with {} {} of {} ({}), T = {}\n", orbit.period,
+                         orbit.period == 1 ? "maximum" : "maxima",
+                         model.states[returning_state(model)].name, stability,
+                         with_digits(orbit.duration, findings.error.duration));
+    case OrbitKind::equilibrium:
+      break;
+  }
+  return fmt::format("equilibrium ({})\n", stability);
+}
+
+std::string describe_nearest(const OrbitFindings& findings) {
+  const std::optional<Nearest> nearest = nearest_bifurcation(findings.orbit);
+  if (!nearest) return "";
+  const double error = findings.error.multipliers.maxCoeff();
+  return fmt::format("nearest bifurcation: {} ({})\n", name_of(*nearest),
+                     is_equilibrium(findings.orbit) ? describe_real_part(*nearest, error)
+                                                    : describe_margin(*nearest, error));
+}
+
 std::string describe_orbit(const OrbitFindings& findings) {
   std::string text;
   const Orbit& orbit = findings.orbit;
@@ -57,20 +107,13 @@ std::string describe_orbit(const OrbitFindings& findings) {
     place.push_back(fmt::format("{} = {:.10g}", axis.name, axis.values.front()));
   }
   text += fmt::format("{} at {}\n", model.name, fmt::join(place, ", "));
-  text +=
-      fmt::format("orbit of period {} ({}), T = {:.10g}\n", orbit.period,
-                  orbit.stable() ? "stable"
-                                 : fmt::format("unstable, {} of {} multipliers outside",
-                                               orbit.unstable_count(), orbit.multipliers.size()),
-                  static_cast<double>(orbit.period) * findings.forcing_period);
+  text += describe_kind(findings);
   for (Eigen::Index i = 0; i < orbit.state.size(); ++i) {
     text += fmt::format("  {:<4} {}\n", model.states[static_cast<std::size_t>(i)].name,
                         with_digits(orbit.state[i], findings.error.state[i]));
   }
   text += describe_multipliers(findings);
-  const Nearest nearest = nearest_bifurcation(orbit);
-  text += fmt::format("nearest bifurcation: {} ({})\n", name_of(nearest),
-                      describe_margin(nearest, findings.error.multipliers.maxCoeff()));
+  text += describe_nearest(findings);
   return text;
 }
 
@@ -89,17 +132,26 @@ std::string describe_branches(const OrbitFindings& findings) {
                         found.grazing ? " (the motion grazes a limit of the backlash)" : "");
   }
   for (const Branch& branch : findings.branches) {
-    text += fmt::format("  {} orbits; {}\n", branch.orbits.size(), branch.ended);
+    text += fmt::format("  {} {}; {}\n", branch.orbits.size(),
+                        is_equilibrium(findings.orbit) ? "equilibria" : "orbits", branch.ended);
   }
   return text;
 }
 
+const char* spectrum_name(const Orbit& orbit) {
+  return is_equilibrium(orbit) ? "eigenvalues" : "multipliers";
+}
+
 nlohmann::json json_of(const Orbit& orbit) {
-  nlohmann::json json = {{"period", orbit.period}, {"stable", orbit.stable()}};
+  nlohmann::json json = {
+      {"kind", name_of(orbit.kind)}, {"period", orbit.period}, {"stable", orbit.stable()}};
   json["state"] = std::vector<double>(orbit.state.begin(), orbit.state.end());
+  nlohmann::json& spectrum = json[spectrum_name(orbit)] = nlohmann::json::array();
   for (const std::complex<double>& m : orbit.multipliers) {
-    json["multipliers"].push_back({{"re", m.real()}, {"im", m.imag()}, {"abs", std::abs(m)}});
+    spectrum.push_back({{"re", m.real()}, {"im", m.imag()}, {"abs", std::abs(m)}});
   }
+  if (orbit.kind == OrbitKind::cycle) json["cycle_time"] = orbit.duration;
+  if (orbit.along) json["multiplier_along"] = *orbit.along;
   return json;
 }
 
@@ -115,15 +167,18 @@ std::string floquet_as_json(const OrbitFindings& findings) {
   json["grazing"] = findings.error.grazing();
   json["state_error"] =
       std::vector<double>(findings.error.state.begin(), findings.error.state.end());
-  for (std::size_t i = 0; i < json["multipliers"].size(); ++i) {
-    json["multipliers"][i]["error"] = findings.error.multipliers[static_cast<Eigen::Index>(i)];
+  nlohmann::json& spectrum = json[spectrum_name(findings.orbit)];
+  for (std::size_t i = 0; i < spectrum.size(); ++i) {
+    spectrum[i]["error"] = findings.error.multipliers[static_cast<Eigen::Index>(i)];
   }
+  if (findings.orbit.kind == OrbitKind::cycle) json["cycle_time_error"] = findings.error.duration;
   for (const ChannelInfo& state : model.states) json["states"].push_back(state.name);
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     json["parameters"][model.parameters[i].name] = findings.study.setting.parameters[i];
   }
-  const Nearest nearest = nearest_bifurcation(findings.orbit);
-  json["nearest"] = {{"kind", name_of(nearest)}, {"margin", nearest.margin}};
+  if (const std::optional<Nearest> nearest = nearest_bifurcation(findings.orbit)) {
+    json["nearest"] = {{"kind", name_of(*nearest)}, {"margin", nearest->margin}};
+  }
   if (findings.range) {
     json["along"] = model.parameters[findings.range->parameter].name;
     json["bifurcations"] = nlohmann::json::array();

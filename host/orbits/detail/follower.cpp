@@ -1,0 +1,151 @@
+#include "orbits/detail/follower.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace gearsweep {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMaxCorrections = 12;
+constexpr double kCorrected = 1e-12;  // residual, of the states' sizes
+constexpr double kDifference = 1e-6;  // of the range: step of the derivative by the parameter
+constexpr double kFar = 1.0;          // of an orbit without a half
+
+OrbitForm with_steps(OrbitForm form, std::size_t coarseness) {
+  form.steps = std::max<std::size_t>(form.steps / coarseness, 1);
+  return form;
+}
+
+}  // namespace
+
+Follower::Follower(const FollowRequest& request, const Orbit& start, std::size_t coarseness)
+    : request_(request),
+      coarseness_(coarseness),
+      range_(request.to - request.from),
+      form_(with_steps(form_of(start), coarseness)),
+      sizes_(start.sizes),
+      states_{start.state, start.state} {
+  if (start.kind == OrbitKind::equilibrium) sizes_ = sizes_along(start);
+}
+
+VectorXd Follower::sizes_along(const Orbit& start) const {
+  const double parameter = request_.setting.parameters[request_.parameter];
+  const VectorXd z = shooting().unknowns_of(start);
+  const std::optional<VectorXd> slope = by_parameter(parameter, z);
+  VectorXd sizes = kMinSize * start.reach;
+  if (slope) {
+    // form_.time J dx = -slope dp, states in their sizes of before.
+    const VectorXd rates = sizes_.cwiseProduct(*slope) / form_.time;
+    const VectorXd change = start.monodromy.fullPivLu().solve(-rates) * range_;
+    if (change.allFinite()) sizes = sizes.cwiseMax(change.cwiseAbs());
+  }
+  return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
+}
+
+BranchPoint Follower::grow_to(const BranchPoint& s) {
+  const VectorXd before = sizes_;
+  const double time_before = form_.time;
+  if (form_.kind == OrbitKind::equilibrium) {
+    states_.take(s.orbit.state);
+    sizes_ = sizes_.cwiseMax(2.0 * states_.swing());
+  } else {
+    sizes_ = sizes_.cwiseMax(s.orbit.sizes);
+  }
+  if (form_.kind == OrbitKind::cycle) form_.time = s.orbit.duration;
+  const auto told = [&](const VectorXd& z) {
+    VectorXd out = z;
+    out.head(sizes_.size()).array() *= before.array() / sizes_.array();
+    if (form_.kind == OrbitKind::cycle) out[sizes_.size()] *= time_before / form_.time;
+    return out;
+  };
+  return {told(s.z), told(s.tangent).normalized(), s.orbit, s.iterations};
+}
+
+std::optional<BranchPoint> Follower::start(const Orbit& orbit) const {
+  const double parameter = request_.setting.parameters[request_.parameter];
+  const VectorXd unknowns = shooting().unknowns_of(orbit);
+  VectorXd z(unknowns.size() + 1);
+  z << unknowns, parameter / range_;
+  VectorXd along = VectorXd::Zero(z.size());
+  along[z.size() - 1] = request_.upwards ? 1.0 : -1.0;
+  return correct(z, along);
+}
+
+double Follower::half_return(const BranchPoint& s) const {
+  std::optional<VectorXd> half;
+  const PeriodMap map = map_at(parameter_of(s));
+  if (form_.kind == OrbitKind::forced && form_.period % 2 == 0) {
+    half = map.advance(s.orbit.state, form_.period / 2);
+  } else if (form_.kind == OrbitKind::cycle) {
+    half = map.advance(s.orbit.state, TimeSpan{0.5 * s.orbit.duration, (form_.steps + 1) / 2});
+  }
+  return half ? distance_of(map.difference(*half, s.orbit.state), sizes_) : kFar;
+}
+
+double Follower::extent_of(const BranchPoint& s) const {
+  return s.orbit.sizes.cwiseQuotient(sizes_).maxCoeff();
+}
+
+std::optional<BranchPoint> Follower::correct(const VectorXd& guess, const VectorXd& along) const {
+  VectorXd z = guess;
+  const Shooting shot = shooting();
+  const Index unknowns = shot.unknowns();
+  if (!allowed(guess[unknowns] * range_)) return std::nullopt;
+  const PhasePlane plane = shot.plane_at(map_at(guess[unknowns] * range_), guess.head(unknowns));
+  for (int iteration = 0; iteration <= kMaxCorrections; ++iteration) {
+    const double parameter = z[unknowns] * range_;
+    if (!allowed(parameter)) return std::nullopt;
+    const PeriodMap map = map_at(parameter);
+    const auto at = shot.at(map, z.head(unknowns), plane);
+    const std::optional<VectorXd> slope = by_parameter(parameter, z.head(unknowns));
+    if (!at || !slope) return std::nullopt;
+    MatrixXd bordered = MatrixXd::Zero(unknowns + 1, unknowns + 1);
+    bordered.topLeftCorner(unknowns, unknowns) = at->slope;
+    bordered.topRightCorner(slope->size(), 1) = range_ * *slope;
+    bordered.bottomRows(1) = along.transpose();
+    const Eigen::FullPivLU<MatrixXd> solver(bordered);
+    VectorXd residual(unknowns + 1), allowed_residual(unknowns + 1);
+    residual << at->residual, along.dot(z - guess);
+    allowed_residual << kCorrected * at->rounding, kCorrected;
+    if ((residual.cwiseAbs().array() <= allowed_residual.array()).all()) {
+      const VectorXd tangent = solver.solve(VectorXd::Unit(unknowns + 1, unknowns));
+      return BranchPoint{z, tangent.normalized(), shot.orbit_at(map, z.head(unknowns), at->image),
+                         iteration};
+    }
+    z -= solver.solve(residual);
+    if (!z.allFinite()) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+ModelSetting Follower::setting_at(double parameter) const {
+  ModelSetting setting = request_.setting;
+  setting.parameters[request_.parameter] = parameter;
+  return setting;
+}
+
+bool Follower::allowed(double parameter) const {
+  const ParameterInfo& info = request_.model->parameters[request_.parameter];
+  return parameter >= info.min && parameter <= info.max &&
+         request_.model->check(setting_at(parameter)).empty();
+}
+
+PeriodMap Follower::map_at(double parameter) const {
+  return {*request_.model, setting_at(parameter), request_.steps / coarseness_, request_.stop};
+}
+
+std::optional<VectorXd> Follower::by_parameter(double parameter, const VectorXd& z) const {
+  const double high = allowed(parameter + kDifference * range_) ? kDifference * range_ : 0.0;
+  const double low = allowed(parameter - kDifference * range_) ? kDifference * range_ : 0.0;
+  const std::optional<VectorXd> after = shooting().image(map_at(parameter + high), z);
+  const std::optional<VectorXd> before = shooting().image(map_at(parameter - low), z);
+  if (!after || !before) return std::nullopt;
+  return (*after - *before) / (high + low);
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,264 @@
+#include "orbits/find_orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::size_t kGuesses = 8;         // of an orbit inside chaos
+constexpr double kSameOrbit = 1e-8;         // of the states' sizes: two states of one orbit
+constexpr double kSameCycle = 1e-6;         // the same where steps differ
+constexpr double kArrived = 1e-4;           // of the way from the start to an equilibrium
+constexpr double kRest = 1e-12;             // of states' magnitudes
+constexpr std::size_t kMaxSteps = 1 << 21;  // in search of returns
+
+RunError left_range() {
+  return RunError("the trajectory left the finite range while an orbit was looked for");
+}
+
+// A state of a trajectory that others are compared with, and when it was there: in periods of the
+// forcing, or dimensionless time.
+struct Visit {
+  VectorXd state;
+  double time = 0.0;
+};
+using Visits = std::vector<Visit>;
+
+// The smallest divisor of the orbit's period after which the state is back.
+std::size_t min_period(const PeriodMap& map, const Orbit& orbit) {
+  VectorXd state = orbit.state;
+  for (std::size_t divisor = 1; divisor < orbit.period; ++divisor) {
+    const std::optional<VectorXd> next = map.advance(state, 1);
+    if (!next) break;
+    state = *next;
+    if (orbit.period % divisor == 0 &&
+        distance_of(map.difference(state, orbit.state), orbit.sizes) < kSameOrbit) {
+      return divisor;
+    }
+  }
+  return orbit.period;
+}
+
+// The states at phase 0 of a trajectory, its start first.
+Visits section(const PeriodMap& map, const VectorXd& start, std::size_t periods) {
+  Visits visits = {{start, 0.0}};
+  while (visits.size() <= periods) {
+    std::optional<VectorXd> next = map.advance(visits.back().state, 1);
+    if (!next) throw left_range();
+    visits.push_back({*std::move(next), static_cast<double>(visits.size())});
+  }
+  return visits;
+}
+
+// The sizes of states on a trajectory, of which `visits` are a section.
+VectorXd sizes_of_section(const PeriodMap& map, const Visits& visits) {
+  std::optional<PeriodImage> image = map.linearize(visits.back().state, 1);
+  if (!image) throw left_range();
+  for (const Visit& visit : visits) image->extent.take(visit.state);
+  return sizes_of(*image);
+}
+
+// The smallest period after which the last state of a trajectory repeats an earlier one. Close
+// returns come first: a coarse tolerance would take an orbit that has just doubled for the one
+// before. 0 when there is none.
+std::size_t return_period(const PeriodMap& map, const Visits& visits, const VectorXd& sizes) {
+  const VectorXd& last = visits.back().state;
+  for (int digits = 9; digits >= 3; --digits) {
+    const double tolerance = std::pow(10.0, -digits);
+    for (std::size_t period = 1; period < visits.size(); ++period) {
+      const VectorXd& earlier = visits[visits.size() - 1 - period].state;
+      if (distance_of(map.difference(last, earlier), sizes) < tolerance) return period;
+    }
+  }
+  return 0;
+}
+
+// Where a trajectory comes back most nearly after `period` visits, the best first.
+std::vector<std::size_t> closest_returns(const PeriodMap& map, const Visits& visits,
+                                         const VectorXd& sizes, std::size_t period) {
+  std::vector<std::pair<double, std::size_t>> moved;
+  for (std::size_t i = 0; i + period < visits.size(); ++i) {
+    const VectorXd way = map.difference(visits[i + period].state, visits[i].state);
+    moved.emplace_back(distance_of(way, sizes), i);
+  }
+  std::sort(moved.begin(), moved.end());
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < std::min(kGuesses, moved.size()); ++i) {
+    out.push_back(moved[i].second);
+  }
+  return out;
+}
+
+RunError no_return(std::size_t count, const std::string& unit) {
+  return RunError(
+      fmt::format("the trajectory does not repeat itself within {} {}: it is chaotic, or not "
+                  "settled (raise integrate.settle). An unstable orbit inside chaos can be found "
+                  "with --period",
+                  count, unit));
+}
+
+RunError no_orbit(std::size_t period) {
+  return RunError(
+      fmt::format("Newton's method found no orbit of period {}: try a longer integrate.settle, "
+                  "another --period, or more --steps",
+                  period));
+}
+
+RunError other_period(std::size_t found, std::size_t wanted) {
+  return RunError(fmt::format(
+      "Newton's method came to an orbit of period {}, not {}: give --period {}, or another start "
+      "(a state in --at)",
+      found, wanted, found));
+}
+
+// The visits of a motion to the maxima of one state.
+class Maxima {
+ public:
+  Maxima(const PeriodMap& map, const VectorXd& start, double step)
+      : map_(map),
+        state_(static_cast<Eigen::Index>(returning_state(map.model()))),
+        step_(step),
+        here_{start, 0.0},
+        extent_{start, start} {}
+
+  // The next ones; RunError that says so where there are none.
+  void visit(std::size_t count) {
+    const auto& states = map_.model().states;
+    double slope = slope_at(here_.state);
+    for (std::size_t steps = 0; visits_.size() < count; ++steps) {
+      if (steps == kMaxSteps) {
+        throw RunError(
+            fmt::format("in {} steps the motion comes to no {} maxima of {}: there is "
+                        "nothing to tell a cycle by",
+                        kMaxSteps, count, states[static_cast<std::size_t>(state_)].name));
+      }
+      Visit next = after(step_);
+      const double next_slope = slope_at(next.state);
+      if (slope > 0.0 && next_slope <= 0.0) visits_.push_back(turn_within());
+      here_ = std::move(next);
+      slope = next_slope;
+      extent_.take(here_.state);
+    }
+  }
+  const Visits& visits() const { return visits_; }
+  // Of the way so far.
+  VectorXd sizes() const { return sizes_of(extent_); }
+
+ private:
+  double slope_at(const VectorXd& state) const { return map_.rate(state)[state_]; }
+  Visit after(double time) const {
+    std::optional<VectorXd> next = map_.advance(here_.state, TimeSpan{time, 1});
+    if (!next) throw left_range();
+    return {*std::move(next), here_.time + time};
+  }
+  Visit turn_within() const {
+    double low = 0.0, high = step_;
+    for (double middle = 0.5 * step_; low < middle && middle < high; middle = 0.5 * (low + high)) {
+      (slope_at(after(middle).state) > 0.0 ? low : high) = middle;
+    }
+    return after(high);
+  }
+
+  const PeriodMap& map_;
+  Eigen::Index state_;
+  double step_;
+  Visit here_;
+  Extent extent_;
+  Visits visits_;
+};
+
+// The shortest share of a cycle, of those that a whole number of its returns make, after which it
+// is back.
+Orbit shortest_of(const PeriodMap& map, const Orbit& cycle) {
+  for (std::size_t times = cycle.period; times > 1; --times) {
+    if (cycle.period % times != 0) continue;
+    const TimeSpan share = {cycle.duration / static_cast<double>(times),
+                            (cycle.steps + times - 1) / times};
+    const std::optional<VectorXd> there = map.advance(cycle.state, share);
+    if (!there || distance_of(map.difference(*there, cycle.state), cycle.sizes) > kSameCycle) {
+      continue;
+    }
+    if (const std::optional<Orbit> found = shoot_cycle(map, cycle.state, share)) return *found;
+  }
+  return cycle;
+}
+
+// How far a motion that begins as far from an equilibrium as `way` may go, by the largest
+// eigenvalue and by what states do to each other: a velocity that is 0 at the start is not later.
+VectorXd reach_of_way(const VectorXd& way, const Orbit& rest) {
+  const double fastest = rest.multipliers.cwiseAbs().maxCoeff();
+  VectorXd reach = way.cwiseAbs();
+  for (Eigen::Index i = 0; i < way.size() && fastest > 0.0; ++i) {
+    reach = reach.cwiseMax(rest.monodromy.cwiseAbs() * reach / fastest);
+  }
+  return reach;
+}
+
+}  // namespace
+
+Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<std::size_t> period) {
+  const Visits visits = section(map, settled, kLongestPeriod + 4 * period.value_or(0));
+  const VectorXd sizes = sizes_of_section(map, visits);
+  const std::size_t wanted = period ? *period : return_period(map, visits, sizes);
+  if (wanted == 0) throw no_return(kLongestPeriod, "periods");
+  std::optional<Orbit> found;
+  if (!period) {
+    found = shoot(map, visits.back().state, wanted);
+  } else {
+    for (const std::size_t from : closest_returns(map, visits, sizes, wanted)) {
+      if (!found) found = shoot(map, visits[from].state, wanted);
+    }
+  }
+  if (!found) throw no_orbit(wanted);
+  const std::size_t min = min_period(map, *found);
+  if (min == wanted) return *found;
+  if (period) throw other_period(min, wanted);
+  const std::optional<PeriodImage> image = map.linearize(found->state, min);
+  return make_orbit(found->state, *image, min);
+}
+
+Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearch& search) {
+  Maxima maxima(map, settled, search.step);
+  maxima.visit(kLongestPeriod + 1 + 4 * search.period.value_or(0));
+  const Visits& visits = maxima.visits();
+  const VectorXd sizes = maxima.sizes();
+  const std::size_t wanted = search.period ? *search.period : return_period(map, visits, sizes);
+  if (wanted == 0) throw no_return(kLongestPeriod, "returns");
+  std::vector<std::size_t> guesses = {visits.size() - 1 - wanted};
+  if (search.period) guesses = closest_returns(map, visits, sizes, wanted);
+  std::optional<Orbit> found;
+  for (const std::size_t from : guesses) {
+    if (found) break;
+    const double duration = visits[from + wanted].time - visits[from].time;
+    const double asked =
+        std::max(std::ceil(duration / search.step), static_cast<double>(search.steps * wanted));
+    // Angles may have gone around often.
+    const VectorXd guess = map.difference(visits[from].state, VectorXd::Zero(settled.size()));
+    found = shoot_cycle(map, guess, {duration, static_cast<std::size_t>(asked)});
+  }
+  if (!found) throw no_orbit(wanted);
+  const Orbit cycle = shortest_of(map, *found);
+  if (search.period && cycle.period != wanted) throw other_period(cycle.period, wanted);
+  return cycle;
+}
+
+std::optional<Orbit> find_rest(const PeriodMap& map, const VectorXd& start,
+                               const VectorXd& settled) {
+  std::optional<Orbit> rest = find_equilibrium(map, settled);
+  if (!rest || !rest->stable()) return std::nullopt;
+  const VectorXd left = map.difference(settled, rest->state).cwiseAbs();
+  const VectorXd allowed = kArrived * reach_of_way(map.difference(start, rest->state), *rest);
+  if ((left.array() > allowed.cwiseMax(kRest * rest->reach).array()).any()) return std::nullopt;
+  return rest;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,174 @@
+// Cycles and equilibria of models that nothing drives, against closed forms and SciPy.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "model/error.hpp"
+#include "orbits/example_orbits.hpp"
+#include "orbits/orbit_error.hpp"
+#include "study/model_file.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The cycle that a motion from states of 1 comes to in `time`.
+Orbit cycle_of(const Example& example, double time, std::optional<std::size_t> period = {}) {
+  const double step = 0.02;
+  const PeriodMap map = example.map(2048);
+  const auto states = static_cast<Eigen::Index>(example.model->states.size());
+  const Eigen::VectorXd settled = map.advance(Eigen::VectorXd::Ones(states),
+                                              TimeSpan{time, static_cast<std::size_t>(time / step)})
+                                      .value();
+  return find_cycle(map, settled, {step, 2048, period});
+}
+
+Orbit rest_of(const Example& example, const std::vector<double>& near) {
+  return find_equilibrium(example.map(), Eigen::Map<const Eigen::VectorXd>(
+                                             near.data(), static_cast<Eigen::Index>(near.size())))
+      .value();
+}
+
+// Shooting with DOP853 at 1e-13.
+TEST(Cycles, OfRoesslersFlowHaveTheirTimeAndMultipliers) {
+  const Orbit cycle = cycle_of(Example("rossler", {{"c", 2.5}}), 500.0);
+  EXPECT_EQ(cycle.kind, OrbitKind::cycle);
+  EXPECT_EQ(cycle.period, 1U);
+  EXPECT_NEAR(cycle.duration, 5.748991183278, 1e-10);
+  ASSERT_EQ(cycle.multipliers.size(), 2);
+  EXPECT_NEAR(cycle.multipliers[0].real(), -0.769693642, 1e-9);
+  EXPECT_NEAR(cycle.multipliers[1].real(), -5.17430e-6, 1e-10);
+  EXPECT_NEAR(cycle.along.value(), 1.0, 1e-8);
+  EXPECT_NEAR(cycle_of(Example("rossler", {{"c", 3.5}}), 500.0).duration, 11.545218288, 1e-8);
+  const Orbit four = cycle_of(Example("rossler", {{"c", 4.0}}), 2000.0);
+  EXPECT_EQ(four.period, 4U);
+  EXPECT_NEAR(four.duration, 23.177001056, 1e-7);
+}
+
+TEST(Cycles, AreFoundInsideChaos) {
+  const Example chaos("rossler", {{"c", 5.7}});
+  EXPECT_THROW(cycle_of(chaos, 200.0), RunError);
+  const Orbit inside = cycle_of(chaos, 200.0, 1);
+  EXPECT_EQ(inside.unstable_count(), 1U);
+  // P. Cvitanovic et al., Chaos: Classical and Quantum, the shortest cycle of this flow.
+  EXPECT_NEAR(inside.duration, 5.88108845586, 1e-7);
+  EXPECT_NEAR(inside.multipliers[0].real(), -2.40395353, 1e-6);
+}
+
+TEST(Cycles, DoubleWhereAMultiplierIsMinusOne) {
+  const Example example("rossler", {{"c", 2.7}});
+  const Branch branch = example.follow(cycle_of(example, 500.0), "c", 2.4, 3.4, true);
+  ASSERT_EQ(branch.bifurcations.size(), 1U);
+  EXPECT_EQ(branch.bifurcations[0].kind, Bifurcation::flip);
+  // By DOP853 at 1e-13, and Brent's method.
+  EXPECT_NEAR(branch.bifurcations[0].parameter, 2.83244502786, 1e-8);
+  // The doubled cycle begins there.
+  const Example doubled("rossler", {{"c", 3.2}});
+  const Branch back = doubled.follow(cycle_of(doubled, 500.0), "c", 2.6, 3.6, false);
+  ASSERT_EQ(back.bifurcations.size(), 1U);
+  EXPECT_EQ(back.bifurcations[0].kind, Bifurcation::flip);
+  EXPECT_EQ(back.bifurcations[0].born_of, 1U);
+  EXPECT_NEAR(back.bifurcations[0].parameter, 2.83244502786, 1e-6);
+}
+
+// The eigenvalues of the Brusselator's rest at (a, b/a) have the real part (b - 1 - a^2)/2. Over a
+// cycle the divergence is -1.157973 in the mean, by DOP853.
+TEST(Cycles, AreBornAtHopfBifurcations) {
+  const Example example("brusselator", {{"b", 2.5}});
+  const Orbit cycle = cycle_of(example, 200.0);
+  const Branch branch = example.follow(cycle, "b", 1.5, 3.0, false);
+  ASSERT_EQ(branch.bifurcations.size(), 1U);
+  EXPECT_EQ(branch.bifurcations[0].kind, Bifurcation::hopf);
+  EXPECT_NEAR(branch.bifurcations[0].parameter, 2.0, 1e-9);
+  EXPECT_LE(std::fabs(branch.bifurcations[0].parameter - 2.0), branch.bifurcations[0].error);
+  EXPECT_THAT(branch.ended, HasSubstr("shrinks to an equilibrium"));
+  const Orbit wide = cycle_of(Example("brusselator", {{"b", 3.0}}), 200.0);
+  EXPECT_NEAR(wide.duration, 7.156919921, 1e-7);
+  EXPECT_NEAR(std::log(wide.multipliers[0].real()) / wide.duration, -1.157973, 1e-4);
+}
+
+constexpr const char* kRotor = R"toml([model]
+name = "rotor"
+[states]
+q = { angle = true }
+w = { start = 5.0 }
+[parameters]
+torque = 1.5
+friction = 0.3
+[equations]
+q = "w"
+w = "torque - friction*w - sin(q)"
+)toml";
+
+// A pendulum that goes over: divergence is that of friction, so its multiplier is exp(-friction T),
+// and over a turn friction takes what the torque gives: the integral of w^2 is torque 2
+// pi/friction.
+TEST(Cycles, MayGoRoundAnAngle) {
+  const auto model = read_model_text(kRotor, "rotor.toml");
+  const ModelSetting setting = model->default_setting();
+  const PeriodMap map(*model, setting, 2048);
+  EXPECT_FALSE(map.driven());
+  const Eigen::VectorXd settled =
+      map.advance(Eigen::Vector2d(0.0, 5.0), TimeSpan{100.0, 10000}).value();
+  const Orbit cycle = find_cycle(map, settled, {0.01, 2048, {}});
+  EXPECT_NEAR(cycle.multipliers[0].real(), std::exp(-0.3 * cycle.duration), 1e-10);
+  double work = 0.0;
+  Eigen::VectorXd state = cycle.state;
+  constexpr std::size_t kParts = 400;
+  for (std::size_t i = 0; i < kParts; ++i) {
+    work += state[1] * state[1] * cycle.duration / kParts;
+    state = map.advance(state, TimeSpan{cycle.duration / kParts, 10}).value();
+  }
+  EXPECT_NEAR(work, 1.5 * 2.0 * std::numbers::pi / 0.3, 1e-8);
+  EXPECT_NEAR(state[0] - cycle.state[0], 2.0 * std::numbers::pi, 1e-9);
+  // Without enough torque it hangs, at asin(torque), and does so up to the torque 1.
+  ModelSetting weak = setting;
+  weak.parameters[0] = 0.7;
+  const Orbit hangs =
+      find_equilibrium(PeriodMap(*model, weak, 64), Eigen::Vector2d(0.5, 0.0)).value();
+  EXPECT_NEAR(hangs.state[0], std::asin(0.7), 1e-13);
+  const Branch branch = follow_orbit({model.get(), weak, 0, 0.1, 2.0, 64, true}, hangs);
+  ASSERT_EQ(branch.bifurcations.size(), 1U);
+  EXPECT_EQ(branch.bifurcations[0].kind, Bifurcation::fold);
+  EXPECT_NEAR(branch.bifurcations[0].parameter, 1.0, 1e-9);
+}
+
+TEST(Equilibria, OfLorenzFlowChangeWhereTheyShould) {
+  const Example example("lorenz", {{"rho", 22.0}});
+  const Orbit rest = rest_of(example, {8.0, 8.0, 20.0});
+  const double side = std::sqrt(8.0 / 3.0 * 21.0);
+  EXPECT_EQ(rest.kind, OrbitKind::equilibrium);
+  EXPECT_NEAR(rest.state[0], side, 1e-12);
+  EXPECT_NEAR(rest.state[2], 21.0, 1e-12);
+  EXPECT_TRUE(rest.stable());
+  const Branch up = example.follow(rest, "rho", 0.5, 28.0, true);
+  ASSERT_EQ(up.bifurcations.size(), 1U);
+  EXPECT_EQ(up.bifurcations[0].kind, Bifurcation::hopf);
+  EXPECT_NEAR(up.bifurcations[0].parameter, 470.0 / 19.0, 1e-8);
+  // It comes out of the other rest, at 0, of which it is one of two.
+  const Branch down = example.follow(rest, "rho", 0.5, 28.0, false);
+  ASSERT_EQ(down.bifurcations.size(), 1U);
+  EXPECT_EQ(down.bifurcations[0].kind, Bifurcation::branching);
+  EXPECT_NEAR(down.bifurcations[0].parameter, 1.0, 1e-6);
+  EXPECT_THAT(down.ended, HasSubstr("begins near"));
+  const Orbit origin = rest_of(example, {0.1, 0.1, 0.2});
+  EXPECT_EQ(origin.unstable_count(), 1U);
+  // (-11 + sqrt(121 + 40 (rho - 1)))/2
+  EXPECT_NEAR(origin.multipliers[0].real(), 10.0, 1e-9);
+}
+
+TEST(Equilibria, AreNotWhereNothingIsBalanced) {
+  const Example example("lorenz", {{"rho", 22.0}});
+  const OrbitError error = error_of(rest_of(example, {8.0, 8.0, 20.0}), example.map());
+  EXPECT_LT(error.state.maxCoeff(), 1e-9);
+  EXPECT_LT(error.multipliers.maxCoeff(), 1e-9);
+  // A driven model has none: find_rest() and find_equilibrium() are for the others.
+  EXPECT_TRUE(Example("duffing", {}).map().driven());
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
