@@ -33,8 +33,22 @@ struct HeldField::Sliding {
   VectorXd base, share;
   MatrixXd turn, gain;  // [state][surface], [held value][surface]
   RowMajor gradients;   // of what is held
+  // The share of a jump that holds what a surface holds that the motion rests against, as dry
+  // friction does of a mass at a wall. What each of them does cannot be told; the wall lets the
+  // mass go on one side alone, and the jump is on that side.
+  std::vector<std::optional<double>> bound;
 
   VectorXd field() const { return base + turn * share; }
+  // What gain times the result is, row by row, but for what is bound: that is 0.
+  MatrixXd solve(MatrixXd wanted) const {
+    MatrixXd left = gain;
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+      if (!bound[i]) continue;
+      left.row(index(i)) = MatrixXd::Identity(left.rows(), left.cols()).row(index(i));
+      wanted.row(index(i)).setZero();
+    }
+    return left.partialPivLu().solve(wanted);
+  }
 };
 
 HeldField::HeldField(const Model& model, PreparedPoint* point)
@@ -108,6 +122,7 @@ void HeldField::find_sides(const std::vector<std::size_t>& surfaces,
   for (const std::size_t k : surfaces) begin_at(k, levels[k], coefs, x);
   has_slid_ = has_slid_ || slides();
   point_->hold(sides_);
+  if (rests()) bind(coefs, x);
 }
 
 void HeldField::begin_at(std::size_t k, double level, const double* coefs, const double* x) {
@@ -175,8 +190,62 @@ HeldField::Sliding HeldField::sliding(const double* coefs, const double* x) {
     rest[i] = -drifts[k] - out.gradients.row(i).dot(out.base);
   }
   out.gain = out.gradients * out.turn;
-  out.share = out.gain.partialPivLu().solve(rest);
+  find_bound(&out);
+  VectorXd edges = VectorXd::Zero(count);
+  for (Index i = 0; i < count; ++i) edges[i] = out.bound[static_cast<std::size_t>(i)].value_or(0.0);
+  out.share = edges + out.solve(rest - out.gain * edges);
   return out;
+}
+
+void HeldField::find_bound(Sliding* sliding) const {
+  constexpr double kSame = 1e-9;
+  const MatrixXd& gain = sliding->gain;
+  const auto resets = [&](Index i) {
+    return model_.surfaces[sliding->surfaces[static_cast<std::size_t>(i)]].resets;
+  };
+  sliding->bound.assign(sliding->surfaces.size(), std::nullopt);
+  for (Index jump = 0; jump < gain.rows(); ++jump) {
+    for (Index wall = 0; wall < gain.rows() && !resets(jump); ++wall) {
+      if (!resets(wall)) continue;
+      const double both = gain(jump, jump) * gain(wall, wall);
+      if (both == 0.0 ||
+          std::fabs(both - gain(jump, wall) * gain(wall, jump)) > kSame * std::fabs(both)) {
+        continue;
+      }
+      // Away from the wall its rate falls.
+      sliding->bound[static_cast<std::size_t>(jump)] =
+          gain(jump, wall) / gain(wall, wall) > 0.0 ? 0.0 : 1.0;
+    }
+  }
+}
+
+// Where the motion rests against a surface, the jumps that it is at and that hold the same.
+void HeldField::bind(const double* coefs, const double* x) {
+  const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1);
+  for (std::size_t k = 0; k < slides_.size(); ++k) {
+    if (model_.surfaces[k].resets) continue;
+    const bool slid = slides_[k];
+    const double side = sides_[k];
+    sides_[k] = model_.surfaces[k].is_staircase ? std::rint(levels[k]) : 1.0;
+    slides_[k] = true;
+    const Sliding along = sliding(coefs, x);
+    const auto place = std::ranges::find(along.surfaces, k) - along.surfaces.begin();
+    const double reach = kNear * step_ * std::fabs(along.gain(place, place));
+    if (along.bound[static_cast<std::size_t>(place)] &&
+        std::fabs(levels[k] - level_of(k, sides_[k])) <= reach) {
+      continue;
+    }
+    slides_[k] = slid;
+    sides_[k] = side;
+  }
+  point_->hold(sides_);
+}
+
+bool HeldField::rests() const {
+  for (std::size_t k = 0; k < slides_.size(); ++k) {
+    if (slides_[k] && model_.surfaces[k].resets) return true;
+  }
+  return false;
 }
 
 void HeldField::rhs(const double* coefs, const double* x, double* dx) {
@@ -215,7 +284,7 @@ void HeldField::jacobian(const double* coefs, const double* x, double* out) {
         dx.transpose() * bend + VectorXd::Map(drifting.data() + k * states_, states).transpose();
   }
   shift += along.gradients * mixed;
-  RowMajor::Map(out, states, states) = mixed - along.turn * along.gain.partialPivLu().solve(shift);
+  RowMajor::Map(out, states, states) = mixed - along.turn * along.solve(shift);
 }
 
 void HeldField::signals(const double* coefs, const double* x, double* out) {
@@ -374,6 +443,7 @@ void HeldField::rebound(const Met& met, double level_there, const double* coefs,
   if (push <= 0.0 || 2.0 * std::fabs(rate) > kShortFlight * step_ * push) return;
   slides_[surface] = has_slid_ = true;
   put_back(coefs, x);
+  bind(coefs, x);
 }
 
 // What rests on a surface has no other level, either. How much of it there is left when impacts end
@@ -390,7 +460,7 @@ void HeldField::settle(const double* coefs, HeldMotion* motion) {
     w -= (level * (level.transpose() * w) / level.squaredNorm()).eval();
   }
   const Sliding along = sliding(coefs, x);
-  w -= (along.turn * along.gain.partialPivLu().solve(along.gradients * w)).eval();
+  w -= (along.turn * along.solve(along.gradients * w)).eval();
   // What is left of one that is lost whole is rounding.
   for (Index j = 0; j < w.cols(); ++j) {
     if (w.col(j).cwiseAbs().maxCoeff() < kLost * given.col(j).cwiseAbs().maxCoeff()) {
@@ -413,7 +483,7 @@ void HeldField::put_back(const double* coefs, double* x) {
     const std::size_t k = along.surfaces[static_cast<std::size_t>(i)];
     off[i] = level_of(k, sides_[k]) - at[k];
   }
-  state += along.turn * along.gain.partialPivLu().solve(off);
+  state += along.turn * along.solve(off);
   // What sticks is at rest: what is left of a velocity is rounding of what a step adds to it.
   for (Index i = 0; i < states; ++i) {
     double added = std::fabs(along.base[i]);

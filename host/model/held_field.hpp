@@ -83,6 +83,9 @@ class HeldField {
                                  const double* x);
   std::vector<double> sides_below() const;
   Sliding sliding(const double* coefs, const double* x);
+  void find_bound(Sliding* sliding) const;
+  void bind(const double* coefs, const double* x);
+  bool rests() const;  // against a surface where the state is reset
   // The level of a surface between two sides, of which this is the one above.
   double level_of(std::size_t surface, double above) const;
   // By the state alone, as begin() does; levels: of all surfaces.

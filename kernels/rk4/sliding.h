@@ -18,6 +18,9 @@ typedef struct {
   // [j][k] What turn k adds to the rate of what surface j holds.
   real gain[MODEL_SURFACES][MODEL_SURFACES];
   real share[MODEL_SURFACES];
+  // Of a jump that holds what a surface holds that the motion rests against: its share is `edge`.
+  mask bound[MODEL_SURFACES];
+  real edge[MODEL_SURFACES];
 } Sliding;
 
 SHARED_FN mask sliding_any(const ModelPoint* point) {
@@ -27,17 +30,47 @@ SHARED_FN mask sliding_any(const ModelPoint* point) {
   return any;
 }
 
-// Solves gain v = v for what the motion slides along; v is 0 of the others.
-SHARED_FN void sliding_solve(const ModelPoint* point, const Sliding* sliding, real* v) {
+// Of two gains of a pair of surfaces that hold the same.
+#define SLIDING_SAME ((scalar)(REAL_BITS == 64 ? 1e-9 : 1e-4))
+
+// Dry friction of a mass that rests against a wall holds its speed, as the wall does: what each of
+// them does cannot be told. The wall lets it go on one side alone, so friction is that of this
+// side.
+SHARED_FN void sliding_bind(const ModelPoint* point, Sliding* sliding) {
+  const real zero = 0;
+  const real one = 1;
+  UNROLL
+  for (int j = 0; j < MODEL_SURFACES; ++j) {
+    sliding->bound[j] = zero != zero;
+    sliding->edge[j] = 0;
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      if (MODEL_RESETS(j) || !MODEL_RESETS(k)) continue;
+      const real both = sliding->gain[j][j] * sliding->gain[k][k];
+      const real across = sliding->gain[j][k] * sliding->gain[k][j];
+      const mask is_same = point->sides.slides[j] & point->sides.slides[k] & (both != zero) &
+                           (lane_abs(both - across) <= SLIDING_SAME * lane_abs(both));
+      const mask lets_up = sliding->gain[j][k] * sliding->gain[k][k] < zero;
+      sliding->edge[j] = lane_select(is_same & lets_up, one, sliding->edge[j]);
+      sliding->bound[j] = sliding->bound[j] | is_same;
+    }
+  }
+}
+
+// Solves gain v = v for what the motion slides along; v is 0 of the others, and of what is bound
+// `edges` times its edge.
+SHARED_FN void sliding_solve(const ModelPoint* point, const Sliding* sliding, scalar edges,
+                             real* v) {
   const real zero = 0;
   const real one = 1;
   real gain[MODEL_SURFACES][MODEL_SURFACES];
   UNROLL
   for (int j = 0; j < MODEL_SURFACES; ++j) {
-    v[j] = lane_select(point->sides.slides[j], v[j], zero);
+    const mask counts = point->sides.slides[j] & !sliding->bound[j];
+    v[j] = lane_select(counts, v[j], edges * sliding->edge[j]);
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
-      gain[j][k] = lane_select(point->sides.slides[j], sliding->gain[j][k], j == k ? one : zero);
+      gain[j][k] = lane_select(counts, sliding->gain[j][k], j == k ? one : zero);
     }
   }
   UNROLL
@@ -112,7 +145,8 @@ SHARED_FN void sliding_find(const ModelPoint* point, const PhaseAt* phase, const
     for (int j = 0; j < MODEL_SURFACES; ++j) sliding->gain[j][k] = added[j];
     sliding->share[k] = -rates[k];
   }
-  sliding_solve(point, sliding, sliding->share);
+  sliding_bind(point, sliding);
+  sliding_solve(point, sliding, 1, sliding->share);
 }
 
 // Adds multiples of the turns.
@@ -172,7 +206,7 @@ SHARED_FN void sliding_tangent(const ModelPoint* point, const PhaseAt* phase, co
   model_held_bends(point, phase, x, dx, w, bends);
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) shift[k] = -(shift[k] + bends[k]);
-  sliding_solve(point, sliding, shift);
+  sliding_solve(point, sliding, 0, shift);
   sliding_add(sliding, shift, out);
 }
 

@@ -84,7 +84,7 @@ SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, re
   for (int k = 0; k < MODEL_SURFACES; ++k) {
     levels[k] = surface_level(k, point->sides.side[k]) - levels[k];
   }
-  sliding_solve(point, &sliding, levels);
+  sliding_solve(point, &sliding, 0, levels);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) back[i] = x[i];
   sliding_add(&sliding, levels, back);
@@ -100,6 +100,41 @@ SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, re
     const mask is_rounding = is_held & (lane_abs(back[i]) <= SURFACE_ROUNDING * h * added);
     x[i] = lane_select(slides, lane_select(is_rounding, zero, back[i]), x[i]);
   }
+}
+
+// Where a motion rests, the jumps that hold the same (sliding_bind) and that it is at.
+SHARED_FN void surface_bind(ModelPoint* point, const PhaseAt* moment, real h, mask where,
+                            const real* x) {
+  const real one = 1;
+  real levels[MODEL_SURFACES];
+  model_level_values(point, moment, x, levels);
+  UNROLL
+  for (int j = 0; j < MODEL_SURFACES; ++j) {
+    if (MODEL_RESETS(j)) continue;
+    const real above = MODEL_STAIRCASE(j) ? lane_rint(levels[j]) : one;
+    ModelPoint held = *point;
+    Sliding sliding;
+    held.sides.side[j] = above;
+    held.sides.slides[j] = where;
+    sliding_find(&held, moment, x, &sliding);
+    const real reach = SURFACE_NEAR * h * lane_abs(sliding.gain[j][j]);
+    const mask binds =
+        where & sliding.bound[j] & (lane_abs(levels[j] - surface_level(j, above)) <= reach);
+    point->sides.side[j] = lane_select(binds, above, point->sides.side[j]);
+    point->sides.slides[j] = point->sides.slides[j] | binds;
+  }
+}
+
+// In lanes that rest against a surface where the state is reset.
+SHARED_FN void surface_bind_resting(ModelPoint* point, const PhaseAt* moment, real h,
+                                    const real* x) {
+  const real zero = 0;
+  mask rests = zero != zero;
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    if (MODEL_RESETS(k)) rests = rests | point->sides.slides[k];
+  }
+  if (!all_lanes(!rests)) surface_bind(point, moment, h, rests, x);
 }
 
 #ifdef MODEL_HAS_RESETS
@@ -165,6 +200,7 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
       moved[k] = any & !met->hit[k] & (after[k] != before[k]) & !(MODEL_RESETS(k) & is_lifted);
     }
     surfaces_find_sides(point, moment, h, x, after, moved);
+    surface_bind_resting(point, moment, h, x);
     surface_field(point, moment, x, dx, rates);
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
@@ -221,6 +257,7 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
   if (all_lanes(!rests)) return;
   point->sides.slid = point->sides.slid | rests;
   surface_return(point, moment, h, rests, x);
+  surface_bind(point, moment, h, rests, x);
 }
 
 #else

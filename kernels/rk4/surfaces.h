@@ -25,6 +25,7 @@ SHARED_FN void surfaces_begin(ModelPoint* point, const SurfaceRows* rows, const 
   surface_moment(rows, zero, &moment);
   model_level_values(point, &moment, x, levels);
   surfaces_find_sides(point, &moment, rows->h, x, levels, all);
+  surface_bind_resting(point, &moment, rows->h, x);
 }
 
 // How much later the motion is on a surface. A flight between impacts has two ends: of the parabola

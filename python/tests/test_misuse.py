@@ -39,6 +39,7 @@ GOOD: dict[str, Mapping[str, object]] = {
         "along": None,
         "period": None,
         "steps": 64,
+        "equilibrium": False,
         "set": MAP,
         "device": None,
         "omega": 0.7,

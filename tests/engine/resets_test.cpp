@@ -346,6 +346,69 @@ TEST(Resets, TakeTheStateToTheOtherSideOfOtherSurfaces) {
   }
 }
 
+struct DryImpact {
+  double omega, friction, gap, r;
+  double share, speed, lowest;  // of sticking; of impacts; of x
+};
+
+// x'' + x + friction sign(x') = cos(omega tau), x < gap: friction holds a mass at the wall as the
+// wall does. Pieces in closed form from event to event, by a program of its own.
+TEST(Resets, AndDryFrictionHoldTheSameSpeed) {
+  for (const DryImpact& exact :
+       {DryImpact{2.553, 0.703, -0.026, 0.0, 0.379960564837, 0.159235343424, -0.0756271619361},
+        DryImpact{0.237, 0.211, 0.007, 0.825, 0.187870033239, 0.305002627608, -1.06585571149},
+        DryImpact{0.385, 0.333, 0.037, 0.0, 0.525220945163, 0.705208671274, -1.17286423866},
+        DryImpact{0.709, 0.872, -0.083, 0.869, 0.648488279449, 0.0691932857145,
+                  -0.0987071459173}}) {
+    for (const char* engine : {"opencl", "reference"}) {
+      SCOPED_TRACE(fmt::format("{} {}", engine, exact.omega));
+      const SweepResult result =
+          run(fmt::format(R"toml([model]
+text = """
+[model]
+name = "dry_impact"
+[states]
+x = {{ start = "-0.2" }}
+v = {{}}
+[parameters]
+omega = {}
+friction = {}
+gap = {}
+r = {}
+[equations]
+x = "v"
+v = "cos(phase) - x - friction*sign(v)"
+[forcing]
+period = "2*pi/omega"
+[surfaces.wall]
+when = "x - gap"
+reset = {{ v = "-r*v" }}
+"""
+[[axes]]
+name = "omega"
+values = [{}]
+[integrate]
+settle = 5
+record = 1
+stop = "never"
+warm_up = 0
+max_step = 0.02
+engine = "{}"
+[observe]
+quantities = ["sticking_share", "wall_impact_speed", "x_min", "x_max"]
+)toml",
+                          exact.omega, exact.friction, exact.gap, exact.r, exact.omega, engine));
+      // With restitution the other program bounces on for ever, where this one rests.
+      if (exact.r == 0.0) {
+        EXPECT_NEAR(map_of(result, "sticking_share")[0], exact.share, 2e-4);
+      }
+      EXPECT_NEAR(map_of(result, "wall_impact_speed")[0], exact.speed, 2e-4);
+      EXPECT_NEAR(map_of(result, "x_min")[0], exact.lowest, 1e-6);
+      EXPECT_NEAR(map_of(result, "x_max")[0], exact.gap, 1e-7);
+    }
+  }
+}
+
 TEST(Resets, SayWhatIsWrongWithThem) {
   const auto refused = [](const std::string& surface) {
     std::string model = kImpact;
