@@ -23,7 +23,9 @@ constexpr double kStraight = 0.9;      // smallest cosine of the angle between n
 constexpr double kFarLanding = 0.3;    // correction, as a share of the step
 constexpr double kSmallCycle = 2e-3;   // of the largest cycle: near its birth
 constexpr double kShrinking = 0.6;     // a step makes a cycle no smaller than that
-constexpr double kLongCycle = 100.0;   // lengths of the first one
+constexpr double kAlong = 1e-3;        // off 1, of the multiplier along a cycle
+constexpr double kLonger = 3.0;        // lengths of the first one: worth telling
+constexpr double kLongCycle = 30.0;    // lengths of the first one
 
 class BranchSearch {
  public:
@@ -45,11 +47,17 @@ class BranchSearch {
       const std::optional<BranchPoint> next = step(*last, length);
       if (!next) {
         length *= 0.5;
-        if (length < kMinStep) return ended_at("no smooth way on from", *last);
+        if (length < kMinStep) return ended_without_way(*last);
         continue;
       }
       if (!add_bifurcations(*last, *next)) return ended_at("the branch begins near", *next);
-      if (is_born(*next)) return ended_at("the cycle shrinks to an equilibrium near", *next);
+      if (is_small(*next)) {
+        return ended_at(add_birth(*next)
+                            ? "the cycle shrinks to an equilibrium near"
+                            : "the cycle shrinks to nothing, and no Hopf bifurcation of "
+                              "an equilibrium is found, near",
+                        *next);
+      }
       last = follower_.grow_to(*next);
       coarser_.grow_to(*next);
       const double parameter = follower_.parameter_of(*last);
@@ -79,6 +87,16 @@ class BranchSearch {
     return ended(fmt::format("{} {} = {:.8g}", why, name_, follower_.parameter_of(s)));
   }
 
+  Branch ended_without_way(const BranchPoint& last) {
+    const double longer = first_.duration > 0.0 ? last.orbit.duration / first_.duration : 1.0;
+    if (longer < kLonger) return ended_at("no smooth way on from", last);
+    return ended_at(
+        fmt::format("a turn takes {:.3g} times as long as at the start, and no way on is "
+                    "found (it nears an equilibrium, or a homoclinic orbit?) from",
+                    longer),
+        last);
+  }
+
   // The next orbit. A sharp bend, a far landing or a shorter period may be another branch.
   std::optional<BranchPoint> step(const BranchPoint& last, double length) const {
     const VectorXd guess = last.z + length * last.tangent;
@@ -87,6 +105,8 @@ class BranchSearch {
         (next->z - guess).norm() > kFarLanding * length || follower_.half_return(*next) < kHalved) {
       return std::nullopt;
     }
+    // Where the multiplier along a cycle is not 1 it is none, or has too few steps.
+    if (next->orbit.along && std::fabs(*next->orbit.along - 1.0) > kAlong) return std::nullopt;
     // Beyond its birth a cycle is the same again, half a turn later.
     if (first_.kind == OrbitKind::cycle &&
         follower_.extent_of(*next) < kShrinking * follower_.extent_of(last)) {
@@ -109,6 +129,7 @@ class BranchSearch {
 
   // Adds the bifurcations between two neighbours; false when the branch begins there.
   bool add_bifurcations(const BranchPoint& a, const BranchPoint& b) {
+    if (!leaves_border(a, b)) return true;
     const bool rests = first_.kind == OrbitKind::equilibrium;
     if (changes(at_minus_one, a, b)) add(Bifurcation::flip, at_minus_one, a, b);
     if (changes(at_pair, a, b)) {
@@ -130,15 +151,18 @@ class BranchSearch {
     return true;
   }
 
-  // Whether a cycle is as small as one that has just been born; adds its birth.
-  bool is_born(const BranchPoint& s) {
-    if (first_.kind != OrbitKind::cycle || follower_.extent_of(s) > kSmallCycle) return false;
+  // Whether a cycle is as small as one that has just been born.
+  bool is_small(const BranchPoint& s) const {
+    return first_.kind == OrbitKind::cycle && follower_.extent_of(s) <= kSmallCycle;
+  }
+  // False where there is none.
+  bool add_birth(const BranchPoint& s) {
     const std::optional<Located> birth = locate_birth(follower_, s);
     if (birth && birth->parameter >= request_.from && birth->parameter <= request_.to) {
       branch_.bifurcations.push_back(
           {Bifurcation::hopf, birth->parameter, birth->error, s.orbit, false, 0});
     }
-    return true;
+    return birth.has_value();
   }
 
   const FollowRequest& request_;

@@ -253,7 +253,7 @@ Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearc
 
 std::optional<Orbit> find_rest(const PeriodMap& map, const VectorXd& start,
                                const VectorXd& settled) {
-  std::optional<Orbit> rest = find_equilibrium(map, settled);
+  std::optional<Orbit> rest = find_equilibrium(map, settled, map.difference(start, settled));
   if (!rest || !rest->stable()) return std::nullopt;
   const VectorXd left = map.difference(settled, rest->state).cwiseAbs();
   const VectorXd allowed = kArrived * reach_of_way(map.difference(start, rest->state), *rest);

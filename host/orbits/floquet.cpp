@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/eigenvalues.hpp"
 #include "model/error.hpp"
@@ -61,12 +62,12 @@ std::string name_of(OrbitKind kind) {
   return "";
 }
 
-std::string name_of(Bifurcation kind) {
+std::string name_of(Bifurcation kind, OrbitKind of) {
   switch (kind) {
     case Bifurcation::fold:
       return "fold";
     case Bifurcation::branching:
-      return "symmetry breaking";
+      return of == OrbitKind::forced ? "symmetry breaking" : "branch point";
     case Bifurcation::flip:
       return "flip";
     case Bifurcation::neimark_sacker:
@@ -84,6 +85,14 @@ std::size_t Orbit::unstable_count() const {
                          ? (multipliers.real().array() > 0.0).count()
                          : (multipliers.cwiseAbs().array() > 1.0).count();
   return static_cast<std::size_t>(count);
+}
+
+double Orbit::nearest_margin() const {
+  const std::optional<Nearest> nearest = nearest_bifurcation(*this);
+  if (!nearest) return std::numeric_limits<double>::infinity();
+  if (kind != OrbitKind::equilibrium) return std::fabs(nearest->margin);
+  const double fastest = multipliers.cwiseAbs().maxCoeff();
+  return fastest > 0.0 ? std::fabs(nearest->margin) / fastest : 0.0;
 }
 
 const Graze* Orbit::graze_within(const VectorXd& errors) const {
@@ -109,6 +118,7 @@ std::optional<Nearest> nearest_bifurcation(const Orbit& orbit) {
       orbit.multipliers.begin(), orbit.multipliers.end(),
       [&](const auto& a, const auto& b) { return std::fabs(margin(a)) < std::fabs(margin(b)); });
   Nearest out;
+  out.of = orbit.kind;
   out.multiplier = nearest;
   out.margin = margin(nearest);
   if (nearest.imag() != 0.0) {
@@ -120,8 +130,8 @@ std::optional<Nearest> nearest_bifurcation(const Orbit& orbit) {
 }
 
 std::string name_of(const Nearest& nearest) {
-  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind);
-  return "fold or symmetry breaking";
+  if (nearest.kind != Bifurcation::fold) return name_of(nearest.kind, nearest.of);
+  return "fold or " + name_of(Bifurcation::branching, nearest.of);
 }
 
 Orbit make_orbit(const VectorXd& state, const PeriodImage& image, std::size_t period) {
@@ -158,7 +168,9 @@ Orbit make_equilibrium(const VectorXd& state, const MatrixXd& jacobian, const Ve
   orbit.monodromy = jacobian;
   orbit.sizes = sizes;
   orbit.reach = state.cwiseAbs();
-  orbit.multipliers = eigenvalues_of(jacobian);
+  // The same in the sizes of states, where rounding weighs least.
+  orbit.multipliers =
+      eigenvalues_of(sizes.cwiseInverse().asDiagonal() * jacobian * sizes.asDiagonal());
   std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
                    [](const auto& a, const auto& b) { return a.real() > b.real(); });
   return orbit;

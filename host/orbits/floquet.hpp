@@ -31,8 +31,9 @@ enum class Bifurcation {
   hopf,            // a complex pair of eigenvalues: cycles are born at the equilibrium
 };
 
-// "fold", "symmetry breaking", "flip", "Neimark-Sacker", "Hopf".
-std::string name_of(Bifurcation kind);
+// "fold", "symmetry breaking", "flip", "Neimark-Sacker", "Hopf"; where nothing drives the model
+// "branch point" for any branching.
+std::string name_of(Bifurcation kind, OrbitKind of);
 
 struct Orbit {
   OrbitKind kind = OrbitKind::forced;
@@ -57,6 +58,9 @@ struct Orbit {
   bool stable() const;
   // How many multipliers lie outside the unit circle, or eigenvalues right of the imaginary axis.
   std::size_t unstable_count() const;
+  // How near the multipliers are to the unit circle, or the eigenvalues, in the fastest of them, to
+  // the imaginary axis; infinite where there is none.
+  double nearest_margin() const;
   // The turn nearest to a limit of a backlash among those that are nearer to it than states are
   // known; null when there is none. errors: of each state.
   const Graze* graze_within(const Eigen::VectorXd& errors) const;
@@ -66,6 +70,7 @@ struct Orbit {
 // the bifurcation that it would make by crossing it.
 struct Nearest {
   Bifurcation kind = Bifurcation::fold;  // fold stands for any crossing at +1 or 0
+  OrbitKind of = OrbitKind::forced;
   std::complex<double> multiplier;
   double margin = 0.0;  // 1 - modulus; of an eigenvalue, its real part with the sign changed
 };

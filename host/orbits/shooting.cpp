@@ -1,8 +1,12 @@
 #include "orbits/shooting.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <utility>
+
+#include "model/eigenvalues.hpp"
 
 namespace gearsweep {
 namespace {
@@ -15,8 +19,25 @@ constexpr double kResidual = 1e-12;  // of the states' sizes
 constexpr int kMaxIterations = 40;
 constexpr int kMaxHalvings = 10;          // of a Newton step
 constexpr double kLongerOrShorter = 4.0;  // a cycle than what it is looked for by
+constexpr double kMade = 1e-3;            // of what sizes of others become in a state
 constexpr double kBalanced = 1e-9;        // of what the terms of a rate may be
 constexpr double kStill = 1e-6;  // of the sizes at the guess: a cycle that moves less is none
+
+// What sizes of states make of each other in the time of the fastest rate: a velocity that is 0 at
+// a guess, or rounding, is not of no size.
+VectorXd made_of(const VectorXd& sizes, const MatrixXd& jacobian) {
+  if (!jacobian.allFinite()) return sizes;
+  double fastest = 0.0;
+  for (const std::complex<double>& value :
+       eigenvalues(jacobian.data(), static_cast<std::size_t>(jacobian.rows()))) {
+    fastest = std::max(fastest, std::abs(value));
+  }
+  VectorXd made = sizes;
+  for (Index i = 0; i < sizes.size() && fastest > 0.0; ++i) {
+    made = made.cwiseMax(kMade * jacobian.cwiseAbs() * made / fastest);
+  }
+  return made;
+}
 
 // Newton's method from unknowns; sizes: those of the guess, which distances are judged in.
 std::optional<Orbit> solve(const PeriodMap& map, const Shooting& shooting, VectorXd z) {
@@ -189,21 +210,38 @@ std::optional<Orbit> shoot_again(const PeriodMap& map, const Orbit& near, std::s
 }
 
 std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& guess) {
+  return find_equilibrium(map, guess, guess);
+}
+
+std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& guess,
+                                      const VectorXd& way) {
   VectorXd state = guess;
-  VectorXd sizes = guess.cwiseAbs();  // the largest that each state, or a step of it, has had
+  // The largest that each state, or a step of it, has had; and some of what others make of it.
+  VectorXd sizes = guess.cwiseAbs().cwiseMax(way.cwiseAbs());
+  sizes = sizes.cwiseMax(made_of(sizes, map.rate_slope(guess)));
   const auto judged = [&](const VectorXd& change) {
     return change
         .binaryExpr(sizes, [](double one, double size) { return size > 0.0 ? one / size : 0.0; })
         .cwiseAbs()
         .maxCoeff();
   };
+  // In sizes of states: in their own units a pivot may count as 0.
+  const auto solver_at = [&](const VectorXd& x, const VectorXd& scale) {
+    return Eigen::FullPivLU<MatrixXd>(scale.cwiseInverse().asDiagonal() * map.rate_slope(x) *
+                                      scale.asDiagonal());
+  };
+  const auto scale_of = [](const VectorXd& of) {
+    return VectorXd(of.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; }));
+  };
   const auto step_from = [&](const VectorXd& x) -> VectorXd {
-    return map.rate_slope(x).fullPivLu().solve(-map.rate(x));
+    const VectorXd scale = scale_of(sizes);
+    return scale.cwiseProduct(solver_at(x, scale).solve(-map.rate(x).cwiseQuotient(scale)));
   };
   VectorXd step = step_from(state);
   for (int iteration = 0; iteration < kMaxIterations && step.allFinite(); ++iteration) {
     sizes = sizes.cwiseMax(step.cwiseAbs()).cwiseMax(state.cwiseAbs());
     if (judged(step) <= kResidual) {
+      state = (state.array().abs() <= kResidual * sizes.array()).select(0.0, state);
       const MatrixXd slope = map.rate_slope(state);
       // A field that no state changes is solved by no step at all.
       const VectorXd allowed = kBalanced * (slope.cwiseAbs() * sizes);
@@ -214,10 +252,12 @@ std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& gues
     }
     // The step that the next one would be, judged by the same Jacobian (P. Deuflhard's natural
     // monotonicity test), must be smaller.
-    const Eigen::FullPivLU<MatrixXd> solver(map.rate_slope(state));
+    const VectorXd scale = scale_of(sizes);
+    const Eigen::FullPivLU<MatrixXd> solver = solver_at(state, scale);
     double damping = 1.0;
     for (int halvings = 0; halvings < kMaxHalvings; ++halvings, damping *= 0.5) {
-      const VectorXd again = solver.solve(-map.rate(state + damping * step));
+      const VectorXd rate = map.rate(state + damping * step);
+      const VectorXd again = scale.cwiseProduct(solver.solve(-rate.cwiseQuotient(scale)));
       if (again.allFinite() && judged(again) < judged(step)) break;
     }
     state += damping * step;

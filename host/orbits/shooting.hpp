@@ -78,7 +78,10 @@ std::optional<Orbit> shoot_cycle(const PeriodMap& map, const Eigen::VectorXd& gu
 // The orbit of `map` near one of another map, with `steps` steps where it is a cycle.
 std::optional<Orbit> shoot_again(const PeriodMap& map, const Orbit& near, std::size_t steps);
 
-// The equilibrium that Newton's method comes to from a state, stable or not.
+// The equilibrium that Newton's method comes to from a state, stable or not. way: how far each
+// state may have come from, of which rounding is no state other than 0.
+std::optional<Orbit> find_equilibrium(const PeriodMap& map, const Eigen::VectorXd& guess,
+                                      const Eigen::VectorXd& way);
 std::optional<Orbit> find_equilibrium(const PeriodMap& map, const Eigen::VectorXd& guess);
 
 }  // namespace gearsweep

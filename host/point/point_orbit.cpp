@@ -9,6 +9,7 @@
 #include "model/error.hpp"
 #include "orbits/find_orbit.hpp"
 #include "plan/plan.hpp"
+#include "study/own_step.hpp"
 #include "sweep/sweep.hpp"
 
 namespace gearsweep {
@@ -193,7 +194,9 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
     } else if (map.driven()) {
       orbit = find_orbit(map, *settled, request.period);
     } else {
-      const double step = map.period() / static_cast<double>(own_steps);
+      // A step that was found for all points may be much too short for this one.
+      const double step = study.step_reason.empty() ? map.period() / static_cast<double>(own_steps)
+                                                    : find_own_step(study).longest;
       orbit = find_free(map, start, *settled, {step, steps, request.period});
       if (!request.steps) orbit = refined(map, std::move(orbit));
     }

@@ -219,7 +219,7 @@ class OrbitDescription {
     Names kinds;
     Orbits orbits;
     for (const LocatedBifurcation& one : all) {
-      kinds.push_back(name_of(one.kind));
+      kinds.push_back(name_of(one.kind, kind_));
       orbits.push_back(&one.orbit);
     }
     add_texts("bifurcation_kind", "what happens there", "bifurcation", kinds, &out_);

@@ -62,7 +62,11 @@ std::string describe_margin(const Nearest& nearest, double error) {
                      nearest.margin >= 0.0 ? "inside" : "outside");
 }
 
-std::string describe_stability(const Orbit& orbit) {
+std::string describe_stability(const Orbit& orbit, double error) {
+  const std::optional<Nearest> nearest = nearest_bifurcation(orbit);
+  if (nearest && orbit.kind != OrbitKind::forced && std::fabs(nearest->margin) <= error) {
+    return "neutral as far as digits hold";
+  }
   if (orbit.stable()) return "stable";
   return fmt::format(
       "unstable, {} of {} {}", orbit.unstable_count(), orbit.multipliers.size(),
@@ -73,7 +77,9 @@ std::string describe_stability(const Orbit& orbit) {
 std::string describe_kind(const OrbitFindings& findings) {
   const Orbit& orbit = findings.orbit;
   const Model& model = *findings.study.model;
-  const std::string stability = describe_stability(orbit);
+  const OrbitError& error = findings.error;
+  const std::string stability =
+      describe_stability(orbit, error.multipliers.size() > 0 ? error.multipliers.maxCoeff() : 0.0);
   switch (orbit.kind) {
     case OrbitKind::forced:
       return fmt::format("orbit of period {} ({}), T = {:.10g}\n", orbit.period, stability,
@@ -93,6 +99,8 @@ std::string describe_nearest(const OrbitFindings& findings) {
   const std::optional<Nearest> nearest = nearest_bifurcation(findings.orbit);
   if (!nearest) return "";
   const double error = findings.error.multipliers.maxCoeff();
+  // Of a multiplier that is 0 the sign says nothing.
+  if (std::abs(nearest->multiplier) <= error && !is_equilibrium(findings.orbit)) return "";
   return fmt::format("nearest bifurcation: {} ({})\n", name_of(*nearest),
                      is_equilibrium(findings.orbit) ? describe_real_part(*nearest, error)
                                                     : describe_margin(*nearest, error));
@@ -117,23 +125,32 @@ std::string describe_orbit(const OrbitFindings& findings) {
   return text;
 }
 
+std::string describe_birth(const LocatedBifurcation& found, OrbitKind kind) {
+  if (kind != OrbitKind::forced) return " (this branch begins)";
+  return fmt::format(" (this branch begins, out of period {})", found.born_of);
+}
+
+std::string count_of(std::size_t count, OrbitKind kind) {
+  const bool rests = kind == OrbitKind::equilibrium;
+  if (count == 1) return rests ? "1 equilibrium" : "1 orbit";
+  return fmt::format("{} {}", count, rests ? "equilibria" : "orbits");
+}
+
 std::string describe_branches(const OrbitFindings& findings) {
   std::string text;
   if (!findings.range) return text;
   const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
   text += fmt::format("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
   for (const LocatedBifurcation& found : bifurcations_of(findings)) {
-    text += fmt::format("  {:<18} {} = {}{}{}\n", name_of(found.kind), name,
+    text += fmt::format("  {:<18} {} = {}{}{}\n", name_of(found.kind, findings.orbit.kind), name,
                         std::isfinite(found.error) ? with_digits(found.parameter, found.error)
                                                    : fmt::format("about {:.3g}", found.parameter),
-                        found.born_of > 0
-                            ? fmt::format(" (this branch begins, out of period {})", found.born_of)
-                            : "",
+                        found.born_of > 0 ? describe_birth(found, findings.orbit.kind) : "",
                         found.grazing ? " (the motion grazes a limit of the backlash)" : "");
   }
   for (const Branch& branch : findings.branches) {
-    text += fmt::format("  {} {}; {}\n", branch.orbits.size(),
-                        is_equilibrium(findings.orbit) ? "equilibria" : "orbits", branch.ended);
+    text += fmt::format("  {}; {}\n", count_of(branch.orbits.size(), findings.orbit.kind),
+                        branch.ended);
   }
   return text;
 }
@@ -184,7 +201,7 @@ std::string floquet_as_json(const OrbitFindings& findings) {
     json["bifurcations"] = nlohmann::json::array();
     for (const LocatedBifurcation& found : bifurcations_of(findings)) {
       nlohmann::json entry = json_of(found.orbit);
-      entry["kind"] = name_of(found.kind);
+      entry["kind"] = name_of(found.kind, findings.orbit.kind);
       entry["value"] = found.parameter;
       entry["value_error"] = found.error;
       entry["grazing"] = found.grazing;

@@ -1,6 +1,7 @@
 #include "orbits/detail/branch_test.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -120,6 +121,13 @@ bool changes(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
   return (test(a) < 0.0) != (test(b) < 0.0);
 }
 
+bool leaves_border(const BranchPoint& a, const BranchPoint& b) {
+  const double border = a.orbit.kind == OrbitKind::equilibrium ? 1e-9
+                        : a.orbit.kind == OrbitKind::cycle     ? 1e-6
+                                                               : 0.0;
+  return std::max(a.orbit.nearest_margin(), b.orbit.nearest_margin()) > border;
+}
+
 std::optional<Bracket> locate(const Follower& follower, const Follower& coarser, BranchTest test,
                               const BranchPoint& a, const BranchPoint& b) {
   Bracket bracket{a, b};
@@ -148,9 +156,10 @@ std::optional<Located> locate_birth(const Follower& follower, const BranchPoint&
   std::optional<double> before = growth(last), now = growth(parameter);
   for (int secants = 0; before && now && secants < kMaxSecants; ++secants) {
     const double next = parameter - *now * (parameter - last) / (*now - *before);
-    if (std::fabs(next - parameter) <= kLineRounding * range) {
-      return Located{next, 2.0 * kLineRounding * range};
-    }
+    const double left = std::fabs(next - parameter);
+    if (left <= kLineRounding * range) return Located{next, 2.0 * kLineRounding * range};
+    // Rounding of the eigenvalues may leave more.
+    if (secants > kMaxSecants / 2 && left <= kBracket * range) return Located{next, 10.0 * left};
     last = parameter;
     before = now;
     parameter = next;

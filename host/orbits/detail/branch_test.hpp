@@ -19,6 +19,10 @@ double turning(const BranchPoint& s);
 
 bool changes(BranchTest test, const BranchPoint& a, const BranchPoint& b);
 
+// Whether the multipliers, or eigenvalues, leave the circle, or the axis, by more than rounding at
+// one of two neighbours: those of a center never do, and cross nothing.
+bool leaves_border(const BranchPoint& a, const BranchPoint& b);
+
 // Neighbours on a branch with a test function's zero between them, and where it is.
 struct Bracket {
   BranchPoint low, high;

@@ -12,9 +12,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMaxCorrections = 12;
-constexpr double kCorrected = 1e-12;  // residual, of the states' sizes
-constexpr double kDifference = 1e-6;  // of the range: step of the derivative by the parameter
-constexpr double kFar = 1.0;          // of an orbit without a half
+constexpr double kCorrected = 1e-12;    // residual, of the states' sizes
+constexpr double kHardlyMoves = 0.1;    // of what a state changes along the range
+constexpr double kMadeOfOthers = 1e-3;  // of what sizes of others become in a state
+constexpr double kMostSteps = 4.0;      // times those of the first cycle
+constexpr double kDifference = 1e-6;    // of the range: step of the derivative by the parameter
+constexpr double kFar = 1.0;            // of an orbit without a half
 
 OrbitForm with_steps(OrbitForm form, std::size_t coarseness) {
   form.steps = std::max<std::size_t>(form.steps / coarseness, 1);
@@ -28,21 +31,32 @@ Follower::Follower(const FollowRequest& request, const Orbit& start, std::size_t
       coarseness_(coarseness),
       range_(request.to - request.from),
       form_(with_steps(form_of(start), coarseness)),
+      first_steps_(static_cast<double>(form_.steps)),
+      step_(start.duration / first_steps_),
       sizes_(start.sizes),
       states_{start.state, start.state} {
-  if (start.kind == OrbitKind::equilibrium) sizes_ = sizes_along(start);
+  if (start.kind != OrbitKind::forced) sizes_ = sizes_along(start);
 }
 
 VectorXd Follower::sizes_along(const Orbit& start) const {
   const double parameter = request_.setting.parameters[request_.parameter];
-  const VectorXd z = shooting().unknowns_of(start);
+  const Shooting shot = shooting();
+  const VectorXd z = shot.unknowns_of(start);
+  const PeriodMap map = map_at(parameter);
+  const auto at = shot.at(map, z, shot.plane_at(map, z));
   const std::optional<VectorXd> slope = by_parameter(parameter, z);
-  VectorXd sizes = kMinSize * start.reach;
-  if (slope) {
-    // form_.time J dx = -slope dp, states in their sizes of before.
-    const VectorXd rates = sizes_.cwiseProduct(*slope) / form_.time;
-    const VectorXd change = start.monodromy.fullPivLu().solve(-rates) * range_;
-    if (change.allFinite()) sizes = sizes.cwiseMax(change.cwiseAbs());
+  VectorXd change = VectorXd::Zero(sizes_.size());
+  if (at && slope) {
+    VectorXd wanted = VectorXd::Zero(z.size());
+    wanted.head(slope->size()) = -*slope;
+    const VectorXd solved = at->slope.fullPivLu().solve(wanted) * range_;
+    if (solved.allFinite()) change = sizes_.cwiseProduct(solved.head(sizes_.size())).cwiseAbs();
+  }
+  VectorXd sizes = start.sizes.cwiseMax(kHardlyMoves * change);
+  if (start.kind == OrbitKind::equilibrium) {
+    sizes = change.cwiseMax(kMinSize * start.sizes);
+    // A velocity that stays 0 has the size of what others make of it.
+    sizes = sizes.cwiseMax(kMadeOfOthers * form_.time * (start.monodromy.cwiseAbs() * sizes));
   }
   return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
 }
@@ -56,7 +70,12 @@ BranchPoint Follower::grow_to(const BranchPoint& s) {
   } else {
     sizes_ = sizes_.cwiseMax(s.orbit.sizes);
   }
-  if (form_.kind == OrbitKind::cycle) form_.time = s.orbit.duration;
+  if (form_.kind == OrbitKind::cycle) {
+    form_.time = s.orbit.duration;
+    // Steps hardly get longer, so far as that is worth its time.
+    const double wanted = std::min(s.orbit.duration / step_, kMostSteps * first_steps_);
+    form_.steps = std::max(form_.steps, static_cast<std::size_t>(std::ceil(wanted)));
+  }
   const auto told = [&](const VectorXd& z) {
     VectorXd out = z;
     out.head(sizes_.size()).array() *= before.array() / sizes_.array();
@@ -140,8 +159,10 @@ PeriodMap Follower::map_at(double parameter) const {
 }
 
 std::optional<VectorXd> Follower::by_parameter(double parameter, const VectorXd& z) const {
-  const double high = allowed(parameter + kDifference * range_) ? kDifference * range_ : 0.0;
-  const double low = allowed(parameter - kDifference * range_) ? kDifference * range_ : 0.0;
+  // A cycle may change much faster than a range that it does not fill.
+  const double step = (form_.kind == OrbitKind::forced ? kDifference : 0.01 * kDifference) * range_;
+  const double high = allowed(parameter + step) ? step : 0.0;
+  const double low = allowed(parameter - step) ? step : 0.0;
   const std::optional<VectorXd> after = shooting().image(map_at(parameter + high), z);
   const std::optional<VectorXd> before = shooting().image(map_at(parameter - low), z);
   if (!after || !before) return std::nullopt;

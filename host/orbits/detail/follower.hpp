@@ -51,14 +51,15 @@ class Follower {
   // Derivative of the image by the parameter, by central differences (inside the allowed range). It
   // steers the iteration and is no part of what it converges to.
   std::optional<Eigen::VectorXd> by_parameter(double parameter, const Eigen::VectorXd& z) const;
-  // Of equilibria: what they change along the range, which does not know from where a state is
-  // counted.
+  // What states change along the range: of equilibria, that is their size, which does not know from
+  // where a state is counted; of cycles a part of it is the size of those that hardly move.
   Eigen::VectorXd sizes_along(const Orbit& start) const;
 
   const FollowRequest& request_;
   std::size_t coarseness_;
   double range_;
   OrbitForm form_;
+  double first_steps_, step_;  // of the first cycle, and how long they are in dimensionless time
   Eigen::VectorXd sizes_;
   Extent states_;  // of equilibria so far
 };
