@@ -119,25 +119,27 @@ class BranchSearch {
            std::size_t born_of = 0) {
     const std::optional<Bracket> found = locate(follower_, coarser_, test, a, b);
     if (!found || found->parameter < request_.from || found->parameter > request_.to) return;
-    if (test == at_pair) {
-      const std::optional<Nearest> nearest = nearest_bifurcation(found->low.orbit);
-      if (!nearest || nearest->kind != kind) return;
-    }
+    if (test == at_pair && !is_pair_complex(found->low.orbit)) return;
     branch_.bifurcations.push_back(
         {kind, found->parameter, found->error, found->low.orbit, found->grazing, born_of});
   }
 
+  static bool crosses(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
+    return changes(test, a, b) && is_told(test, a, b);
+  }
+
   // Adds the bifurcations between two neighbours; false when the branch begins there.
   bool add_bifurcations(const BranchPoint& a, const BranchPoint& b) {
-    if (!leaves_border(a, b)) return true;
     const bool rests = first_.kind == OrbitKind::equilibrium;
-    if (changes(at_minus_one, a, b)) add(Bifurcation::flip, at_minus_one, a, b);
-    if (changes(at_pair, a, b)) {
+    if (crosses(at_minus_one, a, b)) add(Bifurcation::flip, at_minus_one, a, b);
+    if (crosses(at_pair, a, b)) {
       add(rests ? Bifurcation::hopf : Bifurcation::neimark_sacker, at_pair, a, b);
     }
     const bool turns = changes(turning, a, b);
-    if (changes(at_plus_one, a, b)) {
-      add(turns ? Bifurcation::fold : Bifurcation::branching, turns ? turning : at_plus_one, a, b);
+    if (turns && (changes(at_plus_one, a, b) || !is_told(at_plus_one, a, b))) {
+      add(Bifurcation::fold, turning, a, b);
+    } else if (crosses(at_plus_one, a, b)) {
+      add(Bifurcation::branching, at_plus_one, a, b);
     } else if (turns) {
       // The multiplier only touched +1: the branch was born here out of another, and goes back
       // along its own image.

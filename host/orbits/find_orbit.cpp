@@ -192,17 +192,6 @@ Orbit shortest_of(const PeriodMap& map, const Orbit& cycle) {
   return cycle;
 }
 
-// How far a motion that begins as far from an equilibrium as `way` may go, by the largest
-// eigenvalue and by what states do to each other: a velocity that is 0 at the start is not later.
-VectorXd reach_of_way(const VectorXd& way, const Orbit& rest) {
-  const double fastest = rest.multipliers.cwiseAbs().maxCoeff();
-  VectorXd reach = way.cwiseAbs();
-  for (Eigen::Index i = 0; i < way.size() && fastest > 0.0; ++i) {
-    reach = reach.cwiseMax(rest.monodromy.cwiseAbs() * reach / fastest);
-  }
-  return reach;
-}
-
 }  // namespace
 
 Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<std::size_t> period) {
@@ -256,7 +245,8 @@ std::optional<Orbit> find_rest(const PeriodMap& map, const VectorXd& start,
   std::optional<Orbit> rest = find_equilibrium(map, settled, map.difference(start, settled));
   if (!rest || !rest->stable()) return std::nullopt;
   const VectorXd left = map.difference(settled, rest->state).cwiseAbs();
-  const VectorXd allowed = kArrived * reach_of_way(map.difference(start, rest->state), *rest);
+  const VectorXd allowed =
+      kArrived * spread_of(map.difference(start, rest->state).cwiseAbs(), rest->monodromy, 1.0);
   if ((left.array() > allowed.cwiseMax(kRest * rest->reach).array()).any()) return std::nullopt;
   return rest;
 }

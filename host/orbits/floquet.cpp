@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/eigenvalues.hpp"
 #include "model/error.hpp"
@@ -85,14 +84,6 @@ std::size_t Orbit::unstable_count() const {
                          ? (multipliers.real().array() > 0.0).count()
                          : (multipliers.cwiseAbs().array() > 1.0).count();
   return static_cast<std::size_t>(count);
-}
-
-double Orbit::nearest_margin() const {
-  const std::optional<Nearest> nearest = nearest_bifurcation(*this);
-  if (!nearest) return std::numeric_limits<double>::infinity();
-  if (kind != OrbitKind::equilibrium) return std::fabs(nearest->margin);
-  const double fastest = multipliers.cwiseAbs().maxCoeff();
-  return fastest > 0.0 ? std::fabs(nearest->margin) / fastest : 0.0;
 }
 
 const Graze* Orbit::graze_within(const VectorXd& errors) const {
@@ -183,14 +174,20 @@ std::size_t returning_state(const Model& model) {
   return 0;
 }
 
-namespace {
-
-// What has no size at all is judged as it is.
 VectorXd above_zero(const VectorXd& sizes) {
   return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
 }
 
-}  // namespace
+VectorXd spread_of(const VectorXd& sizes, const MatrixXd& jacobian, double share) {
+  if (!jacobian.allFinite()) return sizes;
+  const double fastest = eigenvalues_of(jacobian).cwiseAbs().maxCoeff();
+  VectorXd spread = sizes;
+  // A chain of states is no longer than all of them.
+  for (Eigen::Index i = 0; i < sizes.size() && fastest > 0.0; ++i) {
+    spread = spread.cwiseMax(share / fastest * (jacobian.cwiseAbs() * spread));
+  }
+  return spread;
+}
 
 VectorXd sizes_of(const Extent& extent) {
   return above_zero(extent.swing().cwiseMax(kMinSize * extent.reach()));

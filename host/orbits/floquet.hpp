@@ -58,9 +58,6 @@ struct Orbit {
   bool stable() const;
   // How many multipliers lie outside the unit circle, or eigenvalues right of the imaginary axis.
   std::size_t unstable_count() const;
-  // How near the multipliers are to the unit circle, or the eigenvalues, in the fastest of them, to
-  // the imaginary axis; infinite where there is none.
-  double nearest_margin() const;
   // The turn nearest to a limit of a backlash among those that are nearer to it than states are
   // known; null when there is none. errors: of each state.
   const Graze* graze_within(const Eigen::VectorXd& errors) const;
@@ -100,6 +97,14 @@ Eigen::VectorXd sizes_of(const PeriodImage& image);
 Eigen::VectorXd sizes_of(const Extent& extent);
 // A state's size is at least this of its magnitude.
 inline constexpr double kMinSize = 1e-6;
+// What has no size at all is judged as it is: in 1.
+Eigen::VectorXd above_zero(const Eigen::VectorXd& sizes);
+// Sizes, and a share of what a field with this Jacobian makes of them in the time of its fastest
+// rate: a velocity that is 0 at a place, or rounding, is not of no size.
+Eigen::VectorXd spread_of(const Eigen::VectorXd& sizes, const Eigen::MatrixXd& jacobian,
+                          double share);
+// The share that is a size, where nothing better tells one.
+inline constexpr double kMadeOfOthers = 1e-3;
 
 // The sizes that the residual of shooting is judged in: rounding of the end state is that of the
 // start, as far as the flow stretches it.

@@ -1,12 +1,8 @@
 #include "orbits/shooting.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <utility>
-
-#include "model/eigenvalues.hpp"
 
 namespace gearsweep {
 namespace {
@@ -19,25 +15,8 @@ constexpr double kResidual = 1e-12;  // of the states' sizes
 constexpr int kMaxIterations = 40;
 constexpr int kMaxHalvings = 10;          // of a Newton step
 constexpr double kLongerOrShorter = 4.0;  // a cycle than what it is looked for by
-constexpr double kMade = 1e-3;            // of what sizes of others become in a state
 constexpr double kBalanced = 1e-9;        // of what the terms of a rate may be
 constexpr double kStill = 1e-6;  // of the sizes at the guess: a cycle that moves less is none
-
-// What sizes of states make of each other in the time of the fastest rate: a velocity that is 0 at
-// a guess, or rounding, is not of no size.
-VectorXd made_of(const VectorXd& sizes, const MatrixXd& jacobian) {
-  if (!jacobian.allFinite()) return sizes;
-  double fastest = 0.0;
-  for (const std::complex<double>& value :
-       eigenvalues(jacobian.data(), static_cast<std::size_t>(jacobian.rows()))) {
-    fastest = std::max(fastest, std::abs(value));
-  }
-  VectorXd made = sizes;
-  for (Index i = 0; i < sizes.size() && fastest > 0.0; ++i) {
-    made = made.cwiseMax(kMade * jacobian.cwiseAbs() * made / fastest);
-  }
-  return made;
-}
 
 // Newton's method from unknowns; sizes: those of the guess, which distances are judged in.
 std::optional<Orbit> solve(const PeriodMap& map, const Shooting& shooting, VectorXd z) {
@@ -60,6 +39,15 @@ std::optional<Orbit> solve(const PeriodMap& map, const Shooting& shooting, Vecto
     now = std::move(next);
   }
   return std::nullopt;
+}
+
+// The equilibrium at a state that Newton's method does not leave. Nothing where the field is not 0
+// there: one that no state changes is solved by no step at all.
+std::optional<Orbit> balanced(const VectorXd& state, const PeriodMap& map, const VectorXd& sizes) {
+  const MatrixXd jacobian = map.rate_slope(state);
+  const VectorXd allowed = kBalanced * (jacobian.cwiseAbs() * sizes);
+  if ((map.rate(state).cwiseAbs().array() > allowed.array()).any()) return std::nullopt;
+  return make_equilibrium(state, jacobian, above_zero(sizes));
 }
 
 }  // namespace
@@ -217,51 +205,33 @@ std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& gues
                                       const VectorXd& way) {
   VectorXd state = guess;
   // The largest that each state, or a step of it, has had; and some of what others make of it.
-  VectorXd sizes = guess.cwiseAbs().cwiseMax(way.cwiseAbs());
-  sizes = sizes.cwiseMax(made_of(sizes, map.rate_slope(guess)));
-  const auto judged = [&](const VectorXd& change) {
-    return change
-        .binaryExpr(sizes, [](double one, double size) { return size > 0.0 ? one / size : 0.0; })
-        .cwiseAbs()
-        .maxCoeff();
-  };
-  // In sizes of states: in their own units a pivot may count as 0.
-  const auto solver_at = [&](const VectorXd& x, const VectorXd& scale) {
-    return Eigen::FullPivLU<MatrixXd>(scale.cwiseInverse().asDiagonal() * map.rate_slope(x) *
-                                      scale.asDiagonal());
-  };
-  const auto scale_of = [](const VectorXd& of) {
-    return VectorXd(of.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; }));
-  };
-  const auto step_from = [&](const VectorXd& x) -> VectorXd {
-    const VectorXd scale = scale_of(sizes);
-    return scale.cwiseProduct(solver_at(x, scale).solve(-map.rate(x).cwiseQuotient(scale)));
-  };
-  VectorXd step = step_from(state);
-  for (int iteration = 0; iteration < kMaxIterations && step.allFinite(); ++iteration) {
+  VectorXd sizes =
+      spread_of(guess.cwiseAbs().cwiseMax(way.cwiseAbs()), map.rate_slope(guess), kMadeOfOthers);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    // In sizes of states: in their own units a pivot may count as 0.
+    const VectorXd scale = above_zero(sizes);
+    const MatrixXd jacobian = map.rate_slope(state);
+    const Eigen::FullPivLU<MatrixXd> solver(scale.cwiseInverse().asDiagonal() * jacobian *
+                                            scale.asDiagonal());
+    const auto step_by = [&](const VectorXd& rate) -> VectorXd {
+      return scale.cwiseProduct(solver.solve(-rate.cwiseQuotient(scale)));
+    };
+    const VectorXd step = step_by(map.rate(state));
+    if (!step.allFinite()) return std::nullopt;
     sizes = sizes.cwiseMax(step.cwiseAbs()).cwiseMax(state.cwiseAbs());
-    if (judged(step) <= kResidual) {
-      state = (state.array().abs() <= kResidual * sizes.array()).select(0.0, state);
-      const MatrixXd slope = map.rate_slope(state);
-      // A field that no state changes is solved by no step at all.
-      const VectorXd allowed = kBalanced * (slope.cwiseAbs() * sizes);
-      if ((map.rate(state).cwiseAbs().array() > allowed.array()).any()) return std::nullopt;
-      // What is 0 in all that was met has no size of its own.
-      return make_equilibrium(state, slope,
-                              sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; }));
+    const VectorXd judged_in = above_zero(sizes);
+    if (distance_of(step, judged_in) <= kResidual) {
+      return balanced((state.array().abs() <= kResidual * sizes.array()).select(0.0, state), map,
+                      sizes);
     }
     // The step that the next one would be, judged by the same Jacobian (P. Deuflhard's natural
     // monotonicity test), must be smaller.
-    const VectorXd scale = scale_of(sizes);
-    const Eigen::FullPivLU<MatrixXd> solver = solver_at(state, scale);
     double damping = 1.0;
     for (int halvings = 0; halvings < kMaxHalvings; ++halvings, damping *= 0.5) {
-      const VectorXd rate = map.rate(state + damping * step);
-      const VectorXd again = scale.cwiseProduct(solver.solve(-rate.cwiseQuotient(scale)));
-      if (again.allFinite() && judged(again) < judged(step)) break;
+      const VectorXd again = step_by(map.rate(state + damping * step));
+      if (again.allFinite() && distance_of(again, judged_in) < distance_of(step, judged_in)) break;
     }
     state += damping * step;
-    step = step_from(state);
   }
   return std::nullopt;
 }

@@ -167,6 +167,12 @@ TEST(Clockless, ACycleHasItsExtremesWhereTheRecordIsAPartOfIt) {
   EXPECT_NEAR(map_of(result, "e_max")[0], 753.99391678, 1e-4);
 }
 
+void expect_rest(const SweepResult& result) {
+  EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(MOTION_equilibrium));
+  EXPECT_THAT(map_of(result, "period"), ::testing::Each(0.0));
+  EXPECT_THAT(map_of(result, "maxima_returns"), ::testing::Each(0.0));
+}
+
 // Friction holds a mass wherever it stops: no exponent tells that it rests.
 TEST(Clockless, WhatSticksForEverIsAtRest) {
   for (const char* engine : {"opencl", "reference"}) {
@@ -176,9 +182,8 @@ TEST(Clockless, WhatSticksForEverIsAtRest) {
         "[[axes]]\nname = 'mu'\nvalues = [0.05, 0.11, 0.3]\n[integrate]\nengine = '{}'\n[observe]\n"
         "quantities = ['motion_class', 'period', 'maxima_returns', 'sticking_share']\n",
         engine));
-    EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(MOTION_equilibrium)) << engine;
-    EXPECT_THAT(map_of(result, "period"), ::testing::Each(0.0)) << engine;
-    EXPECT_THAT(map_of(result, "maxima_returns"), ::testing::Each(0.0)) << engine;
+    SCOPED_TRACE(engine);
+    expect_rest(result);
     EXPECT_THAT(map_of(result, "sticking_share"),
                 ::testing::Each(::testing::DoubleNear(1.0, 1e-9)));
   }
@@ -195,9 +200,8 @@ TEST(Clockless, ABallThatHasStoppedIsAtRest) {
         "[integrate]\nengine = '{}'\n[observe]\n"
         "quantities = ['motion_class', 'period', 'maxima_returns', 'plate_impacts']\n",
         engine));
-    EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(MOTION_equilibrium)) << engine;
-    EXPECT_THAT(map_of(result, "period"), ::testing::Each(0.0)) << engine;
-    EXPECT_THAT(map_of(result, "maxima_returns"), ::testing::Each(0.0)) << engine;
+    SCOPED_TRACE(engine);
+    expect_rest(result);
     // What was met before the record is not counted.
     EXPECT_THAT(map_of(result, "plate_impacts"), ::testing::Each(0.0)) << engine;
   }

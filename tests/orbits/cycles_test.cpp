@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <numbers>
+#include <string>
 
 #include "model/error.hpp"
 #include "orbits/example_orbits.hpp"
@@ -15,6 +17,7 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The cycle that a motion from states of 1 comes to in `time`.
 Orbit cycle_of(const Example& example, double time, std::optional<std::size_t> period = {}) {
@@ -161,13 +164,106 @@ TEST(Equilibria, OfLorenzFlowChangeWhereTheyShould) {
   EXPECT_NEAR(origin.multipliers[0].real(), 10.0, 1e-9);
 }
 
-TEST(Equilibria, AreNotWhereNothingIsBalanced) {
+TEST(Equilibria, AreKnownToRounding) {
   const Example example("lorenz", {{"rho", 22.0}});
   const OrbitError error = error_of(rest_of(example, {8.0, 8.0, 20.0}), example.map());
   EXPECT_LT(error.state.maxCoeff(), 1e-9);
   EXPECT_LT(error.multipliers.maxCoeff(), 1e-9);
-  // A driven model has none: find_rest() and find_equilibrium() are for the others.
-  EXPECT_TRUE(Example("duffing", {}).map().driven());
+}
+
+// A model of its equations, and a parameter `m` to follow along.
+struct Written {
+  std::shared_ptr<const Model> model;
+  ModelSetting setting;
+
+  Written(const std::string& states, const std::string& equations, double m)
+      : model(read_model_text("[model]\nname = 'written'\n[states]\n" + states +
+                                  "[parameters]\nm = 1.0\n[equations]\n" + equations,
+                              "written.toml")),
+        setting(model->default_setting()) {
+    setting.parameters[0] = m;
+  }
+  PeriodMap map() const { return {*model, setting, 2048}; }
+  Orbit cycle(const Eigen::VectorXd& start, double time, double step) const {
+    const PeriodMap from = map();
+    const auto steps = static_cast<std::size_t>(time / step);
+    return find_cycle(from, from.advance(start, TimeSpan{time, steps}).value(), {step, 2048, {}});
+  }
+  Branch follow(const Orbit& start, double low, double high, bool upwards) const {
+    return follow_orbit({model.get(), setting, 0, low, high, 2048, upwards}, start);
+  }
+};
+
+TEST(Equilibria, AreNotWhereNothingIsBalanced) {
+  const Written drift("x = {}\ny = {}\n", "x = '1'\ny = '-m*y'\n", 1.0);
+  EXPECT_FALSE(find_equilibrium(drift.map(), Eigen::Vector2d(0.5, 0.5)).has_value());
+}
+
+// A center has a family of cycles at any parameter: rounding of its real parts crosses nothing.
+TEST(Equilibria, OfACenterHaveNoHopfBifurcation) {
+  const Written prey("x = {}\ny = {}\n", "x = 'x*(1 - y)'\ny = 'm*y*(x - 1)'\n", 1.0);
+  const Orbit rest = find_equilibrium(prey.map(), Eigen::Vector2d(0.9, 1.1)).value();
+  for (const bool upwards : {false, true}) {
+    EXPECT_TRUE(prey.follow(rest, 0.1, 4.0, upwards).bifurcations.empty());
+  }
+}
+
+// c is conserved, and its eigenvalue is 0 throughout; the pair m +- i crosses at m = 0.
+TEST(Equilibria, HaveHopfBifurcationsBesideWhatIsConserved) {
+  const Written turning("x = {}\ny = {}\nc = { start = 0.5 }\n",
+                        "x = 'm*x - c*y - x*(x^2 + y^2)'\ny = 'c*x + m*y - y*(x^2 + y^2)'\n"
+                        "c = '0*m'\n",
+                        -0.3);
+  const Orbit rest = find_equilibrium(turning.map(), Eigen::Vector3d(0.1, 0.1, 0.5)).value();
+  const Branch branch = turning.follow(rest, -0.5, 1.0, true);
+  ASSERT_EQ(branch.bifurcations.size(), 1U) << branch.ended;
+  EXPECT_EQ(branch.bifurcations[0].kind, Bifurcation::hopf);
+  EXPECT_NEAR(branch.bifurcations[0].parameter, 0.0, 1e-9);
+}
+
+// In the plane no multiplier is negative: near its homoclinic end (m = -0.74344427, by DOP853) a
+// cycle may be lost, but does not flip.
+TEST(Cycles, EndAtAHomoclinicOrbitWithoutInventions) {
+  const Written takens("x = {}\ny = {}\n", "x = 'y'\ny = '-1 + x^2 - x*y + m*y'\n", -0.9);
+  const Orbit cycle = takens.cycle(Eigen::Vector2d(-1.0, 0.3), 400.0, 0.02);
+  EXPECT_NEAR(cycle.duration, 5.006099758, 1e-8);
+  const Branch up = takens.follow(cycle, -2.0, 3.0, true);
+  EXPECT_TRUE(up.bifurcations.empty());
+  EXPECT_NEAR(up.orbits.back().parameter, -0.74344427, 1e-3);
+  const Branch down = takens.follow(cycle, -2.0, 3.0, false);
+  ASSERT_EQ(down.bifurcations.size(), 1U);
+  EXPECT_EQ(down.bifurcations[0].kind, Bifurcation::hopf);
+  EXPECT_NEAR(down.bifurcations[0].parameter, -1.0, 1e-9);
+}
+
+// z does not move along the cycle r = 1, but along m; 0 and m change stability at m = 0.
+TEST(Cycles, AreFollowedWhereAStateHardlyMoves) {
+  const Written still("x = {}\ny = {}\nz = {}\n",
+                      "x = 'x - y - x*(x^2 + y^2)'\ny = 'x + y - y*(x^2 + y^2)'\nz = 'm*z - z^2'\n",
+                      0.5);
+  const Orbit cycle = still.cycle(Eigen::Vector3d(1.0, 0.0, 0.3), 100.0, 0.05);
+  EXPECT_NEAR(cycle.duration, 2.0 * std::numbers::pi, 1e-10);
+  const Branch branch = still.follow(cycle, -0.9, 1.0, false);
+  ASSERT_EQ(branch.bifurcations.size(), 1U) << branch.ended;
+  EXPECT_EQ(branch.bifurcations[0].kind, Bifurcation::branching);
+  EXPECT_NEAR(branch.bifurcations[0].parameter, 0.0, 1e-8);
+  EXPECT_THAT(branch.ended, HasSubstr("reached"));
+  // So they are where the range is so long that the cycle is small beside it.
+  EXPECT_THAT(still.follow(cycle, 0.1, 1e6, true).ended, Not(HasSubstr("shrinks")));
+}
+
+// The Brusselator in nanoseconds, with lengths of 1000 and of a millionth.
+TEST(Cycles, AreBornInAnyUnits) {
+  const Written scaled("x = {}\ny = {}\n",
+                       "x = '1e12*(1 - (m + 1)*x/1e3 + (x/1e3)^2*(y/1e-6))'\n"
+                       "y = '1e3*(m*x/1e3 - (x/1e3)^2*y/1e-6)'\n",
+                       2.5);
+  const Orbit cycle = scaled.cycle(Eigen::Vector2d(1e3, 2e-6), 200e-9, 0.01e-9);
+  EXPECT_NEAR(cycle.duration * 1e9, 6.577284342, 1e-6);
+  const Branch branch = scaled.follow(cycle, 1.0, 4.0, false);
+  ASSERT_EQ(branch.bifurcations.size(), 1U) << branch.ended;
+  EXPECT_EQ(branch.bifurcations[0].kind, Bifurcation::hopf);
+  EXPECT_NEAR(branch.bifurcations[0].parameter, 2.0, 1e-9);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "orbits/orbit_error.hpp"
 
@@ -24,10 +25,25 @@ constexpr double kSameTime = 0.2;        // of the length of a small cycle
 constexpr double kSlope = 1e-5;          // of the range: step of a derivative
 constexpr int kMaxSecants = 30;
 
-// The product of all m + shift.
-double shifted_product(const Orbit& orbit, double shift) {
+// A test's factors where it is a product over multipliers, or eigenvalues in the fastest of them.
+std::vector<complex<double>> factors_of(BranchTest test, const Orbit& orbit) {
+  const Eigen::VectorXcd& m = orbit.multipliers;
+  const bool rests = orbit.kind == OrbitKind::equilibrium;
+  const double unit = rests ? form_of(orbit).time : 1.0;
+  std::vector<complex<double>> factors;
+  for (Index i = 0; i < m.size(); ++i) {
+    if (test == at_plus_one) factors.push_back(rests ? unit * m[i] : m[i] - 1.0);
+    if (test == at_minus_one && !rests) factors.push_back(m[i] + 1.0);
+    for (Index j = i + 1; j < m.size() && test == at_pair; ++j) {
+      factors.push_back(rests ? unit * (m[i] + m[j]) : m[i] * m[j] - 1.0);
+    }
+  }
+  return factors;
+}
+
+double product_of(BranchTest test, const Orbit& orbit) {
   complex<double> product = 1.0;
-  for (const complex<double>& m : orbit.multipliers) product *= m + shift;
+  for (const complex<double>& factor : factors_of(test, orbit)) product *= factor;
   return product.real();
 }
 
@@ -77,42 +93,33 @@ std::optional<double> growth_at(const PeriodMap& map, const VectorXd& state, dou
 }  // namespace
 
 double at_plus_one(const BranchPoint& s) {
+  if (s.orbit.kind != OrbitKind::forced) return product_of(at_plus_one, s.orbit);
   const MatrixXd& m = s.orbit.monodromy;
-  switch (s.orbit.kind) {
-    case OrbitKind::forced:
-      return (m - MatrixXd::Identity(m.rows(), m.cols())).determinant();
-    case OrbitKind::cycle:
-      return shifted_product(s.orbit, -1.0);
-    case OrbitKind::equilibrium:
-      break;
-  }
-  return (form_of(s.orbit).time * m).determinant();
+  return (m - MatrixXd::Identity(m.rows(), m.cols())).determinant();
 }
 
 double at_minus_one(const BranchPoint& s) {
+  if (s.orbit.kind != OrbitKind::forced) return product_of(at_minus_one, s.orbit);
   const MatrixXd& m = s.orbit.monodromy;
-  switch (s.orbit.kind) {
-    case OrbitKind::forced:
-      return (m + MatrixXd::Identity(m.rows(), m.cols())).determinant();
-    case OrbitKind::cycle:
-      return shifted_product(s.orbit, 1.0);
-    case OrbitKind::equilibrium:
-      break;
-  }
-  return 1.0;
+  return (m + MatrixXd::Identity(m.rows(), m.cols())).determinant();
 }
 
-double at_pair(const BranchPoint& s) {
-  const Eigen::VectorXcd& m = s.orbit.multipliers;
-  const bool rests = s.orbit.kind == OrbitKind::equilibrium;
-  const double time = form_of(s.orbit).time;
-  complex<double> product = 1.0;
-  for (Index i = 0; i < m.size(); ++i) {
-    for (Index j = i + 1; j < m.size(); ++j) {
-      product *= rests ? time * (m[i] + m[j]) : m[i] * m[j] - 1.0;
+double at_pair(const BranchPoint& s) { return product_of(at_pair, s.orbit); }
+
+bool is_pair_complex(const Orbit& orbit) {
+  const std::vector<complex<double>> factors = factors_of(at_pair, orbit);
+  const auto nearest =
+      std::min_element(factors.begin(), factors.end(),
+                       [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });
+  std::size_t pair = 0;
+  for (Index i = 0; i < orbit.multipliers.size(); ++i) {
+    for (Index j = i + 1; j < orbit.multipliers.size(); ++j, ++pair) {
+      if (factors.begin() + static_cast<std::ptrdiff_t>(pair) == nearest) {
+        return orbit.multipliers[i].imag() != 0.0;
+      }
     }
   }
-  return product.real();
+  return false;
 }
 
 double turning(const BranchPoint& s) { return s.tangent[s.tangent.size() - 1]; }
@@ -121,11 +128,18 @@ bool changes(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
   return (test(a) < 0.0) != (test(b) < 0.0);
 }
 
-bool leaves_border(const BranchPoint& a, const BranchPoint& b) {
-  const double border = a.orbit.kind == OrbitKind::equilibrium ? 1e-9
-                        : a.orbit.kind == OrbitKind::cycle     ? 1e-6
-                                                               : 0.0;
-  return std::max(a.orbit.nearest_margin(), b.orbit.nearest_margin()) > border;
+bool is_told(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
+  if (a.orbit.kind == OrbitKind::forced) return true;
+  // Rounding of eigenvalues, and errors of a cycle's.
+  const double border = a.orbit.kind == OrbitKind::equilibrium ? 1e-9 : 1e-6;
+  const auto smallest = [&](const BranchPoint& s) {
+    double least = 1.0;
+    for (const complex<double>& factor : factors_of(test, s.orbit)) {
+      least = std::min(least, std::abs(factor));
+    }
+    return least;
+  };
+  return std::max(smallest(a), smallest(b)) > border;
 }
 
 std::optional<Bracket> locate(const Follower& follower, const Follower& coarser, BranchTest test,

@@ -12,16 +12,19 @@ using BranchTest = double (*)(const BranchPoint&);
 double at_plus_one(const BranchPoint& s);   // or at 0
 double at_minus_one(const BranchPoint& s);  // 1 of an equilibrium
 // Also changes sign where two real multipliers are each other's inverse, or two real eigenvalues
-// each other's opposite, which is no bifurcation.
+// each other's opposite, which is no bifurcation: is_pair_complex().
 double at_pair(const BranchPoint& s);
+// Whether it is a complex pair that is nearest to make at_pair() 0.
+bool is_pair_complex(const Orbit& orbit);
 // The parameter's part of the tangent: changes sign where the branch turns back.
 double turning(const BranchPoint& s);
 
 bool changes(BranchTest test, const BranchPoint& a, const BranchPoint& b);
 
-// Whether the multipliers, or eigenvalues, leave the circle, or the axis, by more than rounding at
-// one of two neighbours: those of a center never do, and cross nothing.
-bool leaves_border(const BranchPoint& a, const BranchPoint& b);
+// Whether a test's sign is more than rounding at one of two neighbours: an eigenvalue 0 of a model
+// that conserves something, or the pair of a center, is at the border all along, and crosses
+// nothing.
+bool is_told(BranchTest test, const BranchPoint& a, const BranchPoint& b);
 
 // Neighbours on a branch with a test function's zero between them, and where it is.
 struct Bracket {

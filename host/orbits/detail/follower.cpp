@@ -12,12 +12,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMaxCorrections = 12;
-constexpr double kCorrected = 1e-12;    // residual, of the states' sizes
-constexpr double kHardlyMoves = 0.1;    // of what a state changes along the range
-constexpr double kMadeOfOthers = 1e-3;  // of what sizes of others become in a state
-constexpr double kMostSteps = 4.0;      // times those of the first cycle
-constexpr double kDifference = 1e-6;    // of the range: step of the derivative by the parameter
-constexpr double kFar = 1.0;            // of an orbit without a half
+constexpr double kCorrected = 1e-12;  // residual, of the states' sizes
+constexpr double kHardlyMoves = 0.1;  // of what a state changes along the range
+constexpr double kMostSteps = 4.0;    // times those of the first cycle
+constexpr double kDifference = 1e-6;  // of the range: step of the derivative by the parameter
+constexpr double kFar = 1.0;          // of an orbit without a half
 
 OrbitForm with_steps(OrbitForm form, std::size_t coarseness) {
   form.steps = std::max<std::size_t>(form.steps / coarseness, 1);
@@ -34,6 +33,7 @@ Follower::Follower(const FollowRequest& request, const Orbit& start, std::size_t
       first_steps_(static_cast<double>(form_.steps)),
       step_(start.duration / first_steps_),
       sizes_(start.sizes),
+      widest_(start.sizes),
       states_{start.state, start.state} {
   if (start.kind != OrbitKind::forced) sizes_ = sizes_along(start);
 }
@@ -55,10 +55,9 @@ VectorXd Follower::sizes_along(const Orbit& start) const {
   VectorXd sizes = start.sizes.cwiseMax(kHardlyMoves * change);
   if (start.kind == OrbitKind::equilibrium) {
     sizes = change.cwiseMax(kMinSize * start.sizes);
-    // A velocity that stays 0 has the size of what others make of it.
-    sizes = sizes.cwiseMax(kMadeOfOthers * form_.time * (start.monodromy.cwiseAbs() * sizes));
+    sizes = spread_of(sizes, start.monodromy, kMadeOfOthers);
   }
-  return sizes.unaryExpr([](double size) { return size > 0.0 ? size : 1.0; });
+  return above_zero(sizes);
 }
 
 BranchPoint Follower::grow_to(const BranchPoint& s) {
@@ -69,6 +68,7 @@ BranchPoint Follower::grow_to(const BranchPoint& s) {
     sizes_ = sizes_.cwiseMax(2.0 * states_.swing());
   } else {
     sizes_ = sizes_.cwiseMax(s.orbit.sizes);
+    widest_ = widest_.cwiseMax(s.orbit.sizes);
   }
   if (form_.kind == OrbitKind::cycle) {
     form_.time = s.orbit.duration;
@@ -107,7 +107,7 @@ double Follower::half_return(const BranchPoint& s) const {
 }
 
 double Follower::extent_of(const BranchPoint& s) const {
-  return s.orbit.sizes.cwiseQuotient(sizes_).maxCoeff();
+  return distance_of(s.orbit.sizes, widest_);
 }
 
 std::optional<BranchPoint> Follower::correct(const VectorXd& guess, const VectorXd& along) const {

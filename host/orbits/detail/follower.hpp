@@ -61,7 +61,8 @@ class Follower {
   OrbitForm form_;
   double first_steps_, step_;  // of the first cycle, and how long they are in dimensionless time
   Eigen::VectorXd sizes_;
-  Extent states_;  // of equilibria so far
+  Eigen::VectorXd widest_;  // sizes of orbits so far, the largest
+  Extent states_;           // of equilibria so far
 };
 
 }  // namespace gearsweep
