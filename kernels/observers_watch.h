@@ -120,10 +120,12 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
   Instant middle;
   Instant after;
   const real halfway = one_half * (part->from + *part->to);
-  PhaseAt moment;
   surface_inside(part, one_half, inside);
-  surface_moment(part->rows, halfway, &moment);
-  surface_return(point, &moment, part->rows->h, where, inside);
+  if (!all_lanes(!sliding_any(point))) {
+    PhaseAt moment;
+    surface_moment(part->rows, halfway, &moment);
+    surface_return(point, &moment, part->rows->h, where, inside);
+  }
   watch_instant(point, part->rows, halfway, inside, &middle);
   watch_instant(point, part->rows, *part->to, part->next, &after);
   watcher->middle = watcher->before;

@@ -1,10 +1,9 @@
 // What kind of motion it is where there is no clock, from the two largest Lyapunov exponents and
 // from the returns to a section. One exponent of a motion that does not rest is 0, that of a shift
 // along it, so:
-//   equilibrium     no state changes in the record; or a perturbation shrinks by more than exp(10)
-//   in
-//                   it, and by more than its error, which a transient onto a cycle that is over has
-//                   a large one of: the motion ends at rest, or is there;
+//   equilibrium     no state changes in the record; or a perturbation shrinks in it by more than
+//                   exp(10), and by more than its error, which a transient onto a cycle that is
+//                   over has a large one of: the motion ends at rest, or is there;
 //   periodic        the state recurs after some returns (recurrence.h), and nothing grows;
 //   quasi_periodic  both exponents are 0 and no return recurs, in three dimensions or more, with
 //                   the bounds of observables/motion.h;

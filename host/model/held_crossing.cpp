@@ -1,0 +1,179 @@
+// Through the surfaces of a held field: crossings, and resets.
+#include <algorithm>
+#include <cmath>
+
+#include "model/detail/held_sliding.hpp"
+
+namespace gearsweep {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using held::index;
+using held::kNear;
+using held::kRounding;
+using held::RowMajor;
+
+// Of a step: a flight that is shorter ends in contact.
+constexpr double kShortFlight = 1e-3;
+
+}  // namespace
+
+std::optional<std::size_t> HeldField::left_behind(const double* coefs, const double* x) {
+  if (slides()) {
+    const Sliding along = sliding(coefs, x);
+    for (std::size_t i = 0; i < along.surfaces.size(); ++i) {
+      const double share = along.share[index(i)];
+      const bool is_bounded = !model_.surfaces[along.surfaces[i]].resets;
+      if (share < -kNear || (is_bounded && share > 1.0 + kNear)) return along.surfaces[i];
+    }
+  }
+  const std::vector<double> at = values(SurfaceValue::level, coefs, x, 1);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (slides_[k]) continue;
+    const bool stays = model_.surfaces[k].is_staircase ? std::floor(at[k]) == sides_[k]
+                       : sides_[k] > 0.5               ? at[k] >= 0.0
+                                                       : at[k] <= 0.0;
+    if (!stays) return k;
+  }
+  const std::vector<bool> touch = touching(coefs, x);
+  const auto changed = std::ranges::mismatch(touch, touches_).in1;
+  if (changed == touch.end()) return std::nullopt;
+  return sides_.size() + static_cast<std::size_t>(changed - touch.begin());
+}
+
+void HeldField::pass(std::size_t surface, const double* coefs, HeldMotion* motion) {
+  double* const x = motion->state.data();
+  if (surface >= sides_.size()) {  // the field bends, and does not jump
+    touches_[surface - sides_.size()].flip();
+    return;
+  }
+  if (slides_[surface]) {
+    const Sliding along = sliding(coefs, x);
+    const auto place = std::ranges::find(along.surfaces, surface) - along.surfaces.begin();
+    if (!model_.surfaces[surface].resets && along.share[place] < 0.5) sides_[surface] -= 1.0;
+    slides_[surface] = false;
+    point_->hold(sides_);
+    return;
+  }
+  const Index states = index(states_);
+  VectorXd before(states), behind(states);
+  rhs(coefs, x, before.data());
+  const double rate = rates(coefs, x, before.data())[surface];
+  if (model_.surfaces[surface].resets && sides_[surface] < 0.5 && rate <= 0.0) {
+    return put_below(surface, coefs, x);  // it only touches it
+  }
+  const VectorXd delays =
+      VectorXd::Map(
+          values(SurfaceValue::level_gradient, coefs, x, states_).data() + surface * states_,
+          states) /
+      rate;
+  Carried carried{MatrixXd::Identity(states, states), before};
+  if (model_.surfaces[surface].resets && sides_[surface] < 0.5) {
+    reset_from(surface, rate, coefs, x, &carried);
+  } else {
+    cross(surface, coefs, x);
+  }
+  rhs(coefs, x, behind.data());
+  MatrixXd& w = motion->tangents;
+  if (rate != 0.0 && w.cols() > 0) {
+    w = (carried.by * w + (behind - carried.field) * (delays.transpose() * w)).eval();
+  }
+}
+
+// Resets at a surface that is met, and at those that this lifts the state above, each once.
+void HeldField::reset_from(std::size_t surface, double rate, const double* coefs, double* x,
+                           Carried* carried) {
+  const Index states = index(states_);
+  const double level_there = std::fabs(values(SurfaceValue::level, coefs, x, 1)[surface]);
+  std::vector<Met> met = {{surface, rate}};
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    const std::size_t one = met[i].surface;
+    const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
+                              drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
+                              slopes =
+                                  values(SurfaceValue::reset_gradient, coefs, x, states_ * states_),
+                              before = values(SurfaceValue::level, coefs, x, 1);
+    const MatrixXd slope = RowMajor::Map(slopes.data() + one * states_ * states_, states, states);
+    carried->by = (slope * carried->by).eval();
+    carried->field =
+        (slope * carried->field + VectorXd::Map(drifts.data() + one * states_, states)).eval();
+    std::copy_n(to.begin() + static_cast<std::ptrdiff_t>(one * states_), states_, x);
+    const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1);
+    std::vector<std::size_t> elsewhere;
+    std::optional<std::size_t> lifted_above;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      if (std::ranges::find(met, k, &Met::surface) != met.end()) continue;
+      if (model_.surfaces[k].resets && sides_[k] < 0.5 && levels[k] > 0.0) {
+        if (!lifted_above) lifted_above = k;
+      } else if (levels[k] != before[k]) {
+        elsewhere.push_back(k);
+      }
+    }
+    find_sides(elsewhere, levels, coefs, x);
+    if (!lifted_above) continue;
+    std::vector<double> dx(states_);
+    slides_[*lifted_above] = false;
+    rhs(coefs, x, dx.data());
+    met.push_back({*lifted_above, std::max(rates(coefs, x, dx.data())[*lifted_above], 0.0)});
+  }
+  for (const Met& one : met) {
+    rebound(one, one.surface == surface ? level_there : 0.0, coefs, x);
+    met_.push_back(one);
+  }
+}
+
+// The other side of a jump, or along it.
+void HeldField::cross(std::size_t surface, const double* coefs, const double* x) {
+  const double level = values(SurfaceValue::level, coefs, x, 1)[surface];
+  const bool is_up =
+      model_.surfaces[surface].is_staircase ? level > sides_[surface] + 0.5 : sides_[surface] < 0.5;
+  sides_[surface] += is_up ? 1.0 : -1.0;
+  point_->hold(sides_);
+  if (model_.surfaces[surface].resets) return;
+  std::vector<double> behind(states_);
+  rhs(coefs, x, behind.data());
+  if (rates(coefs, x, behind.data())[surface] * (is_up ? 1.0 : -1.0) < 0.0) {
+    if (!is_up) sides_[surface] += 1.0;
+    slides_[surface] = has_slid_ = true;
+    point_->hold(sides_);
+  }
+}
+
+// Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
+// the flight to the next impact would be too short to count.
+void HeldField::rebound(const Met& met, double level_there, const double* coefs, double* x) {
+  const std::size_t surface = met.surface;
+  std::vector<double> dx(states_);
+  rhs(coefs, x, dx.data());
+  const double level = values(SurfaceValue::level, coefs, x, 1)[surface];
+  const double rate = rates(coefs, x, dx.data())[surface];
+  const double push = held_rate(surface, coefs, x, dx.data());
+  // The reset leaves the level what it was, but for rounding.
+  const double reach = level_there + kNear * step_ * std::max(std::fabs(rate), step_ * push);
+  const bool is_at = std::fabs(level) <= 2.0 * reach;
+  // Of a reset that leaves no speed the rate is rounding.
+  const bool goes_on = rate > kNear * met.rate;
+  sides_[surface] = (is_at ? goes_on : level > 0.0) ? 1.0 : 0.0;
+  point_->hold(sides_);
+  if (!is_at || goes_on) return;
+  put_below(surface, coefs, x);
+  if (push <= 0.0 || 2.0 * std::fabs(rate) > kShortFlight * step_ * push) return;
+  slides_[surface] = has_slid_ = true;
+  put_back(coefs, x);
+  bind(coefs, x);
+}
+
+// To just below a surface, so that by rounding it does not count as beyond it.
+void HeldField::put_below(std::size_t surface, const double* coefs, double* x) {
+  const Index states = index(states_);
+  const std::vector<double> all = values(SurfaceValue::level_gradient, coefs, x, states_);
+  const VectorXd gradient = VectorXd::Map(all.data() + surface * states_, states);
+  auto state = VectorXd::Map(x, states);
+  const double down = values(SurfaceValue::level, coefs, x, 1)[surface] +
+                      kRounding * gradient.cwiseProduct(state).cwiseAbs().sum();
+  state -= down / gradient.squaredNorm() * gradient;
+}
+
+}  // namespace gearsweep
