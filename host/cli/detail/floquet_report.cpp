@@ -99,8 +99,10 @@ std::string describe_nearest(const OrbitFindings& findings) {
   const std::optional<Nearest> nearest = nearest_bifurcation(findings.orbit);
   if (!nearest) return "";
   const double error = findings.error.multipliers.maxCoeff();
-  // Of a multiplier that is 0 the sign says nothing.
-  if (std::abs(nearest->multiplier) <= error && !is_equilibrium(findings.orbit)) return "";
+  if (std::abs(nearest->multiplier) <= error && !is_equilibrium(findings.orbit)) {
+    // A multiplier that is 0 is far from any bifurcation, and its sign says nothing.
+    return error < nearest->margin ? "" : "nearest bifurcation: unknown, as no multiplier is\n";
+  }
   return fmt::format("nearest bifurcation: {} ({})\n", name_of(*nearest),
                      is_equilibrium(findings.orbit) ? describe_real_part(*nearest, error)
                                                     : describe_margin(*nearest, error));
