@@ -1,8 +1,9 @@
 // The types that every model has, made from its lists, and defaults. The header that is written for
 // a model defines MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any,
-// MODEL_PHASE_COEFS, MODEL_OPTIONS and MODEL_ANGLES (X(state) of each that means the same after a
-// full turn, in radians), then includes this file, then defines its functions. No include guard:
-// the host includes a model into a namespace of its own.
+// MODEL_PHASE_COEFS, MODEL_OPTIONS, MODEL_ANGLES (X(state) of each that means the same after a full
+// turn, in radians) and MODEL_CLOCKS (how many of the last states turn steadily, whatever the
+// others do), then includes this file, then defines its functions. No include guard: the host
+// includes a model into a namespace of its own.
 
 #include "functions.h"
 
@@ -33,6 +34,9 @@ typedef struct {
 #endif
 #ifndef MODEL_ANGLES
 #define MODEL_ANGLES(X)
+#endif
+#ifndef MODEL_CLOCKS
+#define MODEL_CLOCKS 0
 #endif
 #define MODEL_TAKE_TURNS(name) \
   x[STATE_##name] = x[STATE_##name] - turn * lane_rint(x[STATE_##name] / turn);

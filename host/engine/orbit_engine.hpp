@@ -85,10 +85,11 @@ struct ReturnMaps {
 
 // Periods of a study's settling that a search for orbits may take: what is left is the warm-up of
 // the tangent vectors, which belongs to the record. None where the study looks at sections: their
-// returns are counted in the whole record.
+// returns are counted in the whole record. None of a model with clocks, whose motion returns only
+// where its frequencies agree.
 inline std::size_t searched_periods(const Study& study) {
   const Integrate& integrate = study.integrate;
-  if (!study.selection.watched_sections().empty()) return 0;
+  if (!study.selection.watched_sections().empty() || study.model->clocks > 0) return 0;
   const bool warms_up = study.selection.tangent_count() > 0;
   return integrate.settle - (warms_up ? std::min(integrate.settle, integrate.warm_up) : 0);
 }

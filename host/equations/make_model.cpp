@@ -315,6 +315,7 @@ Model make_model(const ModelDefinition& given) {
     };
   }
   model.is_clockless = given.clock.has_value();
+  model.clocks = given.second ? 1 : 0;
   model.binding = {given.given_curves, given.choices, given.swept, given.expressions};
   if (given.clock) model.binding.clock = *given.clock;
   model.bound = [defined = std::make_shared<const ModelDefinition>(given)](const Binding& binding) {

@@ -245,7 +245,11 @@ struct Model {
   std::vector<DerivedParameter> derived;
   std::vector<ChannelInfo> phase_coefs;
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
-  bool is_autonomous = false;       // no equation depends on the phase
+  // How many of the last states are phases of further frequencies: angles that turn steadily,
+  // whatever all else does. Tangent vectors have nothing along them, so their exponents, which are
+  // 0, do not count.
+  std::size_t clocks = 0;
+  bool is_autonomous = false;  // no equation depends on the phase
   // Its file has no [forcing]: time is cut into periods of Binding::clock.
   bool is_clockless = false;
   // [state] Distances between states are relative to the range of the motion, state by state.
@@ -330,6 +334,8 @@ struct Model {
   int find_option(std::string_view option) const;
 
   std::vector<std::string> state_names() const;
+  // Those that a perturbation may change: all but the clocks.
+  std::size_t perturbed_states() const { return states.size() - clocks; }
   // False of a state that has diverged.
   bool is_within_limits(std::span<const double> state) const;
   // What a state or signal is called in the kernels.

@@ -13,9 +13,9 @@ namespace gearsweep {
 constexpr int kPerState = 1 << 12;
 constexpr int kPerOrder = 1 << 20;
 
-// What is put in.
+// What is put in. perturbed: states that tangent vectors have (Model::perturbed_states()).
 struct Sizes {
-  std::size_t states = 0, orders = 0;
+  std::size_t states = 0, perturbed = 0, orders = 0;
 };
 
 constexpr std::size_t numbers_of(int count, const Sizes& sizes) {
@@ -24,8 +24,10 @@ constexpr std::size_t numbers_of(int count, const Sizes& sizes) {
          static_cast<std::size_t>(count / kPerOrder) * sizes.orders;
 }
 
-// The dimension of outputs that have a number for each order (study/selection.hpp).
+// The dimension of outputs that have a number for each order (study/selection.hpp), and for each
+// tangent vector.
 constexpr const char* kOrders = "order";
+constexpr const char* kExponents = "exponent";
 
 // What an observable is for.
 enum class ObservableRole {
@@ -85,7 +87,7 @@ struct Observable {
   int accumulators;
   int tangents;
   // Name of the dimension of its outputs; empty: plain numbers. Along kOrders they have a number
-  // for each order, along others one for each state.
+  // for each order, along kExponents one for each tangent vector, along others one for each state.
   std::string dimension;
   std::vector<ObservableOutput> outputs;
 
@@ -93,7 +95,12 @@ struct Observable {
   // Numbers of each output.
   std::size_t width(const Sizes& sizes) const {
     if (dimension == kOrders) return sizes.orders;
+    if (dimension == kExponents) return sizes.perturbed;
     return dimension.empty() ? 1 : sizes.states;
+  }
+  // Tangent vectors that it needs, at most one for each state that has a tangent.
+  std::size_t tangents_of(const Sizes& sizes) const {
+    return tangents < kPerState ? numbers_of(tangents, sizes) : sizes.perturbed;
   }
 };
 

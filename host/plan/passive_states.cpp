@@ -179,8 +179,9 @@ void fit(const Model& reduced, Selection* selection) {
                                      reduced.reduction.kept.begin());
   }
   for (Observer& observer : selection->observers) {
-    observer.accumulators = numbers_of(observer.observable->accumulators,
-                                       {reduced.states.size(), selection->orders.size()});
+    observer.accumulators =
+        numbers_of(observer.observable->accumulators,
+                   {reduced.states.size(), reduced.perturbed_states(), selection->orders.size()});
   }
 }
 

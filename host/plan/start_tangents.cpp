@@ -2,7 +2,8 @@
 
 namespace gearsweep {
 
-std::vector<double> start_tangents(std::size_t vectors, std::size_t states) {
+std::vector<double> start_tangents(std::size_t vectors, const Model& model) {
+  const std::size_t states = model.perturbed_states();
   std::vector<double> normal(states);
   double squares = 0.0;
   for (std::size_t i = 0; i < states; ++i) {
@@ -16,6 +17,7 @@ std::vector<double> start_tangents(std::size_t vectors, std::size_t states) {
       const double unit = vector == state ? 1.0 : 0.0;
       out.push_back(unit - 2.0 * normal[vector] * normal[state] / squares);
     }
+    out.insert(out.end(), model.clocks, 0.0);
   }
   return out;
 }

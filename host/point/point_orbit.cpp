@@ -125,6 +125,14 @@ void require_free(const PeriodMap& map, const Model& model) {
                   model.name));
 }
 
+void require_one_frequency(const Model& model) {
+  if (model.clocks == 0) return;
+  throw InputError(fmt::format(
+      "model '{}' has two frequencies: its motions do not return, so they have no multipliers; "
+      "lyapunov_spectrum says what grows beside them",
+      model.name));
+}
+
 void require_smooth(const Study& study) {
   const std::vector<StateJump> jumps = study.model->state_jumps(study.setting);
   if (jumps.empty()) return;
@@ -174,6 +182,7 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
   const Place place = start_of(whole, request);
   const Study study = settling_study(whole, request, place);
   const Model& model = *study.model;
+  require_one_frequency(model);
   require_smooth(study);
   const Plan plan(study, 1);
   const std::size_t own_steps = plan.steps_of(0);

@@ -41,10 +41,10 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
     return is_within;
   };
   for (std::size_t i = 0; i < settle && !result.diverged; ++i) {
-    if (i == settle - warm_up) set_start_tangents(tangents, &trajectory);
+    if (i == settle - warm_up) set_start_tangents(tangents, *study.model, &trajectory);
     result.diverged = !advance(StepCallback());
   }
-  if (warm_up == 0) set_start_tangents(tangents, &trajectory);
+  if (warm_up == 0) set_start_tangents(tangents, *study.model, &trajectory);
   std::vector<std::unique_ptr<ReferenceObservable>> observables;
   const ModelSetting setting = plan.setting_of(point);
   for (const Observer& observer : study.selection.observers) {

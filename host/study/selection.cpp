@@ -83,7 +83,7 @@ std::string unit_of(const ObservableOutput& output, const std::string& seen) {
 // The offers of one observable for a part of the model.
 void add_offers(const Observable& observable, const Part& part, const Sizes& sizes,
                 std::vector<Offer>* offers) {
-  if (numbers_of(observable.tangents, sizes) > sizes.states) return;
+  if (observable.tangents_of(sizes) > sizes.perturbed) return;
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
     const std::string stem = stem_of(observable, part);
@@ -234,7 +234,7 @@ std::size_t first_output_of(const Source& source, const Sizes& sizes, Selection*
       observable.role == ObservableRole::samples ? 0 : observable.outputs.size();
   selection->observers.push_back(
       {&observable, source.part, numbers_of(observable.accumulators, sizes),
-       outputs * observable.width(sizes), numbers_of(observable.tangents, sizes)});
+       outputs * observable.width(sizes), observable.tangents_of(sizes)});
   return first;
 }
 
@@ -349,7 +349,7 @@ std::vector<std::string> Selection::watched_sections() const {
 }
 
 std::vector<Quantity> offered_quantities(const Model& model) {
-  const Sizes sizes = {model.states.size(), kDefaultOrders.size()};
+  const Sizes sizes = {model.states.size(), model.perturbed_states(), kDefaultOrders.size()};
   std::vector<Quantity> out;
   for (const Offer& offer : offers_of(model, sizes, "")) {
     if (offer.is_named) out.push_back(offer.quantity);
@@ -375,7 +375,7 @@ std::vector<std::string> motion_names() {
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,
                             const std::vector<std::string>& poincare_states,
                             const std::vector<double>& orders, const std::string& section) {
-  const Sizes sizes = {model.states.size(), orders.size()};
+  const Sizes sizes = {model.states.size(), model.perturbed_states(), orders.size()};
   const std::vector<Offer> offers = offers_of(model, sizes, section);
   const std::vector<std::size_t> sampled = find_states(model, poincare_states);
   const std::vector<Quantity> known = offered_quantities(model);
@@ -440,7 +440,8 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     }
     quantity.role = offer.role();
     if (offer.role() == OutputRole::motion) selection.motion = quantity.output;
-    if (offer.role() == OutputRole::exponent_error) {
+    // With a clock a motion has no return map, which knows how long its steps are.
+    if (offer.role() == OutputRole::exponent_error && model.clocks == 0) {
       selection.exponent_error = {add_role(offers, OutputRole::exponent, "", sizes, &selection),
                                   quantity.output,
                                   add_role(offers, OutputRole::period, "", sizes, &selection)};

@@ -1,6 +1,7 @@
 // Kaplan-Yorke dimension from all Lyapunov exponents: j + (l_1 + ... + l_j)/|l_(j+1)|, j the
 // largest number of exponents whose sum is not negative (Kaplan and Yorke 1979). The phase is not
-// a state here: for a phase-driven model this is the dimension of the section.
+// a state here: for a phase-driven model this is the dimension of the section. The phase of a
+// second frequency is in the section, and its exponent, 0, adds 1.
 #include "observables/lyapunov_spectrum.h"
 
 #define KAPLAN_YORKE_ROLE verdict
@@ -29,7 +30,7 @@ SHARED_FN void kaplan_yorke_finish(const real* sums, SweepRound round, real* out
   const real one = 1;
   real exponents[TANGENTS];
   lyapunov_spectrum_finish(sums, round, exponents);
-  real dimension = 0;
+  real dimension = MODEL_CLOCKS;
   real sum = 0;
   real counting = 1;  // 0 once the sum has become negative
   for (int j = 0; j < TANGENTS; ++j) {

@@ -6,8 +6,9 @@
 //   goes on as the first half did, over the length of the record, times LYAPUNOV_MAX_CAUTION. Where
 //   a vector varies while it is carried round, or turns into its direction slowly, blocks are alike
 //   and wrong together; the error is what the vector varies by, over the time.
-// The phase's zero exponent is not counted. The host adds to the error of a periodic motion what
-// the steps' length and the distance from the orbit make (host/tile/detail/exponent_error.hpp).
+// The zero exponents of phases are not counted. The host adds to the error of a periodic motion
+// what the steps' length and the distance from the orbit make
+// (host/tile/detail/exponent_error.hpp).
 
 #define LYAPUNOV_MAX_ROLE verdict
 #define LYAPUNOV_MAX_TANGENTS 1

@@ -1,6 +1,7 @@
 // All Lyapunov exponents (natural logarithm, per dimensionless time) over the recorded periods, the
 // largest first. A short record may not tell which tangent vector has which of two that are nearly
-// equal, so they are sorted. The phase's zero exponent is not counted.
+// equal, so they are sorted. The zero exponents of phases are not
+// counted.
 
 #define LYAPUNOV_SPECTRUM_ROLE verdict
 #define LYAPUNOV_SPECTRUM_TANGENTS PER_STATE

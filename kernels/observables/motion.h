@@ -12,7 +12,8 @@
 //                   than the errors allow, nor than exp(10); a hundredth is nothing; and a section
 //                   whose extent, relative to the ranges of the motion, is no more than a quarter
 //                   above those of the record's halves, so that it neither grows nor drifts, or is
-//                   a tenth of the ranges: a cycle seen by a clock that nearly agrees with it;
+//                   a tenth of the ranges: a cycle seen by a clock that nearly agrees with it.
+//                   With a second frequency what decays counts, too: the second phase goes on;
 //   undecided       all else: witnesses that contradict each other, a slow transient, a period
 //                   beyond the longest, chaos too weak for the record.
 // In the last window (host/engine/window.hpp) fewer periods do for quasi_periodic. What decays goes
@@ -126,6 +127,10 @@ SHARED_FN MotionGrowth motion_growth(const real* sums, real forcing, SweepRound 
   growth.grows = growth.log_stretching > growth.error;
   const real size = lane_abs(growth.log_stretching);
   growth.neutral = (size <= nothing) | ((size <= growth.error) & (size <= much));
+#if MODEL_CLOCKS > 0
+  // The second phase never returns, whatever decays beside it.
+  growth.neutral = growth.neutral | !growth.grows;
+#endif
   return growth;
 }
 

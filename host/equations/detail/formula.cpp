@@ -57,7 +57,10 @@ class FormulaReader {
     for (const NamedFunction& function : definition_.functions) read_by_itself(function);
     for (const NamedExpression& constant : definition_.constants) value_of(constant);
     for (const ExpressionText& text : definition_.equations) {
-      formula_.equations.push_back(parse(text));
+      const bool is_clock =
+          definition_.second && formula_.equations.size() + 1 == definition_.equations.size();
+      formula_.equations.push_back(is_clock ? of_parameters(text, "the second frequency")
+                                            : parse(text));
     }
     for (const ExpressionText& text : definition_.signal_values) {
       formula_.signals.push_back(parse(text));

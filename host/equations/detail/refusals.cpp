@@ -69,12 +69,15 @@ void refuse_unrolled_angles(const ModelDefinition& definition, Formula* formula)
       if (!definition.are_angles[i]) continue;
       if (is_taken_in_turns(&formula->graph, {id}, formula->states[i], kWholePhase)) continue;
       const std::string& name = definition.states[i].name;
+      const bool is_clock = definition.second && i + 1 == definition.states.size();
       throw InputError(fmt::format(
           "{}:{}: '{}' is an angle, which is counted within one turn, and {} tells its turns "
           "apart: "
           "an angle may stand in sin, cos and tan alone, with whole numbers as factors, as in "
-          "sin(2*{} - phase); leave out 'angle = true'",
-          text.file, text.line, name, what, name));
+          "sin(2*{} - phase); {}",
+          text.file, text.line, name, what, name,
+          is_clock ? "for a part of a turn, make 'second' so much slower"
+                   : "leave out 'angle = true'"));
     }
   };
   for (std::size_t row = 0; row < formula->equations.size(); ++row) {

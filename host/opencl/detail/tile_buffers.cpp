@@ -114,8 +114,7 @@ std::vector<double> swept_values(const Plan& plan, const Tile& tile, const Slots
 
 std::vector<double> first_tangents(const Study& study, std::size_t slot_count) {
   std::vector<double> out;
-  for (const double number :
-       start_tangents(study.selection.tangent_count(), study.model->states.size())) {
+  for (const double number : start_tangents(study.selection.tangent_count(), *study.model)) {
     out.insert(out.end(), slot_count, number);
   }
   return out;

@@ -88,6 +88,8 @@ class LyapunovSpectrum final : public ReferenceObservable {
 
 class KaplanYorke final : public ReferenceObservable {
  public:
+  // clocks: of the model, each with an exponent 0 that the spectrum does not show.
+  explicit KaplanYorke(std::size_t clocks) : clocks_(static_cast<double>(clocks)) {}
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
               double length) override {
     spectrum_.period(state, log_stretching, length);
@@ -96,21 +98,24 @@ class KaplanYorke final : public ReferenceObservable {
     const std::vector<double> exponents = spectrum_.finish(window);
     double sum = 0.0;
     for (std::size_t j = 0; j < exponents.size(); ++j) {
-      if (sum + exponents[j] < 0.0) return {static_cast<double>(j) + sum / -exponents[j]};
+      if (sum + exponents[j] < 0.0) {
+        return {clocks_ + static_cast<double>(j) + sum / -exponents[j]};
+      }
       sum += exponents[j];
     }
-    return {static_cast<double>(exponents.size())};
+    return {clocks_ + static_cast<double>(exponents.size())};
   }
 
  private:
+  double clocks_;
   LyapunovSpectrum spectrum_;
 };
 
 }  // namespace
 
-void set_start_tangents(std::size_t count, Trajectory* trajectory) {
+void set_start_tangents(std::size_t count, const Model& model, Trajectory* trajectory) {
   const Eigen::Index states = trajectory->state().size();
-  const std::vector<double> vectors = start_tangents(count, static_cast<std::size_t>(states));
+  const std::vector<double> vectors = start_tangents(count, model);
   if (count == 0) return;
   trajectory->set_tangents(
       Eigen::Map<const Eigen::MatrixXd>(vectors.data(), states, static_cast<Eigen::Index>(count)));
@@ -138,6 +143,8 @@ std::unique_ptr<ReferenceObservable> make_lyapunov_max() { return std::make_uniq
 std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum() {
   return std::make_unique<LyapunovSpectrum>();
 }
-std::unique_ptr<ReferenceObservable> make_kaplan_yorke() { return std::make_unique<KaplanYorke>(); }
+std::unique_ptr<ReferenceObservable> make_kaplan_yorke(std::size_t clocks) {
+  return std::make_unique<KaplanYorke>(clocks);
+}
 
 }  // namespace gearsweep

@@ -12,7 +12,7 @@
 namespace gearsweep {
 
 // Gives a trajectory the first `count` tangent vectors of start_tangents() (none: nothing changes).
-void set_start_tangents(std::size_t count, Trajectory* trajectory);
+void set_start_tangents(std::size_t count, const Model& model, Trajectory* trajectory);
 
 // Makes the tangent vectors orthonormal again. Returns the logarithms of how far each had grown in
 // the directions orthogonal to those before it; empty when there are none.
@@ -22,6 +22,7 @@ Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory);
 std::unique_ptr<ReferenceObservable> make_lyapunov_max();
 // All exponents, in the order of the vectors.
 std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum();
-std::unique_ptr<ReferenceObservable> make_kaplan_yorke();
+// clocks: Model::clocks.
+std::unique_ptr<ReferenceObservable> make_kaplan_yorke(std::size_t clocks);
 
 }  // namespace gearsweep

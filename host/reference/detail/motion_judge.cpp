@@ -14,7 +14,8 @@ constexpr double kRunaway = 100.0;
 
 }  // namespace
 
-GrowthWatch::GrowthWatch(Eigen::Index vector) : vector_(vector), exponent_(make_lyapunov_max()) {}
+GrowthWatch::GrowthWatch(Eigen::Index vector, bool has_clock)
+    : vector_(vector), has_clock_(has_clock), exponent_(make_lyapunov_max()) {}
 
 void GrowthWatch::period(const Eigen::VectorXd& log_stretching, double length) {
   exponent_->period({}, log_stretching.tail(log_stretching.size() - vector_), length);
@@ -23,7 +24,7 @@ void GrowthWatch::period(const Eigen::VectorXd& log_stretching, double length) {
 
 Growth GrowthWatch::growth(const Window& window) const {
   const std::vector<double> exponent = exponent_->finish(window);
-  return {exponent[0] * time_, 3.0 * exponent[1] * time_};
+  return {exponent[0] * time_, 3.0 * exponent[1] * time_, has_clock_};
 }
 
 int motion_without_period(const StateSequence& states, const Growth& growth, const Window& window) {

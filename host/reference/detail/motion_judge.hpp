@@ -14,8 +14,10 @@ namespace gearsweep {
 // What a perturbation grew by in a record.
 struct Growth {
   double log_stretching = 0.0, error = 0.0;  // three standard errors
+  bool has_clock = false;                    // which neither grows nor decays beside it
   bool grows() const { return log_stretching > error; }
   bool is_neutral() const {
+    if (has_clock && !grows()) return true;
     return std::abs(log_stretching) <= std::max(0.01, std::min(error, 10.0));
   }
 };
@@ -23,12 +25,13 @@ struct Growth {
 // Follows one tangent vector: the first, or the one behind it.
 class GrowthWatch {
  public:
-  explicit GrowthWatch(Eigen::Index vector);
+  explicit GrowthWatch(Eigen::Index vector, bool has_clock = false);
   void period(const Eigen::VectorXd& log_stretching, double length);
   Growth growth(const Window& window) const;
 
  private:
   Eigen::Index vector_;
+  bool has_clock_;
   std::unique_ptr<ReferenceObservable> exponent_;
   double time_ = 0.0;
 };

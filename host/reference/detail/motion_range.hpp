@@ -14,6 +14,7 @@ namespace gearsweep {
 struct StateKinds {
   std::vector<std::size_t> groups;  // [state]: the same number for those that share a range
   std::vector<std::size_t> angles;  // states, in radians, that mean the same after a full turn
+  bool has_clock = false;           // the last state turns steadily
 };
 
 class MotionRange {

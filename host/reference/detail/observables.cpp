@@ -123,7 +123,7 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
   const Model& model = *study.model;
   const double period_tolerance = study.selection.period_tolerance;
   const std::string& kind = observer.observable->name;
-  const StateKinds kinds = {model.range_groups, model.angles};
+  const StateKinds kinds = {model.range_groups, model.angles, model.clocks > 0};
   if (kind == "extrema") return std::make_unique<Extrema>(Channel(model, observer.part));
   if (kind == "moments") return std::make_unique<Moments>(Channel(model, observer.part));
   if (kind == "orders") {
@@ -148,7 +148,7 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
   }
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
-  if (kind == "kaplan_yorke") return make_kaplan_yorke();
+  if (kind == "kaplan_yorke") return make_kaplan_yorke(model.clocks);
   if (kind == "period") return make_period(period_tolerance, kinds);
   if (kind == "settled") return make_settled(period_tolerance, kinds);
   if (kind == "motion") return make_motion(period_tolerance, kinds);

@@ -53,7 +53,8 @@ class Settled final : public SectionObservable {
 
 class Motion final : public SectionObservable {
  public:
-  using SectionObservable::SectionObservable;
+  Motion(double tolerance, const StateKinds& kinds)
+      : SectionObservable(tolerance, kinds), watch_(0, kinds.has_clock) {}
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
               double length) override {
     SectionObservable::period(state, log_stretching, length);
@@ -68,7 +69,7 @@ class Motion final : public SectionObservable {
   }
 
  private:
-  GrowthWatch watch_{0};
+  GrowthWatch watch_;
 };
 
 class SectionBox final : public ReferenceObservable {

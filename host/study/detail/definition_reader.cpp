@@ -22,6 +22,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kLargest = 1e12;  // of a parameter that names no range
+constexpr const char* kSecondPhase = "phase2";
 
 class DefinitionReader {
  public:
@@ -35,6 +36,7 @@ class DefinitionReader {
     TableReader reader(&root_, "the model's file");
     read_model(required(&reader, "model"));
     read_states(required(&reader, "states"));
+    read_second(reader.table("forcing"));
     read_limits(*reader.table("model"));
     read_parameters(reader.table("parameters"));
     read_options(reader.table("options"));
@@ -118,6 +120,22 @@ class DefinitionReader {
       fail_at(*table, fmt::format("a model has 1 to {} states, not {}", kMaxNames,
                                   definition_.states.size()));
     }
+  }
+
+  // The phase of a second frequency is a state behind all others.
+  void read_second(const toml::table* forcing) {
+    const toml::node* second = forcing == nullptr ? nullptr : forcing->get("second");
+    if (second == nullptr) return;
+    names_.take(*second, kSecondPhase);
+    definition_.second = expression_of(*second, "second");
+    definition_.states.push_back({kSecondPhase, "rad", "phase of the second frequency"});
+    definition_.start.push_back({"0", source_, 0, 0});
+    definition_.are_angles.push_back(true);
+    definition_.groups.emplace_back();
+  }
+
+  bool is_second_phase(const std::string& state) const {
+    return definition_.second && state == kSecondPhase;
   }
 
   void read_parameters(const toml::table* table) {
@@ -302,6 +320,7 @@ class DefinitionReader {
   void read_equations(const toml::table* table) {
     std::vector<std::string> states;
     for (const ChannelInfo& state : definition_.states) {
+      if (is_second_phase(state.name)) continue;
       states.push_back(state.name);
       const toml::node* node = table->get(state.name);
       if (node == nullptr) {
@@ -310,6 +329,7 @@ class DefinitionReader {
       definition_.equations.push_back(
           expression_of(*node, fmt::format("the derivative of {}", state.name)));
     }
+    if (definition_.second) definition_.equations.push_back(*definition_.second);
     for (const Entry& entry : entries_of(table)) {
       if (std::ranges::find(states, entry.name) != states.end()) continue;
       fail_at(*entry.node,
@@ -331,6 +351,7 @@ class DefinitionReader {
               "no [forcing]");
     }
     definition_.period = expression_of(*period, "period");
+    reader.know("second");  // read_second()
     if (const toml::node* cycle = reader.find("cycle")) {
       names_.take(*cycle, "turn");
       definition_.cycle = expression_of(*cycle, "cycle");
@@ -390,8 +411,9 @@ class DefinitionReader {
       }
       std::vector<std::string> states;
       for (const ChannelInfo& state : definition_.states) {
-        states.push_back(state.name);
-        const toml::node* to = reset->get(state.name);
+        const bool may_jump = !is_second_phase(state.name);
+        if (may_jump) states.push_back(state.name);
+        const toml::node* to = may_jump ? reset->get(state.name) : nullptr;
         surface.reset.push_back(
             to == nullptr ? ExpressionText{state.name, source_, 0, 0}
                           : expression_of(*to, fmt::format("the reset of {}", state.name)));
