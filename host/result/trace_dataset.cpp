@@ -28,14 +28,20 @@ class TraceDescription {
     out_.dimensions = {{kTraces, traces_.size()}, {kMoments, longest_}};
     add_labels(labels);
     const std::string time = time_unit(*study_.model);
-    add_numbers("period", time, "forcing period in dimensionless time",
+    const bool is_clockless = traces_.front().is_clockless;
+    add_numbers("period", time,
+                is_clockless ? "period that time is counted in: there is no forcing"
+                             : "forcing period in dimensionless time",
                 [](const Trace& trace) { return trace.period; });
+    if (is_clockless) {
+      add_numbers(kClockless, "1", "1: a model without forcing", [](const Trace&) { return 1.0; });
+    }
     if (std::ranges::any_of(traces_,
                             [](const Trace& trace) { return trace.mesh_periods != 1.0; })) {
       add_numbers(kMeshPeriods, "1", "mesh periods in one forcing period",
                   [](const Trace& trace) { return trace.mesh_periods; });
     }
-    add_numbers("settled", "1", "forcing periods before the first moment",
+    add_numbers("settled", "1", "periods before the first moment",
                 [](const Trace& trace) { return static_cast<double>(trace.settled); });
     for (const std::string& name : placed_) add_parameter(name);
     add_history({"tau", time, "dimensionless time since the first moment"},

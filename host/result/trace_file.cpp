@@ -141,6 +141,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
   const int label = file.find_variable("label");
   const int period = file.find_variable("period");
   const int mesh = file.find_variable(kMeshPeriods);
+  const int clockless = file.find_variable(kClockless);
   if (file.text_attribute(NC_GLOBAL, "content") != kContentOfTraces || tau < 0 || label < 0 ||
       period < 0 || file.dimensions_of(tau).size() != 2) {
     refuse_foreign(path);
@@ -158,6 +159,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
     stored.scales = read_scales(file);
     stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
+    stored.trace.is_clockless = clockless >= 0 && file.read(clockless, {i}, {1}).front() == 1.0;
     if (mesh >= 0) stored.trace.mesh_periods = file.read(mesh, {i}, {1}).front();
     if (!is_time(stored.trace.tau) || stored.trace.channels.empty() ||
         !(std::isfinite(periods[i]) && periods[i] > 0.0)) {

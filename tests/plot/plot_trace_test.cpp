@@ -243,6 +243,46 @@ TEST_F(PlotTraceTest, APortraitWithoutFlanksHasASectionInTheirPlace) {
   EXPECT_THAT(script, AllOf(HasSubstr("section at phase 0"), Not(HasSubstr("flank"))));
 }
 
+TEST_F(PlotTraceTest, NoLineJoinsBothSidesOfAnImpact) {
+  Trace trace = made_trace(study_, 2, 16);
+  const std::size_t moments = trace.tau.size();
+  trace.tau[5] = trace.tau[4];
+  trace.channels.push_back({kEvents, "1", "1 wall, which resets the state; 0 none"});
+  trace.values.emplace_back(moments);
+  trace.values.back()[4] = trace.values.back()[5] = 1.0;
+  const std::string exact = write("exact.nc", {trace}, {"omega=0.5"});
+  EXPECT_THAT(script_of({exact}, "time:x1"),
+              AllOf(HasSubstr(fmt::format("record=({})", moments + 1)), HasSubstr("record=(2)"),
+                    HasSubstr("\"at a surface\"")));
+  EXPECT_TRUE(std::isnan(data()[2 * 5]));
+  // Of even moments the one behind it is marked.
+  Trace even = made_trace(study_, 2, 16);
+  even.channels.push_back(trace.channels.back());
+  even.values.emplace_back(moments);
+  even.values.back()[5] = 1.0;
+  const std::string path = write("even.nc", {even}, {"omega=0.5"});
+  EXPECT_THAT(script_of({path}, "phase:x1:v1"), HasSubstr(fmt::format("record=({})", moments + 1)));
+  EXPECT_TRUE(std::isnan(data()[2 * 5]));
+  even.values.back()[5] = -1.0;  // a jump of the equations leaves the state
+  EXPECT_THAT(script_of({write("even.nc", {even}, {"omega=0.5"})}, "phase:x1:v1"),
+              HasSubstr(fmt::format("record=({})", moments)));
+}
+
+TEST_F(PlotTraceTest, WithoutForcingTimeIsTimeAndThereIsNoPhase) {
+  Trace free = made_trace(study_, 20, 16);
+  free.is_clockless = true;
+  free.channels.resize(2);
+  free.values.resize(2);
+  const std::string path = write("free.nc", {free}, {""});
+  const std::string script = script_of({path}, "portrait");
+  EXPECT_EQ(count(script, "\nplot "), 4U);
+  EXPECT_THAT(script, AllOf(HasSubstr("\"time\""), HasSubstr("frequency (1/time)"),
+                            Not(HasSubstr("phase 0")), Not(HasSubstr("forcing"))));
+  EXPECT_THAT(refused({path}, "section"), HasSubstr("this model has none"));
+  const std::string forced = write("forced.nc", {made_trace(study_, 20, 16)}, {""});
+  EXPECT_THAT(refused({path, forced}, "time"), HasSubstr("another is not"));
+}
+
 TEST_F(PlotTraceTest, TracesOfOneFileOrOfSeveralLieOverOneAnother) {
   const Trace trace = made_trace(study_, 4, 16);
   const std::string two = write("two.nc", {trace, trace}, {"mu=0", "mu=0.1"});

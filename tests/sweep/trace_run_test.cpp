@@ -166,5 +166,59 @@ TEST(Trace, ShowsFrictionOnlyWhereThereIsSome) {
   for (const double force : channel(without, "friction_lever")) EXPECT_EQ(force, 0.0);
 }
 
+// x'' + x = cos(omega t), with a wall at x = 0 that the velocity leaves with 0.8 of itself.
+constexpr const char* kImpacts =
+    "[model]\nname = 'hard_impact'\n[parameters]\nr = 0.8\n[[axes]]\nname = 'omega'\n"
+    "values = [2.8]\n[integrate]\nsettle = 100\nrecord = 12\n[observe]\n"
+    "quantities = ['wall_impacts', 'v_max']\n";
+
+TEST(Trace, HasTheValuesBeforeAndBehindAnImpact) {
+  const Trace trace = trace_of_study(kImpacts);
+  const std::vector<double>&event = channel(trace, kEvents), &x = channel(trace, "x"),
+        &v = channel(trace, "v");
+  std::size_t impacts = 0;
+  for (std::size_t i = 0; i < event.size(); ++i) {
+    if (event[i] == 0.0) continue;
+    EXPECT_EQ(event[i], 1.0);
+    EXPECT_NEAR(x[i], 0.0, 1e-9);
+    ++impacts;
+    ASSERT_LT(i + 1, event.size());
+    EXPECT_EQ(trace.tau[i + 1], trace.tau[i]);
+    EXPECT_EQ(event[i + 1], 1.0);
+    EXPECT_GT(v[i], 0.0);
+    EXPECT_NEAR(v[i + 1], -0.8 * v[i], 1e-9);
+    ++i;
+  }
+  const SweepResult map = run(kImpacts);
+  EXPECT_DOUBLE_EQ(static_cast<double>(impacts) / 12.0, map_of(map, "wall_impacts")[0]);
+}
+
+TEST(Trace, EvenMomentsTellThatThereWasAnImpact) {
+  constexpr std::size_t kSamples = 256;
+  const Trace trace = trace_of_study(kImpacts, kSamples), exact = trace_of_study(kImpacts);
+  EXPECT_EQ(trace.tau.size(), 12 * kSamples);
+  const auto impacts_in = [](const Trace& one) {
+    return std::ranges::count(channel(one, kEvents), 1.0);
+  };
+  EXPECT_EQ(2 * impacts_in(trace), impacts_in(exact));
+}
+
+// It sticks to the belt from one jump of the friction's sign to the next.
+TEST(Trace, TellsWhereItBeginsAndEndsToStick) {
+  const Trace trace = trace_of_study(
+      "[model]\nname = 'stribeck'\n[[axes]]\nname = 'belt'\nvalues = [0.2]\n[integrate]\n"
+      "settle = 20\nrecord = 4\n[observe]\nquantities = ['v_max']\n");
+  EXPECT_TRUE(trace.is_clockless);
+  const std::vector<double>&event = channel(trace, kEvents), &v = channel(trace, "v");
+  std::size_t events = 0;
+  for (std::size_t i = 0; i < event.size(); ++i) {
+    if (event[i] == 0.0) continue;
+    EXPECT_EQ(event[i], -1.0);  // nothing is reset
+    EXPECT_NEAR(v[i], 0.2, 1e-9);
+    ++events;
+  }
+  EXPECT_GE(events, 2U * 2U * 3U);  // two of a cycle, each with both moments
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

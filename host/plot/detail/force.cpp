@@ -12,13 +12,13 @@ namespace gearsweep {
 namespace {
 
 struct Band {
-  double from = 0.0, to = 0.0;  // in forcing periods
+  double from = 0.0, to = 0.0;  // as of times_of()
   int flank = 0;                // as the channel `contact`
 };
 
 // The time between two moments with different flanks is shared between them.
 std::vector<Band> bands_of(const Trace& trace) {
-  const std::vector<double> time = periods_of(trace);
+  const std::vector<double> time = times_of(trace);
   const std::vector<double>& contact = values_of(trace, "contact");
   std::vector<Band> bands;
   for (std::size_t i = 0; i < time.size(); ++i) {

@@ -94,6 +94,18 @@ KeyGrid grid_of(const Page& page, const std::vector<KeyEntry>& entries) {
   return grid;
 }
 
+// As gnuplot counts them.
+int point_type(KeyEntry::Kind kind) {
+  switch (kind) {
+    case KeyEntry::Kind::kCircle:
+      return 6;
+    case KeyEntry::Kind::kTriangle:
+      return 9;
+    default:
+      return 7;
+  }
+}
+
 }  // namespace
 
 double key_height(const Page& page, const std::vector<KeyEntry>& entries) {
@@ -127,11 +139,12 @@ std::string plot_key(const Page& page, const std::vector<KeyEntry>& entries, dou
             entry.dashes);
         break;
       case KeyEntry::Kind::kDot:
+      case KeyEntry::Kind::kCircle:
       case KeyEntry::Kind::kTriangle:
         text += fmt::format(
             "set label '' at {} point pointtype {} pointsize dot*1.6 "
             "linecolor rgb '{}'\n",
-            at(middle, y), entry.kind == KeyEntry::Kind::kDot ? 7 : 9, entry.colour);
+            at(middle, y), point_type(entry.kind), entry.colour);
         break;
       case KeyEntry::Kind::kBox:
         text += fmt::format(

@@ -21,7 +21,7 @@ struct MissingPoints {
 
 // What a line, dot or box stands for, at the foot of a picture.
 struct KeyEntry {
-  enum class Kind { kLine, kThinLine, kDot, kTriangle, kBox };
+  enum class Kind { kLine, kThinLine, kDot, kCircle, kTriangle, kBox };
   Kind kind = Kind::kLine;
   std::string colour, dashes = "1";
   std::string text;  // markup

@@ -72,6 +72,10 @@ std::vector<TracePanel> portrait_panels(const Page& page, const TracePicture& pi
   if (std::all_of(picture.layers.begin(), picture.layers.end(), has_force)) {
     history.channel = *force;
     panels.push_back(force_panel(page.with_other_axes(false, true), history, script));
+  } else if (picture.is_clockless) {
+    history.channel = picture.channel;
+    panels.push_back(time_panel(page.with_other_axes(false, true), history, script));
+    panels.back().key.clear();  // as of the first history
   } else {
     panels.push_back(section_panel(other, picture, script));
   }

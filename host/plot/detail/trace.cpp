@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "orders/spectrum.hpp"
 #include "plot/detail/scale.hpp"
@@ -21,7 +22,7 @@ struct Section {
 constexpr double kInstant = 1e-6;  // of a period
 
 Section section_of(const TracePicture& picture, const Trace& trace) {
-  const std::vector<double> time = periods_of(trace);
+  const std::vector<double> time = times_of(trace);
   const std::vector<double>& x = values_of(trace, picture.across.name);
   const std::vector<double>& y = values_of(trace, picture.channel.name);
   Section section;
@@ -70,6 +71,43 @@ std::string add_sections(const TracePicture& picture, bool over_curves, PlotScri
   }
   return elements;
 }
+
+// y over x as data of "plot". No line joins what stands at one moment, before and behind a jump,
+// nor two moments between which the state was reset.
+std::string add_curve(const Trace& trace, const std::vector<double>& x,
+                      const std::vector<double>& y, PlotScript* script) {
+  const int events = find_channel(trace, kEvents);
+  const auto jumps_before = [&](std::size_t i) {
+    if (i == 0) return false;
+    if (trace.tau[i] == trace.tau[i - 1]) return x[i] != x[i - 1] || y[i] != y[i - 1];
+    const bool is_exact = i + 1 < x.size() && trace.tau[i + 1] == trace.tau[i];
+    return events >= 0 && !is_exact && trace.values[static_cast<std::size_t>(events)][i] > 0.0;
+  };
+  std::size_t breaks = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) breaks += jumps_before(i) ? 1 : 0;
+  const std::string data = next_records(*script, x.size() + breaks, 2) + " using 1:2";
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (jumps_before(i)) append_numbers({kNothing, kNothing}, &script->data);
+    append_numbers({x[i], y[i]}, &script->data);
+  }
+  return data;
+}
+
+// The longest layer's, as of times_of().
+double last_time(const TracePicture& picture) {
+  double last = 0.0;
+  for (const TraceLayer& layer : picture.layers) {
+    if (!layer.trace.tau.empty()) last = std::max(last, times_of(layer.trace).back());
+  }
+  if (picture.is_clockless) return last;
+  // The even moments of a period end before the next begins.
+  constexpr double kNearly = 0.1;
+  return std::ceil(last) - last < kNearly ? std::ceil(last) : last;
+}
+
+// What an order is divided by: one of the forcing has no unit, another one is a frequency.
+double unit_of_orders(const Trace& trace) { return trace.is_clockless ? trace.period : 1.0; }
 
 std::vector<std::string> axis_text(const std::optional<std::string>& given,
                                    const std::string& own) {
@@ -130,21 +168,11 @@ std::vector<double> all_values(const TracePicture& picture, const std::string& n
   return all;
 }
 
-std::vector<double> periods_of(const Trace& trace) {
-  std::vector<double> periods;
-  for (const double tau : trace.tau) periods.push_back(tau / trace.period);
-  return periods;
-}
-
-double last_period(const TracePicture& picture) {
-  double last = 0.0;
-  for (const TraceLayer& layer : picture.layers) {
-    if (!layer.trace.tau.empty())
-      last = std::max(last, layer.trace.tau.back() / layer.trace.period);
-  }
-  // The even moments of a period end before the next begins.
-  constexpr double kNearly = 0.1;
-  return std::ceil(last) - last < kNearly ? std::ceil(last) : last;
+std::vector<double> times_of(const Trace& trace) {
+  const double unit = trace.is_clockless ? 1.0 : trace.period;
+  std::vector<double> times;
+  for (const double tau : trace.tau) times.push_back(tau / unit);
+  return times;
 }
 
 double whole_periods(const Trace& trace) {
@@ -168,8 +196,9 @@ Trace last_periods(const Trace& trace, std::size_t periods) {
 }
 
 PanelAxis time_axis(const Page& page, const TracePicture& picture) {
-  return {axis_text(page.style().xlabel, fmt::format("time ({} periods)", picture.period)),
-          shown_range({0.0, last_period(picture)}, page.style().xrange, "--xrange")};
+  const std::string unit = picture.is_clockless ? "" : fmt::format(" ({} periods)", picture.period);
+  return {axis_text(page.style().xlabel, "time" + unit),
+          shown_range({0.0, last_time(picture)}, page.style().xrange, "--xrange")};
 }
 
 PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
@@ -181,17 +210,37 @@ PanelAxis channel_axis(const Page& page, const TracePicture& picture, const Valu
 std::string add_histories(const TracePicture& picture, PlotScript* script) {
   std::string elements;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
-    const TraceLayer& layer = picture.layers[i];
-    const std::vector<double> time = periods_of(layer.trace);
-    const std::vector<double>& values = values_of(layer.trace, picture.channel.name);
-    elements +=
-        fmt::format("{}{} using 1:2 with lines linewidth 2 {} notitle", i == 0 ? "" : ", \\\n     ",
-                    next_records(*script, time.size(), 2), layer_line(i));
-    for (std::size_t moment = 0; moment < time.size(); ++moment) {
+    const Trace& trace = picture.layers[i].trace;
+    elements += fmt::format(
+        "{}{} with lines linewidth 2 {} notitle", i == 0 ? "" : ", \\\n     ",
+        add_curve(trace, times_of(trace), values_of(trace, picture.channel.name), script),
+        layer_line(i));
+  }
+  return elements;
+}
+
+void add_events(const TracePicture& picture, TracePanel* panel, PlotScript* script) {
+  bool has_some = false;
+  for (std::size_t i = 0; i < picture.layers.size(); ++i) {
+    const Trace& trace = picture.layers[i].trace;
+    if (find_channel(trace, kEvents) < 0) continue;
+    const std::vector<double>& events = values_of(trace, kEvents);
+    const std::vector<double>& values = values_of(trace, picture.channel.name);
+    std::vector<std::size_t> marked;
+    for (std::size_t moment = 0; moment < events.size(); ++moment) {
+      if (events[moment] != 0.0) marked.push_back(moment);
+    }
+    if (marked.empty()) continue;
+    has_some = true;
+    panel->elements += fmt::format(
+        ", \\\n     {} using 1:2 with points pointtype 6 pointsize dot linecolor rgb '{}' notitle",
+        next_records(*script, marked.size(), 2), layer_colour(i));
+    const std::vector<double> time = times_of(trace);
+    for (const std::size_t moment : marked) {
       append_numbers({time[moment], values[moment]}, &script->data);
     }
   }
-  return elements;
+  if (has_some) panel->key.push_back({KeyEntry::Kind::kCircle, "#000000", "1", "at a surface"});
 }
 
 TracePanel time_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
@@ -203,12 +252,16 @@ TracePanel time_panel(const Page& page, const TracePicture& picture, PlotScript*
   panel.y = channel_axis(page, picture, range);
   panel.lines = grid_lines();
   panel.elements = add_histories(picture, script);
+  add_events(picture, &panel, script);
   return panel;
 }
 
 TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
   constexpr double kManyTurns = 40.0;  // that would run together
-  const double width = last_period(picture) > kManyTurns ? 0.7 : 1.6;
+  const bool has_many = std::ranges::any_of(picture.layers, [](const TraceLayer& layer) {
+    return whole_periods(layer.trace) > kManyTurns;
+  });
+  const double width = has_many ? 0.7 : 1.6;
   TracePanel panel;
   panel.kind = "phase portrait";
   panel.subtitle = pair_text(picture);
@@ -216,14 +269,14 @@ TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript
     const Trace& trace = picture.layers[i].trace;
     const std::vector<double>& x = values_of(trace, picture.across.name);
     const std::vector<double>& y = values_of(trace, picture.channel.name);
-    panel.elements += fmt::format("{} using 1:2 with lines linewidth {} {} notitle, \\\n     ",
-                                  next_records(*script, x.size(), 2), width, layer_line(i));
-    for (std::size_t moment = 0; moment < x.size(); ++moment) {
-      append_numbers({x[moment], y[moment]}, &script->data);
-    }
+    panel.elements +=
+        fmt::format("{}{} with lines linewidth {} {} notitle", i == 0 ? "" : ", \\\n     ",
+                    add_curve(trace, x, y, script), width, layer_line(i));
   }
-  panel.elements += add_sections(picture, true, script);
-  panel.key = {{KeyEntry::Kind::kDot, "#000000", "1", "phase 0"}};
+  if (!picture.is_clockless) {
+    panel.elements += ", \\\n     " + add_sections(picture, true, script);
+    panel.key = {{KeyEntry::Kind::kDot, "#000000", "1", "phase 0"}};
+  }
   panel.x = across_axis(page, picture, padded_range(all_values(picture, picture.across.name)));
   panel.y = channel_axis(page, picture, padded_range(all_values(picture, picture.channel.name)));
   return panel;
@@ -263,16 +316,19 @@ TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScr
     for (std::size_t bin = 0; bin < spectrum.amplitude.size(); ++bin) {
       const double order = static_cast<double>(bin) * spectrum.order_step;
       const double amplitude = std::max(spectrum.amplitude[bin], kMin);
-      append_numbers({order, decibels(amplitude)}, &script->data);
+      append_numbers({order / unit_of_orders(trace), decibels(amplitude)}, &script->data);
       if (order <= picture.orders) max = std::max(max, amplitude);
     }
   }
   const std::string unit =
       picture.channel.unit == "1" || picture.channel.unit.empty() ? "" : " " + picture.channel.unit;
   panel.subtitle = "amplitudes: " + picture.channel.meaning + ", without its mean";
-  panel.x = {axis_text(page.style().xlabel,
-                       fmt::format("order (frequency / {} frequency)", picture.forcing)),
-             shown_range({0.0, picture.orders}, page.style().xrange, "--xrange")};
+  const std::string label = picture.is_clockless
+                                ? "frequency (1/time)"
+                                : fmt::format("order (frequency / {} frequency)", picture.forcing);
+  const double last = picture.orders / unit_of_orders(picture.layers.front().trace);
+  panel.x = {axis_text(page.style().xlabel, label),
+             shown_range({0.0, last}, page.style().xrange, "--xrange")};
   panel.y = {axis_text(page.style().ylabel,
                        fmt::format("{} (dB re 1{})", quantity_label(picture.channel.name, ""),
                                    typeset(unit))),

@@ -23,7 +23,8 @@ struct TracePicture {
   std::string remark;   // markup
   std::string forcing;  // whose frequency orders are multiples of: "mesh" or "forcing"
   std::string period;   // whose period time is counted in; a shaft's forcing is several of the mesh
-  double orders = 10.0;  // the highest of a spectrum
+  bool is_clockless = false;  // there is no forcing
+  double orders = 10.0;       // the highest of a spectrum
   // How many periods at most the histories of a portrait show: less would be too little for the
   // other panels.
   std::size_t recent = 10;
@@ -43,16 +44,17 @@ struct TracePanel {
 TracePanel time_panel(const Page& page, const TracePicture& picture, PlotScript* script);
 // The channel over time, with the flanks in contact: as bands of one trace, as strips of several.
 TracePanel force_panel(const Page& page, const TracePicture& picture, PlotScript* script);
-// Curves, and dots at phase 0.
+// Curves, and dots at phase 0 where there is one.
 TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript* script);
 // The dots alone.
 TracePanel section_panel(const Page& page, const TracePicture& picture, PlotScript* script);
 // Throws what amplitude_spectrum() throws.
 TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScript* script);
 
-// Time history, phase portrait, force and spectrum of the state `across`; a section in place of the
-// force where the traces have no flanks in contact. The style's limits and labels of axes are the
-// history's, those of x the force's too.
+// Time history, phase portrait, force and spectrum of the state `across`. Where the traces have no
+// flanks in contact, a section stands in place of the force, and without forcing the history of
+// what the portrait has over the state. The style's limits and labels of axes are the history's,
+// those of x the force's too.
 std::vector<TracePanel> portrait_panels(const Page& page, const TracePicture& picture,
                                         PlotScript* script);
 
@@ -68,19 +70,21 @@ const ChannelInfo* force_of(const Trace& trace);
 const std::vector<double>& values_of(const Trace& trace, const std::string& name);
 // All layers' values of a channel.
 std::vector<double> all_values(const TracePicture& picture, const std::string& name);
-// Time of each moment in forcing periods, from the first on.
-std::vector<double> periods_of(const Trace& trace);
-// The longest layer's time in forcing periods.
-double last_period(const TracePicture& picture);
+// Time of each moment from the first on: in forcing periods, or of a model without forcing in its
+// own time.
+std::vector<double> times_of(const Trace& trace);
 
 // So many periods in all, the last one perhaps in part.
 double whole_periods(const Trace& trace);
 // At most so many last periods, from time 0 on.
 Trace last_periods(const Trace& trace, std::size_t periods);
-// The axis of time in forcing periods, and that of the channel.
+// The axis of time as of times_of(), and that of the channel.
 PanelAxis time_axis(const Page& page, const TracePicture& picture);
 PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range);
 // The channel of each layer over time, as elements of "plot".
 std::string add_histories(const TracePicture& picture, PlotScript* script);
+// Marks where the motion comes to a surface, as further elements and in the key; nothing where it
+// comes to none.
+void add_events(const TracePicture& picture, TracePanel* panel, PlotScript* script);
 
 }  // namespace gearsweep

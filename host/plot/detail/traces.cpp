@@ -225,10 +225,19 @@ PlotScript plot_traces(const Page& page, const PlotRequest& request) {
   picture.remark = remark_of(sources, shown);
   picture.forcing = force_of(first) == nullptr ? "forcing" : "mesh";
   picture.period = first.mesh_periods == 1.0 ? picture.forcing : "forcing";
+  picture.is_clockless = first.is_clockless;
+  if (picture.is_clockless && kind.panel == section_panel) {
+    throw InputError(
+        "'section' is at phase 0 of the forcing, and this model has none; a map has samples at a "
+        "section of the model: quantities = [\"poincare\"]");
+  }
   picture.orders = request.orders.value_or(picture.orders);
   const std::vector<std::string> names = names_of(sources, request.style);
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const StoredTrace& stored = sources[i].stored;
+    if (stored.trace.is_clockless != first.is_clockless) {
+      throw InputError("one of these traces is of a model without forcing, and another is not");
+    }
     for (const std::string& name : channels) find_in(stored, name);
     if (kind.name == "force") find_in(stored, "contact");
     picture.layers.push_back({names[i], shown ? last_periods(stored.trace, *shown) : stored.trace});

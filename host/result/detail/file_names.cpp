@@ -24,8 +24,9 @@ bool is_taken_in_result(const std::string& name, const Study& study) {
 
 // Whether write_traces() has a variable of this name.
 bool is_taken_in_traces(const std::string& name, const std::vector<ChannelInfo>& channels) {
-  constexpr std::array<std::string_view, 8> kOwn = {"trace",  "moment",  "label", "label_width",
-                                                    "period", "settled", "tau",   kMeshPeriods};
+  constexpr std::array<std::string_view, 9> kOwn = {"trace",       "moment",     "label",
+                                                    "label_width", "period",     "settled",
+                                                    "tau",         kMeshPeriods, kClockless};
   return std::find(kOwn.begin(), kOwn.end(), name) != kOwn.end() ||
          std::any_of(channels.begin(), channels.end(),
                      [&](const ChannelInfo& channel) { return name == channel.name; });

@@ -1,9 +1,13 @@
 #include "sweep/detail/history.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "model/held_step.hpp"
 
@@ -29,6 +33,7 @@ class History {
         look_at(step, 0.0, step.start);
         add(step.from, step.coefs, step.start, &trace);
       }
+      add_surfaces(step, &trace);
       look_at(step, 1.0, step.end);
       add(step.to, step.coefs + 2 * model_.phase_coefs.size(), step.end, &trace);
     });
@@ -47,13 +52,16 @@ class History {
       };
       if (!model_.surfaces.empty()) {
         look_at(step, 0.0, step.start);
-        const auto take = [&](double from, double to, const HeldMotion& before, const HeldMotion&) {
+        const auto take = [&](double from, double to, const HeldMotion& before,
+                              const HeldMotion& after) {
           for (; phase_of(next) < step.from + to * (step.to - step.from); ++next) {
             const double share = (phase_of(next) - step.from) / (step.to - step.from);
             HeldMotion motion = before;
             carry_held(&held_, moments_of(step), from, share, &motion);
             add_held(phase_of(next), moments_of(step)(share), motion.state.data(), &trace);
+            event_ = 0;
           }
+          if (const int event = event_at(step, to, after); event != 0) event_ = event;
         };
         HeldMotion motion{Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(states)), {}};
         step_held(&held_, moments_of(step), &motion, take);
@@ -109,6 +117,40 @@ class History {
     held_.signals(moment_at(share).data(), x, shown_.data());
   }
 
+  // What the channel kEvents has of a motion that comes to a share of a step.
+  int event_at(const Step& step, double share, const HeldMotion& motion) {
+    if (share == 1.0) return 0;
+    const auto met = held_.left_behind(moments_of(step)(share).data(), motion.state.data());
+    return met && *met < model_.surfaces.size() ? number_of(*met) : 0;
+  }
+
+  int number_of(std::size_t surface) const {
+    const int number = static_cast<int>(surface) + 1;
+    return model_.surfaces[surface].resets ? number : -number;
+  }
+
+  // The moments before and behind each surface within a step, which are the same.
+  void add_surfaces(const Step& step, Trace* trace) {
+    if (model_.surfaces.empty()) return;
+    look_at(step, 0.0, step.start);
+    const StepMoments moment_at = moments_of(step);
+    const auto add_at = [&](double share, const HeldMotion& motion) {
+      add_held(step.from + share * (step.to - step.from), moment_at(share), motion.state.data(),
+               trace);
+    };
+    event_ = 0;
+    const auto take = [&](double from, double to, const HeldMotion& before,
+                          const HeldMotion& after) {
+      if (event_ != 0) add_at(from, before);
+      event_ = event_at(step, to, after);
+      if (event_ != 0) add_at(to, after);
+    };
+    HeldMotion motion{
+        Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(model_.states.size())), {}};
+    step_held(&held_, moment_at, &motion, take);
+    event_ = 0;
+  }
+
   template <class Visit>
   void for_each_step(const Visit& visit) const {
     const std::size_t states = model_.states.size();
@@ -142,6 +184,7 @@ class History {
     trace.setting = setting_;
     trace.period = point_->period();
     trace.mesh_periods = model_.mesh_periods(setting_);
+    trace.is_clockless = model_.is_clockless;
     trace.channels = model_.states;
     std::ranges::copy_if(model_.signals, std::back_inserter(trace.channels),
                          [](const ChannelInfo& signal) { return !signal.is_hidden; });
@@ -150,8 +193,21 @@ class History {
           {contact.name.empty() ? "contact" : contact.name + "_contact", "1",
            "1 on the drive flank, 0 in the gap, -1 on the back flank, 2 on both"});
     }
+    if (!model_.surfaces.empty()) trace.channels.push_back(event_channel());
     trace.values.resize(trace.channels.size());
     return trace;
+  }
+
+  // "surface that the motion comes to: 1 wall, which resets the state; -2 sign(v - belt); 0 none"
+  ChannelInfo event_channel() const {
+    std::string meaning = "surface that the motion comes to: ";
+    for (std::size_t i = 0; i < model_.surfaces.size(); ++i) {
+      const SurfaceInfo& surface = model_.surfaces[i];
+      meaning += fmt::format(
+          "{} {}; ", number_of(i),
+          surface.resets ? surface.name + ", which resets the state" : surface.expression);
+    }
+    return {kEvents, "1", meaning + "0 none"};
   }
 
   void add(double periods, const double* coefs, const double* x, Trace* trace) {
@@ -178,6 +234,7 @@ class History {
       const bool back = !contact.is_one_sided && deflection < -backlash;
       trace->values[channel++].push_back(drive && back ? 2.0 : drive ? 1.0 : back ? -1.0 : 0.0);
     }
+    if (!model_.surfaces.empty()) trace->values[channel++].push_back(static_cast<double>(event_));
   }
 
   const Model& model_;
@@ -189,6 +246,7 @@ class History {
   const std::vector<double> bounds_;
   const std::vector<double>& rows_;
   std::vector<double> shown_ = std::vector<double>(model_.signals.size());  // signals
+  int event_ = 0;  // of the moment that is added next
 };
 
 }  // namespace
