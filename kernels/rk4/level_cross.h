@@ -47,8 +47,8 @@ SHARED_FN mask level_cross(real l0, real l1, real r0, real r1, real up, real dow
   const mask end_hit = end_up | (l1 < down);
   const mask hit = first_hit | second_hit | end_hit;
   *after = one;
-  *is_up = (first_hit & first_up) | (!first_hit & second_hit & second_up) |
-           (!first_hit & !second_hit & end_up);
+  *is_up = (first_hit & first_up) | (second_hit & second_up & !first_hit) |
+           (end_up & !first_hit & !second_hit);
   if (all_lanes(!hit)) return hit;
   real low = lane_select(first_hit, zero, lane_select(second_hit, first, second));
   real high = lane_select(first_hit, first, lane_select(second_hit, second, one));

@@ -43,9 +43,10 @@ SHARED_FN void sliding_bind(const ModelPoint* point, Sliding* sliding) {
   for (int j = 0; j < MODEL_SURFACES; ++j) {
     sliding->bound[j] = zero != zero;
     sliding->edge[j] = 0;
+    if (MODEL_RESETS(j)) continue;
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
-      if (MODEL_RESETS(j) || !MODEL_RESETS(k)) continue;
+      if (!MODEL_RESETS(k)) continue;
       const real both = sliding->gain[j][j] * sliding->gain[k][k];
       const real across = sliding->gain[j][k] * sliding->gain[k][j];
       const mask is_same = point->sides.slides[j] & point->sides.slides[k] & (both != zero) &

@@ -1,4 +1,5 @@
 // gearsweep trace and reproduce as a user types them.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,12 +11,32 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const char* const kTraceStudy =
     "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.6, 0.8, 1.0]\n"
     "[[axes]]\nname = 'b'\nvalues = [0.5, 1.0]\n[integrate]\nsettle = 20\nrecord = 4\n"
     "[observe]\nquantities = ['x1_rms']\n";
+
+// A device's compiler tells a user what it warns of.
+TEST(TraceCommand, KernelsOfSurfacesCompileWithoutWarnings) {
+  const Folder folder;
+  for (const char* const model : {"stribeck", "hard_impact"}) {
+    const std::string axis = std::string(model) == "stribeck" ? "belt" : "omega";
+    folder.write("study.toml", fmt::format("[model]\nname = '{}'\n[[axes]]\nname = '{}'\n"
+                                           "values = [0.3]\n[integrate]\nsettle = 20\n"
+                                           "record = 4\n[observe]\n"
+                                           "quantities = ['x_max', 'lyapunov_max']\n",
+                                           model, axis));
+    const Outcome run = gearsweep(folder, "run study.toml -o map.nc");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.err, Not(HasSubstr("generated"))) << model;
+    const Outcome trace = gearsweep(folder, "trace study.toml -o trace.nc");
+    EXPECT_EQ(trace.status, 0) << trace.err;
+    EXPECT_THAT(trace.err, Not(HasSubstr("generated"))) << model;
+  }
+}
 
 // The point itself is taken, of a study as of its map.
 TEST(TraceCommand, PicksPointsOfStudiesAndMaps) {
