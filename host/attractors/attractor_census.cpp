@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "attractors/detail/moment_groups.hpp"
 #include "sweep_types.h"
@@ -47,6 +48,14 @@ double max_difference(const std::vector<double>& a, const std::vector<double>& b
   return max;
 }
 
+// What kinds of motion are told apart by, in the order in which they are listed: rest, then
+// periodic motion by its period, then all other.
+std::pair<int, double> kind_of(std::size_t motion, double period) {
+  if (motion == MOTION_equilibrium) return {0, 0.0};
+  if (motion == MOTION_periodic) return {1, period};
+  return {2, 0.0};
+}
+
 // A number that is none never agrees.
 bool agree(const std::vector<double>& a, const std::vector<double>& b, double allowed) {
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -59,7 +68,7 @@ bool agree(const std::vector<double>& a, const std::vector<double>& b, double al
 bool has_exact_place(const TrajectorySummary& summary, double tolerance) {
   if (summary.errors.empty()) return true;
   const auto states = static_cast<std::ptrdiff_t>(summary.place.size() / 2);
-  return is_periodic(summary) &&
+  return (is_periodic(summary) || summary.motion == MOTION_equilibrium) &&
          std::all_of(summary.place.begin() + states, summary.place.end(),
                      [&](double deviation) { return deviation <= tolerance; });
 }
@@ -211,8 +220,7 @@ std::size_t nearest(const std::vector<TrajectorySummary>& summaries, const Clust
   double min = std::numeric_limits<double>::infinity();
   for (const std::size_t other : others) {
     const TrajectorySummary& candidate = summaries[clusters.first[other]];
-    if (is_periodic(own) != is_periodic(candidate)) continue;
-    if (is_periodic(own) && own.period != candidate.period) continue;
+    if (kind_of(own.motion, own.period) != kind_of(candidate.motion, candidate.period)) continue;
     const double difference = max_difference(clusters.place[cluster], clusters.place[other]);
     if (difference < min) {
       min = difference;
@@ -310,10 +318,10 @@ AttractorList find_attractors(const Study& study, const std::vector<TrajectorySu
     return clusters.place[branch.cluster];
   };
   std::stable_sort(order.begin(), order.end(), [&](const Branch& a, const Branch& b) {
-    const auto kind = [](const Attractor& attractor) {
-      return std::make_pair(attractor.motion != MOTION_periodic, attractor.period);
+    const auto kind = [](const Branch& branch) {
+      return kind_of(branch.attractor.motion, branch.attractor.period);
     };
-    if (kind(a.attractor) != kind(b.attractor)) return kind(a.attractor) < kind(b.attractor);
+    if (kind(a) != kind(b)) return kind(a) < kind(b);
     const std::vector<double>&rank_of_a = clusters.rank[a.cluster],
           &rank_of_b = clusters.rank[b.cluster];
     return rank_of_a != rank_of_b ? rank_of_a < rank_of_b : place(a) < place(b);

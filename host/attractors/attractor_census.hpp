@@ -6,8 +6,8 @@
 // reached the same attractor when both places agree: those of periodic motion, and those at rest,
 // to 1e-3 (1e-2 in fp32) of the largest number that any of them has, or of 1e-3 where all is less;
 // all other to within the errors of their moments (detail/moment_groups.hpp). An attractor at one
-// value of a parameter is the same as one at the next value when both are periodic with the same
-// period, or both are not, each is the other's nearest, and their places differ by no more than 5 %
+// value of a parameter is the same as one at the next value when both rest, or both are periodic
+// with the same period, or neither does either, each is the other's nearest, and their places differ by no more than 5 %
 // of the largest number in the map.
 #pragma once
 
@@ -34,7 +34,7 @@ struct TrajectorySummary {
 };
 
 struct AttractorList {
-  std::vector<Attractor> attractors;  // periodic ones first, then by period, then by their places
+  std::vector<Attractor> attractors;  // rest, periodic ones by period, others; then by their places
   std::vector<std::size_t> number;    // [trajectory] of the list, from 1; 0: not known
   std::vector<std::size_t> count;     // [point] different ones among the point's trajectories
   std::size_t uncertain = 0;          // trajectories between two attractors, that may be of either

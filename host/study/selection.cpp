@@ -257,9 +257,15 @@ void add_census(const Model& model, const std::vector<Offer>& offers, const Size
   const auto output = [&](OutputRole role, const std::string& channel = "") {
     return add_role(offers, role, channel, sizes, selection);
   };
+  // Without forcing these are by returns, as a study's own quantities are.
+  const auto named = [&](const std::string& name) {
+    const auto offer = std::ranges::find_if(
+        offers, [&](const Offer& candidate) { return candidate.quantity.name == name; });
+    return add_output(*offer, sizes, selection);
+  };
   CensusOutputs census;
-  census.motion = output(OutputRole::motion);
-  census.period = output(OutputRole::period);
+  census.motion = named("motion_class");
+  census.period = named("period");
   census.section_min = output(OutputRole::section_min);
   census.section_max = output(OutputRole::section_max);
   census.mean = output(OutputRole::state_mean);
@@ -364,12 +370,14 @@ std::vector<Quantity> offered_quantities(const Model& model) {
 }
 
 std::vector<std::string> motion_names() {
+  std::vector<std::string> names;  // the longest list: others are its beginning
   for (const Observable& observable : observables()) {
     for (const ObservableOutput& output : observable.outputs) {
-      if (output.role == OutputRole::motion) return output.flags;
+      const bool is_longer = output.flags.size() > names.size();
+      if (output.role == OutputRole::motion && is_longer) names = output.flags;
     }
   }
-  return {};
+  return names;
 }
 
 Selection select_quantities(const Model& model, const std::vector<std::string>& names,

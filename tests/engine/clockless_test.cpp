@@ -207,5 +207,41 @@ TEST(Clockless, ABallThatHasStoppedIsAtRest) {
   }
 }
 
+// r' = -r (1 - r^2) (1 - r^2/4): starts within r = 1 come to rest, all others to the cycle r = 2.
+TEST(Clockless, BasinsAreThoseOfRestAndCycle) {
+  const SweepResult result = run(R"toml([model]
+text = """
+[model]
+name = "two_ends"
+[states]
+x = {}
+y = {}
+[parameters]
+w = 1.0
+[constants]
+q = "-(1 - x^2 - y^2)*(1 - (x^2 + y^2)/4)"
+[equations]
+x = "q*x - w*y"
+y = "w*x + q*y"
+"""
+[[axes]]
+name = "x"
+values = [-1.7, -1.1, -0.5, 0.2, 0.8, 1.4]
+[[axes]]
+name = "y"
+values = [-2.1, -0.9, 0.3, 1.2]
+[observe]
+quantities = ["attractor"]
+)toml");
+  ASSERT_EQ(result.attractors.size(), 2U);
+  EXPECT_EQ(result.attractors[0].motion, static_cast<std::size_t>(MOTION_equilibrium));
+  EXPECT_EQ(result.attractors[1].motion, static_cast<std::size_t>(MOTION_periodic));
+  const std::vector<double>&xs = result.study.axes[0].values, &ys = result.study.axes[1].values;
+  for (std::size_t i = 0; i < result.study.points(); ++i) {
+    const double r = std::hypot(xs[i % xs.size()], ys[i / xs.size()]);
+    EXPECT_EQ(map_of(result, "attractor")[i], r < 1.0 ? 1.0 : 2.0) << r;
+  }
+}
+
 }  // namespace
 }  // namespace gearsweep::testing
