@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "equations/definition.hpp"
@@ -115,13 +116,29 @@ void refuse_taken(const ModelDefinition& definition, const std::string& name,
 
 constexpr const char* kMaxima = "maxima";
 
+// The first surface that resets a state.
+std::optional<std::size_t> find_reset(const Formula& formula, std::size_t state) {
+  const auto found = std::ranges::find_if(formula.impacts, [&](const Formula::Impact& impact) {
+    return impact.reset[state] != formula.states[state];
+  });
+  if (found == formula.impacts.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - formula.impacts.begin());
+}
+
 // A motion without a clock is looked at where its first state is largest, where its file and the
-// study say nothing else. A state that turns has no largest value.
+// study say nothing else; where a surface resets that state, right behind the surface: the state
+// may have no maximum then. A state that turns has no largest value.
 void add_own_section(ModelDefinition* definition, Formula* formula) {
   const auto first = std::ranges::find(definition->are_angles, false);
   const bool has_one = !definition->sections.empty() || has_phase(*formula);
-  if (has_one || definition->states.size() < 2 || first == definition->are_angles.end()) return;
+  if (has_one || first == definition->are_angles.end()) return;
   const auto state = static_cast<std::size_t>(first - definition->are_angles.begin());
+  if (const std::optional<std::size_t> reset = find_reset(*formula, state)) {
+    const SurfaceDefinition& surface = definition->surfaces[*reset];
+    definition->sections.push_back({surface.name, surface.when, false, true});
+    formula->sections.push_back({formula->impacts[*reset].when, false, true});
+    return;
+  }
   const std::string& name = definition->states[state].name;
   definition->sections.push_back({kMaxima, {name, definition->period.file}, true, true});
   formula->sections.push_back({formula->states[state], true, true});

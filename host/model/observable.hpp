@@ -62,7 +62,9 @@ enum class OutputRole {
 
 struct ObservableOutput {
   std::string suffix;
-  std::string unit;                // empty: that of what it looks at; "/tau": that of its rate
+  // Empty: that of what it looks at; "/tau": that of its rate; "/period": it counts how often, in a
+  // period of the forcing, or of a model without forcing in its unit of time.
+  std::string unit;
   std::vector<std::string> flags;  // names of the classes 0, 1, ... when the value is a class
   std::string meaning;
   OutputRole role = OutputRole::none;
@@ -100,7 +102,8 @@ struct Observable {
   }
   // Tangent vectors that it needs, at most one for each state that has a tangent.
   std::size_t tangents_of(const Sizes& sizes) const {
-    return tangents < kPerState ? numbers_of(tangents, sizes) : sizes.perturbed;
+    const std::size_t wanted = numbers_of(tangents, sizes);
+    return wanted < sizes.perturbed ? wanted : sizes.perturbed;
   }
 };
 

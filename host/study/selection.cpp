@@ -74,24 +74,30 @@ std::string stem_of(const Observable& observable, const Part& part) {
   return part.name.empty() ? observable.name : part.name + "_" + observable.name;
 }
 
+constexpr const char* kPerPeriod = "/period";
+
 // The unit of an output that looks at something of this unit.
-std::string unit_of(const ObservableOutput& output, const std::string& seen) {
+std::string unit_of(const ObservableOutput& output, const std::string& seen, bool is_clockless) {
+  if (output.unit == kPerPeriod) return is_clockless ? "1/tau" : "1";
   if (output.unit == "/tau") return seen == "b_n" ? "b_n varpi" : seen + "/tau";
   return output.unit.empty() && output.flags.empty() ? seen : output.unit;
 }
 
 // The offers of one observable for a part of the model.
 void add_offers(const Observable& observable, const Part& part, const Sizes& sizes,
-                std::vector<Offer>* offers) {
-  if (observable.tangents_of(sizes) > sizes.perturbed) return;
+                bool is_clockless, std::vector<Offer>* offers) {
   for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
     const ObservableOutput& output = observable.outputs[i];
     const std::string stem = stem_of(observable, part);
     Quantity quantity;
     quantity.name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
-    quantity.unit = unit_of(output, part.unit);
+    quantity.unit = unit_of(output, part.unit, is_clockless);
     quantity.meaning =
         part.meaning.empty() ? output.meaning : fmt::format("{}: {}", part.meaning, output.meaning);
+    if (output.unit == kPerPeriod) {
+      quantity.is_per_time = is_clockless;
+      quantity.meaning += is_clockless ? ", per unit of time" : ", per period";
+    }
     quantity.flags = output.flags;
     quantity.dimension = observable.dimension;
     if (observable.part == ObservedPart::channel) quantity.channel = part.name;
@@ -136,7 +142,7 @@ std::vector<Offer> offers_of(const Model& model, const Sizes& sizes, const std::
   std::vector<Offer> offers;
   for (const Observable& observable : observables()) {
     for (const Part& part : parts_for(observable, model)) {
-      add_offers(observable, part, sizes, &offers);
+      add_offers(observable, part, sizes, model.is_clockless, &offers);
     }
   }
   const std::vector<Offer> plain = plain_offers(model, offers, judging_section(model, section));
@@ -456,7 +462,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     }
     selection.quantities.push_back(quantity);
   }
-  if (selection.census && model.contacts.size() == 1) {
+  if (selection.census && model.contacts.size() == 1 && !model.is_clockless) {
     selection.census->impacts_drive = selection.output_of(OutputRole::impacts_drive);
     selection.census->impacts_back = selection.output_of(OutputRole::impacts_back);
   }

@@ -31,6 +31,8 @@ struct Quantity {
   std::string channel;             // the state or signal that it looks at; empty: none
   // The parameter by which the output is divided; where that is 0 there is no value.
   std::optional<std::size_t> divided_by;
+  // The output counts how often in a period, of a model without forcing: Binding::clock divides it.
+  bool is_per_time = false;
   OutputRole role = OutputRole::none;
 };
 

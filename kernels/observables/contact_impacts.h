@@ -7,11 +7,11 @@
 
 #define CONTACT_IMPACTS_ROLE measure
 #define CONTACT_IMPACTS_PER_CONTACT
-// X(suffix of the quantity's name, unit (empty: the deflection's, /tau: its rate's), flag meanings,
-// meaning)
+// X(suffix of the quantity's name, unit (empty: the deflection's, /tau: its rate's, /period: how
+// often), flag meanings, meaning)
 #define CONTACT_IMPACTS_OUTPUTS(X)                                                        \
-  X(drive, "1", "", "impacts on the drive flank (contacts regained) per period")          \
-  X(back, "1", "", "impacts on the back flank (contacts regained) per period")            \
+  X(drive, "/period", "", "impacts on the drive flank (contacts regained)")          \
+  X(back, "/period", "", "impacts on the back flank (contacts regained)")            \
   X(speed, "/tau", "", "speed of the hardest impact, at which deflection and limit meet") \
   X(depth, "", "", "largest depth beyond the limit of a flank that is regained; 0 without impacts")
 // X(suffix, role)

@@ -45,7 +45,7 @@ SHARED_FN void return_motion_step(real* sums, const SectionCrossing* crossing, c
 
 SHARED_FN void return_motion_end_period(real* sums, const Section* section) {
   Section second = *section;
-  second.log_stretching = section->log_stretching + 1;
+  second.log_stretching = section->log_stretching + (TANGENTS > 1);  // a line has one exponent
   cycle_end_period(sums + return_motion_cycle, section);
   motion_end_period(sums + return_motion_motion, section);
   lyapunov_max_end_period(sums + return_motion_second, &second);

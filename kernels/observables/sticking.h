@@ -3,10 +3,10 @@
 
 #define STICKING_ROLE measure
 #define STICKING_OF_SURFACES
-// X(suffix of the quantity's name, unit, flag meanings, meaning)
+// X(suffix of the quantity's name, unit (/period: how often), flag meanings, meaning)
 #define STICKING_OUTPUTS(X)                                                                       \
   X(share, "1", "", "share of the time in which the motion stays at a surface: sticks, or rests") \
-  X(stops, "1", "", "times that it begins to stay at one, per period")
+  X(stops, "/period", "", "times that it begins to stay at one")
 
 enum { sticking_time, sticking_count, sticking_was, sticking_accumulators };
 

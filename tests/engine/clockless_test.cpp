@@ -207,6 +207,36 @@ TEST(Clockless, ABallThatHasStoppedIsAtRest) {
   }
 }
 
+// v' = I - v from 0 to 1, where it fires and begins anew: after ln(I/(I - 1)). Nothing is largest
+// there but for a moment, so returns are those to the surface. Counts are per unit of time, which
+// does not depend on what a study counts its time in.
+TEST(Clockless, WhatFiresIsACycleAndCountsAreInTime) {
+  for (const auto& [engine, other] :
+       {std::pair("opencl", ""), {"reference", ""}, {"opencl", "max_step = 0.01"}}) {
+    SCOPED_TRACE(std::string(engine) + other);
+    const SweepResult result = run(fmt::format(
+        "[model]\ntext = \"\"\"\n[model]\nname = 'fires'\n[states]\nv = {{}}\n[parameters]\n"
+        "I = 2.0\n[equations]\nv = 'I - v'\n[surfaces.fire]\nwhen = 'v - 1'\n"
+        "reset = {{ v = '0' }}\n\"\"\"\n[[axes]]\nname = 'I'\nvalues = [0.5, 1.5, 3.0]\n"
+        "[integrate]\nrecord = 1000\nengine = '{}'\n{}\n[observe]\nquantities = ["
+        "'motion_class', 'period', 'cycle_time', 'fire_impacts', 'fire_returns', 'attractor']\n",
+        engine, other));
+    EXPECT_THAT(map_of(result, "motion_class"),
+                ::testing::ElementsAre(MOTION_equilibrium, MOTION_periodic, MOTION_periodic));
+    EXPECT_THAT(map_of(result, "period"), ::testing::ElementsAre(0.0, 1.0, 1.0));
+    EXPECT_THAT(map_of(result, "attractor"), ::testing::ElementsAre(1.0, 2.0, 2.0));
+    EXPECT_EQ(map_of(result, "fire_impacts")[0], 0.0);
+    for (const auto& [point, current] : {std::pair(1U, 1.5), {2U, 3.0}}) {
+      const double cycle = std::log(current / (current - 1.0));
+      EXPECT_NEAR(map_of(result, "cycle_time")[point], cycle, 1e-6);
+      EXPECT_NEAR(map_of(result, "fire_impacts")[point], 1.0 / cycle, 2e-3);
+      EXPECT_NEAR(map_of(result, "fire_returns")[point], 1.0 / cycle, 2e-3);
+    }
+    EXPECT_EQ(result.study.model->sections.front().name, "fire");
+    EXPECT_THAT(result.study.clock_reason, ::testing::HasSubstr("return"));
+  }
+}
+
 // r' = -r (1 - r^2) (1 - r^2/4): starts within r = 1 come to rest, all others to the cycle r = 2.
 TEST(Clockless, BasinsAreThoseOfRestAndCycle) {
   const SweepResult result = run(R"toml([model]

@@ -18,7 +18,8 @@ GrowthWatch::GrowthWatch(Eigen::Index vector, bool has_clock)
     : vector_(vector), has_clock_(has_clock), exponent_(make_lyapunov_max()) {}
 
 void GrowthWatch::period(const Eigen::VectorXd& log_stretching, double length) {
-  exponent_->period({}, log_stretching.tail(log_stretching.size() - vector_), length);
+  const Eigen::Index vector = std::min(vector_, log_stretching.size() - 1);  // a line has one
+  exponent_->period({}, log_stretching.tail(log_stretching.size() - vector), length);
   time_ += length;
 }
 

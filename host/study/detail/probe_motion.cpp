@@ -198,16 +198,19 @@ void ProbeMotion::look_at_signals(Stretch* stretch) {
   std::vector<double> now(model_.signals.size());
   if (now.empty()) return;
   point_->signals(coefs_at(phase_).data(), x_.data(), now.data());
-  if (!model_.sections.empty()) {
-    const double level = now[model_.sections.front().level];
-    if (level_ < 0.0 && level >= 0.0) returns_.push_back(time_);
-    level_ = level;
-  }
+  look_at_section(now, time_);
   if (stretch->low_signals.empty()) stretch->low_signals = stretch->high_signals = now;
   for (std::size_t i = 0; i < now.size(); ++i) {
     stretch->low_signals[i] = std::min(stretch->low_signals[i], now[i]);
     stretch->high_signals[i] = std::max(stretch->high_signals[i], now[i]);
   }
+}
+
+void ProbeMotion::look_at_section(const std::vector<double>& signals, double time) {
+  if (model_.sections.empty()) return;
+  const double level = signals[model_.sections.front().level];
+  if (level_ < 0.0 && level >= 0.0) returns_.push_back(time);
+  level_ = level;
 }
 
 // What rounding may leave of a state: of itself, and of the terms of its rate over the time in
@@ -259,7 +262,17 @@ bool ProbeMotion::meets_surface(double length, std::vector<double>* end) {
   if (!held_.left_behind(moment_at(1.0).data(), end->data())) return false;
   const auto size = static_cast<Eigen::Index>(x_.size());
   HeldMotion motion{Eigen::VectorXd::Map(x_.data(), size), {}};
-  step_held(&held_, moment_at, &motion);
+  // A motion may be beyond a section for the moment at which it is reset alone.
+  std::vector<double> now(model_.signals.size());
+  const auto look_at = [&](double share, const HeldMotion& at) {
+    held_.signals(moment_at(share).data(), at.state.data(), now.data());
+    look_at_section(now, time_ + share * length);
+  };
+  const auto look = [&](double from, double to, const HeldMotion& before, const HeldMotion& after) {
+    if (from > 0.0) look_at(from, before);
+    look_at(to, after);
+  };
+  step_held(&held_, moment_at, &motion, look);
   end->assign(motion.state.begin(), motion.state.end());
   return true;
 }

@@ -57,6 +57,7 @@ class ProbeMotion {
   // The next phase, behind this one, at which a pulse begins; above 1 where there is none.
   double next_pulse(double phase) const;
   void look_at_signals(Stretch* stretch);
+  void look_at_section(const std::vector<double>& signals, double time);
   void look_at_rates(Stretch* stretch) const;
   // A part of a step of `length`, from one share of it to another.
   std::vector<double> step(const StepMoments& moment_at, double begin, double end,
