@@ -15,6 +15,17 @@ SHARED_FN real level_curve_at(const LevelCurve* curve, real t) {
   return curve->value + t * (curve->slope + t * (curve->square + t * curve->cube));
 }
 
+// Whether the cubic may go above `up` or below `down`: it lies between the control points of its
+// Bezier form. Cheaper than level_cross(), which need not be asked where this says no.
+SHARED_FN mask level_may_cross(real l0, real l1, real r0, real r1, real up, real down) {
+  const real third = (scalar)(1.0 / 3.0);
+  const real inner = l0 + third * r0;
+  const real outer = l1 - third * r1;
+  const real low = lane_min(lane_min(l0, l1), lane_min(inner, outer));
+  const real high = lane_max(lane_max(l0, l1), lane_max(inner, outer));
+  return !((low >= down) & (high <= up));
+}
+
 // Where a level first goes above `up` or below `down`; false where it does not. l, r: the level
 // and its slope at the part's start and end.
 SHARED_FN mask level_cross(real l0, real l1, real r0, real r1, real up, real down, real* after,

@@ -196,8 +196,10 @@ SHARED_FN void surface_find(const ModelPoint* point, const SurfacePart* part, Su
     mask is_up;
     event->crossed[k] = event->left[k] = zero != zero;
     event->side[k] = side;
-    const mask hit = level_cross(l0[k], l1[k], part->length * r0[k], part->length * r1[k], up, down,
-                                 &after, &is_up);
+    const real first = part->length * r0[k];
+    const real last = part->length * r1[k];
+    if (all_lanes(!level_may_cross(l0[k], l1[k], first, last, up, down))) continue;
+    const mask hit = level_cross(l0[k], l1[k], first, last, up, down, &after, &is_up);
     surface_take(event, hit & !point->sides.slides[k] & (after < event->after), after, k, hit,
                  lane_select(is_up, side + one, side - one));
   }

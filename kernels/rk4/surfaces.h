@@ -177,9 +177,15 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     ModelLinear linear[RK4_EVALUATIONS];
     Crossings crossings;
     real next[MODEL_STATE_COUNT];
-    surface_moment(rows, from, &start);
-    surface_moment(rows, one_half * (from + to), &middle);
-    surface_moment(rows, to, &end);
+    if (pass == 0) {
+      start = rows->row[0];
+      middle = rows->row[1];
+      end = rows->row[2];
+    } else {
+      surface_moment(rows, from, &start);
+      surface_moment(rows, one_half * (from + to), &middle);
+      surface_moment(rows, to, &end);
+    }
     const real length = (to - from) * rows->h;
     rk4_advance_by(point, &start, &middle, &end, length, beside, x, next, &slopes, linear,
                    &crossings);
@@ -200,6 +206,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     if (beside & RK4_MIDDLE) watch_part(watcher, point, &part, moves);
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(moves, next[i], x[i]);
+    if (pass == 0 && all_lanes(moves)) return;
     from = lane_select(moves, to, from);
     if (!all_lanes(!lands)) {
       SurfaceMet met;
