@@ -405,8 +405,8 @@ class DefinitionReader {
       const toml::table* reset = reader.table("reset");
       if (reset == nullptr || reset->empty()) {
         fail_at(row, fmt::format("surface '{}' says not what happens at it: reset = {{ v = "
-                                 "\"-r*v\" }}; jumps of the equations, as of sign(v), are found "
-                                 "by themselves",
+                                 "\"-r*v\" }}; jumps of the equations, as of sign(v - belt), are "
+                                 "found without it, and a motion sticks to them",
                                  entry.name));
       }
       std::vector<std::string> states;
