@@ -38,8 +38,11 @@ typedef struct {
 #ifndef MODEL_CLOCKS
 #define MODEL_CLOCKS 0
 #endif
+#define MODEL_COUNT_ANGLE(name) +1
 #define MODEL_TAKE_TURNS(name) \
   x[STATE_##name] = x[STATE_##name] - turn * lane_rint(x[STATE_##name] / turn);
+
+enum { MODEL_ANGLE_COUNT = 0 MODEL_ANGLES(MODEL_COUNT_ANGLE) };
 
 // Takes the full turns out of the angles of a state or of the difference of two: they are between
 // -pi and pi then. Nothing else changes.

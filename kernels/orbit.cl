@@ -2,9 +2,10 @@
 #include "dialect.h"
 #include "selection.h"
 
-// The derivative of a return map has one tangent vector for each state.
+// The derivative of a return map has one tangent vector for each state. A number, which is compared
+// with 0 where the program is read.
 #undef TANGENTS
-#define TANGENTS MODEL_STATE_COUNT
+#define TANGENTS STATES
 #include "items.h"
 #include "unwatched.h"
 #include "walk.h"

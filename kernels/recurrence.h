@@ -23,6 +23,7 @@ enum {
   recurrence_worst,           // largest distance of its recurrences
   recurrence_nearest,         // smallest distance of all else since then
   recurrence_window_nearest,  // and in this window
+  recurrence_closest,         // smallest distance of all
   recurrence_number,          // states seen behind the first
   recurrence_lag,             // since the reference
   recurrence_window,          // 0: there is no reference yet
@@ -44,6 +45,7 @@ SHARED_FN void recurrence_init(real* sums) {
   for (int i = 0; i < recurrence_accumulators; ++i) sums[i] = 0;
   sums[recurrence_nearest] = INFINITY;
   sums[recurrence_window_nearest] = INFINITY;
+  sums[recurrence_closest] = INFINITY;
 }
 
 SHARED_FN void recurrence_begin(real* sums, const real* x) {
@@ -86,6 +88,8 @@ SHARED_FN Recurred recurrence_see(real* sums, mask where, const real* x, const r
   sums[recurrence_candidate] = lane_select(missed, zero, sums[recurrence_candidate]);
   sums[recurrence_due] = lane_select(missed, zero, sums[recurrence_due]);
   const mask is_short = compares & (two * now <= most);
+  sums[recurrence_closest] =
+      lane_select(is_short, lane_min(sums[recurrence_closest], distance), sums[recurrence_closest]);
   const real beside = lane_select(same | !is_short, (real)(INFINITY), distance);
   sums[recurrence_nearest] = lane_min(sums[recurrence_nearest], beside);
   sums[recurrence_window_nearest] = lane_min(sums[recurrence_window_nearest], beside);

@@ -9,7 +9,7 @@
 
 namespace gearsweep {
 
-constexpr const char* kEvents = "event";
+constexpr const char* kEvents = "at_surface";
 
 struct Trace {
   ModelSetting setting;       // of the point

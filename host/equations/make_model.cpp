@@ -125,23 +125,37 @@ std::optional<std::size_t> find_reset(const Formula& formula, std::size_t state)
   return static_cast<std::size_t>(found - formula.impacts.begin());
 }
 
-// A motion without a clock is looked at where its first state is largest, where its file and the
-// study say nothing else; where a surface resets that state, right behind the surface: the state
-// may have no maximum then. A state that turns has no largest value.
+// A motion without a clock is looked at where its first state that moves, and is no angle, is
+// largest, where its file and the study say nothing else; where a surface resets that state, right
+// behind the surface: the state may have no maximum then. Of angles alone the sine of the first is
+// looked at, which is largest once in a turn, and once in a swing.
 void add_own_section(ModelDefinition* definition, Formula* formula) {
-  const auto first = std::ranges::find(definition->are_angles, false);
-  const bool has_one = !definition->sections.empty() || has_phase(*formula);
-  if (has_one || first == definition->are_angles.end()) return;
-  const auto state = static_cast<std::size_t>(first - definition->are_angles.begin());
-  if (const std::optional<std::size_t> reset = find_reset(*formula, state)) {
-    const SurfaceDefinition& surface = definition->surfaces[*reset];
-    definition->sections.push_back({surface.name, surface.when, false, true});
-    formula->sections.push_back({formula->impacts[*reset].when, false, true});
-    return;
+  if (!definition->sections.empty() || has_phase(*formula)) return;
+  std::optional<std::size_t> state;
+  for (std::size_t i = 0; i < definition->states.size() && !state; ++i) {
+    const bool moves = !formula->graph.is_number(formula->equations[i], 0.0);
+    if (!definition->are_angles[i] && (moves || find_reset(*formula, i))) state = i;
   }
-  const std::string& name = definition->states[state].name;
-  definition->sections.push_back({kMaxima, {name, definition->period.file}, true, true});
-  formula->sections.push_back({formula->states[state], true, true});
+  const auto add = [&](const std::string& name, const ExpressionText& text, NodeId value,
+                       bool of_rate) {
+    definition->sections.push_back({name, text, of_rate, true});
+    formula->sections.push_back({value, of_rate, true});
+  };
+  const auto text_of = [&](const std::string& text) {
+    return ExpressionText{text, definition->period.file};
+  };
+  if (state) {
+    const std::string& name = definition->states[*state].name;
+    const std::optional<std::size_t> reset = find_reset(*formula, *state);
+    if (!reset) return add(kMaxima, text_of(name), formula->states[*state], true);
+    const SurfaceDefinition& surface = definition->surfaces[*reset];
+    return add(surface.name, surface.when, formula->impacts[*reset].when, false);
+  }
+  const auto angle = std::ranges::find(definition->are_angles, true);
+  if (angle == definition->are_angles.end()) return;
+  const auto first = static_cast<std::size_t>(angle - definition->are_angles.begin());
+  add(kMaxima, text_of(fmt::format("sin({})", definition->states[first].name)),
+      formula->graph.make(Operation::sine, {formula->states[first]}), true);
 }
 
 // The sections, whose signals are lowered, and get their names here.

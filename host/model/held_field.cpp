@@ -51,6 +51,12 @@ std::vector<double> HeldField::rates(const double* coefs, const double* x, const
   return out;
 }
 
+HeldField::Levels HeldField::levels(const double* coefs, const double* x) {
+  std::vector<double> dx(states_);
+  rhs(coefs, x, dx.data());
+  return {values(SurfaceValue::level, coefs, x, 1), rates(coefs, x, dx.data())};
+}
+
 std::vector<double> HeldField::field_with(const std::vector<double>& sides, const double* coefs,
                                           const double* x) {
   std::vector<double> dx(states_);
@@ -107,8 +113,10 @@ void HeldField::begin_at(std::size_t k, double level, const double* coefs, const
     return rates(coefs, x, field_with(sides, coefs, x).data())[k];
   };
   const double up = rate_on(above), down = rate_on(above - 1.0);
-  const double reach = kNear * step_ * std::max(std::fabs(up), std::fabs(down));
-  if (std::fabs(level - level_of(k, above)) > reach) return;
+  // Off the surface the field of the other side means nothing, and may be infinite.
+  const double distance = level - level_of(k, above);
+  const double own = distance < 0.0 ? down : up;
+  if (!(std::fabs(distance) <= kNear * step_ * std::fabs(own))) return;
   slides_[k] = up < 0.0 && down > 0.0;
   sides_[k] = up < 0.0 && !slides_[k] ? above - 1.0 : above;
 }

@@ -38,6 +38,12 @@ class HeldField {
   // Where a motion slides, with the sides that its field mixes.
   void signals(const double* coefs, const double* x, double* out);
 
+  // Of all surfaces, and their rates along the motion.
+  struct Levels {
+    std::vector<double> value, rate;
+  };
+  Levels levels(const double* coefs, const double* x);
+
   // A surface on whose side a state is not any more, or along which it slid and does not; after
   // the surfaces, the limits of the contacts.
   std::optional<std::size_t> left_behind(const double* coefs, const double* x);

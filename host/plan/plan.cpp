@@ -42,7 +42,8 @@ void Plan::cut(std::size_t tile_points) {
 
 bool Plan::is_autonomous() const {
   std::call_once(autonomy_->once, [this] {
-    autonomy_->is_known_to_be = study_.model->is_autonomous || Structure(study_).is_autonomous();
+    autonomy_->is_known_to_be = study_.model->is_autonomous || (study_.model->surfaces.empty() &&
+                                                                Structure(study_).is_autonomous());
   });
   return autonomy_->is_known_to_be;
 }

@@ -14,7 +14,10 @@ namespace {
 
 constexpr double kLocalError = 1e-7, kLocalErrorOfTransient = 1e-5;  // of each state's range
 constexpr double kRate = 0.3, kRateOfTransient = 2.0;                // times the step
-constexpr std::size_t kSteps = 1000;                                 // of either half of a motion
+// Of the range of a surface's level, at its fastest, in a step: 20 steps in a turn of a sine. Where
+// a level goes there and back within a step, both crossings are missed.
+constexpr double kLevelWay = 0.15;
+constexpr std::size_t kSteps = 1000;  // of either half of a motion
 
 struct ProbeStart {
   ModelSetting setting;
@@ -91,6 +94,9 @@ void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest)
                  fmt::format("the transient has a rate of {:.3g}", transient.rate));
   shortest->take(later.step_of(kLocalError), error);
   shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
+  const double level_time = later.level_time(*study.model);
+  shortest->take(kLevelWay * level_time,
+                 fmt::format("a jump or a surface is passed in a time of {:.3g}", level_time));
 }
 
 // The longest that is no longer than `step` and divides the period into a number of the ladder.
@@ -114,7 +120,9 @@ OwnStep find_own_step(const Study& study) {
       return ProbeMotion(*study.model, start.setting, start.state).has_finite_rates();
     });
     const double step = period / ProbeMotion::kForcedSteps;
-    return {step, step, is_defined ? "nothing moves" : "the equations are not finite at the start"};
+    return {step, step,
+            is_defined ? "nothing in the motion limits it"
+                       : "the equations are not finite at the start"};
   }
   return {rounded_down(shortest.step, period), shortest.step, shortest.reason};
 }

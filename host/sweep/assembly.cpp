@@ -99,7 +99,7 @@ void Assembly::add_summary(std::size_t trajectory, const TileResult& result, std
     return;
   summary.is_known = true;
   summary.motion = static_cast<std::size_t>(output(census.motion));
-  summary.period = output(census.period);
+  summary.period = summary.motion == MOTION_equilibrium ? 0.0 : output(census.period);
   summary.rms = output(census.rms);
   summary.exponent = output(census.exponent);
   summary.peak = census.peak ? output(*census.peak) : std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,6 @@
 // After how many returns to a section the full state recurs (recurrence.h), and the time that
 // takes: the period of a cycle, with a clock or without one. The ranges that states are compared by
-// are those of the motion since the record began.
+// are those of the motion since the reference: what decays towards rest does not repeat.
 #include "recurrence.h"
 
 #define CYCLE_ROLE statistic
@@ -18,9 +18,11 @@ enum {
   cycle_total,      // of the candidate's recurrences that are counted
   cycle_turns,      // their number
   cycle_forcing,    // the forcing's period, in dimensionless time
-  cycle_low,        // of each state
+  cycle_low,        // of each state, in the record
   cycle_high = cycle_low + PER_STATE,
-  cycle_recurrence = cycle_high + PER_STATE,
+  cycle_near_low = cycle_high + PER_STATE,  // since the reference
+  cycle_near_high = cycle_near_low + PER_STATE,
+  cycle_recurrence = cycle_near_high + PER_STATE,
   cycle_accumulators = (int)(cycle_recurrence) + (int)(recurrence_accumulators)
 };
 
@@ -34,6 +36,8 @@ SHARED_FN void cycle_init(real* sums, const Instant* start) {
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     sums[cycle_low + i] = start->x[i];
     sums[cycle_high + i] = start->x[i];
+    sums[cycle_near_low + i] = start->x[i];
+    sums[cycle_near_high + i] = start->x[i];
   }
   recurrence_init(sums + cycle_recurrence);
 }
@@ -49,6 +53,8 @@ SHARED_FN void cycle_step(real* sums, const SectionCrossing* crossing, const Ste
     const real x = step->after->x[i];
     sums[cycle_low + i] = lane_min(sums[cycle_low + i], x);
     sums[cycle_high + i] = lane_max(sums[cycle_high + i], x);
+    sums[cycle_near_low + i] = lane_min(sums[cycle_near_low + i], x);
+    sums[cycle_near_high + i] = lane_max(sums[cycle_near_high + i], x);
   }
   sums[cycle_level] = crossing->last;
   sums[cycle_since] = whole;
@@ -58,13 +64,19 @@ SHARED_FN void cycle_step(real* sums, const SectionCrossing* crossing, const Ste
   real shared[MODEL_STATE_COUNT];
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    extent.low[i] = sums[cycle_low + i];
-    extent.high[i] = sums[cycle_high + i];
+    extent.low[i] = sums[cycle_near_low + i];
+    extent.high[i] = sums[cycle_near_high + i];
   }
   extent_ranges(&extent, (scalar)(PERIOD_TOLERANCE), ranges);
   share_ranges(ranges, shared);
   const Recurred done =
       recurrence_see(sums + cycle_recurrence, counts, crossing->x, shared, cycle_longest_window);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    const real x = crossing->x[i];
+    sums[cycle_near_low + i] = lane_select(done.moved, x, sums[cycle_near_low + i]);
+    sums[cycle_near_high + i] = lane_select(done.moved, x, sums[cycle_near_high + i]);
+  }
   const real time = lane_select(counts, whole - (one - crossing->share) * step->weight, zero);
   const real mark = sums[cycle_mark] + time;
   const real reference = sums[cycle_reference] + time;

@@ -1,13 +1,18 @@
 // What kind of motion it is where there is no clock, from the two largest Lyapunov exponents and
 // from the returns to a section. One exponent of a motion that does not rest is 0, that of a shift
 // along it, so:
-//   equilibrium     no state changes in the record; or a perturbation shrinks in it by more than
+//   equilibrium     nothing grows, and no state changes in the record; or a perturbation shrinks in
+//   it by more than
 //                   exp(10), and by more than its error, which a transient onto a cycle that is
 //                   over has a large one of: the motion ends at rest, or is there;
 //   periodic        the state recurs after some returns (recurrence.h), and nothing grows;
-//   quasi_periodic  both exponents are 0 and no return recurs, in three dimensions or more, with
-//                   the bounds of observables/motion.h;
-//   chaotic         as in observables/motion.h, in three dimensions or more;
+//   quasi_periodic  both exponents are 0 and no return recurs, with the bounds of
+//                   observables/motion.h; the returns of both halves of the record fill the same
+//                   box, and none comes much nearer to another than a torus lets it: a periodic
+//                   motion that steps make drift, as one that conserves its energy, has two
+//                   exponents that are 0, too;
+//   chaotic         as in observables/motion.h;
+//                   both in three dimensions or more, or where resets or two angles make room;
 //   undecided       all else: a cycle that has not settled, one whose period is too long.
 #include "observables/cycle.h"
 #include "observables/motion.h"
@@ -27,20 +32,55 @@ enum {
                         // lyapunov_max
   return_motion_motion = (int)(return_motion_cycle) + (int)(cycle_accumulators),
   return_motion_second = (int)(return_motion_motion) + (int)(motion_accumulators),
-  return_motion_accumulators = (int)(return_motion_second) + (int)(lyapunov_max_accumulators)
+  // The box of the returns in the present half of the record, then that in the first half.
+  return_motion_min = (int)(return_motion_second) + (int)(lyapunov_max_accumulators)
 };
+enum { return_motion_max = return_motion_min + PER_STATE };
+enum { return_motion_early_min = return_motion_max + PER_STATE };
+enum { return_motion_early_max = return_motion_early_min + PER_STATE };
+enum { return_motion_accumulators = return_motion_early_max + PER_STATE };
 
 #ifdef __OPENCL_VERSION__
 enum { return_motion_outputs = RETURN_MOTION_OUTPUTS(COUNT_OUTPUT) };
+enum { return_motion_enough = 16 };  // returns of a torus
+// Of the box of the returns. The 32 first returns of a circle come as near for one torus in 200;
+// what drifts comes back by the error of some steps.
+#define RETURN_MOTION_NEAR ((scalar)(3e-4))
+// Whether there is room for a torus, or for chaos: in the plane there is neither (Poincare and
+// Bendixson), unless resets or angles fold it.
+#ifdef MODEL_HAS_RESETS
+#define RETURN_MOTION_ROOM (MODEL_STATE_COUNT > 1)
+#else
+#define RETURN_MOTION_ROOM (MODEL_STATE_COUNT > 2 || MODEL_ANGLE_COUNT > 1)
+#endif
+
+SHARED_FN void return_motion_begin_half(real* sums) {
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[return_motion_min + i] = INFINITY;
+    sums[return_motion_max + i] = -INFINITY;
+  }
+}
 
 SHARED_FN void return_motion_init(real* sums, const Instant* start) {
   cycle_init(sums + return_motion_cycle, start);
   motion_init(sums + return_motion_motion, start);
   lyapunov_max_init(sums + return_motion_second, start);
+  return_motion_begin_half(sums);
+  return_motion_begin_half(sums + (int)(return_motion_early_min) - (int)(return_motion_min));
 }
 
 SHARED_FN void return_motion_step(real* sums, const SectionCrossing* crossing, const Step* step) {
   cycle_step(sums + return_motion_cycle, crossing, step);
+  if (all_lanes(!crossing->where)) return;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    const real x = crossing->x[i];
+    const real low = sums[return_motion_min + i];
+    const real high = sums[return_motion_max + i];
+    sums[return_motion_min + i] = lane_select(crossing->where, lane_min(low, x), low);
+    sums[return_motion_max + i] = lane_select(crossing->where, lane_max(high, x), high);
+  }
 }
 
 SHARED_FN void return_motion_end_period(real* sums, const Section* section) {
@@ -49,6 +89,35 @@ SHARED_FN void return_motion_end_period(real* sums, const Section* section) {
   cycle_end_period(sums + return_motion_cycle, section);
   motion_end_period(sums + return_motion_motion, section);
   lyapunov_max_end_period(sums + return_motion_second, &second);
+  if (section->number != section->record / 2) return;
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    sums[return_motion_early_min + i] = sums[return_motion_min + i];
+    sums[return_motion_early_max + i] = sums[return_motion_max + i];
+  }
+  return_motion_begin_half(sums);
+}
+
+// Whether returns lie as those of a torus do.
+SHARED_FN mask return_motion_fills(const real* sums) {
+  const scalar more = 1.25;
+  real ranges[MODEL_STATE_COUNT];
+  real extents[MODEL_STATE_COUNT];
+  share_ranges(sums + return_motion_motion + motion_recurrence + period_ranges, ranges);
+  motion_extents(sums + return_motion_early_min, sums + return_motion_early_max, extents);
+  const real early = motion_size(extents, ranges);
+  motion_extents(sums + return_motion_min, sums + return_motion_max, extents);
+  const real late = motion_size(extents, ranges);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    extents[i] = lane_max(sums[return_motion_early_max + i], sums[return_motion_max + i]) -
+                 lane_min(sums[return_motion_early_min + i], sums[return_motion_min + i]);
+  }
+  const real whole = motion_size(extents, ranges);
+  const real* recurrence = sums + return_motion_cycle + cycle_recurrence;
+  return (recurrence[recurrence_number] >= (scalar)(return_motion_enough)) &
+         (whole <= more * early) & (whole <= more * late) &
+         (recurrence[recurrence_closest] >= RETURN_MOTION_NEAR * whole);
 }
 
 SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* out) {
@@ -65,9 +134,9 @@ SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* ou
   const real torus = MOTION_quasi_periodic;
   const real much = 10;
   // A cycle that has not settled is neutral, too, but not across.
-  const mask is_cycle = (without == torus) & !second.neutral;
-  // In the plane there is neither a torus nor chaos (Poincare and Bendixson).
-  const mask has_room = MODEL_STATE_COUNT > 2 ? zero == zero : zero != zero;
+  const mask is_torus = second.neutral & return_motion_fills(sums);
+  const mask is_cycle = (without == torus) & !is_torus;
+  const mask has_room = RETURN_MOTION_ROOM ? zero == zero : zero != zero;
   const real open = lane_select(is_cycle | !has_room, undecided, without);
   const real moving = lane_select(recurs, lane_select(first.grows, undecided, periodic), open);
   mask rests = zero == zero;  // as a motion that sticks
@@ -77,8 +146,10 @@ SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* ou
     const real high = sums[return_motion_cycle + cycle_high + i];
     rests = rests & (high - low <= ROUNDINGS_TOLD * lane_max(lane_abs(low), lane_abs(high)));
   }
+  const mask unstable = rests & first.grows;
   rests = rests | (first.log_stretching < -lane_max(first.error, much));
   const real since = sums[return_motion_cycle + cycle_since];
   out[0] = lane_select(rests, equilibrium, lane_select(since == since, moving, undecided));
+  out[0] = lane_select(unstable, undecided, out[0]);
 }
 #endif

@@ -53,7 +53,8 @@ SHARED_FN void surface_find_rest(ModelPoint* point, const PhaseAt* moment, real 
 }
 
 // On a jump the fields of both sides decide: where both lead to one side, that one; where both push
-// towards it, the motion slides; where both lead away, it goes on above.
+// towards it, the motion slides; where both lead away, it goes on above. How near that is the rate
+// on the state's own side says: off the surface the other field means nothing, and may be infinite.
 SHARED_FN void surface_find_side(ModelPoint* point, const PhaseAt* moment, real h, const real* x,
                                  int surface, real level, mask where) {
   const real zero = 0;
@@ -70,8 +71,9 @@ SHARED_FN void surface_find_side(ModelPoint* point, const PhaseAt* moment, real 
   surface_field(&below, moment, x, dx, rates_below);
   const real up = rates_above[surface];
   const real down = rates_below[surface];
-  const real reach = SURFACE_NEAR * h * lane_max(lane_abs(up), lane_abs(down));
-  const mask near = where & (lane_abs(level - surface_level(surface, above_side)) <= reach);
+  const real distance = level - surface_level(surface, above_side);
+  const real own = lane_select(distance < zero, down, up);
+  const mask near = where & (lane_abs(distance) <= SURFACE_NEAR * h * lane_abs(own));
   const mask slides = near & (up < zero) & (zero < down);
   const mask falls = near & (up < zero) & !slides;
   const mask rises = near & !(up < zero);

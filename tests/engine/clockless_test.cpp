@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "plan/plan.hpp"
@@ -235,6 +236,85 @@ TEST(Clockless, WhatFiresIsACycleAndCountsAreInTime) {
     EXPECT_EQ(result.study.model->sections.front().name, "fire");
     EXPECT_THAT(result.study.clock_reason, ::testing::HasSubstr("return"));
   }
+}
+
+std::string free_study(const std::string& model, const std::string& rest) {
+  return "[model]\ntext = '''\n[model]\nname = \"free\"\n" + model + "'''\n" + rest;
+}
+
+// A state that stands still has no maximum, and angles have none: a rotation returns once in a
+// turn.
+TEST(Clockless, TheFirstStateNeedNotMove) {
+  const SweepResult still = run(free_study(
+      "[states]\nc = { start = 1.0 }\nx = { start = 1.0 }\ny = {}\n[parameters]\nm = 1.0\n"
+      "[equations]\nc = \"0\"\nx = \"y\"\ny = \"m*c*(1 - x^2)*y - x\"\n",
+      "[[axes]]\nname = 'm'\nvalues = [1.0]\n[observe]\n"
+      "quantities = ['motion_class', 'cycle_time']\n"));
+  EXPECT_EQ(map_of(still, "motion_class")[0], MOTION_periodic);
+  EXPECT_NEAR(map_of(still, "cycle_time")[0], 6.663286859, 1e-5);
+  const SweepResult turns = run(free_study(
+      "[states]\nth = { angle = true }\n[parameters]\na = 0.9\n[equations]\n"
+      "th = \"1 - a*cos(th)\"\n",
+      "[[axes]]\nname = 'a'\nvalues = [0.9, 0.99, 1.1]\n[integrate]\nmax_step = 0.01\n[observe]\n"
+      "quantities = ['motion_class', 'cycle_time']\n"));
+  EXPECT_THAT(map_of(turns, "motion_class"),
+              ::testing::ElementsAre(MOTION_periodic, MOTION_periodic, MOTION_equilibrium));
+  for (const auto& [point, a] : {std::pair(0U, 0.9), {1U, 0.99}}) {
+    const double turn = 2.0 * std::numbers::pi / std::sqrt(1.0 - a * a);
+    EXPECT_NEAR(map_of(turns, "cycle_time")[point] / turn, 1.0, 1e-6);
+  }
+}
+
+// Two exponents of a periodic motion that conserves its energy are 0, as a torus has them, and
+// steps make it drift.
+TEST(Clockless, AConservativeCycleIsNoTorus) {
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result = run(free_study(
+        "[states]\nx = { start = 1.0 }\nv = {}\ny = { start = 1.0 }\nw = {}\n[parameters]\n"
+        "om = 1.5\n[equations]\nx = \"v\"\nv = \"-x\"\ny = \"w\"\nw = \"-om^2*y\"\n",
+        fmt::format("[[axes]]\nname = 'om'\nvalues = [1.0, 1.5, 1.618033988749895]\n[integrate]\n"
+                    "engine = '{}'\nrecord = 1000\n[observe]\nquantities = ['motion_class']\n",
+                    engine)));
+    EXPECT_NE(map_of(result, "motion_class")[0], MOTION_quasi_periodic);
+    EXPECT_NE(map_of(result, "motion_class")[1], MOTION_quasi_periodic);
+    EXPECT_EQ(map_of(result, "motion_class")[2], MOTION_quasi_periodic);
+  }
+}
+
+// A spiral into rest does not repeat, however small it has become; nor is a saddle an end.
+TEST(Clockless, RestHasNoPeriodAndDoesNotGrow) {
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult spiral = run(free_study(
+        "[states]\nx = { start = 1.0 }\nv = {}\n[parameters]\nz = 0.1\n[equations]\nx = \"v\"\n"
+        "v = \"-x - 2*z*v\"\n",
+        fmt::format("[[axes]]\nname = 'z'\nvalues = [0.05, 0.1]\n[integrate]\nengine = '{}'\n"
+                    "[observe]\nquantities = ['motion_class', 'period', 'cycle_time']\n",
+                    engine)));
+    EXPECT_THAT(map_of(spiral, "motion_class"), ::testing::Each(MOTION_equilibrium));
+    EXPECT_THAT(map_of(spiral, "period"), ::testing::Each(0.0));
+    EXPECT_TRUE(std::isnan(map_of(spiral, "cycle_time")[1]));
+    const SweepResult saddle = run(
+        free_study("[states]\nx = {}\ny = { start = 1.0 }\n[parameters]\np = 1.0\n[equations]\n"
+                   "x = \"p*x - x^3\"\ny = \"-y\"\n",
+                   fmt::format("[[axes]]\nname = 'p'\nvalues = [1.0]\n[integrate]\nengine = '{}'\n"
+                               "settle = 2000\n[observe]\nquantities = ['motion_class']\n",
+                               engine)));
+    EXPECT_EQ(map_of(saddle, "motion_class")[0], MOTION_undecided);
+  }
+}
+
+// Between two impacts a state goes on as y -> a y (1 - y): two states, and chaos.
+TEST(Clockless, ResetsMakeRoomForChaosInThePlane) {
+  const SweepResult result = run(free_study(
+      "[states]\nx = {}\ny = { start = 0.3 }\n[parameters]\na = 3.9\n[equations]\nx = \"1\"\n"
+      "y = \"0\"\n[surfaces.tick]\nwhen = \"x - 1\"\nreset = { x = \"0\", y = \"a*y*(1 - y)\" }\n",
+      "[[axes]]\nname = 'a'\nvalues = [3.2, 3.5, 3.9]\n[integrate]\nrecord = 1000\n[observe]\n"
+      "quantities = ['motion_class', 'period']\n"));
+  EXPECT_THAT(map_of(result, "motion_class"),
+              ::testing::ElementsAre(MOTION_periodic, MOTION_periodic, MOTION_chaotic));
+  EXPECT_THAT(map_of(result, "period"), ::testing::ElementsAre(2.0, 4.0, 0.0));
 }
 
 // r' = -r (1 - r^2) (1 - r^2/4): starts within r = 1 come to rest, all others to the cycle r = 2.

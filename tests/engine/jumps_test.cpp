@@ -355,5 +355,52 @@ TEST(Jumps, WithoutEndAreNoResult) {
   }
 }
 
+// 1 + 5 abs(r) is 0 on the side of r = 0 that the start r = -1/5 is not on. The cycle by DOP853 and
+// the closed form of sticking.
+TEST(Jumps, APoleOnTheOtherSideIsNotMet) {
+  const SweepResult result =
+      run(jumping_study("[model]\nname = \"pole\"\n[states]\nx = {}\nv = {}\n[parameters]\nvb = "
+                        "0.2\n[constants]\nr = \"v - vb\"\n"
+                        "[equations]\nx = \"v\"\nv = \"-x - (0.4 + 0.6/(1 + 5*abs(r)))*sign(r)\"\n",
+                        "[[axes]]\nname = 'vb'\nvalues = [0.2, 0.20000000000001]\n[observe]\n"
+                        "quantities = ['x_max', 'cycle_time']\n"));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(map_of(result, "x_max")[i], 1.137680, 1e-5);
+    EXPECT_NEAR(map_of(result, "cycle_time")[i], 9.53749, 1e-5);
+  }
+}
+
+// What stands in a jump or in a `when` alone may be faster than all states: the step that is found
+// sees it. By the exact flow between the firings, their places by bisection on a fine scan.
+TEST(Jumps, TheStepThatIsFoundSeesHowFastALevelIs) {
+  const SweepResult fires = run(jumping_study(
+      "[model]\nname = \"jumping\"\n[states]\nu = {}\n[parameters]\nomega = 1.0\n[equations]\n"
+      "u = \"1.5 + 0.1*cos(phase) - u\"\n[forcing]\nperiod = \"2*pi/omega\"\n[surfaces.fire]\n"
+      "when = \"u - 1 - 0.2*cos(61*phase)\"\nreset = { u = \"0\" }\n",
+      "[[axes]]\nname = 'omega'\nvalues = [1.0, 2.0]\n[integrate]\nsettle = 20\nrecord = 20\n"
+      "[observe]\nquantities = ['u_max', 'fire_impacts', 'fire_impact_speed']\n"));
+  EXPECT_NEAR(map_of(fires, "u_max")[0], 0.8658, 1e-4);
+  EXPECT_NEAR(map_of(fires, "u_max")[1], 0.8337, 1e-4);
+  EXPECT_EQ(map_of(fires, "fire_impacts")[0], 7.85);
+  EXPECT_NEAR(map_of(fires, "fire_impact_speed")[1], 14.32, 0.01);
+}
+
+// On a periodic orbit exponents are those of the multipliers, which a jump changes by the saltation
+// matrix; a point stops there. Damping 0.04, friction 0.3; by a program of its own.
+TEST(Jumps, ExponentsOfPeriodicOrbitsAreThoseOfTheMultipliers) {
+  const SweepResult result = run(jumping_study(
+      "[model]\nname = \"jumping\"\n[states]\nx = {}\nv = {}\n[parameters]\nomega = 0.7\nmu = "
+      "0.3\n[equations]\nx = \"v\"\n"
+      "v = \"cos(phase) - x - 0.04*v - mu*sign(v)\"\n[forcing]\nperiod = \"2*pi/omega\"\n",
+      "[[axes]]\nname = 'omega'\nvalues = [0.7, 1.6]\n[observe]\n"
+      "quantities = ['lyapunov_max', 'lyapunov_max_error', 'period']\n"));
+  for (const auto& [point, exponent] : {std::pair(0U, -0.0976), {1U, -0.1272}}) {
+    EXPECT_EQ(map_of(result, "period")[point], 1.0);
+    EXPECT_NEAR(map_of(result, "lyapunov_max")[point], exponent, 1e-4);
+    EXPECT_LT(map_of(result, "lyapunov_max_error")[point], 1e-3);
+  }
+  EXPECT_GT(result.stopped, 0U);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

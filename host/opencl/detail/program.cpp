@@ -115,6 +115,7 @@ std::string selection_header(const Study& study) {
   if (study.setting.options.empty()) out << 0;
   out << "}\n";
   write_states(*study.model, out);
+  out << fmt::format("#define STATES {}\n", study.model->states.size());
   out << fmt::format("#define TANGENTS {}\n", study.selection.tangent_count());
   return out.str();
 }

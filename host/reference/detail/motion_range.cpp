@@ -16,24 +16,26 @@ void MotionRange::widen(const Eigen::VectorXd& state) {
   high_ = high_.cwiseMax(state);
 }
 
-void MotionRange::end_period(const Eigen::VectorXd& state) {
+Eigen::VectorXd MotionRange::end_period(const Eigen::VectorXd& state) {
   const Eigen::VectorXd max = low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const Eigen::VectorXd range = (high_ - low_).cwiseMax(min_ * max);
   if (ranges_.size() == 0) ranges_ = Eigen::VectorXd::Zero(range.size());
   ranges_ = ranges_.cwiseMax(range);
   begin(state);
+  return range;
 }
 
-double MotionRange::distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+double MotionRange::distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                             const Eigen::VectorXd& ranges) const {
   Eigen::VectorXd apart = a - b;
   for (const std::size_t angle : kinds_.angles) {
     double& turn = apart[static_cast<Eigen::Index>(angle)];
     turn = std::remainder(turn, 2.0 * std::numbers::pi);
   }
-  return size(apart);
+  return size(apart, ranges);
 }
 
-double MotionRange::size(const Eigen::VectorXd& apart) const {
+double MotionRange::size(const Eigen::VectorXd& apart, const Eigen::VectorXd& ranges) const {
   double max = 0.0;
   for (std::size_t i = 0; i < kinds_.groups.size(); ++i) {
     const double size = std::abs(apart[static_cast<Eigen::Index>(i)]);
@@ -41,7 +43,7 @@ double MotionRange::size(const Eigen::VectorXd& apart) const {
     double range = 0.0;
     for (std::size_t j = 0; j < kinds_.groups.size(); ++j) {
       if (kinds_.groups[j] != kinds_.groups[i]) continue;
-      range = std::max(range, ranges_[static_cast<Eigen::Index>(j)]);
+      range = std::max(range, ranges[static_cast<Eigen::Index>(j)]);
     }
     max = std::max(max, size / range);
   }

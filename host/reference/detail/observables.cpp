@@ -115,6 +115,12 @@ class Orders final : public ReferenceObservable {
   std::vector<std::complex<double>> sums_;
 };
 
+// For tori and chaos where there is no clock: not in the plane, unless resets or angles fold it.
+bool has_room(const Model& model) {
+  const bool resets = std::ranges::any_of(model.surfaces, &SurfaceInfo::resets);
+  return model.states.size() > (resets ? 1U : 2U) || model.angles.size() > 1;
+}
+
 }  // namespace
 
 std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
@@ -144,7 +150,9 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
     const auto section = std::ranges::find(model.sections, observer.part, &SectionInfo::name);
     if (kind == "returns") return make_returns(*section);
     if (kind == "cycle") return make_cycle(*section, period_tolerance, kinds);
-    if (kind == "return_motion") return make_return_motion(*section, period_tolerance, kinds);
+    if (kind == "return_motion") {
+      return make_return_motion(*section, period_tolerance, kinds, has_room(model));
+    }
   }
   if (kind == "lyapunov_max") return make_lyapunov_max();
   if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();

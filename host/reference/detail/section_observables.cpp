@@ -44,7 +44,7 @@ class Returns final : public ReferenceObservable {
 class Cycle final : public ReferenceObservable {
  public:
   Cycle(const SectionInfo& section, double tolerance, const StateKinds& kinds)
-      : watch_(section), sections_(tolerance, kinds) {}
+      : watch_(section), sections_(tolerance, kinds, true) {}
   void step(const TrajectoryStep& step) override {
     watch_.see(step, [&](const Eigen::VectorXd& state, double time) {
       sections_.is_empty() ? sections_.begin(state) : sections_.add(state);
@@ -56,9 +56,17 @@ class Cycle final : public ReferenceObservable {
     length_ = length;
   }
   bool is_defined() const { return watch_.is_defined(); }
-  Recurrence recurrence() const {
-    constexpr std::size_t kLongestWindow = 64;
-    return sections_.recurrence(kLongestWindow);
+  Recurrence recurrence() const { return sections_.recurrence(kLongestWindow); }
+  // Whether returns lie as those of a torus do (kernels/observables/return_motion.h).
+  bool fills_torus() const {
+    constexpr std::size_t kEnough = 16;
+    constexpr double kNear = 3e-4, kMore = 1.25;
+    if (sections_.is_empty() || sections_.last() < kEnough) return false;
+    const std::size_t last = sections_.last(), middle = last / 2;
+    const double early = sections_.extent(0, middle), late = sections_.extent(middle + 1, last);
+    const double whole = sections_.extent(0, last);
+    return whole <= kMore * std::min(early, late) &&
+           sections_.closest(kLongestWindow) >= kNear * whole;
   }
   std::vector<double> finish(const Window&) const override {
     const Recurrence found = recurrence();
@@ -70,6 +78,8 @@ class Cycle final : public ReferenceObservable {
   }
 
  private:
+  static constexpr std::size_t kLongestWindow = 64;
+
   SectionWatch watch_;
   StateSequence sections_;
   std::vector<double> times_;
@@ -78,8 +88,8 @@ class Cycle final : public ReferenceObservable {
 
 class ReturnMotion final : public ReferenceObservable {
  public:
-  ReturnMotion(const SectionInfo& section, double tolerance, const StateKinds& kinds)
-      : cycle_(section, tolerance, kinds), states_(tolerance, kinds) {}
+  ReturnMotion(const SectionInfo& section, double tolerance, const StateKinds& kinds, bool has_room)
+      : cycle_(section, tolerance, kinds), states_(tolerance, kinds), has_room_(has_room) {}
   void begin(const Eigen::VectorXd& state) override {
     states_.begin(state);
     lowest_ = highest_ = state;
@@ -111,18 +121,19 @@ class ReturnMotion final : public ReferenceObservable {
   int kind(const Window& window) const {
     const Growth first = first_.growth(window);
     if (first.log_stretching < -std::max(first.error, 10.0)) return MOTION_equilibrium;
-    if (is_still()) return MOTION_equilibrium;
+    if (is_still()) return first.grows() ? MOTION_undecided : MOTION_equilibrium;
     if (!cycle_.is_defined()) return MOTION_undecided;
     if (cycle_.recurrence().period > 0) return first.grows() ? MOTION_undecided : MOTION_periodic;
-    if (states_.state_size() < 3) return MOTION_undecided;  // the plane has no torus, and no chaos
+    if (!has_room_) return MOTION_undecided;
     const int without = motion_without_period(states_, first, window);
-    const bool is_cycle =  // that has not settled
-        without == MOTION_quasi_periodic && !second_.growth(window).is_neutral();
-    return is_cycle ? MOTION_undecided : without;
+    if (without != MOTION_quasi_periodic) return without;
+    const bool is_torus = second_.growth(window).is_neutral() && cycle_.fills_torus();
+    return is_torus ? MOTION_quasi_periodic : MOTION_undecided;
   }
 
   Cycle cycle_;
   StateSequence states_;
+  bool has_room_;  // for a torus, or chaos
   Eigen::VectorXd lowest_, highest_;
   GrowthWatch first_{0}, second_{1};
 };
@@ -163,8 +174,9 @@ std::unique_ptr<ReferenceObservable> make_returns(const SectionInfo& section) {
   return std::make_unique<Returns>(section);
 }
 std::unique_ptr<ReferenceObservable> make_return_motion(const SectionInfo& section,
-                                                        double tolerance, const StateKinds& kinds) {
-  return std::make_unique<ReturnMotion>(section, tolerance, kinds);
+                                                        double tolerance, const StateKinds& kinds,
+                                                        bool has_room) {
+  return std::make_unique<ReturnMotion>(section, tolerance, kinds, has_room);
 }
 std::unique_ptr<ReferenceObservable> make_cycle(const SectionInfo& section, double tolerance,
                                                 const StateKinds& kinds) {

@@ -13,11 +13,30 @@ constexpr double kClear = 100.0;
 void StateSequence::begin(const Eigen::VectorXd& state) {
   states_.push_back(state);
   range_.begin(state);
+  ranges_.emplace_back(Eigen::VectorXd::Zero(state.size()));
 }
 
 void StateSequence::add(const Eigen::VectorXd& state) {
   states_.push_back(state);
-  range_.end_period(state);
+  ranges_.push_back(range_.end_period(state));
+}
+
+double StateSequence::distance(std::size_t i, std::size_t j) const {
+  if (!is_local_) return range_.distance(states_[i], states_[j]);
+  Eigen::VectorXd ranges = ranges_[j + 1];
+  for (std::size_t k = j + 2; k <= i; ++k) ranges = ranges.cwiseMax(ranges_[k]);
+  return range_.distance(states_[i], states_[j], ranges);
+}
+
+double StateSequence::closest(std::size_t longest_window) const {
+  double closest = std::numeric_limits<double>::infinity();
+  for (const Reference& reference : references(longest_window)) {
+    const std::size_t last = std::min(reference.window_end, reference.section + longest_window / 2);
+    for (std::size_t i = reference.section + 1; i <= last; ++i) {
+      closest = std::min(closest, distance(i, reference.section));
+    }
+  }
+  return closest;
 }
 
 Recurrence StateSequence::recurrence(std::size_t longest_window) const {

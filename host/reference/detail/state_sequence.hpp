@@ -21,9 +21,9 @@ struct Recurrence {
 class StateSequence {
  public:
   // Two are the same when no component differs by more than `tolerance` times the range of the
-  // motion.
-  StateSequence(double tolerance, const StateKinds& kinds)
-      : tolerance_(tolerance), range_(kinds, tolerance) {}
+  // motion; with is_local of the motion from the one to the other.
+  StateSequence(double tolerance, const StateKinds& kinds, bool is_local = false)
+      : tolerance_(tolerance), range_(kinds, tolerance), is_local_(is_local) {}
   void begin(const Eigen::VectorXd& state);
   // A moment between two sections.
   void pass(const Eigen::VectorXd& state) { range_.widen(state); }
@@ -43,6 +43,9 @@ class StateSequence {
   // where a motion that diverged has no such sections.
   double extent(std::size_t first, std::size_t final) const;
 
+  // The smallest distance between sections that are compared, up to half a window apart.
+  double closest(std::size_t longest_window) const;
+
  private:
   // A section that others are compared with, up to the last of its window.
   struct Reference {
@@ -56,9 +59,8 @@ class StateSequence {
   };
 
   std::vector<Reference> references(std::size_t longest_window) const;
-  double distance(std::size_t i, std::size_t j) const {
-    return range_.distance(states_[i], states_[j]);
-  }
+  // j: before i.
+  double distance(std::size_t i, std::size_t j) const;
   // The stretch with a window before it; nothing when one of the multiples of the period is not the
   // same as the reference, or when another section up to lag `most` is.
   std::optional<Stretch> with(const Reference& reference, std::size_t period, std::size_t most,
@@ -68,7 +70,9 @@ class StateSequence {
 
   double tolerance_;
   MotionRange range_;
+  bool is_local_;
   std::vector<Eigen::VectorXd> states_;
+  std::vector<Eigen::VectorXd> ranges_;  // [section] of the motion since the one before
 };
 
 }  // namespace gearsweep

@@ -59,6 +59,17 @@ double ProbeMotion::Stretch::step_of(double local_error) const {
   return longest;
 }
 
+double ProbeMotion::Stretch::level_time(const Model& model) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < level_speeds.size(); ++k) {
+    const double range = high_levels[k] - low_levels[k];
+    if (!(range > 0.0 && level_speeds[k] > 0.0)) continue;
+    const double way = model.surfaces[k].is_staircase ? std::min(range, 1.0) : range;
+    shortest = std::min(shortest, way / level_speeds[k]);
+  }
+  return shortest;
+}
+
 ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<double> start)
     : model_(model),
       setting_(std::move(setting)),
@@ -172,6 +183,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     turns += length / period_;
     phase_ = end_phase;
     look_at_signals(&stretch);
+    look_at_levels(&stretch);
     if (is_at_end) {
       segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
       phase_ = bounds_[segment_];
@@ -203,6 +215,22 @@ void ProbeMotion::look_at_signals(Stretch* stretch) {
   for (std::size_t i = 0; i < now.size(); ++i) {
     stretch->low_signals[i] = std::min(stretch->low_signals[i], now[i]);
     stretch->high_signals[i] = std::max(stretch->high_signals[i], now[i]);
+  }
+}
+
+// A level along which the motion slides is rounding.
+void ProbeMotion::look_at_levels(Stretch* stretch) {
+  if (model_.surfaces.empty() || held_.slides()) return;
+  const HeldField::Levels now = held_.levels(coefs_at(phase_).data(), x_.data());
+  if (stretch->level_speeds.empty()) {
+    stretch->low_levels = stretch->high_levels = now.value;
+    stretch->level_speeds.assign(now.value.size(), 0.0);
+  }
+  for (std::size_t k = 0; k < now.value.size(); ++k) {
+    if (!std::isfinite(now.value[k]) || !std::isfinite(now.rate[k])) continue;
+    stretch->low_levels[k] = std::min(stretch->low_levels[k], now.value[k]);
+    stretch->high_levels[k] = std::max(stretch->high_levels[k], now.value[k]);
+    stretch->level_speeds[k] = std::max(stretch->level_speeds[k], std::abs(now.rate[k]));
   }
 }
 

@@ -22,6 +22,9 @@ class ProbeMotion {
     // The longest step that keeps the local error at this share of each state's range; infinite
     // where nothing moves.
     double step_of(double local_error) const;
+    // The shortest time in which a surface's level goes through what it ranges over, or, of a
+    // staircase, from one step to the next; infinite where none moves.
+    double level_time(const Model& model) const;
 
     struct Step {
       double length;
@@ -31,6 +34,8 @@ class ProbeMotion {
     std::vector<double> low, high;                  // [state], over the stretch
     std::vector<double> low_signals, high_signals;  // [signal]
     std::vector<double> rounding;                   // [state]: what varies by less is rounding
+    std::vector<double> low_levels, high_levels;    // [surface]
+    std::vector<double> level_speeds;               // [surface]: the fastest
     double first_rate = 0.0;                        // at its start
     double rate = 0.0;  // the largest modulus of the Jacobian's eigenvalues
   };
@@ -59,6 +64,7 @@ class ProbeMotion {
   void look_at_signals(Stretch* stretch);
   void look_at_section(const std::vector<double>& signals, double time);
   void look_at_rates(Stretch* stretch) const;
+  void look_at_levels(Stretch* stretch);
   // A part of a step of `length`, from one share of it to another.
   std::vector<double> step(const StepMoments& moment_at, double begin, double end,
                            const std::vector<double>& from);

@@ -198,9 +198,10 @@ class History {
     return trace;
   }
 
-  // "surface that the motion comes to: 1 wall, which resets the state; -2 sign(v - belt); 0 none"
+  // "surface that the motion comes to, or leaves: 1 wall, which resets the state; -2 sign(v -
+  // belt); 0 none"
   ChannelInfo event_channel() const {
-    std::string meaning = "surface that the motion comes to: ";
+    std::string meaning = "surface that the motion comes to, or leaves: ";
     for (std::size_t i = 0; i < model_.surfaces.size(); ++i) {
       const SurfaceInfo& surface = model_.surfaces[i];
       meaning += fmt::format(
