@@ -1,4 +1,5 @@
 // Pictures of traces: each kind is drawn without complaint and shows what its name says.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
