@@ -7,8 +7,8 @@
 // to 1e-3 (1e-2 in fp32) of the largest number that any of them has, or of 1e-3 where all is less;
 // all other to within the errors of their moments (detail/moment_groups.hpp). An attractor at one
 // value of a parameter is the same as one at the next value when both rest, or both are periodic
-// with the same period, or neither does either, each is the other's nearest, and their places differ by no more than 5 %
-// of the largest number in the map.
+// with the same period, or neither does either, each is the other's nearest, and their places
+// differ by no more than 5 % of the largest number in the map.
 #pragma once
 
 #include <cstddef>

@@ -20,10 +20,10 @@ struct Trace {
   std::vector<double> tau;    // [moment] dimensionless time since the first
   // The model's states, its signals, and, of a model with backlash, `contact`: 1 on the drive
   // flank, 0 in the gap, -1 on the back flank, 2 on both (wedged). Of a model with surfaces also
-  // kEvents: the number of the surface that the motion comes to, counted from 1 on, of one where the
-  // state is not reset with a minus; 0: of none. The same moment stands twice there, with the values
-  // before and behind it. Evenly spaced moments have the number where the surface was met since the
-  // moment before.
+  // kEvents: the number of the surface that the motion comes to, counted from 1 on, of one where
+  // the state is not reset with a minus; 0: of none. The same moment stands twice there, with the
+  // values before and behind it. Evenly spaced moments have the number where the surface was met
+  // since the moment before.
   std::vector<ChannelInfo> channels;
   std::vector<std::vector<double>> values;  // [channel][moment]
 };

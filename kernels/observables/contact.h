@@ -5,13 +5,13 @@
 #define CONTACT_ROLE measure
 #define CONTACT_PER_CONTACT
 // X(suffix of the quantity's name, unit (/period: how often), flag meanings, meaning)
-#define CONTACT_OUTPUTS(X)                                            \
-  X(drive, "1", "", "fraction of time on the drive flank alone")      \
-  X(gap, "1", "", "fraction of time in the gap")                      \
-  X(back, "1", "", "fraction of time on the back flank alone")        \
-  X(wedged, "1", "", "fraction of time on both flanks at once")       \
+#define CONTACT_OUTPUTS(X)                                       \
+  X(drive, "1", "", "fraction of time on the drive flank alone") \
+  X(gap, "1", "", "fraction of time in the gap")                 \
+  X(back, "1", "", "fraction of time on the back flank alone")   \
+  X(wedged, "1", "", "fraction of time on both flanks at once")  \
   X(losses, "/period", "", "contact losses (either flank left)") \
-  X(class, "", "no_impact single_sided double_sided wedged",          \
+  X(class, "", "no_impact single_sided double_sided wedged",     \
     "which flanks take part in impacts; wedged: b' is negative at times")
 
 enum {

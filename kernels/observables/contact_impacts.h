@@ -10,8 +10,8 @@
 // X(suffix of the quantity's name, unit (empty: the deflection's, /tau: its rate's, /period: how
 // often), flag meanings, meaning)
 #define CONTACT_IMPACTS_OUTPUTS(X)                                                        \
-  X(drive, "/period", "", "impacts on the drive flank (contacts regained)")          \
-  X(back, "/period", "", "impacts on the back flank (contacts regained)")            \
+  X(drive, "/period", "", "impacts on the drive flank (contacts regained)")               \
+  X(back, "/period", "", "impacts on the back flank (contacts regained)")                 \
   X(speed, "/tau", "", "speed of the hardest impact, at which deflection and limit meet") \
   X(depth, "", "", "largest depth beyond the limit of a flank that is regained; 0 without impacts")
 // X(suffix, role)

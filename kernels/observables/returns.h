@@ -4,7 +4,7 @@
 #define RETURNS_PER_SECTION
 // X(suffix of the quantity's name, unit (/period: how often), flag meanings, meaning)
 #define RETURNS_OUTPUTS(X)                                                                \
-  X(returns, "/period", "", "times that the motion comes through the section")      \
+  X(returns, "/period", "", "times that the motion comes through the section")            \
   X(return_time, "tau", "", "mean time from one return to the next; not a number of one") \
   X(return_time_min, "tau", "", "shortest time from one return to the next")              \
   X(return_time_max, "tau", "", "longest time from one return to the next")

@@ -4,7 +4,7 @@
 #define SURFACE_IMPACTS_ROLE measure
 #define SURFACE_IMPACTS_PER_SURFACE
 // X(suffix of the quantity's name, unit (/tau: a rate, /period: how often), flag meanings, meaning)
-#define SURFACE_IMPACTS_OUTPUTS(X)                 \
+#define SURFACE_IMPACTS_OUTPUTS(X)           \
   X(impacts, "/period", "", "impacts on it") \
   X(impact_speed, "/tau", "", "rate of its expression at the hardest impact; 0 without any")
 

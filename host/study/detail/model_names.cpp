@@ -14,7 +14,8 @@ namespace {
 // its own (kernel_name()).
 const std::set<std::string, std::less<>>& reserved_words() {
   static const std::set<std::string, std::less<>> kWords = {
-      "and", "or", "not", "phase", "pi", "clamp", "step", "table", "status", "deflection", "at_surface"};
+      "and",  "or",    "not",    "phase",      "pi",        "clamp",
+      "step", "table", "status", "deflection", "at_surface"};
   return kWords;
 }
 
