@@ -73,6 +73,37 @@ SHARED_FN real motion_size(const real* extents, const real* ranges) {
   return size;
 }
 
+// How far sections extend, relative to the ranges: in the first half of the record, in the second,
+// and in both. box: motion_min, and the three behind it.
+typedef struct {
+  real early, late, whole;
+} MotionExtents;
+
+SHARED_FN MotionExtents motion_halves(const real* box, const real* ranges) {
+  const real* min = box;
+  const real* max = box + MODEL_STATE_COUNT;
+  const real* early_min = box + 2 * MODEL_STATE_COUNT;
+  const real* early_max = box + 3 * MODEL_STATE_COUNT;
+  real extents[MODEL_STATE_COUNT];
+  MotionExtents halves;
+  motion_extents(early_min, early_max, extents);
+  halves.early = motion_size(extents, ranges);
+  motion_extents(min, max, extents);
+  halves.late = motion_size(extents, ranges);
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    extents[i] = lane_max(early_max[i], max[i]) - lane_min(early_min[i], min[i]);
+  }
+  halves.whole = motion_size(extents, ranges);
+  return halves;
+}
+
+// Whether both halves fill the same box, which neither grows nor drifts then.
+SHARED_FN mask motion_fills(const MotionExtents* halves) {
+  const scalar more = 1.25;
+  return (halves->whole <= more * halves->early) & (halves->whole <= more * halves->late);
+}
+
 SHARED_FN void motion_init(real* sums, const Instant* start) {
   sums[motion_forcing] = 0;
   period_init(sums + motion_recurrence, start);
@@ -140,23 +171,12 @@ SHARED_FN real motion_without_period(const real* sums, MotionGrowth growth, Swee
   const real log_stretching = growth.log_stretching;
   const mask positive = growth.grows & (log_stretching > turn);
   real ranges[MODEL_STATE_COUNT];
-  real extents[MODEL_STATE_COUNT];
   share_ranges(sums + motion_recurrence + period_ranges, ranges);
-  motion_extents(sums + motion_early_min, sums + motion_early_max, extents);
-  const real early = motion_size(extents, ranges);
-  motion_extents(sums + motion_min, sums + motion_max, extents);
-  const real late = motion_size(extents, ranges);
-  UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    extents[i] = lane_max(sums[motion_early_max + i], sums[motion_max + i]) -
-                 lane_min(sums[motion_early_min + i], sums[motion_min + i]);
-  }
-  const real whole = motion_size(extents, ranges);
+  const MotionExtents halves = motion_halves(sums + motion_min, ranges);
   // A linear growth has exp(log_stretching / 2).
   const real grown = lane_min(exp((scalar)(0.4) * log_stretching), (real)(motion_runaway));
-  const mask stays = late <= grown * early;
-  const mask steady = (whole <= (scalar)(0.1)) |
-                      ((whole <= (scalar)(1.25) * early) & (whole <= (scalar)(1.25) * late));
+  const mask stays = halves.late <= grown * halves.early;
+  const mask steady = (halves.whole <= (scalar)(0.1)) | motion_fills(&halves);
 
   real bounded = MOTION_undecided;
   if (round.is_last || round.record >= motion_min_neutral) {

@@ -100,24 +100,12 @@ SHARED_FN void return_motion_end_period(real* sums, const Section* section) {
 
 // Whether returns lie as those of a torus do.
 SHARED_FN mask return_motion_fills(const real* sums) {
-  const scalar more = 1.25;
   real ranges[MODEL_STATE_COUNT];
-  real extents[MODEL_STATE_COUNT];
   share_ranges(sums + return_motion_motion + motion_recurrence + period_ranges, ranges);
-  motion_extents(sums + return_motion_early_min, sums + return_motion_early_max, extents);
-  const real early = motion_size(extents, ranges);
-  motion_extents(sums + return_motion_min, sums + return_motion_max, extents);
-  const real late = motion_size(extents, ranges);
-  UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
-    extents[i] = lane_max(sums[return_motion_early_max + i], sums[return_motion_max + i]) -
-                 lane_min(sums[return_motion_early_min + i], sums[return_motion_min + i]);
-  }
-  const real whole = motion_size(extents, ranges);
+  const MotionExtents halves = motion_halves(sums + return_motion_min, ranges);
   const real* recurrence = sums + return_motion_cycle + cycle_recurrence;
-  return (recurrence[recurrence_number] >= (scalar)(return_motion_enough)) &
-         (whole <= more * early) & (whole <= more * late) &
-         (recurrence[recurrence_closest] >= RETURN_MOTION_NEAR * whole);
+  return (recurrence[recurrence_number] >= (scalar)(return_motion_enough)) & motion_fills(&halves) &
+         (recurrence[recurrence_closest] >= RETURN_MOTION_NEAR * halves.whole);
 }
 
 SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* out) {

@@ -10,6 +10,7 @@
 #include "plan/plan.hpp"
 #include "study/refusal.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep::testing {
@@ -239,7 +240,7 @@ TEST(Clockless, WhatFiresIsACycleAndCountsAreInTime) {
 }
 
 std::string free_study(const std::string& model, const std::string& rest) {
-  return "[model]\ntext = '''\n[model]\nname = \"free\"\n" + model + "'''\n" + rest;
+  return study_of_text("[model]\nname = \"free\"\n" + model, rest);
 }
 
 // A state that stands still has no maximum, and angles have none: a rotation returns once in a

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep::testing {
@@ -36,14 +37,10 @@ period = "2*pi/omega"
 grip = { expression = "if(v > 0, friction, -friction)" }
 )toml";
 
-std::string jumping_study(const std::string& model, const std::string& rest) {
-  return "[model]\ntext = '''\n" + model + "'''\n" + rest;
-}
-
 // All studies of it observe the same, so that they share a program.
 std::string dry_study(const std::string& parameters, const std::string& axes,
                       const std::string& integrate) {
-  return jumping_study(kDry,
+  return study_of_text(kDry,
                        "[parameters]\n" + parameters + axes +
                            "[initial]\npolicy = 'fixed'\nstate = { x = 1.0, v = 0.5 }\n"
                            "[integrate]\n" +
@@ -202,7 +199,7 @@ class JumpingModels : public ::testing::TestWithParam<Jumping> {
                               "[parameters]\nomega = 0.7\n[equations]\n" + GetParam().equations +
                               "[forcing]\nperiod = \"2*pi/omega\"\n";
     return run(
-        jumping_study(model, fmt::format("[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 0.8\n"
+        study_of_text(model, fmt::format("[[axes]]\nname = 'omega'\nfrom = 0.6\nto = 0.8\n"
                                          "count = 16\n[integrate]\nsettle = 0\nrecord = 3\n"
                                          "stop = 'never'\nwarm_up = 0\nsteps_per_period = {}\n"
                                          "engine = '{}'\n[observe]\npoincare = ['x', 'v']\n"
@@ -250,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(Models, JumpingModels, ::testing::ValuesIn(kJumping),
 // x''' alone leaves volumes what they are.
 TEST(Jumps, HaveTheExponentsOfAJerk) {
   const SweepResult result =
-      run(jumping_study(R"toml([model]
+      run(study_of_text(R"toml([model]
 name = "jerk"
 [states]
 x = { start = "0.1" }
@@ -281,7 +278,7 @@ period = "1"
 // A block on a belt, with friction that falls with the speed: it sticks and slips. What a tangent
 // vector has across the belt's speed is lost where it sticks.
 TEST(Jumps, LoseATangentVectorWhereTheMotionSticks) {
-  const SweepResult result = run(jumping_study(R"toml([model]
+  const SweepResult result = run(study_of_text(R"toml([model]
 name = "belt"
 [states]
 x = { start = "0.5" }
@@ -324,7 +321,7 @@ period = "2*pi/omega"
 )toml",
                                         law);
   const auto by = [&](const char* engine) {
-    return run(jumping_study(
+    return run(study_of_text(
         model,
         fmt::format("[[axes]]\nname = 'omega'\nvalues = [1.0, 1.1]\n[integrate]\nsettle = 2\n"
                     "record = 2\nstop = 'never'\nsteps_per_period = {}\nengine = '{}'\n"
@@ -359,7 +356,7 @@ TEST(Jumps, WithoutEndAreNoResult) {
 // the closed form of sticking.
 TEST(Jumps, APoleOnTheOtherSideIsNotMet) {
   const SweepResult result =
-      run(jumping_study("[model]\nname = \"pole\"\n[states]\nx = {}\nv = {}\n[parameters]\nvb = "
+      run(study_of_text("[model]\nname = \"pole\"\n[states]\nx = {}\nv = {}\n[parameters]\nvb = "
                         "0.2\n[constants]\nr = \"v - vb\"\n"
                         "[equations]\nx = \"v\"\nv = \"-x - (0.4 + 0.6/(1 + 5*abs(r)))*sign(r)\"\n",
                         "[[axes]]\nname = 'vb'\nvalues = [0.2, 0.20000000000001]\n[observe]\n"
@@ -373,7 +370,7 @@ TEST(Jumps, APoleOnTheOtherSideIsNotMet) {
 // What stands in a jump or in a `when` alone may be faster than all states: the step that is found
 // sees it. By the exact flow between the firings, their places by bisection on a fine scan.
 TEST(Jumps, TheStepThatIsFoundSeesHowFastALevelIs) {
-  const SweepResult fires = run(jumping_study(
+  const SweepResult fires = run(study_of_text(
       "[model]\nname = \"jumping\"\n[states]\nu = {}\n[parameters]\nomega = 1.0\n[equations]\n"
       "u = \"1.5 + 0.1*cos(phase) - u\"\n[forcing]\nperiod = \"2*pi/omega\"\n[surfaces.fire]\n"
       "when = \"u - 1 - 0.2*cos(61*phase)\"\nreset = { u = \"0\" }\n",
@@ -388,7 +385,7 @@ TEST(Jumps, TheStepThatIsFoundSeesHowFastALevelIs) {
 // On a periodic orbit exponents are those of the multipliers, which a jump changes by the saltation
 // matrix; a point stops there. Damping 0.04, friction 0.3; by a program of its own.
 TEST(Jumps, ExponentsOfPeriodicOrbitsAreThoseOfTheMultipliers) {
-  const SweepResult result = run(jumping_study(
+  const SweepResult result = run(study_of_text(
       "[model]\nname = \"jumping\"\n[states]\nx = {}\nv = {}\n[parameters]\nomega = 0.7\nmu = "
       "0.3\n[equations]\nx = \"v\"\n"
       "v = \"cos(phase) - x - 0.04*v - mu*sign(v)\"\n[forcing]\nperiod = \"2*pi/omega\"\n",

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "support/study_text.hpp"
+
 namespace gearsweep::testing {
 
 inline std::string derived_model() {
@@ -25,10 +27,6 @@ v = "sum(i, 1, 3, e[i]*sin(i*phase)) - 2*zeta*v - wn^2*x - weight"
 [forcing]
 period = "2*pi/omega"
 )~";
-}
-
-inline std::string study_of_text(const std::string& model, const std::string& keys) {
-  return "[model]\ntext = '''\n" + model + "'''\n" + keys;
 }
 
 inline std::string with_instead(std::string text, const std::string& what,

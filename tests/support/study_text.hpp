@@ -70,4 +70,9 @@ mu = {distribution = "normal", std = 0.005}
 omega = {distribution = "uniform", from = 0.98, to = 1.02, relative = true}
 )");
 
+// A study of a model that is given as text, with more keys of the study.
+inline std::string study_of_text(const std::string& model, const std::string& keys) {
+  return "[model]\ntext = '''\n" + model + "'''\n" + keys;
+}
+
 }  // namespace gearsweep::testing

@@ -39,8 +39,7 @@ std::unique_ptr<ReferenceObservable> make_returns(const SectionInfo& section);
 std::unique_ptr<ReferenceObservable> make_cycle(const SectionInfo& section, double tolerance,
                                                 const StateKinds& kinds);
 // The kind of motion where there is no clock (kernels/observables/return_motion.h); needs two
-// tangent vectors.
-// has_room: for tori and chaos.
+// tangent vectors, or of one state one. has_room: for tori and chaos.
 std::unique_ptr<ReferenceObservable> make_return_motion(const SectionInfo& section,
                                                         double tolerance, const StateKinds& kinds,
                                                         bool has_room);

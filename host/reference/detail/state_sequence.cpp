@@ -13,12 +13,13 @@ constexpr double kClear = 100.0;
 void StateSequence::begin(const Eigen::VectorXd& state) {
   states_.push_back(state);
   range_.begin(state);
-  ranges_.emplace_back(Eigen::VectorXd::Zero(state.size()));
+  if (is_local_) ranges_.emplace_back(Eigen::VectorXd::Zero(state.size()));
 }
 
 void StateSequence::add(const Eigen::VectorXd& state) {
   states_.push_back(state);
-  ranges_.push_back(range_.end_period(state));
+  const Eigen::VectorXd ranges = range_.end_period(state);
+  if (is_local_) ranges_.push_back(ranges);
 }
 
 double StateSequence::distance(std::size_t i, std::size_t j) const {

@@ -72,7 +72,7 @@ class StateSequence {
   MotionRange range_;
   bool is_local_;
   std::vector<Eigen::VectorXd> states_;
-  std::vector<Eigen::VectorXd> ranges_;  // [section] of the motion since the one before
+  std::vector<Eigen::VectorXd> ranges_;  // [section] of the motion since the one before; is_local_
 };
 
 }  // namespace gearsweep

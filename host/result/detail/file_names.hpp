@@ -13,9 +13,8 @@
 namespace gearsweep {
 
 // How many mesh periods a forcing period has: an attribute of results, a variable of traces.
-// 1 in traces of a model without forcing.
-inline constexpr const char* kClockless = "clockless";
 inline constexpr const char* kMeshPeriods = "mesh_periods_per_period";
+inline constexpr const char* kClockless = "clockless";  // 1 in traces of a model without forcing
 inline constexpr const char* kRole = "role";          // of a channel (model/role.hpp)
 inline constexpr const char* kVelocity = "velocity";  // of a state, the state that is its rate
 
