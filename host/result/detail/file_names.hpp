@@ -15,8 +15,8 @@ namespace gearsweep {
 // How many mesh periods a forcing period has: an attribute of results, a variable of traces.
 inline constexpr const char* kMeshPeriods = "mesh_periods_per_period";
 inline constexpr const char* kClockless = "clockless";  // 1 in traces of a model without forcing
-inline constexpr const char* kRole = "role";          // of a channel (model/role.hpp)
-inline constexpr const char* kVelocity = "velocity";  // of a state, the state that is its rate
+inline constexpr const char* kRole = "role";            // of a channel (model/role.hpp)
+inline constexpr const char* kVelocity = "velocity";    // of a state, the state that is its rate
 
 // The name of an axis or of a column of points, in the result file of its study.
 std::string name_in_result(const Swept& swept, const Study& study);
