@@ -1,9 +1,10 @@
 // The types that every model has, made from its lists, and defaults. The header that is written for
 // a model defines MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any,
 // MODEL_PHASE_COEFS, MODEL_OPTIONS, MODEL_ANGLES (X(state) of each that means the same after a full
-// turn, in radians) and MODEL_CLOCKS (how many of the last states turn steadily, whatever the
-// others do), then includes this file, then defines its functions. No include guard: the host
-// includes a model into a namespace of its own.
+// turn, in radians), MODEL_CLOCKS (how many of the last states turn steadily, whatever the
+// others do) and MODEL_CLOCKLESS (nothing drives it: a period is a count of time), then includes
+// this file, then defines its functions. No include guard: the host includes a model into a
+// namespace of its own.
 
 #include "functions.h"
 

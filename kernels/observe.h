@@ -9,7 +9,7 @@
 // depths of a contact instead. One with NAME_PER_SECTION looks at a section of the model: its step
 // gets how the step comes through it, and the step. One with NAME_PER_SURFACE looks at a surface
 // where the state is reset:
-//   NAME_meet(sums, hit, rate)      where it is met, at a rate of its level
+//   NAME_meet(sums, hit, rate, once) where it is met, at a rate of its level; once: as of Step
 
 // An instant on the phase grid. At a break phase there are two of them.
 typedef struct {
@@ -26,6 +26,22 @@ typedef real Share;
 #else
 typedef scalar Share;
 #endif
+
+// What a moment counts in averages, and what happens there in counts; place: of the record, from 0
+// to 1. What is driven comes round in whole periods, and so does the record. A motion without a
+// clock has a time of its own, and the record begins and ends somewhere within it: a window that
+// opens and closes smoothly, of mean 1, lets these parts count by the cube of the number of its
+// cycles less (F. J. Harris, Proceedings of the IEEE 66 (1978) 51-83: windows).
+SHARED_FN Share window_weight(Share place) {
+#ifdef MODEL_CLOCKLESS
+  const scalar one = 1;
+  const Share opening = place * (one - place);
+  return (scalar)(30) * (opening * opening);
+#else
+  (void)place;
+  return (scalar)(1);
+#endif
+}
 
 // How far a contact's deflection is beyond the limits of its flanks; of one that is one-sided the
 // back flank is never reached.
@@ -63,7 +79,9 @@ typedef struct {
   const Instant* before;
   const Instant* middle;
   const Instant* after;
-  Share weight;  // the step's share of a period
+  Share share;   // the step's length, as a share of a period
+  Share weight;  // what it counts in averages: its share, in the record's window
+  Share once;    // what counts in it as happening once
   mask smooth;   // the same flanks touch at start, middle and end
   mask stays;    // the motion stays at a surface
   real cubic;    // 0 where `earlier` lies in another segment, or in a step that is not smooth

@@ -8,7 +8,10 @@
 typedef struct {
   const Observers* observers;
   Instant earlier, before, middle, after;
-  mask was_smooth;  // the step before this one, of the same segment
+  uint number;        // of the period, in the record
+  scalar per_record;  // 1 over the number of its periods
+  Share inside;       // the period: where `before` lies
+  mask was_smooth;    // the step before this one, of the same segment
   SectionCrossing crossings[WATCHED_SECTION_COUNT];
   Series series;
 } Watcher;
@@ -43,24 +46,34 @@ SHARED_FN mask watch_same_contact(const Instant* a, const Instant* b) {
   return same;
 }
 
+// What counts once so far behind `before`.
+SHARED_FN Share watch_once(const Watcher* watcher, Share behind) {
+  const Share place = (scalar)(watcher->number) + (watcher->inside + behind);
+  return window_weight(watcher->per_record * place);
+}
+
 // Shows the observers the part from `before` to `after`, which the watcher has, and takes the end
 // for the next part's start.
-SHARED_FN void watch_seen(Watcher* watcher, Share weight, mask stays) {
+SHARED_FN void watch_seen(Watcher* watcher, Share share, mask stays) {
   const real zero = 0;
   const real sixth = (scalar)(1.0 / 6.0);
+  const Share once = watch_once(watcher, (scalar)(0.5) * share);
   const mask smooth = watch_same_contact(&watcher->before, &watcher->middle) &
                       watch_same_contact(&watcher->middle, &watcher->after);
   const Step step = {&watcher->earlier,
                      &watcher->before,
                      &watcher->middle,
                      &watcher->after,
-                     weight,
+                     share,
+                     once * share,
+                     once,
                      smooth,
                      stays,
                      lane_select(watcher->was_smooth, sixth, zero),
                      watcher->crossings,
                      &watcher->series};
   observers_step(watcher->observers, &step);
+  watcher->inside = watcher->inside + share;
   watcher->earlier = watcher->middle;
   watcher->before = watcher->after;
   watcher->was_smooth = smooth;
@@ -153,11 +166,12 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
 
 SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
                           real share, mask where, const SurfaceMet* met, const real* x) {
+  const real zero = 0;
   Instant instant;
 #ifdef WATCHED_SURFACES
-  observers_meet(watcher->observers, where, met);
+  observers_meet(watcher->observers, where, met, watch_once(watcher, zero));
 #else
-  (void)met;
+  (void)met, (void)zero;
 #endif
   watch_instant(point, rows, share, x, &instant);
   watch_select(where, &instant, &watcher->before);

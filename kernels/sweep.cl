@@ -80,6 +80,7 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   watcher.series.samples = round.samples;
   watcher.series.items = items;
   watcher.series.item = item;
+  watcher.per_record = (scalar)(1) / (scalar)(round.record);
   if (round.done == 0) {
     see_start(&point, &grid, x, &watcher.before);
     observers_init(&observers, &watcher.before);
@@ -98,6 +99,8 @@ __kernel void record(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
     const uint number = round.done + period;
     for (int j = 0; j < TANGENTS; ++j) log_stretching[j] = 0;
     extent_begin(x, &extent);
+    watcher.number = number;
+    watcher.inside = 0;
     walk_period(&point, &grid, EVENTS, beside, x, w, log_stretching, &extent, &watcher);
     const Section section = {.x = x,
                              .end = &watcher.after,

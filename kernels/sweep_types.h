@@ -34,13 +34,14 @@ enum {
 
 // One kernel launch. A work-item is LANES points, so `items` is the tile's padded points / LANES.
 typedef struct {
-  sweep_uint items;    // work-items that hold points; the global size is rounded up beyond it
-  sweep_uint periods;  // periods to advance in this round
-  sweep_uint done;     // periods of the same kind (settling, recording, ...) before this round
-  sweep_uint record;   // periods that will be recorded in all
-  sweep_uint samples;  // of these, the first so many give samples of the section
-  sweep_uint settled;  // periods before the first recorded one
-  sweep_uint is_last;  // not 0: no longer record will follow, so this one must do for a verdict
+  sweep_uint items;     // work-items that hold points; the global size is rounded up beyond it
+  sweep_uint periods;   // periods to advance in this round
+  sweep_uint done;      // periods of the same kind (settling, recording, ...) before this round
+  sweep_uint record;    // periods that will be recorded in all
+  sweep_uint samples;   // of these, the first so many give samples of the section
+  sweep_uint settled;   // periods before the first recorded one
+  sweep_uint is_last;   // not 0: no longer record will follow, so this one must do for a verdict
+  sweep_uint is_early;  // not 0: the motion goes on to a longer one, unless it has settled
 } SweepRound;
 
 // Where one phase grid lies in the tables of its tile.

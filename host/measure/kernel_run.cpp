@@ -85,7 +85,7 @@ KernelRun::Rounds KernelRun::pass(const GoesOn& goes_on) {
   Rounds rounds;
   double used = 0.0;
   std::chrono::steady_clock::time_point start;
-  engine_->compute(plan_, tile(), initial_, windows_of(study_).front(), [&](double steps) {
+  engine_->compute(plan_, tile(), initial_, own_window(study_), [&](double steps) {
     const auto now = std::chrono::steady_clock::now();
     ++round;
     if (round == 1) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -22,6 +23,30 @@ struct PointResult {
   bool diverged = false;
   Eigen::VectorXd state;
   std::vector<double> outputs, samples;
+};
+
+// What moments of the record count in averages (kernels/observe.h: window_weight).
+class RecordWindow {
+ public:
+  RecordWindow(bool is_clockless, std::size_t periods)
+      : is_clockless_(is_clockless), periods_(static_cast<double>(periods)) {}
+
+  // The steps in their order.
+  void weigh(TrajectoryStep* step) {
+    step->once_before = at(time_);
+    step->once = at(time_ + 0.5 * step->share);
+    step->weight = step->once * step->share;
+    time_ += step->share;
+  }
+
+ private:
+  double at(double time) const {
+    const double place = time / periods_;
+    return is_clockless_ ? 30.0 * std::pow(place * (1.0 - place), 2) : 1.0;
+  }
+
+  bool is_clockless_;
+  double periods_, time_ = 0.0;
 };
 
 PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial,
@@ -66,8 +91,10 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   if (!named.empty()) {
     section.emplace(*std::ranges::find(study.model->sections, named, &SectionInfo::name));
   }
+  RecordWindow record(study.model->is_clockless, window.record);
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
-    result.diverged = !advance([&](const TrajectoryStep& step) {
+    result.diverged = !advance([&](TrajectoryStep& step) {
+      record.weigh(&step);
       for (const auto& observable : observables) observable->step(step);
       if (section) section->see(step, [&](const Eigen::VectorXd& state, double) { keep(state); });
     });

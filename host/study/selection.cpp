@@ -1,161 +1,17 @@
 #include "study/selection.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "study/detail/load_factor.hpp"
+#include "study/detail/offers.hpp"
 
 namespace gearsweep {
 namespace {
-
-// Where a quantity comes from.
-struct Source {
-  const Observable* observable;
-  std::string part;
-  std::size_t output_in_observable;
-};
-
-struct Offer {
-  Quantity quantity;
-  Source source;
-  bool is_named = true;  // false of one whose name another one has, or that has none of its own
-
-  OutputRole role() const { return source.observable->outputs[source.output_in_observable].role; }
-};
-
-// A part of the model that an observable is made for; of one for the whole all are empty.
-struct Part {
-  std::string name, unit, meaning;
-};
-
-std::vector<Part> parts_for(const Observable& observable, const Model& model) {
-  std::vector<Part> parts;
-  const auto add = [&](const ChannelInfo& channel) {
-    if (channel.is_hidden) return;
-    parts.push_back({channel.name, channel.unit, channel.meaning});
-  };
-  switch (observable.part) {
-    case ObservedPart::whole:
-      if (observable.is_of_surfaces && model.surfaces.empty()) return {};
-      return {{}};
-    case ObservedPart::surface:
-      for (const SurfaceInfo& surface : model.surfaces) {
-        if (surface.resets) parts.push_back({surface.name, "1", surface.name});
-      }
-      return parts;
-    case ObservedPart::channel:
-      std::ranges::for_each(model.states, add);
-      std::ranges::for_each(model.signals, add);
-      return parts;
-    case ObservedPart::contact:
-      for (const ContactInfo& contact : model.contacts) {
-        parts.push_back({contact.name, model.signals[contact.deflection].unit, contact.name});
-      }
-      return parts;
-    case ObservedPart::section:
-      for (const SectionInfo& section : model.sections) {
-        parts.push_back({section.name, model.signals[section.level].unit, section.name});
-      }
-      return parts;
-  }
-  return parts;
-}
-
-// What the names of the observable's quantities begin with.
-std::string stem_of(const Observable& observable, const Part& part) {
-  const bool is_named_by_part = observable.part == ObservedPart::channel ||
-                                observable.part == ObservedPart::section ||
-                                observable.part == ObservedPart::surface;
-  if (is_named_by_part) return part.name;
-  return part.name.empty() ? observable.name : part.name + "_" + observable.name;
-}
-
-constexpr const char* kPerPeriod = "/period";
-
-// The unit of an output that looks at something of this unit.
-std::string unit_of(const ObservableOutput& output, const std::string& seen, bool is_clockless) {
-  if (output.unit == kPerPeriod) return is_clockless ? "1/tau" : "1";
-  if (output.unit == "/tau") return seen == "b_n" ? "b_n varpi" : seen + "/tau";
-  return output.unit.empty() && output.flags.empty() ? seen : output.unit;
-}
-
-// The offers of one observable for a part of the model.
-void add_offers(const Observable& observable, const Part& part, const Sizes& sizes,
-                bool is_clockless, std::vector<Offer>* offers) {
-  for (std::size_t i = 0; i < observable.outputs.size(); ++i) {
-    const ObservableOutput& output = observable.outputs[i];
-    const std::string stem = stem_of(observable, part);
-    Quantity quantity;
-    quantity.name = output.suffix.empty() ? stem : stem + "_" + output.suffix;
-    quantity.unit = unit_of(output, part.unit, is_clockless);
-    quantity.meaning =
-        part.meaning.empty() ? output.meaning : fmt::format("{}: {}", part.meaning, output.meaning);
-    if (output.unit == kPerPeriod) {
-      quantity.is_per_time = is_clockless;
-      quantity.meaning += is_clockless ? ", per unit of time" : ", per period";
-    }
-    quantity.flags = output.flags;
-    quantity.dimension = observable.dimension;
-    if (observable.part == ObservedPart::channel) quantity.channel = part.name;
-    quantity.width = observable.width(sizes);
-    offers->push_back({quantity, {&observable, part.name, i}});
-  }
-}
-
-// Of `poincare` at another place, which has no name of its own.
-bool is_sampled_at_section(const Offer& offer) {
-  const Observable& observable = *offer.source.observable;
-  return observable.role == ObservableRole::samples && observable.part == ObservedPart::section;
-}
-
-// The section by which a motion is judged: the one that a study chose, or the first; empty where
-// the model has none.
-std::string judging_section(const Model& model, const std::string& chosen) {
-  if (!chosen.empty() || model.sections.empty()) return chosen;
-  return model.sections.front().name;
-}
-
-// Of a section's quantities these have a plain name, too: of a model without forcing instead of
-// those that count by a clock.
-std::vector<Offer> plain_offers(const Model& model, const std::vector<Offer>& offers,
-                                const std::string& section) {
-  std::vector<Offer> plain;
-  for (const Offer& offer : offers) {
-    if (section.empty() || offer.source.part != section) continue;
-    if (offer.source.observable->part != ObservedPart::section) continue;
-    Offer other = offer;
-    other.quantity.name = offer.quantity.name.substr(section.size() + 1);
-    const bool judges = other.quantity.name == "period" || other.quantity.name == "motion_class";
-    if (other.quantity.name == "cycle_time" || (judges && model.is_autonomous)) {
-      plain.push_back(other);
-    }
-  }
-  return plain;
-}
-
-// Those with a plain name first.
-std::vector<Offer> offers_of(const Model& model, const Sizes& sizes, const std::string& section) {
-  std::vector<Offer> offers;
-  for (const Observable& observable : observables()) {
-    for (const Part& part : parts_for(observable, model)) {
-      add_offers(observable, part, sizes, model.is_clockless, &offers);
-    }
-  }
-  const std::vector<Offer> plain = plain_offers(model, offers, judging_section(model, section));
-  for (Offer& offer : offers) {
-    const bool is_taken = std::ranges::any_of(
-        plain, [&](const Offer& other) { return other.quantity.name == offer.quantity.name; });
-    const bool judges_returns = offer.source.observable->part == ObservedPart::section &&
-                                offer.role() == OutputRole::motion;
-    offer.is_named = !is_taken && !judges_returns && !is_sampled_at_section(offer);
-  }
-  offers.insert(offers.begin(), plain.begin(), plain.end());
-  return offers;
-}
 
 // Quantities that no observer gives, since they need the whole map.
 std::vector<Quantity> census_quantities() {
@@ -167,63 +23,6 @@ std::vector<Quantity> census_quantities() {
   count.name = "attractor_count";
   count.meaning = "attractors that the initial states of the ensemble reached; needs an ensemble";
   return {attractor, count};
-}
-
-constexpr const char* kLoadFactor = "dynamic_load_factor";
-
-// The largest force between teeth over the load.
-struct LoadFactor {
-  Quantity quantity;
-  std::string force;
-};
-
-// What a force between teeth carries on average: the parameter that it names. Where there is one
-// force alone, it need not name the model's load; of several each may have its own.
-std::optional<std::size_t> load_of(const Model& model, const ChannelInfo& force) {
-  if (!force.load.empty()) return static_cast<std::size_t>(model.find_parameter(force.load));
-  if (model.signals_of(Role::mesh_force).size() > 1) return std::nullopt;
-  return model.parameter_of(Role::load);
-}
-
-// One for each force with a load. With several forces, each name begins with that of the signal.
-std::vector<LoadFactor> load_factors(const Model& model) {
-  const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
-  std::vector<LoadFactor> factors;
-  for (const ChannelInfo& force : forces) {
-    const std::optional<std::size_t> load = load_of(model, force);
-    if (!load) continue;
-    Quantity quantity;
-    quantity.name = forces.size() == 1 ? kLoadFactor : force.name + "_" + kLoadFactor;
-    quantity.unit = "1";
-    quantity.meaning = fmt::format("largest {} over the recorded periods, divided by {}",
-                                   force.name, model.parameters[*load].name);
-    quantity.divided_by = load;
-    factors.push_back({quantity, force.name});
-  }
-  return factors;
-}
-
-// Why a model has no load factor, and what its file must say; empty of one that has.
-std::string lack_of_load(const Model& model) {
-  const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
-  if (forces.size() > 1) {
-    return fmt::format(
-        "model '{0}' has several forces between teeth, and each has a factor of its own, {1}_{2}, "
-        "where its signal names the parameter that is its load: load = \"NAME\"",
-        model.name, forces.front().name, kLoadFactor);
-  }
-  std::vector<std::string> lines;
-  if (!model.parameter_of(Role::load)) {
-    lines.emplace_back("a parameter is its load, as in\n  F = { value = 0.1, role = \"load\" }");
-  }
-  if (model.contact_force() == nullptr) {
-    lines.emplace_back(
-        "a signal is its force between teeth, as in\n"
-        "  force = { expression = \"k*x\", role = \"mesh_force\" }");
-  }
-  if (lines.empty()) return "";
-  return fmt::format("model '{}' has no {}: its file must say that {}", model.name, kLoadFactor,
-                     fmt::join(lines, "\nand that "));
 }
 
 // Index of the first output of an observer, which is added when the selection has it not yet.
@@ -317,6 +116,25 @@ void refuse_unknown_section(const Model& model, const std::string& name) {
                                                model.name, suggest_name(name, known)));
 }
 
+[[noreturn]] void refuse_unknown_quantity(const Model& model, const std::string& name,
+                                          const std::vector<Offer>& offers,
+                                          const std::vector<Quantity>& known) {
+  const std::string lack = name.ends_with(kLoadFactor) ? lack_of_load(model) : "";
+  if (!lack.empty()) throw InputError(lack);
+  for (const Offer& offer : offers) {
+    if (offer.quantity.name != name || !model.is_clockless || !needs_clock(offer)) continue;
+    throw InputError(fmt::format(
+        "'{}' goes by the periods of a forcing, and model '{}' has none{}", name, model.name,
+        offer.role() == OutputRole::settled
+            ? ": settling_time is the time until its motion stayed periodic"
+            : ""));
+  }
+  std::vector<std::string> known_names;
+  for (const Quantity& candidate : known) known_names.push_back(candidate.name);
+  throw InputError(fmt::format("unknown quantity '{}' of model '{}'{}", name, model.name,
+                               suggest_name(name, known_names)));
+}
+
 }  // namespace
 
 std::optional<std::size_t> Selection::output_of(OutputRole role) const {
@@ -402,12 +220,7 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
       return candidate.name == name;
     });
     if (found == known.end()) {
-      const std::string lack = name.ends_with(kLoadFactor) ? lack_of_load(model) : "";
-      if (!lack.empty()) throw InputError(lack);
-      std::vector<std::string> known_names;
-      for (const Quantity& candidate : known) known_names.push_back(candidate.name);
-      throw InputError(fmt::format("unknown quantity '{}' of model '{}'{}", name, model.name,
-                                   suggest_name(name, known_names)));
+      refuse_unknown_quantity(model, name, offers, known);
     }
     if (name == "status") continue;  // always there
     if (!listed.insert(name).second) {

@@ -200,6 +200,7 @@ class TileRun {
   bool record_the_rest() {
     if (open_.empty()) return true;
     Window rest = windows_.front();
+    if (rest.is_early) callbacks_.on_work(-saved_by(rest, tile_.points));
     rest.before = settled_;
     rest.settle -= settled_;
     const Tile subset = subset_of(plan_, tile_, open_, rest.settle + rest.record);
@@ -208,6 +209,16 @@ class TileRun {
     if (!recorded) return false;
     put_subset(study_, *recorded, open_, &result_);
     return true;
+  }
+
+  // What the study's own window would take more than this one.
+  double saved_by(const Window& window, const PointList& points) const {
+    const Integrate& own = study_.integrate;
+    const auto periods =
+        static_cast<double>(own.settle + own.record - window.settle - window.record);
+    double steps = 0.0;
+    for (const std::size_t point : points) steps += static_cast<double>(plan_.steps_of(point));
+    return steps * periods;
   }
 
   // The points whose verdict is undecided go on into longer windows, as a subset of the tile.
@@ -226,7 +237,11 @@ class TileRun {
       callbacks_.on_work(subset.work);
       longer = engine_->compute(plan_, subset, states, windows_[i], callbacks_.after_round);
       if (!longer) return false;
-      adopt_longer_window(study_, open, *longer, &result_);
+      if (windows_[i - 1].is_early) {
+        put_subset(study_, *longer, open, &result_);
+      } else {
+        adopt_longer_window(study_, open, *longer, &result_);
+      }
     }
     return true;
   }

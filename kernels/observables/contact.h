@@ -89,7 +89,7 @@ SHARED_FN void contact_step(real* sums, ContactDepths earlier, ContactDepths bef
   sums[contact_period_drive] += weight * (drive - both);
   sums[contact_period_back] += weight * (back - both);
   sums[contact_period_wedged] += weight * both;
-  sums[contact_losses] += losses;
+  sums[contact_losses] += step->once * losses;
   sums[contact_gap_seen] = lane_select(gap, one, sums[contact_gap_seen]);
   // Both ends: a backlash may jump at a break phase.
   sums[contact_min_backlash] =

@@ -42,15 +42,15 @@ SHARED_FN void contact_impacts_init(real* sums, ContactDepths start) {
 SHARED_FN void contact_impacts_see(real earlier, real before, real middle, real after,
                                    const Step* step, real* count, real* speed) {
   const real zero = 0;
-  const real one = 1;
   ContactTouch touch;
   if (!contact_touch(earlier, before, middle, after, step->cubic, &touch)) return;
   const mask first = touch.changes & touch.in_first & !touch.on_before;
   const mask second = touch.changes & touch.in_second & !touch.on_turn;
-  const Share per_period = (scalar)(2) / step->weight;
+  const Share per_period = (scalar)(2) / step->share;
   const real first_speed = per_period * step_curve_slope(&touch.depth, touch.first);
   const real second_speed = per_period * step_curve_slope(&touch.depth, touch.second);
-  *count = *count + lane_select(first, one, zero) + lane_select(second, one, zero);
+  const real once = step->once;
+  *count = *count + lane_select(first, once, zero) + lane_select(second, once, zero);
   *speed = lane_max(*speed, lane_select(first, first_speed, zero));
   *speed = lane_max(*speed, lane_select(second, second_speed, zero));
 }

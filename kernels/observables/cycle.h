@@ -6,9 +6,11 @@
 #define CYCLE_ROLE statistic
 #define CYCLE_PER_SECTION
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define CYCLE_OUTPUTS(X)                                                               \
-  X(period, "1", "", "returns to the section after which the motion repeats; 0: none") \
-  X(cycle_time, "tau", "", "time after which the motion repeats; not a number of none")
+#define CYCLE_OUTPUTS(X)                                                                \
+  X(period, "1", "", "returns to the section after which the motion repeats; 0: none")  \
+  X(cycle_time, "tau", "", "time after which the motion repeats; not a number of none") \
+  X(settling_time, "tau", "",                                                           \
+    "time until the motion stayed periodic; not a number where it did not")
 
 enum {
   cycle_level,      // of the section, where the last step ended (observers_sections)
@@ -17,6 +19,8 @@ enum {
   cycle_reference,  // from the reference to the last return
   cycle_total,      // of the candidate's recurrences that are counted
   cycle_turns,      // their number
+  cycle_last,       // from the record's beginning to the last return
+  cycle_begun,      // and to the candidate's first reference
   cycle_forcing,    // the forcing's period, in dimensionless time
   cycle_low,        // of each state, in the record
   cycle_high = cycle_low + PER_STATE,
@@ -46,7 +50,7 @@ SHARED_FN void cycle_step(real* sums, const SectionCrossing* crossing, const Ste
   const real zero = 0;
   const real one = 1;
   // Not a number from where the level is none, or infinite, on.
-  const real whole = sums[cycle_since] + step->weight + zero * crossing->last;
+  const real whole = sums[cycle_since] + step->share + zero * crossing->last;
   const mask counts = crossing->where;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
@@ -77,9 +81,12 @@ SHARED_FN void cycle_step(real* sums, const SectionCrossing* crossing, const Ste
     sums[cycle_near_low + i] = lane_select(done.moved, x, sums[cycle_near_low + i]);
     sums[cycle_near_high + i] = lane_select(done.moved, x, sums[cycle_near_high + i]);
   }
-  const real time = lane_select(counts, whole - (one - crossing->share) * step->weight, zero);
+  const real time = lane_select(counts, whole - (one - crossing->share) * step->share, zero);
   const real mark = sums[cycle_mark] + time;
   const real reference = sums[cycle_reference] + time;
+  const real last = sums[cycle_last] + time;
+  sums[cycle_begun] = lane_select(done.fresh, last - reference, sums[cycle_begun]);
+  sums[cycle_last] = last;
   const real total = lane_select(done.hit, sums[cycle_total] + mark, sums[cycle_total]);
   const real turns = lane_select(done.hit, sums[cycle_turns] + one, sums[cycle_turns]);
   sums[cycle_total] = lane_select(done.fresh, reference, total);
@@ -97,8 +104,12 @@ SHARED_FN void cycle_finish(const real* sums, SweepRound round, real* out) {
   const real zero = 0;
   const real period = recurrence_found(sums + cycle_recurrence);
   const real time = sums[cycle_forcing] * (sums[cycle_total] / sums[cycle_turns]);
+  // From the reference of the recurrences on it was periodic.
+  const real settled = (scalar)(round.settled) + sums[cycle_begun];
   const mask is_defined = sums[cycle_since] == sums[cycle_since];
+  const mask repeats = is_defined & (zero < period);
   out[0] = lane_select(is_defined, period, (real)(NAN));
-  out[1] = lane_select(is_defined & (zero < period), time, (real)(NAN));
+  out[1] = lane_select(repeats, time, (real)(NAN));
+  out[2] = lane_select(repeats, sums[cycle_forcing] * settled, (real)(NAN));
 }
 #endif

@@ -43,7 +43,7 @@ SHARED_FN void orders_init(real* sums, real value) {
 
 SHARED_FN void orders_step(real* sums, real earlier, real before, real middle, real after,
                            const Step* step) {
-  const Share sixth_weight = (scalar)(1.0 / 6.0) * step->weight;
+  const Share sixth_weight = (scalar)(1.0 / 6.0) * step->share;
   const real a = sixth_weight * (before - sums[orders_origin]);
   const real m = ((scalar)(4) * sixth_weight) * (middle - sums[orders_origin]);
   const real b = sixth_weight * (after - sums[orders_origin]);

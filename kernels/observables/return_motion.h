@@ -13,7 +13,9 @@
 //                   exponents that are 0, too;
 //   chaotic         as in observables/motion.h;
 //                   both in three dimensions or more, or where resets or two angles make room;
-//   undecided       all else: a cycle that has not settled, one whose period is too long.
+//   undecided       all else: a cycle that has not settled, one whose period is too long; and in an
+//                   early window (host/engine/window.hpp) what goes on settling: all but rest that
+//                   nothing changes, and cycles that recur ten times as well as they must.
 #include "observables/cycle.h"
 #include "observables/motion.h"
 
@@ -46,6 +48,7 @@ enum { return_motion_enough = 16 };  // returns of a torus
 // Of the box of the returns. The 32 first returns of a circle come as near for one torus in 200;
 // what drifts comes back by the error of some steps.
 #define RETURN_MOTION_NEAR ((scalar)(3e-4))
+#define RETURN_MOTION_SETTLED ((scalar)(0.1) * (scalar)(PERIOD_TOLERANCE))
 // Whether there is room for a torus, or for chaos: in the plane there is neither (Poincare and
 // Bendixson), unless resets or angles fold it.
 #ifdef MODEL_HAS_RESETS
@@ -135,9 +138,14 @@ SHARED_FN void return_motion_finish(const real* sums, SweepRound round, real* ou
     rests = rests & (high - low <= ROUNDINGS_TOLD * lane_max(lane_abs(low), lane_abs(high)));
   }
   const mask unstable = rests & first.grows;
+  const mask still = rests;
   rests = rests | (first.log_stretching < -lane_max(first.error, much));
+  const real worst = sums[return_motion_cycle + cycle_recurrence + recurrence_worst];
+  const mask settled = round.is_early ? worst <= RETURN_MOTION_SETTLED : zero == zero;
   const real since = sums[return_motion_cycle + cycle_since];
   out[0] = lane_select(rests, equilibrium, lane_select(since == since, moving, undecided));
   out[0] = lane_select(unstable, undecided, out[0]);
+  const mask ends = still | (settled & !rests & (out[0] == periodic));
+  out[0] = lane_select(round.is_early ? ends : zero == zero, out[0], undecided);
 }
 #endif

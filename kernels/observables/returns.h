@@ -13,7 +13,8 @@ enum {
   returns_level,  // of the section, where the last step ended (observers_sections)
   returns_since,  // the last return, or the record's beginning; all times in periods
   returns_count,
-  returns_total,  // from the first to the last one
+  returns_weight,  // what they count in the record's window
+  returns_total,   // from the first to the last one
   returns_shortest,
   returns_longest,
   returns_period,  // of the forcing, in dimensionless time
@@ -34,11 +35,11 @@ SHARED_FN void returns_step(real* sums, const SectionCrossing* crossing, const S
   const real one = 1;
   const mask counts = crossing->where;
   // Not a number from where the level is none, or infinite, on.
-  const real whole = sums[returns_since] + step->weight + zero * crossing->last;
+  const real whole = sums[returns_since] + step->share + zero * crossing->last;
   sums[returns_level] = crossing->last;
   sums[returns_since] = whole;
   if (all_lanes(!counts)) return;
-  const real time = whole - (one - crossing->share) * step->weight;
+  const real time = whole - (one - crossing->share) * step->share;
   const mask returns = counts & (zero < sums[returns_count]);
   sums[returns_total] = lane_select(returns, sums[returns_total] + time, sums[returns_total]);
   sums[returns_shortest] =
@@ -46,6 +47,8 @@ SHARED_FN void returns_step(real* sums, const SectionCrossing* crossing, const S
   sums[returns_longest] =
       lane_select(returns, lane_max(time, sums[returns_longest]), sums[returns_longest]);
   sums[returns_count] = lane_select(counts, sums[returns_count] + one, sums[returns_count]);
+  sums[returns_weight] =
+      lane_select(counts, sums[returns_weight] + step->once, sums[returns_weight]);
   sums[returns_since] = lane_select(counts, whole - time, whole);
 }
 
@@ -60,7 +63,7 @@ SHARED_FN void returns_finish(const real* sums, SweepRound round, real* out) {
   const real period = sums[returns_period];
   const mask is_defined = sums[returns_since] == sums[returns_since];
   const mask any = (one < count) & is_defined;
-  out[0] = lane_select(is_defined, count / (scalar)(round.record), nothing);
+  out[0] = lane_select(is_defined, sums[returns_weight] / (scalar)(round.record), nothing);
   out[1] = lane_select(any, period * (sums[returns_total] / (count - one)), nothing);
   out[2] = lane_select(any, period * sums[returns_shortest], nothing);
   out[3] = lane_select(any, period * sums[returns_longest], nothing);

@@ -59,7 +59,7 @@ SHARED_FN void state_moments_add(real* sums, const real* x, Share weight) {
 // By Simpson's rule.
 SHARED_FN void state_moments_step(real* sums, const Step* step) {
 #ifdef MODEL_AUTONOMOUS
-  const Share sixth = (scalar)(1.0 / 6.0) * step->weight;
+  const Share sixth = (scalar)(1.0 / 6.0) * step->share;
   state_moments_add(sums, step->before->x, sixth);
   state_moments_add(sums, step->middle->x, (scalar)(4) * sixth);
   state_moments_add(sums, step->after->x, sixth);

@@ -23,10 +23,11 @@ SHARED_FN void sticking_step(real* sums, const Step* step) {
   const real one = 1;
   const real two = 2;
   const real was = sums[sticking_was];  // 2 where it stayed, 1 where it did not, 0 at the beginning
-  const mask moves = zero < step->weight;
+  const mask moves = zero < step->share;
   const mask begins = moves & step->stays & (was == one);
   sums[sticking_time] = sums[sticking_time] + lane_select(step->stays, step->weight, zero);
-  sums[sticking_count] = lane_select(begins, sums[sticking_count] + one, sums[sticking_count]);
+  sums[sticking_count] =
+      lane_select(begins, sums[sticking_count] + step->once, sums[sticking_count]);
   sums[sticking_was] = lane_select(moves, lane_select(step->stays, two, one), was);
 }
 

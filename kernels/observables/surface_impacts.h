@@ -19,11 +19,10 @@ SHARED_FN void surface_impacts_init(real* sums, const Instant* start) {
 
 SHARED_FN void surface_impacts_step(real* sums, const Step* step) {}
 
-SHARED_FN void surface_impacts_meet(real* sums, mask hit, real rate) {
-  const real one = 1;
+SHARED_FN void surface_impacts_meet(real* sums, mask hit, real rate, Share once) {
   const real count = sums[surface_impacts_count];
   const real hardest = sums[surface_impacts_hardest];
-  sums[surface_impacts_count] = lane_select(hit, count + one, count);
+  sums[surface_impacts_count] = lane_select(hit, count + once, count);
   sums[surface_impacts_hardest] = lane_select(hit, lane_max(hardest, rate), hardest);
 }
 

@@ -167,6 +167,7 @@ class KernelWriter {
       if (definition_.are_angles[i]) angles.push_back(kernel_name(definition_.states[i].name));
     }
     if (!angles.empty()) write_list("MODEL_ANGLES", angles);
+    if (definition_.clock) out_ += "#define MODEL_CLOCKLESS\n";
     if (definition_.second) out_ += "#define MODEL_CLOCKS 1\n";
     if (lowered_.is_second_order) out_ += "#define MODEL_SECOND_ORDER\n";
     if (is_rough_) out_ += "#define MODEL_ROUGH\n";

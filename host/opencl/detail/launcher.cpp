@@ -14,9 +14,14 @@ constexpr double kRoundSeconds = 0.3;  // short enough to cancel and for a displ
 SweepRound round_of(const Window& window, std::size_t items, std::size_t periods,
                     std::size_t done) {
   const auto number = [](std::size_t count) { return static_cast<sweep_uint>(count); };
-  return {number(items),           number(periods),        number(done),
-          number(window.record),   number(window.samples), number(window.before + window.settle),
-          window.is_last ? 1U : 0U};
+  return {number(items),
+          number(periods),
+          number(done),
+          number(window.record),
+          number(window.samples),
+          number(window.before + window.settle),
+          window.is_last ? 1U : 0U,
+          window.is_early ? 1U : 0U};
 }
 
 Launcher::Launcher(const Study& study, std::shared_ptr<OpenDevice> open)

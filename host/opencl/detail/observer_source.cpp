@@ -219,13 +219,13 @@ class ObserverSource {
   void write_meetings() {
     out_ << "\n#define WATCHED_SURFACES\n"
             "SHARED_FN void observers_meet(const Observers* observers, mask where,\n"
-            "                              const SurfaceMet* met) {\n";
+            "                              const SurfaceMet* met, Share once) {\n";
     const std::vector<SurfaceInfo>& surfaces = study_.model->surfaces;
     for (const Observer& observer : observers_) {
       if (!is_of_surface(observer)) continue;
       const auto place =
           std::ranges::find(surfaces, observer.part, &SurfaceInfo::name) - surfaces.begin();
-      out_ << wrapped(fmt::format("{0}_meet({1}, where & met->hit[{2}], met->rate[{2}]);",
+      out_ << wrapped(fmt::format("{0}_meet({1}, where & met->hit[{2}], met->rate[{2}], once);",
                                   observer.observable->name, sums_of(observer), place));
     }
     out_ << "}\n";

@@ -81,10 +81,10 @@ class Contact final : public ReferenceObservable {
     const double sum = drive.share + back.share;
     const bool opposite = drive.at_start != back.at_start && drive.at_end != back.at_end;
     const double both = opposite ? std::max(0.0, sum - 1.0) : std::min(drive.share, back.share);
-    drive_ += step.share * (drive.share - both);
-    back_ += step.share * (back.share - both);
-    wedged_ += step.share * both;
-    losses_ += drive.losses + back.losses;
+    drive_ += step.weight * (drive.share - both);
+    back_ += step.weight * (back.share - both);
+    wedged_ += step.weight * both;
+    losses_ += step.once * (drive.losses + back.losses);
     // Without a backlash a gap between the flanks is rounding.
     const bool open = is_one_sided_ || std::max(backlash_(before), backlash_(after)) > 0.0;
     const double touching = sum - both;
@@ -131,7 +131,7 @@ class ContactImpacts final : public ReferenceObservable {
   void step(const TrajectoryStep& step) override {
     for (Seen& seen : flanks_) {
       for (const double speed : seen.flank.touch(step).speeds) {
-        ++seen.impacts;
+        seen.impacts += step.once;
         period_speed_ = std::max(period_speed_, speed);
       }
       for (const Instant* moment : {&step.before, &step.middle, &step.after}) {

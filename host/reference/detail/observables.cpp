@@ -48,14 +48,14 @@ class Extrema final : public ReferenceObservable {
 };
 
 // Weighted mean and variance by West's recurrence (Communications of the ACM 22, 1979): each step
-// gives its share to its ends and its middle, by Simpson's rule.
+// gives its weight to its ends and its middle, by Simpson's rule.
 class Moments final : public ReferenceObservable {
  public:
   explicit Moments(const Channel& channel) : channel_(channel) {}
   void step(const TrajectoryStep& step) override {
-    add(channel_(step.before), step.share / 6.0);
-    add(channel_(step.middle), step.share * 4.0 / 6.0);
-    add(channel_(step.after), step.share / 6.0);
+    add(channel_(step.before), step.weight / 6.0);
+    add(channel_(step.middle), step.weight * 4.0 / 6.0);
+    add(channel_(step.after), step.weight / 6.0);
   }
   std::vector<double> finish(const Window&) const override {
     const double variance = std::max(0.0, squares_ / weight_);  // rounding may make it negative

@@ -17,14 +17,17 @@ class Returns final : public ReferenceObservable {
  public:
   explicit Returns(const SectionInfo& section) : watch_(section) {}
   void step(const TrajectoryStep& step) override {
-    watch_.see(step, [&](const Eigen::VectorXd&, double time) { times_.push_back(time); });
+    watch_.see(step, [&](const Eigen::VectorXd&, double time) {
+      times_.push_back(time);
+      count_ += step.once;
+    });
   }
   void period(const Eigen::VectorXd&, const Eigen::VectorXd&, double length) override {
     length_ = length;
     ++periods_;
   }
   std::vector<double> finish(const Window&) const override {
-    const double each = static_cast<double>(times_.size()) / static_cast<double>(periods_);
+    const double each = count_ / static_cast<double>(periods_);
     if (!watch_.is_defined()) return {kNothing, kNothing, kNothing, kNothing};
     if (times_.size() < 2) return {each, kNothing, kNothing, kNothing};
     std::vector<double> between;
@@ -37,7 +40,7 @@ class Returns final : public ReferenceObservable {
  private:
   SectionWatch watch_;
   std::vector<double> times_;
-  double length_ = 0.0;
+  double length_ = 0.0, count_ = 0.0;
   std::size_t periods_ = 0;
 };
 
@@ -68,13 +71,15 @@ class Cycle final : public ReferenceObservable {
     return whole <= kMore * std::min(early, late) &&
            sections_.closest(kLongestWindow) >= kNear * whole;
   }
-  std::vector<double> finish(const Window&) const override {
+  std::vector<double> finish(const Window& window) const override {
     const Recurrence found = recurrence();
-    if (!is_defined()) return {kNothing, kNothing};
-    if (found.period == 0) return {0.0, kNothing};
+    if (!is_defined()) return {kNothing, kNothing, kNothing};
+    if (found.period == 0) return {0.0, kNothing, kNothing};
     const std::size_t turns = (sections_.last() - found.since) / found.period;
     const double time = times_[found.since + turns * found.period] - times_[found.since];
-    return {static_cast<double>(found.period), length_ * time / static_cast<double>(turns)};
+    const double settled = static_cast<double>(window.before + window.settle) + times_[found.since];
+    return {static_cast<double>(found.period), length_ * time / static_cast<double>(turns),
+            length_ * settled};
   }
 
  private:
@@ -89,7 +94,10 @@ class Cycle final : public ReferenceObservable {
 class ReturnMotion final : public ReferenceObservable {
  public:
   ReturnMotion(const SectionInfo& section, double tolerance, const StateKinds& kinds, bool has_room)
-      : cycle_(section, tolerance, kinds), states_(tolerance, kinds), has_room_(has_room) {}
+      : cycle_(section, tolerance, kinds),
+        states_(tolerance, kinds),
+        settled_(0.1 * tolerance),
+        has_room_(has_room) {}
   void begin(const Eigen::VectorXd& state) override {
     states_.begin(state);
     lowest_ = highest_ = state;
@@ -118,7 +126,14 @@ class ReturnMotion final : public ReferenceObservable {
     const Eigen::ArrayXd size = lowest_.array().abs().max(highest_.array().abs());
     return ((highest_ - lowest_).array() <= kRoundings * size).all();
   }
+  // In an early window only what has settled beyond doubt has a kind.
   int kind(const Window& window) const {
+    const int kind = kind_at_end(window);
+    if (!window.is_early) return kind;
+    const bool is_settled = kind == MOTION_periodic && cycle_.recurrence().worst <= settled_;
+    return is_settled || (kind == MOTION_equilibrium && is_still()) ? kind : MOTION_undecided;
+  }
+  int kind_at_end(const Window& window) const {
     const Growth first = first_.growth(window);
     if (first.log_stretching < -std::max(first.error, 10.0)) return MOTION_equilibrium;
     if (is_still()) return first.grows() ? MOTION_undecided : MOTION_equilibrium;
@@ -133,7 +148,8 @@ class ReturnMotion final : public ReferenceObservable {
 
   Cycle cycle_;
   StateSequence states_;
-  bool has_room_;  // for a torus, or chaos
+  double settled_;  // recurrences that are no worse need not go on
+  bool has_room_;   // for a torus, or chaos
   Eigen::VectorXd lowest_, highest_;
   GrowthWatch first_{0}, second_{1};
 };

@@ -46,7 +46,7 @@ Recurrence StateSequence::recurrence(std::size_t longest_window) const {
     const Stretch stretch = final_stretch(period, longest_window);
     if (stretch.recurrences >= 2 && 4 * (last() - stretch.since) >= last()) {
       if (stretch.nearest < kClear * stretch.worst) return {};
-      return {period, stretch.since};
+      return {period, stretch.since, stretch.worst};
     }
   }
   return {};

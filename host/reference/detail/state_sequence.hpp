@@ -13,9 +13,11 @@
 
 namespace gearsweep {
 
-// The period with which the sections recur, 0: none; and the section from which on they do.
+// The period with which the sections recur, 0: none; the section from which on they do; and the
+// largest distance between those that recur.
 struct Recurrence {
   std::size_t period = 0, since = 0;
+  double worst = 0.0;
 };
 
 class StateSequence {

@@ -10,18 +10,17 @@ class Sticking final : public ReferenceObservable {
  public:
   void step(const TrajectoryStep& step) override {
     if (step.share <= 0.0) return;
-    if (step.stays) time_ += step.share;
-    if (step.stays && was_.has_value() && !*was_) ++stops_;
+    if (step.stays) time_ += step.weight;
+    if (step.stays && was_.has_value() && !*was_) stops_ += step.once;
     was_ = step.stays;
   }
   std::vector<double> finish(const Window& window) const override {
     const auto periods = static_cast<double>(window.record);
-    return {time_ / periods, static_cast<double>(stops_) / periods};
+    return {time_ / periods, stops_ / periods};
   }
 
  private:
-  double time_ = 0.0;
-  std::size_t stops_ = 0;
+  double time_ = 0.0, stops_ = 0.0;
   std::optional<bool> was_;
 };
 
@@ -31,18 +30,17 @@ class SurfaceImpacts final : public ReferenceObservable {
   void step(const TrajectoryStep& step) override {
     for (const HeldField::Met& met : step.met) {
       if (met.surface != surface_) continue;
-      ++count_;
+      count_ += step.once_before;
       hardest_ = std::max(hardest_, met.rate);
     }
   }
   std::vector<double> finish(const Window& window) const override {
-    return {static_cast<double>(count_) / static_cast<double>(window.record), hardest_};
+    return {count_ / static_cast<double>(window.record), hardest_};
   }
 
  private:
   std::size_t surface_;
-  std::size_t count_ = 0;
-  double hardest_ = 0.0;
+  double count_ = 0.0, hardest_ = 0.0;
 };
 
 }  // namespace

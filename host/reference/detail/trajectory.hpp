@@ -21,7 +21,10 @@ struct Instant {
 // A step of the classical method, and its middle by Hermite's cubic between its ends.
 struct TrajectoryStep {
   Instant before = {}, middle = {}, after = {};
-  double share = 0.0;      // of the period
+  double share = 0.0;   // of the period
+  double weight = 0.0;  // what it counts in averages: its share, in the record's window
+  double once = 1.0;    // what counts in it as happening once, and where it begins
+  double once_before = 1.0;
   bool ends_step = true;   // false of a part of a step that others follow
   bool is_smooth = false;  // no limit of the contact, nor a bend, lies between the three moments
   // The middle of the step before, when that was smooth and lies in the same segment.
@@ -31,7 +34,7 @@ struct TrajectoryStep {
   // Any moment, by a step of the method from `before` to that share of this one.
   std::function<Instant(double share)> at = {};
 };
-using StepCallback = std::function<void(const TrajectoryStep&)>;
+using StepCallback = std::function<void(TrajectoryStep&)>;
 
 class Trajectory {
  public:
