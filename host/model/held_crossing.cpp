@@ -15,8 +15,9 @@ using held::kNear;
 using held::kRounding;
 using held::RowMajor;
 
-// Of a step: a flight that is shorter ends in contact.
-constexpr double kShortFlight = 1e-3;
+// Of a step: a flight that is shorter ends in contact; and in one that has been cut so often.
+constexpr double kShortFlight = 1e-3, kShortOfMany = 2e-2;
+constexpr int kManyCuts = 64;
 
 }  // namespace
 
@@ -43,7 +44,8 @@ std::optional<std::size_t> HeldField::left_behind(const double* coefs, const dou
   return sides_.size() + static_cast<std::size_t>(changed - touch.begin());
 }
 
-void HeldField::pass(std::size_t surface, const double* coefs, HeldMotion* motion) {
+void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMotion* motion) {
+  cuts_ = cuts;
   double* const x = motion->state.data();
   if (surface >= sides_.size()) {  // the field bends, and does not jump
     touches_[surface - sides_.size()].flip();
@@ -159,7 +161,8 @@ void HeldField::rebound(const Met& met, double level_there, const double* coefs,
   point_->hold(sides_);
   if (!is_at || goes_on) return;
   put_below(surface, coefs, x);
-  if (push <= 0.0 || 2.0 * std::fabs(rate) > kShortFlight * step_ * push) return;
+  const double shortest = cuts_ < kManyCuts ? kShortFlight : kShortOfMany;
+  if (push <= 0.0 || 2.0 * std::fabs(rate) > shortest * step_ * push) return;
   slides_[surface] = has_slid_ = true;
   put_back(coefs, x);
   bind(coefs, x);

@@ -47,9 +47,9 @@ class HeldField {
   // A surface on whose side a state is not any more, or along which it slid and does not; after
   // the surfaces, the limits of the contacts.
   std::optional<std::size_t> left_behind(const double* coefs, const double* x);
-  // Goes on behind that surface. Tangents jump by the saltation matrix (R. I. Leine, H. Nijmeijer,
+  // Goes on behind that surface; cuts: of the step, this one counted. Tangents jump by the saltation matrix (R. I. Leine, H. Nijmeijer,
   // Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004, chapter 7).
-  void pass(std::size_t surface, const double* coefs, HeldMotion* motion);
+  void pass(std::size_t surface, const double* coefs, int cuts, HeldMotion* motion);
 
   bool slides() const;
   // Takes a state that a step has led away from the surfaces that it slides along back onto them.
@@ -113,6 +113,7 @@ class HeldField {
   std::vector<ContactLimit> limits_;
   std::vector<bool> touches_;  // [limit]
   double step_ = 0.0;
+  int cuts_ = 0;  // of the step, so far
   bool has_slid_ = false;
   std::vector<Met> met_;
 };

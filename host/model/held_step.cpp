@@ -94,7 +94,7 @@ void step_held(HeldField* field, const StepMoments& moment_at, HeldMotion* motio
     if (each_part) each_part(from, to, before, *motion);
     const std::vector<double> coefs = moment_at(to);
     const auto surface = field->left_behind(coefs.data(), motion->state.data());
-    if (surface) field->pass(*surface, coefs.data(), motion);
+    if (surface) field->pass(*surface, coefs.data(), part + 1, motion);
     if (to == 1.0) return;
     from = to;
   }

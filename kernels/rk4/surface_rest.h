@@ -1,12 +1,16 @@
 // Surfaces where the state is reset, and what stays at a surface. Impacts that follow each other
 // ever faster end in contact: once a flight takes less than a thousandth of a step, or is lower
-// than rounding, the motion rests on the surface while it is pushed against it.
+// than rounding, the motion rests on the surface while it is pushed against it. In a step that has
+// been cut 64 times (SURFACE_MANY_CUTS), as where a ball of r = 0.99 nears its rest, a flight of a
+// fiftieth is as short.
 
 #include "rk4/surface_events.h"
 
 #ifdef MODEL_SURFACES
 
 #define SURFACE_SHORT_FLIGHT ((scalar)(1e-3))                            // of a step
+#define SURFACE_SHORT_OF_MANY ((scalar)(2e-2))
+#define SURFACE_MANY_CUTS ((scalar)(64))
 #define SURFACE_ROUNDING ((scalar)(REAL_BITS == 64 ? 1.8e-15 : 9.6e-7))  // 8 roundings
 
 // The change of the state that takes a surface's level up by 1; and what rounding may leave of the
@@ -213,9 +217,9 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
 }
 
 // Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
-// the flight to the next impact would be too short to count.
-SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, const mask* hit,
-                               const mask* touched, const SurfaceMet* met,
+// the flight to the next impact would be too short to count. cuts: of the step, so far.
+SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, real cuts,
+                               const mask* hit, const mask* touched, const SurfaceMet* met,
                                const real* levels_before, const real* field,
                                const real* rates_behind, real* x) {
   const real zero = 0;
@@ -223,6 +227,8 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
   real levels[MODEL_SURFACES];
   real pushes[MODEL_SURFACES];
   mask rests = zero != zero;
+  const real shortest = lane_select(cuts < SURFACE_MANY_CUTS, (real)(SURFACE_SHORT_FLIGHT),
+                                    (real)(SURFACE_SHORT_OF_MANY));
   model_level_values(point, moment, x, levels);
   model_held_rates(point, moment, x, field, pushes);
   UNROLL
@@ -245,7 +251,7 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
     const mask returns = touches | (is_reset & !is_above);
     const real rounding = surface_put_below(point, moment, k, touches | (returns & is_at), x);
     // A flight that is too short, or too low.
-    const mask is_short = (scalar)(2) * lane_abs(rate) <= SURFACE_SHORT_FLIGHT * h * push;
+    const mask is_short = (scalar)(2) * lane_abs(rate) <= shortest * h * push;
     const mask is_low = rate * rate <= (scalar)(8) * push * rounding;
     const mask stays =
         (touches | (is_reset & is_at & !goes_on)) & (zero < push) & (is_short | is_low);
@@ -265,12 +271,12 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
                               real* field, real* w, SurfaceMet* met) {
   (void)point, (void)moment, (void)h, (void)beside, (void)x, (void)field, (void)w, (void)met;
 }
-SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, const mask* hit,
-                               const mask* touched, const SurfaceMet* met,
+SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, real cuts,
+                               const mask* hit, const mask* touched, const SurfaceMet* met,
                                const real* levels_before, const real* field,
                                const real* rates_behind, real* x) {
-  (void)point, (void)moment, (void)h, (void)hit, (void)touched, (void)met, (void)levels_before;
-  (void)field, (void)rates_behind, (void)x;
+  (void)point, (void)moment, (void)h, (void)cuts, (void)hit, (void)touched, (void)met;
+  (void)levels_before, (void)field, (void)rates_behind, (void)x;
 }
 #endif
 

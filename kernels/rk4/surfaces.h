@@ -85,9 +85,11 @@ SHARED_FN void surface_land(const ModelPoint* point, const SurfaceRows* rows,
   }
 }
 
-// Takes lanes that have come to an event, at a share of the step, to the other side.
+// Takes lanes that have come to an event, at a share of the step, to the other side. cuts: of the
+// step, so far.
 SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const SurfaceEvent* event,
-                            mask where, int beside, real share, real* x, real* w, SurfaceMet* met) {
+                            mask where, int beside, real share, real cuts, real* x, real* w,
+                            SurfaceMet* met) {
   const real zero = 0;
   const real one = 1;
   PhaseAt moment;
@@ -130,7 +132,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
     point->sides.slid = point->sides.slid | is_pushed_back;
     point->sides.side[k] = lane_select(is_below, point->sides.side[k] + one, point->sides.side[k]);
   }
-  surface_rebound(point, &moment, rows->h, hit, touched, met, levels, behind, rates_behind, x);
+  surface_rebound(point, &moment, rows->h, cuts, hit, touched, met, levels, behind, rates_behind, x);
   sliding_slope(point, &moment, x, behind);
 #if TANGENTS > 0
   if (beside & RK4_LINEAR) {
@@ -162,6 +164,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
   mask lands = none;  // goes up to an event
   real from = 0;
   real to = 1;
+  real cuts = 0;
   SurfaceEvent event;
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
@@ -210,7 +213,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     from = lane_select(moves, to, from);
     if (!all_lanes(!lands)) {
       SurfaceMet met;
-      surface_pass(point, rows, &event, lands, beside, from, x, w, &met);
+      surface_pass(point, rows, &event, lands, beside, from, cuts, x, w, &met);
       if (beside & RK4_MIDDLE) watch_side(watcher, point, rows, from, lands, &met, x);
     }
     done = done | (moves & !lands);
@@ -223,6 +226,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     }
     to = lane_select(stops, from + found.after * (one - from), one);
     lands = stops;
+    cuts = lane_select(stops, cuts + one, cuts);
   }
   x[0] = lane_select(done, x[0], (real)(NAN));
 }
