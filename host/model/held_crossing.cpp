@@ -54,8 +54,13 @@ void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMot
   if (slides_[surface]) {
     const Sliding along = sliding(coefs, x);
     const auto place = std::ranges::find(along.surfaces, surface) - along.surfaces.begin();
-    if (!model_.surfaces[surface].resets && along.share[place] < 0.5) sides_[surface] -= 1.0;
     slides_[surface] = false;
+    if (!model_.surfaces[surface].resets) {
+      const double at = level_of(surface, sides_[surface]);
+      const bool is_above = along.share[place] >= 0.5;
+      if (!is_above) sides_[surface] -= 1.0;
+      put_beside(surface, at, is_above, coefs, x);
+    }
     point_->hold(sides_);
     return;
   }
@@ -168,14 +173,19 @@ void HeldField::rebound(const Met& met, double level_there, const double* coefs,
   bind(coefs, x);
 }
 
-// To just below a surface, so that by rounding it does not count as beyond it.
 void HeldField::put_below(std::size_t surface, const double* coefs, double* x) {
+  put_beside(surface, 0.0, false, coefs, x);
+}
+
+void HeldField::put_beside(std::size_t surface, double at, bool above, const double* coefs,
+                           double* x) {
   const Index states = index(states_);
   const std::vector<double> all = values(SurfaceValue::level_gradient, coefs, x, states_);
   const VectorXd gradient = VectorXd::Map(all.data() + surface * states_, states);
   auto state = VectorXd::Map(x, states);
-  const double down = values(SurfaceValue::level, coefs, x, 1)[surface] +
-                      kRounding * gradient.cwiseProduct(state).cwiseAbs().sum();
+  const double rounding = kRounding * gradient.cwiseProduct(state).cwiseAbs().sum();
+  const double down =
+      values(SurfaceValue::level, coefs, x, 1)[surface] - at + (above ? -rounding : rounding);
   state -= down / gradient.squaredNorm() * gradient;
 }
 

@@ -103,6 +103,9 @@ class HeldField {
                   Carried* carried);
   // level_there: how far off the surface the motion came to it.
   void rebound(const Met& met, double level_there, const double* coefs, double* x);
+  // To just above or below a surface, at a level of `at`, so that by rounding it does not count as
+  // on the other side; put_below: of one where the state is reset.
+  void put_beside(std::size_t surface, double at, bool above, const double* coefs, double* x);
   void put_below(std::size_t surface, const double* coefs, double* x);
 
   const Model& model_;

@@ -50,7 +50,13 @@ HeldField::Sliding HeldField::sliding(const double* coefs, const double* x) {
   find_bound(&out);
   VectorXd edges = VectorXd::Zero(count);
   for (Index i = 0; i < count; ++i) edges[i] = out.bound[static_cast<std::size_t>(i)].value_or(0.0);
-  out.share = edges + out.solve(rest - out.gain * edges);
+  out.share = edges + out.solve_any(rest - out.gain * edges);
+  // Nothing holds it there: it leaves to where both sides lead.
+  for (Index i = 0; i < count; ++i) {
+    const bool falls =
+        rest[i] > 0.0 || model_.surfaces[out.surfaces[static_cast<std::size_t>(i)]].resets;
+    if (!std::isfinite(out.share[i])) out.share[i] = falls ? -1.0 : 2.0;
+  }
   return out;
 }
 

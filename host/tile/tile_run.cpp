@@ -221,6 +221,16 @@ class TileRun {
     return steps * periods;
   }
 
+  // Those that end with an early window. open: positions in the tile of the points of `last`, of
+  // which those at `undecided` go on.
+  void mark_stopped(const std::vector<std::size_t>& open, const TileResult& last,
+                    const std::vector<std::size_t>& undecided) {
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const bool goes_on = std::ranges::binary_search(undecided, i);
+      if (last.status[i] == STATUS_ok && !goes_on) has_stopped_[open[i]] = 1;
+    }
+  }
+
   // The points whose verdict is undecided go on into longer windows, as a subset of the tile.
   bool extend() {
     std::vector<std::size_t> open(tile_.points.size());  // positions in the tile
@@ -229,6 +239,7 @@ class TileRun {
     for (std::size_t i = 1; i < windows_.size(); ++i) {
       const TileResult& last = longer ? *longer : result_;
       const std::vector<std::size_t> undecided = undecided_positions(study_, last);
+      if (windows_[i - 1].is_early) mark_stopped(open, last, undecided);
       if (undecided.empty()) break;
       const std::vector<double> states = end_states(last, undecided);
       for (std::size_t j = 0; j < undecided.size(); ++j) open[j] = open[undecided[j]];
@@ -253,7 +264,7 @@ class TileRun {
   const TileCallbacks& callbacks_;
   const std::vector<Window> windows_;
   TileResult result_;
-  std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit
+  std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit, or cycle
   std::vector<std::size_t> open_;          // positions
   std::vector<double> states_;             // [open point][state]
   std::size_t settled_ = 0;                // periods integrated before these states

@@ -58,6 +58,9 @@ SHARED_FN void sliding_bind(const ModelPoint* point, Sliding* sliding) {
   }
 }
 
+// Whether it is a number, and finite.
+SHARED_FN mask sliding_is_finite(real value) { return value - value == value - value; }
+
 // Solves gain v = v for what the motion slides along; v is 0 of the others, and of what is bound
 // `edges` times its edge.
 SHARED_FN void sliding_solve(const ModelPoint* point, const Sliding* sliding, scalar edges,
@@ -148,6 +151,24 @@ SHARED_FN void sliding_find(const ModelPoint* point, const PhaseAt* phase, const
   }
   sliding_bind(point, sliding);
   sliding_solve(point, sliding, 1, sliding->share);
+  // Where no turn changes what is held, as where both sides have the same field, nothing holds the
+  // motion there: it leaves to where both sides lead.
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    const real outside = lane_select(zero <= rates[k], (real)(2), (real)(-1));
+    const real share = sliding->share[k];
+    sliding->share[k] =
+        lane_select(sliding_is_finite(share), share, MODEL_RESETS(k) ? (real)(-1) : outside);
+  }
+}
+
+// Where no turn changes what is held, there is none of it.
+SHARED_FN void sliding_keep_finite(real* multiples) {
+  const real zero = 0;
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    multiples[k] = lane_select(sliding_is_finite(multiples[k]), multiples[k], zero);
+  }
 }
 
 // Adds multiples of the turns.
@@ -208,6 +229,7 @@ SHARED_FN void sliding_tangent(const ModelPoint* point, const PhaseAt* phase, co
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) shift[k] = -(shift[k] + bends[k]);
   sliding_solve(point, sliding, 0, shift);
+  sliding_keep_finite(shift);
   sliding_add(sliding, shift, out);
 }
 

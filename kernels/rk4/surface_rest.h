@@ -8,7 +8,7 @@
 
 #ifdef MODEL_SURFACES
 
-#define SURFACE_SHORT_FLIGHT ((scalar)(1e-3))                            // of a step
+#define SURFACE_SHORT_FLIGHT ((scalar)(1e-3))  // of a step
 #define SURFACE_SHORT_OF_MANY ((scalar)(2e-2))
 #define SURFACE_MANY_CUTS ((scalar)(64))
 #define SURFACE_ROUNDING ((scalar)(REAL_BITS == 64 ? 1.8e-15 : 9.6e-7))  // 8 roundings
@@ -50,20 +50,26 @@ SHARED_FN real surface_rate_rounding(const ModelPoint* point, const PhaseAt* mom
   return SURFACE_ROUNDING * (terms / squares);
 }
 
-// Takes lanes to just below a surface, so that by rounding none counts as beyond it. Returns what
-// rounding may leave of the level.
-SHARED_FN real surface_put_below(const ModelPoint* point, const PhaseAt* moment, int surface,
-                                 mask where, real* x) {
+// Takes lanes to just above or below a surface, at a level of `at`, so that by rounding none counts
+// as on the other side. Returns what rounding may leave of the level.
+SHARED_FN real surface_put_beside(const ModelPoint* point, const PhaseAt* moment, int surface,
+                                  real at, mask above, mask where, real* x) {
   real normal[MODEL_STATE_COUNT];
   real levels[MODEL_SURFACES];
   model_level_values(point, moment, x, levels);
   const real rounding = surface_normal(point, moment, x, surface, normal);
-  const real down = levels[surface] + rounding;
+  const real down = (levels[surface] - at) + lane_select(above, -rounding, rounding);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     x[i] = lane_select(where, x[i] - down * normal[i], x[i]);
   }
   return rounding;
+}
+
+SHARED_FN real surface_put_below(const ModelPoint* point, const PhaseAt* moment, int surface,
+                                 mask where, real* x) {
+  const real zero = 0;
+  return surface_put_beside(point, moment, surface, zero, zero != zero, where, x);
 }
 
 // Takes a motion that slides back onto its surfaces: a step leaves them by what it is wrong by. A
@@ -89,6 +95,7 @@ SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, re
     levels[k] = surface_level(k, point->sides.side[k]) - levels[k];
   }
   sliding_solve(point, &sliding, 0, levels);
+  sliding_keep_finite(levels);
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) back[i] = x[i];
   sliding_add(&sliding, levels, back);

@@ -68,6 +68,7 @@ SHARED_FN void surface_settle_tangents(const ModelPoint* point, const PhaseAt* m
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) held[k] = -held[k];
     sliding_solve(point, &sliding, 0, held);
+    sliding_keep_finite(held);
     sliding_add(&sliding, held, settled);
     const mask is_lost = tangent_size(settled) < TANGENT_LOST * size;
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) {

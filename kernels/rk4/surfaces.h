@@ -95,6 +95,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
   PhaseAt moment;
   mask hit[MODEL_SURFACES];
   mask touched[MODEL_SURFACES];  // from below, and not gone through
+  mask rises[MODEL_SURFACES];
   real levels[MODEL_SURFACES];
   real carried[MODEL_STATE_COUNT];  // the field before it, by a reset
   real delays[TANGENT_VECTORS];     // at which tangent vectors come to the surface, negative
@@ -110,9 +111,16 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
     const mask moves = where & (event->crossed[k] | event->left[k]);
-    const mask came_up = point->sides.side[k] < event->side[k];
+    const real upper = point->sides.side[k];  // of one that it slid along
+    const mask came_up = upper < event->side[k];
+    rises[k] = came_up;
     point->sides.side[k] = lane_select(moves, event->side[k], point->sides.side[k]);
     point->sides.slides[k] = point->sides.slides[k] & !(where & event->left[k]);
+    if (!MODEL_RESETS(k) && !all_lanes(!(where & event->left[k]))) {
+      const mask above = !(event->side[k] < upper);
+      (void)surface_put_beside(point, &moment, k, surface_level(k, upper), above,
+                               where & event->left[k], x);
+    }
     hit[k] = where & event->crossed[k];
     met->hit[k] = MODEL_RESETS(k) ? hit[k] & came_up & (zero < rates[k]) : zero != zero;
     met->rate[k] = rates[k];
@@ -126,13 +134,22 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
     if (MODEL_RESETS(k)) continue;
-    const mask is_pushed_back = hit[k] & (rates_behind[k] * rates[k] < zero);
-    const mask is_below = is_pushed_back & (rates[k] < zero);
+    const real onwards = lane_select(rises[k], rates_behind[k], -rates_behind[k]);
+    const mask is_pushed_back = hit[k] & (onwards < zero);
+    const mask is_below = is_pushed_back & !rises[k];
     point->sides.slides[k] = point->sides.slides[k] | is_pushed_back;
     point->sides.slid = point->sides.slid | is_pushed_back;
     point->sides.side[k] = lane_select(is_below, point->sides.side[k] + one, point->sides.side[k]);
+    // What stands still behind it, as an integrator that is held at its limit, stays on that side.
+    const mask stands =
+        hit[k] & !is_pushed_back & (lane_abs(rates_behind[k]) <= SURFACE_NEAR * lane_abs(rates[k]));
+    if (all_lanes(!stands)) continue;
+    const real side = point->sides.side[k];
+    const real at = surface_level(k, lane_select(rises[k], side, side + one));
+    (void)surface_put_beside(point, &moment, k, at, rises[k], stands, x);
   }
-  surface_rebound(point, &moment, rows->h, cuts, hit, touched, met, levels, behind, rates_behind, x);
+  surface_rebound(point, &moment, rows->h, cuts, hit, touched, met, levels, behind, rates_behind,
+                  x);
   sliding_slope(point, &moment, x, behind);
 #if TANGENTS > 0
   if (beside & RK4_LINEAR) {

@@ -165,6 +165,16 @@ std::string describe_unstable_starts(const SweepResult& result) {
       count, result.status.size());
 }
 
+// Where a surface may be met too often, which shorter steps would tell.
+std::string describe_diverged(const SweepResult& result) {
+  const auto count = std::ranges::count(result.status, std::uint8_t{STATUS_diverged});
+  if (count == 0 || result.study.model->surfaces.empty()) return "";
+  return fmt::format(
+      "{} of {} points diverged: a state had no bound, or surfaces were met a hundred times within "
+      "a step; shorter steps (integrate.max_step) tell which\n",
+      count, result.status.size());
+}
+
 // Counts, for each quantity of a signal, the points that are ok at which it is infinite or no
 // number. The motion is all right there, but what the signal is made of is not, such as 1/x at x =
 // 0.
@@ -222,6 +232,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
     text += fmt::format("{} of {} trajectories stopped early, on a periodic orbit\n",
                         result.stopped, result.study.trajectories());
   }
+  text += describe_diverged(result);
   text += describe_unstable_starts(result);
   if (!result.study.accuracy.empty()) text += result.study.accuracy + "\n";
   text += describe_integrated(result.integrated, result.study.model->states.size());

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -34,8 +35,9 @@ struct HeldField::Sliding {
   std::vector<std::optional<double>> bound;
 
   Eigen::VectorXd field() const { return base + turn * share; }
-  // What gain times the result is, row by row, but for what is bound: that is 0.
-  Eigen::MatrixXd solve(Eigen::MatrixXd wanted) const {
+  // What gain times the result is, row by row, but for what is bound: that is 0. Where no turn
+  // changes what is held, as where both sides have the same field, it is no number.
+  Eigen::MatrixXd solve_any(Eigen::MatrixXd wanted) const {
     Eigen::MatrixXd left = gain;
     for (std::size_t i = 0; i < bound.size(); ++i) {
       if (!bound[i]) continue;
@@ -44,6 +46,10 @@ struct HeldField::Sliding {
       wanted.row(held::index(i)).setZero();
     }
     return left.partialPivLu().solve(wanted);
+  }
+  // The same; 0 there.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& wanted) const {
+    return solve_any(wanted).unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
   }
 };
 
