@@ -13,6 +13,9 @@ namespace gearsweep {
 namespace {
 
 constexpr double kLocalError = 1e-7, kLocalErrorOfTransient = 1e-5;  // of each state's range
+// Where steps are cut at surfaces: each return cuts them elsewhere, so that a cycle's returns
+// differ by what its steps are wrong by, and not by what that changes by.
+constexpr double kLocalErrorOfCuts = 1e-8;
 constexpr double kRate = 0.3, kRateOfTransient = 2.0;                // times the step
 // Of the range of a surface's level, at its fastest, in a step: 20 steps in a turn of a sine. Where
 // a level goes there and back within a step, both crossings are missed.
@@ -87,12 +90,13 @@ void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest)
     return shortest->take(kRate / transient.first_rate,
                           fmt::format("the start has a rate of {:.3g}", transient.first_rate));
   }
+  const double local_error = study.model->surfaces.empty() ? kLocalError : kLocalErrorOfCuts;
   const std::string error =
-      fmt::format("the error of a step is {} of each state's range", kLocalError);
+      fmt::format("the error of a step is {} of each state's range", local_error);
   shortest->take(transient.step_of(kLocalErrorOfTransient), error);
   shortest->take(kRateOfTransient / transient.rate,
                  fmt::format("the transient has a rate of {:.3g}", transient.rate));
-  shortest->take(later.step_of(kLocalError), error);
+  shortest->take(later.step_of(local_error), error);
   shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
   const double level_time = later.level_time(*study.model);
   shortest->take(kLevelWay * level_time,

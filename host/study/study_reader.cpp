@@ -184,7 +184,8 @@ void wind_clock(double step, Study* study) {
   const double steps = study->model->sections.empty() ? 0.0 : mean_return_time(*study) / step;
   study->clock_reason = steps > kMostSteps ? "a part of a return"
                         : steps > 0.0      ? "about a return"
-                                           : "128 steps, since no motion looked at comes back";
+                                           : "128 steps, since no motion looked at comes back, so "
+                                             "that averages and extremes may be of a part of it";
   Binding binding = study->model->binding;
   binding.clock = step * (steps > 0.0 ? std::clamp(rounded_up(steps), 16.0, kMostSteps) : 128.0);
   study->bind(binding);

@@ -155,6 +155,26 @@ std::string describe_agreement(const SweepResult& result) {
   return text;
 }
 
+// Without forcing the record of such a point may be a part of its motion, or of a way that is not
+// over.
+std::string describe_undecided(const SweepResult& result) {
+  const Model& model = *result.study.model;
+  const std::vector<double>* classes = find_map(result, "motion_class");
+  if (classes == nullptr || !model.is_clockless || model.sections.empty()) return "";
+  std::size_t count = 0;
+  for (std::size_t point = 0; point < classes->size(); ++point) {
+    const bool is_undecided = (*classes)[point] == double{MOTION_undecided};
+    count += result.status[point] == STATUS_ok && is_undecided ? 1 : 0;
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "{} of {} points are undecided by their returns to '{}': their averages and extremes are of "
+      "the stretch that was recorded, and need not be those of the motion; a longer "
+      "integrate.record, a shorter integrate.max_step, or a section where another state is largest "
+      "([sections.NAME] maximum_of = \"STATE\", observe.section = \"NAME\") may tell\n",
+      count, classes->size(), model.sections.front().name);
+}
+
 std::string describe_unstable_starts(const SweepResult& result) {
   const auto count = std::ranges::count(result.status, std::uint8_t{STATUS_unstable_start});
   if (count == 0) return "";
@@ -233,6 +253,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
                         result.stopped, result.study.trajectories());
   }
   text += describe_diverged(result);
+  text += describe_undecided(result);
   text += describe_unstable_starts(result);
   if (!result.study.accuracy.empty()) text += result.study.accuracy + "\n";
   text += describe_integrated(result.integrated, result.study.model->states.size());

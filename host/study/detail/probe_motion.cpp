@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -21,6 +22,8 @@ constexpr double kNoise = 1e-5;
 // Of all time: a motion with such steps has come to a time that it does not pass.
 constexpr double kShortestStep = 1e-12;
 constexpr double kSamePhase = 1e-9;
+constexpr int kMostHidden = 20;  // halvings of a step: what has no bound there is at a point
+constexpr std::size_t kMostTaken = 10;
 
 std::vector<double> bounds_of(const Model& model, const ModelSetting& setting) {
   std::vector<double> breaks = model.break_phases(setting);
@@ -77,10 +80,13 @@ ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<d
       point_(model.prepare(setting_)),
       row_at_(model.phase_rows(setting_)),
       held_(model, point_.get()),
+      is_rough_(model.is_rough || !model.uncorrected.empty() ||
+                !model.state_jumps(setting_).empty()),
       period_(point_->period()),
       bounds_(bounds_of(model, setting_)),
       x_(std::move(start)) {
   if (is_forced_) find_pulses();
+  if (!is_forced_ && model.surfaces.empty()) reach_.emplace(model, setting_);
 }
 
 void ProbeMotion::find_pulses() {
@@ -130,9 +136,10 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
   stretch.rounding.assign(x_.size(), 0.0);
   look_at_signals(&stretch);
   const std::size_t between = steps_between_rates(x_.size());
-  double turns = 0.0;  // periods that were gone through
-  for (std::size_t done = 0; done < steps && !escapes_; ++done) {
-    if (done % between == 0) {
+  double turns = 0.0;    // periods that were gone through
+  std::size_t done = 0;  // steps that were not shortened because of what they may hide
+  for (std::size_t taken = 0; done < steps && taken < kMostTaken * steps && !escapes_; ++taken) {
+    if (taken % between == 0) {
       look_at_rates(&stretch);
       // A forcing may be slower than all this: look at each part of its period.
       const double due = static_cast<double>(done) / static_cast<double>(steps);
@@ -157,10 +164,19 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     if (meets_pulse) length = (pulse - phase_) * period_;
     Trial trial = attempt(stretch, length);
     bool is_smooth = true;
-    while (!(trial.excess <= kMaxError)) {
+    double fit = length;  // as long as the error lets it be
+    int hidden = 0;       // halvings because of what a step may hide
+    while (!(trial.excess <= kMaxError) ||
+           (hidden < kMostHidden && hides_something(stretch, trial, length))) {
+      if (trial.excess <= kMaxError) {
+        ++hidden;
+        --halvings_left_;
+      }
       Trial half = attempt(stretch, 0.5 * length);
-      is_smooth = !(half.excess > trial.excess / 8.0);
+      is_smooth = !(half.excess > trial.excess / 8.0) || trial.excess <= kMaxError ||
+                  !may_bend(trial, length, phase_ + length / period_);
       if (!is_smooth && std::isfinite(trial.excess)) break;
+      if (!(trial.excess <= kMaxError)) fit = 0.5 * length;
       length *= 0.5;
       trial = std::move(half);
       escapes_ = !(length >= kShortestStep * (time_ + length_)) || std::isinf(length);
@@ -190,9 +206,12 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       look_at_sides();
     }
     const double factor = trial.excess > 0.0 ? std::pow(kAimedError / trial.excess, 0.2) : 2.0;
-    if (is_smooth && !is_short) {
+    if (hidden > 0) {
+      length_ = fit;
+    } else if (is_smooth && !is_short) {
       length_ = length * std::clamp(factor, 0.3, 2.0);
     }
+    if (hidden == 0) ++done;
     if (meets_pulse) length_ = std::min(length_, period_ / kPhaseSamples);
     length_ = std::min(length_, max_length);
     escapes_ = length_ < kShortestStep * time_;
@@ -316,7 +335,8 @@ ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) {
   const StepMoments moment_at = moments_of(length);
   const std::vector<double> whole = step(moment_at, 0.0, 1.0, x_);
   Trial trial;
-  trial.end = step(moment_at, 0.5, 1.0, step(moment_at, 0.0, 0.5, x_));
+  trial.middle = step(moment_at, 0.0, 0.5, x_);
+  trial.end = step(moment_at, 0.5, 1.0, trial.middle);
   if (!is_finite(whole) || !is_finite(trial.end)) {
     trial.excess = std::numeric_limits<double>::infinity();
     return trial;
@@ -330,6 +350,44 @@ ProbeMotion::Trial ProbeMotion::attempt(const Stretch& stretch, double length) {
     if (range > stretch.rounding[i]) trial.excess = std::max(trial.excess, error / range);
   }
   return trial;
+}
+
+bool ProbeMotion::hides_something(const Stretch& stretch, const Trial& trial, double length) {
+  constexpr double kFar = 8.0;  // times what the slopes at the moments make of the way
+  if (!reach_ || halvings_left_ == 0) return false;
+  const std::size_t states = x_.size();
+  std::vector<double> low = x_, high = x_, slopes(states * states), largest(states * states);
+  const std::vector<double> coefs = coefs_at(phase_);
+  for (const std::vector<double>* at : std::array{&std::as_const(x_), &trial.middle, &trial.end}) {
+    for (std::size_t i = 0; i < states; ++i) {
+      low[i] = std::min(low[i], (*at)[i]);
+      high[i] = std::max(high[i], (*at)[i]);
+    }
+    point_->jacobian(coefs.data(), at->data(), slopes.data());
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+      largest[i] = std::max(largest[i], std::abs(slopes[i]));
+    }
+  }
+  const std::vector<double> ranges = reach_->rate_ranges(low, high);
+  for (std::size_t i = 0; i < states; ++i) {
+    double seen = 0.0;
+    for (std::size_t j = 0; j < states; ++j) seen += largest[i * states + j] * (high[j] - low[j]);
+    const double range = std::max(stretch.high[i], high[i]) - std::min(stretch.low[i], low[i]);
+    if (ranges[i] * length > kMaxError * range && ranges[i] > kFar * seen) return true;
+  }
+  return false;
+}
+
+bool ProbeMotion::may_bend(const Trial& trial, double length, double end_phase) {
+  if (is_rough_ || crosses_limit(trial.middle, phase_ + 0.5 * length / period_) ||
+      crosses_limit(trial.end, std::min(end_phase, 1.0))) {
+    return true;
+  }
+  if (model_.surfaces.empty()) return false;
+  std::vector<double> end = trial.end;
+  const StepMoments moment_at = moments_of(length);
+  held_.put_back(moment_at(1.0).data(), end.data());
+  return held_.left_behind(moment_at(1.0).data(), end.data()).has_value();
 }
 
 bool ProbeMotion::crosses_limit(const std::vector<double>& end, double end_phase) const {

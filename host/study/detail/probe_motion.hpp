@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/held_step.hpp"
 #include "model/model.hpp"
+#include "study/detail/field_reach.hpp"
 
 namespace gearsweep {
 
@@ -53,7 +55,7 @@ class ProbeMotion {
 
  private:
   struct Trial {
-    std::vector<double> end, errors;
+    std::vector<double> middle, end, errors;
     double excess = 0.0;  // the largest error, relative to the state's range
   };
 
@@ -69,6 +71,11 @@ class ProbeMotion {
   std::vector<double> step(const StepMoments& moment_at, double begin, double end,
                            const std::vector<double>& from);
   Trial attempt(const Stretch& stretch, double length);
+  // Whether the equations may have more between the moments of a step than these show.
+  bool hides_something(const Stretch& stretch, const Trial& trial, double length);
+  // Whether a bend or a jump that steps know of explains what a step to `end` is wrong by; what
+  // else looks like one is steep.
+  bool may_bend(const Trial& trial, double length, double end_phase);
   StepMoments moments_of(double length) const;
   // Sets the sides of surfaces by where it is.
   void look_at_sides();
@@ -83,6 +90,8 @@ class ProbeMotion {
   const std::unique_ptr<PreparedPoint> point_;
   const Model::PhaseRow row_at_;
   HeldField held_;
+  std::optional<FieldReach> reach_;  // of a model whose field neither jumps nor has a phase
+  const bool is_rough_;              // it bends or jumps where steps do not know of it
   const double period_;
   std::vector<double> bounds_;  // of the segments between jumps, from 0 to 1
   // Where coefficients begin to change much faster than on average, rising. A step from well before
@@ -95,6 +104,9 @@ class ProbeMotion {
   double time_ = 0.0;    // since the start
   double level_ = 0.0;   // of the first section
   std::vector<double> returns_;
+  // Of steps that may hide something. Where equations have no bound on a motion's way, that never
+  // ends.
+  std::size_t halvings_left_ = 10000;
   bool escapes_ = false;
 };
 
