@@ -84,6 +84,7 @@ struct ModelDefinition {
   ExpressionText period;  // in dimensionless time; of parameters alone
   // Of a model without forcing: what its time is counted in, of which `period` is the text.
   std::optional<double> clock;
+  std::optional<std::size_t> looked_at = {};  // Binding::looked_at
   // The rate of the last state, `phase2`, of parameters alone. Empty: there is no such state.
   std::optional<ExpressionText> second;
   // How many of these make a period of the forcing, whole, of parameters alone: `turn` counts them

@@ -126,12 +126,13 @@ std::optional<std::size_t> find_reset(const Formula& formula, std::size_t state)
 }
 
 // A motion without a clock is looked at where its first state that moves, and is no angle, is
-// largest, where its file and the study say nothing else; where a surface resets that state, right
-// behind the surface: the state may have no maximum then. Of angles alone the sine of the first is
-// looked at, which is largest once in a turn, and once in a swing.
+// largest, where its file and the study say nothing else and Binding::looked_at no other; where a
+// surface resets that state, right behind the surface: the state may have no maximum then. Of
+// angles alone the sine of the first is looked at, which is largest once in a turn, and once in a
+// swing.
 void add_own_section(ModelDefinition* definition, Formula* formula) {
   if (!definition->sections.empty() || has_phase(*formula)) return;
-  std::optional<std::size_t> state;
+  std::optional<std::size_t> state = definition->looked_at;
   for (std::size_t i = 0; i < definition->states.size() && !state; ++i) {
     const bool moves = !formula->graph.is_number(formula->equations[i], 0.0);
     if (!definition->are_angles[i] && (moves || find_reset(*formula, i))) state = i;
@@ -244,6 +245,7 @@ ModelDefinition bound(ModelDefinition definition, const Binding& binding) {
     definition.clock = binding.clock;
     definition.period.text = fmt::format("{}", binding.clock);
   }
+  definition.looked_at = binding.looked_at;
   return definition;
 }
 
@@ -291,6 +293,9 @@ Model make_model(const ModelDefinition& given) {
   set_derived(tapes, derived, &model);
   model.contacts = contacts;
   model.sections = sections;
+  if (given.sections.empty() && sections.size() == 1) {
+    model.sections.front().is_own = sections.front().name == kMaxima;
+  }
   model.corners = lowered.contacts.list.size() - contacts.size();
   for (const RoughPlace& place : lowered.uncorrected) {
     model.uncorrected.push_back(
@@ -349,6 +354,7 @@ Model make_model(const ModelDefinition& given) {
   model.clocks = given.second ? 1 : 0;
   model.binding = {given.given_curves, given.choices, given.swept, given.expressions};
   if (given.clock) model.binding.clock = *given.clock;
+  model.binding.looked_at = given.looked_at;
   model.bound = [defined = std::make_shared<const ModelDefinition>(given)](const Binding& binding) {
     return make_model(bound(*defined, binding));
   };

@@ -47,8 +47,9 @@ class HeldField {
   // A surface on whose side a state is not any more, or along which it slid and does not; after
   // the surfaces, the limits of the contacts.
   std::optional<std::size_t> left_behind(const double* coefs, const double* x);
-  // Goes on behind that surface; cuts: of the step, this one counted. Tangents jump by the saltation matrix (R. I. Leine, H. Nijmeijer,
-  // Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004, chapter 7).
+  // Goes on behind that surface; cuts: of the step, this one counted. Tangents jump by the
+  // saltation matrix (R. I. Leine, H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical
+  // Systems, 2004, chapter 7).
   void pass(std::size_t surface, const double* coefs, int cuts, HeldMotion* motion);
 
   bool slides() const;

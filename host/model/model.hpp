@@ -109,6 +109,7 @@ struct SectionInfo {
   // Signals: the level is 0 there; its rate along the motion; the size of its terms, whose rounding
   // the level must leave.
   std::size_t level = 0, rate = 0, size = 0;
+  bool is_own = false;  // of no file: the maxima of a state (Binding::looked_at)
 };
 
 // What is worked out of all surfaces. A motion may stay at one: along a jump its level is held, at
@@ -218,6 +219,9 @@ struct Binding {
   // Of derived parameters: the equations have these in their place.
   ParameterExpressions expressions = {};
   double clock = 1.0;  // of a model without forcing, in its time
+  // The state whose maxima such a model is judged by, where its file names no section; nothing: the
+  // first that moves.
+  std::optional<std::size_t> looked_at = {};
   bool operator==(const Binding&) const = default;
 };
 

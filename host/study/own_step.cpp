@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "equations/field_graph.hpp"
 #include "study/detail/probe_motion.hpp"
 
 namespace gearsweep {
@@ -16,7 +18,7 @@ constexpr double kLocalError = 1e-7, kLocalErrorOfTransient = 1e-5;  // of each 
 // Where steps are cut at surfaces: each return cuts them elsewhere, so that a cycle's returns
 // differ by what its steps are wrong by, and not by what that changes by.
 constexpr double kLocalErrorOfCuts = 1e-8;
-constexpr double kRate = 0.3, kRateOfTransient = 2.0;                // times the step
+constexpr double kRate = 0.3, kRateOfTransient = 2.0;  // times the step
 // Of the range of a surface's level, at its fastest, in a step: 20 steps in a turn of a sine. Where
 // a level goes there and back within a step, both crossings are missed.
 constexpr double kLevelWay = 0.15;
@@ -169,6 +171,31 @@ double mean_return_time(const Study& study) {
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::ranges::nth_element(times, middle);
   return *middle;
+}
+
+std::optional<std::size_t> better_state_to_look_at(const Study& study) {
+  constexpr std::size_t kStretches = 8;
+  const Model& model = *study.model;
+  std::vector<std::size_t> good(model.states.size(), 0);
+  for (const ProbeStart& start : probe_starts(study)) {
+    ProbeMotion motion(model, start.setting, start.state);
+    motion.go_on(kSteps);
+    motion.watch_peaks();
+    for (std::size_t i = 0; i < kStretches && !motion.escapes(); ++i) motion.go_on(kSteps);
+    if (motion.escapes()) continue;
+    const std::vector<bool> has_peaks = motion.has_peaks();
+    for (std::size_t i = 0; i < good.size(); ++i) good[i] += has_peaks[i] ? 1 : 0;
+  }
+  for (const std::size_t angle : model.angles) good[angle] = 0;
+  const auto is_looked_at = [&](std::size_t state) {
+    return !model.field->graph.is_number(model.field->rates[state], 0.0) &&
+           std::ranges::find(model.angles, state) == model.angles.end();
+  };
+  std::size_t own = 0;
+  while (own + 1 < good.size() && !is_looked_at(own)) ++own;
+  const auto best = std::ranges::find_if(good, [](std::size_t starts) { return starts > 0; });
+  if (best == good.end() || good[own] > 0) return std::nullopt;
+  return static_cast<std::size_t>(best - good.begin());
 }
 
 std::map<std::string, double> motion_ranges(const Study& study) {

@@ -18,7 +18,9 @@
 // whose error does not fall as they are halved, where the right-hand side jumps.
 #pragma once
 
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "study/study.hpp"
@@ -47,5 +49,11 @@ double mean_return_time(const Study& study);
 // What each state and signal ranges over in the later half of such motions, by name: the median of
 // the points. It knows no offset. Without motions that go to infinity.
 std::map<std::string, double> motion_ranges(const Study& study);
+
+// The state by whose maxima motions of a model without forcing are judged, where those of the state
+// that its own section looks at tell nothing: it decays, it is conserved, or it stays at its
+// largest value, so that rounding says when that is. The first whose maxima are peaks in some of
+// the motions looked at; nothing where the own section does, or where none is better.
+std::optional<std::size_t> better_state_to_look_at(const Study& study);
 
 }  // namespace gearsweep

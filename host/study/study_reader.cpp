@@ -191,6 +191,15 @@ void wind_clock(double step, Study* study) {
   study->bind(binding);
 }
 
+// At another state, where the model's own section tells nothing of its motions.
+void look_elsewhere(Study* study) {
+  const std::vector<SectionInfo>& sections = study->model->sections;
+  if (sections.size() != 1 || !sections.front().is_own) return;
+  Binding binding = study->model->binding;
+  binding.looked_at = better_state_to_look_at(*study);
+  if (binding.looked_at) study->bind(binding);
+}
+
 // The step of a study that names none, and the clock of a model that has none.
 void find_steps(Study* study) {
   const Integrate& given = study->integrate;
@@ -199,6 +208,7 @@ void find_steps(Study* study) {
   const double models = study->model->max_step;
   std::optional<OwnStep> own;
   if (needs_step || (needs_clock && models == 0.0)) own = find_own_step(*study);
+  if (needs_clock) look_elsewhere(study);
   if (needs_clock) wind_clock(models > 0.0 ? models : own->longest, study);
   if (!needs_step) return;
   study->integrate.max_step = needs_clock ? own->longest : own->step;  // that divides the clock

@@ -354,5 +354,42 @@ quantities = ["attractor"]
   }
 }
 
+// Roessler's cycle beside a state that decays, one that is conserved but for rounding, and one that
+// saturates: in each order they are judged by a state that has peaks.
+TEST(Clockless, AreJudgedByAStateThatHasPeaks) {
+  for (const auto& [rate, push] : {std::pair("-0.05*s", 1.0),
+                                   {"0*x", 0.0},
+                                   {"x*y - y*x", 0.0},
+                                   {"-20*(s - tanh(200*y))", 0.0}}) {
+    for (const char* order : {"s = { start = '1' }\nx = { start = '1' }\ny = {}\nz = {}",
+                              "y = {}\nz = {}\nx = { start = '1' }\ns = { start = '1' }"}) {
+      SCOPED_TRACE(fmt::format("{} {}", rate, order));
+      const SweepResult result = run(fmt::format(R"toml([model]
+text = """
+[model]
+name = "beside"
+[states]
+{}
+[parameters]
+c = 2.5
+[equations]
+x = "-y - z + {}*s"
+y = "x + 0.2*y"
+z = "0.2 + z*(x - c)"
+s = "{}"
+"""
+[[axes]]
+name = "c"
+values = [2.5]
+[observe]
+quantities = ["motion_class", "cycle_time"]
+)toml",
+                                                 order, push, rate));
+      EXPECT_EQ(map_of(result, "motion_class")[0], MOTION_periodic);
+      EXPECT_NEAR(map_of(result, "cycle_time")[0], 5.748991183, 1e-5);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

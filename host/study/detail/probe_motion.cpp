@@ -200,6 +200,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     phase_ = end_phase;
     look_at_signals(&stretch);
     look_at_levels(&stretch);
+    look_at_peaks(stretch, length);
     if (is_at_end) {
       segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
       phase_ = bounds_[segment_];
@@ -251,6 +252,38 @@ void ProbeMotion::look_at_levels(Stretch* stretch) {
     stretch->high_levels[k] = std::max(stretch->high_levels[k], now.value[k]);
     stretch->level_speeds[k] = std::max(stretch->level_speeds[k], std::abs(now.rate[k]));
   }
+}
+
+void ProbeMotion::look_at_peaks(const Stretch& stretch, double length) {
+  if (peaks_.empty()) return;
+  std::vector<double> rates(x_.size());
+  held_.rhs(coefs_at(phase_).data(), x_.data(), rates.data());
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
+    Peaks& peaks = peaks_[i];
+    if (peaks.rate > 0.0 && rates[i] <= 0.0) {
+      if (peaks.count == 0) peaks.first = time_;
+      ++peaks.count;
+      peaks.last = time_;
+      peaks.turns += (peaks.rate - rates[i]) / length;
+    }
+    peaks.rate = rates[i];
+    peaks.fastest = std::max(peaks.fastest, std::abs(rates[i]));
+    peaks.low = peaks.count == 0 ? x_[i] : std::min(peaks.low, x_[i]);
+    peaks.high = peaks.count == 0 ? x_[i] : std::max(peaks.high, x_[i]);
+    peaks.rounding = stretch.rounding[i];
+  }
+}
+
+std::vector<bool> ProbeMotion::has_peaks() const {
+  constexpr double kTurn = 0.05;  // of 2 pi of a sine
+  std::vector<bool> out;
+  for (const Peaks& peaks : peaks_) {
+    const auto count = static_cast<double>(peaks.count);
+    const double apart = (peaks.last - peaks.first) / (count - 1.0);
+    out.push_back(peaks.count > 2 && peaks.high - peaks.low > peaks.rounding &&
+                  peaks.turns / count * apart > kTurn * peaks.fastest);
+  }
+  return out;
 }
 
 void ProbeMotion::look_at_section(const std::vector<double>& signals, double time) {

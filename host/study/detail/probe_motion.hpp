@@ -52,6 +52,11 @@ class ProbeMotion {
   // Times at which it came up through the model's first section, at the ends of steps.
   const std::vector<double>& returns() const { return returns_; }
   double period() const { return period_; }
+  // From now on maxima of each state are looked at.
+  void watch_peaks() { peaks_.assign(x_.size(), {}); }
+  // [state]: whether it came to maxima, and turned there as fast as what comes and goes does. A
+  // state that stays at its largest value does not, nor one that varies by rounding.
+  std::vector<bool> has_peaks() const;
 
  private:
   struct Trial {
@@ -59,7 +64,18 @@ class ProbeMotion {
     double excess = 0.0;  // the largest error, relative to the state's range
   };
 
+  // Of the maxima of a state.
+  struct Peaks {
+    std::size_t count = 0;
+    double first = 0.0, last = 0.0;  // times
+    double turns = 0.0;              // sum of the rates at which its rate falls there
+    double fastest = 0.0;            // rate of the state, up or down
+    double rate = 0.0;               // where the last step ended
+    double low = 0.0, high = 0.0, rounding = 0.0;
+  };
+
   std::vector<double> coefs_at(double phase) const;
+  void look_at_peaks(const Stretch& stretch, double length);
   void find_pulses();
   // The next phase, behind this one, at which a pulse begins; above 1 where there is none.
   double next_pulse(double phase) const;
@@ -104,6 +120,7 @@ class ProbeMotion {
   double time_ = 0.0;    // since the start
   double level_ = 0.0;   // of the first section
   std::vector<double> returns_;
+  std::vector<Peaks> peaks_;  // [state]; empty: nobody looks
   // Of steps that may hide something. Where equations have no bound on a motion's way, that never
   // ends.
   std::size_t halvings_left_ = 10000;
