@@ -78,7 +78,10 @@ TEST(InsideSteps, ExtremesAndAveragesOfEveryModelAreOfFourthOrder) {
       EXPECT_LT(at_once, 1e-4);
     }
     // A force of the power 3/2 bends without limit where it begins: steps there are of order 5/2.
-    const double order = model.name == "hertz" ? 2.3 : 3.5;
+    // Without forcing, averages look through a window that has one weight for a step: of second
+    // order in the step over the record, which is short here.
+    const bool has_window = model.is_clockless;
+    const double order = has_window ? 1.5 : model.name == "hertz" ? 2.3 : 3.5;
     if (compared == 0.0) continue;
     EXPECT_GT((coarse - usual) / compared, order) << "mean order of " << compared;
   }

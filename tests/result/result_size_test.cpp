@@ -48,7 +48,8 @@ class ResultSizeTest : public gearsweep::testing::IoTest {
         random_() % 3 == 0 ? all_quantities(model)
         : random_() % 2 == 0
             ? fmt::format("['{}_rms', 'poincare', 'attractor']", model.states[0].name)
-            : "['attractor_count', 'motion_class', 'section_min']";
+            : fmt::format("['attractor_count', 'motion_class', '{}']",
+                          model.is_clockless ? "settling_time" : "section_min");
     const std::string states =
         random_() % 2 == 0 ? all_states(model) : fmt::format("['{}']", model.states.back().name);
     toml += fmt::format("[observe]\nquantities = {}\npoincare = {}\n", quantities, states);

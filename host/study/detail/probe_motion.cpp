@@ -174,7 +174,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       }
       Trial half = attempt(stretch, 0.5 * length);
       is_smooth = !(half.excess > trial.excess / 8.0) || trial.excess <= kMaxError ||
-                  !may_bend(trial, length, phase_ + length / period_);
+                  (!is_forced_ && !may_bend(trial, length, phase_ + length / period_));
       if (!is_smooth && std::isfinite(trial.excess)) break;
       if (!(trial.excess <= kMaxError)) fit = 0.5 * length;
       length *= 0.5;
