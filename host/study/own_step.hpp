@@ -15,7 +15,8 @@
 // zoo (Model::max_step) come out within a factor of two or three.
 //
 // Steps in which a contact's limit is crossed are not counted, as devices correct them; nor those
-// whose error does not fall as they are halved, where the right-hand side jumps.
+// whose error does not fall as they are halved, where the right-hand side bends or jumps; where a
+// model without a phase does neither, it is steep, and the steps are halved on.
 #pragma once
 
 #include <cstddef>
