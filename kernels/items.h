@@ -19,7 +19,8 @@
 
 // The parameters of a tile, in the model's order. `uniform` has one value of each. `swept` has a
 // row for each parameter that is an axis, with a value for each point. `swept_rows` has the row of
-// each parameter, or NOT_SWEPT. So a program does not depend on the study's axes.
+// each parameter, or NOT_SWEPT. So a program does not depend on the study's axes. The last number
+// of `uniform` is the period that time is counted in where there is no clock.
 #define PARAMETER_TABLES TABLE scalar *uniform, TABLE uint *swept_rows, TABLE real *swept
 
 #define LOAD_PARAMETER(name, unit, value, min, max, shapes_phase, meaning)                      \
@@ -36,6 +37,9 @@ SHARED_FN void load_point(uint items, uint item, PARAMETER_TABLES, ModelPoint* p
   int number = 0;
   MODEL_PARAMETERS(LOAD_PARAMETER)
   model_prepare(&parameters, options, point);
+#ifdef MODEL_CLOCKLESS
+  point->period = uniform[number];
+#endif
 }
 
 SHARED_FN void load_components(__global const real* buffer, uint items, uint item, uint first,

@@ -175,16 +175,28 @@ double mean_return_time(const Study& study) {
 
 std::optional<std::size_t> better_state_to_look_at(const Study& study) {
   constexpr std::size_t kStretches = 8;
+  constexpr double kStill = 0.1;  // of its range: a state that moves less at the end has swung out
   const Model& model = *study.model;
   std::vector<std::size_t> good(model.states.size(), 0);
   for (const ProbeStart& start : probe_starts(study)) {
     ProbeMotion motion(model, start.setting, start.state);
     motion.go_on(kSteps);
     motion.watch_peaks();
-    for (std::size_t i = 0; i < kStretches && !motion.escapes(); ++i) motion.go_on(kSteps);
+    ProbeMotion::Stretch all = motion.go_on(kSteps);
+    ProbeMotion::Stretch last = all;
+    for (std::size_t i = 1; i < kStretches && !motion.escapes(); ++i) {
+      last = motion.go_on(kSteps);
+      for (std::size_t j = 0; j < good.size(); ++j) {
+        all.low[j] = std::min(all.low[j], last.low[j]);
+        all.high[j] = std::max(all.high[j], last.high[j]);
+      }
+    }
     if (motion.escapes()) continue;
     const std::vector<bool> has_peaks = motion.has_peaks();
-    for (std::size_t i = 0; i < good.size(); ++i) good[i] += has_peaks[i] ? 1 : 0;
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      const bool moves = last.high[i] - last.low[i] > kStill * (all.high[i] - all.low[i]);
+      good[i] += has_peaks[i] && moves ? 1 : 0;
+    }
   }
   for (const std::size_t angle : model.angles) good[angle] = 0;
   const auto is_looked_at = [&](std::size_t state) {
@@ -193,8 +205,8 @@ std::optional<std::size_t> better_state_to_look_at(const Study& study) {
   };
   std::size_t own = 0;
   while (own + 1 < good.size() && !is_looked_at(own)) ++own;
-  const auto best = std::ranges::find_if(good, [](std::size_t starts) { return starts > 0; });
-  if (best == good.end() || good[own] > 0) return std::nullopt;
+  const auto best = std::ranges::max_element(good);
+  if (*best == good[own]) return std::nullopt;
   return static_cast<std::size_t>(best - good.begin());
 }
 

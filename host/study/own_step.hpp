@@ -53,8 +53,9 @@ std::map<std::string, double> motion_ranges(const Study& study);
 
 // The state by whose maxima motions of a model without forcing are judged, where those of the state
 // that its own section looks at tell nothing: it decays, it is conserved, or it stays at its
-// largest value, so that rounding says when that is. The first whose maxima are peaks in some of
-// the motions looked at; nothing where the own section does, or where none is better.
+// largest value, so that rounding says when that is. It has peaks, and goes on moving, in most of
+// the motions looked at, the first of several such states; nothing where none is better than the
+// own section's.
 std::optional<std::size_t> better_state_to_look_at(const Study& study);
 
 }  // namespace gearsweep

@@ -286,7 +286,8 @@ TEST(StateMoments, AreThoseOfTheReferenceEngine) {
   const std::string section =
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65]\n";
   const std::string motion =
-      "[model]\nname = 'rossler'\n[initial]\npolicy = 'fixed'\n[initial.state]\nx = 1\ny = 2\n"
+      "[model]\nname = 'rossler'\n[parameters]\nc = 3.0\n[initial]\npolicy = "
+      "'fixed'\n[initial.state]\nx = 1\ny = 2\n"
       "z = 3\n[[axes]]\nname = 'a'\nvalues = [0.2]\n";
   for (const std::string& study : {section, motion}) {
     const SweepResult kernel = run(study + quantities);

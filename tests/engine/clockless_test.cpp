@@ -127,7 +127,7 @@ TEST(Clockless, AreJudgedAlikeByBothEngines) {
         "name = 'brusselator'\n[parameters]\nb = 1.6", "name = 'rossler'\n[parameters]\nc = 3.4"}) {
     SCOPED_TRACE(given);
     const std::string study = fmt::format(
-        "[model]\n{}\n[[axes]]\nname = 'x'\nfrom = 0.4\nto = 1.1\ncount = 8\n[integrate]\n"
+        "[model]\n{}\n[[axes]]\nname = 'x'\nfrom = 0.4\nto = 1.1\ncount = 3\n[integrate]\n"
         "settle = 300\nrecord = 300\nextend = 1\n[observe]\n"
         "quantities = ['motion_class', 'period', 'cycle_time']\n",
         given);

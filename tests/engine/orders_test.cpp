@@ -114,7 +114,7 @@ TEST(Orders, HaveTheEnergyOfTheMotion) {
 TEST(Orders, AgreeWithTheReferenceEngine) {
   for (const std::string model :
        {"name = 'gear5'\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.7, 1.3, 1.7]\n",
-        "name = 'lorenz'\n[[axes]]\nname = 'x'\nvalues = [0.5, 1.0]\n"}) {
+        "name = 'vanderpol'\n[[axes]]\nname = 'x'\nvalues = [0.5, 1.0]\n"}) {
     const std::string first = model.find("gear5") != std::string::npos ? "x1" : "x";
     const std::string study =
         "[model]\n" + model +

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "study/builtin_models.hpp"
 #include "study/refusal.hpp"
 #include "support/run.hpp"
 
@@ -26,9 +27,11 @@ std::string section_study(const std::string& model, const std::string& section,
                      section, axis, integrate, rest, kReturns);
 }
 
+// With a clock, so that records and samples are by the time.
 std::string rossler(const std::string& axis, const std::string& integrate,
                     const std::string& rest = "") {
-  return section_study("name = 'rossler'", "maximum_of = 'x'", axis, integrate, rest);
+  const std::string text = find_model("rossler")->text + "[forcing]\nperiod = 1.0\n";
+  return section_study("text = '''" + text + "'''", "maximum_of = 'x'", axis, integrate, rest);
 }
 
 // Maxima of x from x = y = 1, z = 0.5 with c = 5.7, by DOP853 (E. Hairer, S. P. Norsett, G. Wanner,

@@ -446,15 +446,12 @@ TEST(ZooBouncingBall, TendsToTheBounceOnARigidTable) {
 // The divergence is -alpha (1 + m0) - 1 between the corners and -alpha (1 + m1) - 1 beyond them, so
 // the sum of the exponents tells the share of the time in between.
 TEST(ZooChua, ExponentsAddUpByTheTimeBetweenTheCorners) {
-  const Points points = {.model = "chua",
-                         .parameters = "",
-                         .axis = "name = 'x'\nfrom = 0.0\nto = 0.007\ncount = 8",
-                         .start = "policy = 'fixed'\nstate = {z = 0.6}",
-                         .quantities = "'lyapunov_spectrum', 'contact_gap'",
-                         .settle = 100,
-                         .record = 1000,
-                         .steps = 50};
-  const SweepResult result = points.run();
+  // With a clock, so that shares of time count all of it alike, as the exponents do.
+  const SweepResult result = run(
+      "[model]\ntext = '''" + find_model("chua")->text + "[forcing]\nperiod = 1.0\n'''\n" +
+      "[[axes]]\nname = 'x'\nfrom = 0.0\nto = 0.007\ncount = 8\n[initial]\npolicy = 'fixed'\n"
+      "state = {z = 0.6}\n[integrate]\nsettle = 100\nrecord = 1000\nsteps_per_period = 50\n"
+      "extend = 1\nstop = 'never'\n[observe]\nquantities = ['lyapunov_spectrum', 'contact_gap']\n");
   const std::vector<double>& spectrum = map_of(result, "lyapunov_spectrum");
   for (std::size_t i = 0; i < 8; ++i) {
     const double sum = spectrum[3 * i] + spectrum[3 * i + 1] + spectrum[3 * i + 2];

@@ -67,10 +67,10 @@ TEST_F(PointResultTest, GivesXarrayTheColumnsAsCoordinates) {
   EXPECT_EQ(spoken.text, "['mu', 'point', 'v1'] 1.1\n");
 }
 
-// rossler has a parameter called as a quantity.
 TEST_F(PointResultTest, RunsAgainWhereAColumnHasTheNameOfAMap) {
   SweepResult result =
-      result_of("[model]\nname = 'rossler'\n[points]\nnames = ['period', 'x']\nnumbers = '5, 1'\n");
+      result_of(gearsweep::testing::kPushed +
+                std::string("[points]\nnames = ['period', 'x']\nnumbers = '5, 1'\n"));
   result.study.selection = select_quantities(*result.study.model, {"x_rms", "period"}, {});
   result.samples.clear();
   const std::string path = write(result);

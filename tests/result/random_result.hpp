@@ -11,6 +11,7 @@
 
 #include "engine/result.hpp"
 #include "engine/trace.hpp"
+#include "study/builtin_models.hpp"
 
 namespace gearsweep::testing {
 
@@ -38,7 +39,9 @@ inline std::vector<std::string> sweepable(const Model& model) {
 
 // Over one value of each axis, of all that a study can ask for.
 inline Study study_of_all(const Model& model, const std::vector<std::string>& axes) {
-  std::string toml = fmt::format("[model]\nname = '{}'\n", model.name);
+  std::string toml = find_model(model.name) != nullptr
+                         ? fmt::format("[model]\nname = '{}'\n", model.name)
+                         : fmt::format("[model]\ntext = '''{}'''\n", model.text);
   for (const std::string& axis : axes) {
     const int parameter = model.find_parameter(axis);
     const double value =

@@ -21,6 +21,26 @@ inline std::string coarse_study(std::size_t omega_count, std::size_t e0_count,
          (e0_count > 0 ? axis("e0", 0.1, 0.7, e0_count) : "") + rest;
 }
 
+// A model with a parameter that is called as a quantity, `period`: from push to push. It needs an
+// axis yet.
+inline constexpr const char* kPushed = R"toml([model]
+text = """
+[model]
+name = "pushed"
+[states]
+x = {}
+v = {}
+[parameters]
+period = { value = 1.0, min = 0.5, max = 10.0, meaning = "time from push to push" }
+c = 0.2
+[equations]
+x = "v"
+v = "sin(phase) - x - c*v"
+[forcing]
+period = "period"
+"""
+)toml";
+
 // Extremes and averages of all channels of a model, and its sections. Tests that ask for the same
 // share the kernels, which take longer to build than to run.
 inline std::string observe_all_of(const Model& model) {

@@ -106,13 +106,14 @@ std::vector<Group> motion_groups(const SweepResult& result) {
 }
 
 // What the largest Lyapunov exponent and the 0-1 test say, as far as the study has them. An
-// exponent has a sign when it differs from zero by more than three of its errors.
+// exponent has a sign when it differs from zero by more than three of its errors. A cycle that
+// nothing drives has an exponent 0, whose sign says nothing without the error.
 std::vector<Group> verdict_groups(const SweepResult& result) {
   std::vector<Group> groups;
   const std::vector<double>* exponent = find_map(result, "lyapunov_max");
   const std::vector<double>* error = find_map(result, "lyapunov_max_error");
   const std::vector<double>* zero_one = find_map(result, "zero_one");
-  if (exponent != nullptr) {
+  if (exponent != nullptr && (error != nullptr || !result.study.model->is_clockless)) {
     const auto sign = [exponent, error](std::size_t point) {
       const double margin = error == nullptr ? 0.0 : 3.0 * (*error)[point];
       const double value = (*exponent)[point];

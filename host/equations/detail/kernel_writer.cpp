@@ -178,10 +178,10 @@ class KernelWriter {
 
   void write_point() {
     out_ += "\n// What a point needs in the inner loop.\ntypedef struct {\n  real period;\n";
-    std::vector<Assignment> assignments = {{"point->period", formula_->period}};
+    std::vector<Assignment> assignments;
     const auto add = [&](const std::vector<NodeId>& symbols, const std::vector<NodeId>& values) {
       for (std::size_t i = 0; i < symbols.size(); ++i) {
-        out_ += fmt::format("  real c{};  // {}\n", assignments.size() - 1,
+        out_ += fmt::format("  real c{};  // {}\n", assignments.size(),
                             to_short_text(*graph_, values[i], formula_->names));
         assignments.emplace_back(names_.at(symbols[i]), values[i]);
       }
@@ -190,6 +190,11 @@ class KernelWriter {
     add(tangent_.point, tangent_.point_values);
     if (!lowered_.surfaces.empty()) out_ += "  Sides sides;  // that are held\n";
     out_ += "} ModelPoint;\n";
+    // A period that only counts time is given to the kernels as a number (items.h): a program does
+    // not depend on what a study's motions were found to take.
+    if (!definition_.clock) {
+      assignments.insert(assignments.begin(), {"point->period", formula_->period});
+    }
     write_function("model_prepare",
                    "const ModelParameters* p, ModelOptions options, ModelPoint* point", assignments,
                    "p options");

@@ -143,8 +143,10 @@ TileInputs Launcher::prepare(const Plan& plan, const Tile& tile) {
   for (const std::size_t slot : inputs.slots.slot_of) {
     inputs.steps_per_period += static_cast<double>(bank_.steps[item_grid[slot / lanes_]]);
   }
+  std::vector<double> uniform = plan.study().setting.parameters;
+  uniform.push_back(plan.study().model->binding.clock);
   inputs.arguments = {
-      upload(plan.study().setting.parameters, CL_MEM_READ_ONLY),
+      upload(uniform, CL_MEM_READ_ONLY),
       upload(swept_rows(plan)),
       upload(swept_values(plan, tile, inputs.slots), CL_MEM_READ_ONLY),
       upload(item_grid),

@@ -1,7 +1,7 @@
 // What parameters and initial states are called in a file.
 //
 // They are called what the study calls them, but for those whose name something else in the file
-// bears, such as rossler's `period` beside the quantity `period`: a parameter is parameter_NAME
+// bears, such as a parameter `period` beside the quantity `period`: a parameter is parameter_NAME
 // then, an initial state initial_NAME. Everything else always has its own name.
 #pragma once
 

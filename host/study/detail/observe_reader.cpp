@@ -51,6 +51,13 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   const bool has_own = model.is_clockless && !model.sections.empty();
   const std::string section = reader.text("section", has_own ? model.sections.front().name : "");
   reader.refuse_unknown();
+  if (std::ranges::find(quantities, "poincare") == quantities.end()) {
+    for (const char* key : {"poincare", "section"}) {
+      if (reader.find(key) == nullptr) continue;
+      study->notices.push_back(fmt::format(
+          "observe.{} says how 'poincare' is sampled, which is not among observe.quantities", key));
+    }
+  }
   const toml::node* place = table == nullptr ? static_cast<const toml::node*>(&root) : table;
   if (const toml::node* node = reader.find("quantities")) place = node;
   if (quantities.empty()) {
