@@ -160,7 +160,7 @@ NodeId ExpressionGraph::intern(Node node) {
 
 NodeId ExpressionGraph::number(double value) {
   Node node;
-  node.number = value;
+  node.number = value == 0.0 ? 0.0 : value;  // -0 is the same number
   return intern(std::move(node));
 }
 

@@ -54,6 +54,7 @@ TEST(RoughModel, HasTheJumpsOfItsEquations) {
            {"if(v < b, k, k + 1)", "the condition v < b"},
            {"if(x > 0 and v > b, x, 0)", "the condition b < v"},
            {"if(x > b, 1, min(x, 1))", "the condition b < x"},
+           {"if(x > b, -abs(v), v)", "the condition b < x"},
            {"sin(sign(v))", "sign(v)"},
            {"abs(v - sign(x))", "sign(x)"},
            {"x*sign(v)", "sign(v)"},
