@@ -1,5 +1,5 @@
 // The types that every model has, made from its lists, and defaults. The header that is written for
-// a model defines MODEL_STATES, MODEL_PARAMETERS, MODEL_SIGNALS and, when it has any,
+// a model defines MODEL_STATES, MODEL_SIGNALS and, when it has any, MODEL_PARAMETERS,
 // MODEL_PHASE_COEFS, MODEL_OPTIONS, MODEL_ANGLES (X(state) of each that means the same after a full
 // turn, in radians), MODEL_CLOCKS (how many of the last states turn steadily, whatever the
 // others do) and MODEL_CLOCKLESS (nothing drives it: a period is a count of time), then includes
@@ -16,9 +16,16 @@
 
 enum { MODEL_STATES(MODEL_STATE_INDEX) MODEL_STATE_COUNT };
 
+#ifdef MODEL_PARAMETERS
 typedef struct {
   MODEL_PARAMETERS(MODEL_PARAMETER_FIELD)
 } ModelParameters;
+#else
+#define MODEL_PARAMETERS(X)
+typedef struct {
+  int none;  // a struct must have a member
+} ModelParameters;
+#endif
 #ifdef MODEL_OPTIONS
 typedef struct {
   MODEL_OPTIONS(MODEL_OPTION_FIELD)
@@ -26,7 +33,7 @@ typedef struct {
 #else
 #define MODEL_OPTIONS(X)
 typedef struct {
-  int none;  // a struct must have a member
+  int none;
 } ModelOptions;
 #endif
 #ifndef MODEL_PHASE_COEFS

@@ -32,6 +32,11 @@ typedef scalar Share;
 // clock has a time of its own, and the record begins and ends somewhere within it: a window that
 // opens and closes smoothly, of mean 1, lets these parts count by the cube of the number of its
 // cycles less (F. J. Harris, Proceedings of the IEEE 66 (1978) 51-83: windows).
+#ifdef MODEL_CLOCKLESS
+#define WINDOW_SQUARES (10.0 / 7.0)  // the mean of its square
+#else
+#define WINDOW_SQUARES 1
+#endif
 SHARED_FN Share window_weight(Share place) {
 #ifdef MODEL_CLOCKLESS
   const scalar one = 1;
@@ -104,6 +109,20 @@ typedef struct {
   __global real* series;
   uint items, item;
 } Section;
+
+// What a recorded period counts where it gives one number: by the window at its middle, over the
+// mean of these.
+SHARED_FN Share period_weight(const Section* section) {
+  const Share one = 1;
+  const Share share = one / (scalar)(section->record);
+#ifdef MODEL_CLOCKLESS
+  const Share mean = one + (scalar)(0.875) * (share * share) * (share * share);
+#else
+  const Share mean = 1;
+#endif
+  const Share place = ((scalar)(section->number) + (scalar)(0.5)) * share;
+  return window_weight(place) / mean;
+}
 
 #ifndef MODEL_SURFACES
 SHARED_FN void take_moment(const ModelPoint* point, TABLE PhaseCoefs* stage, const real* x,

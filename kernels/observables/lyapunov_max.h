@@ -6,6 +6,9 @@
 //   goes on as the first half did, over the length of the record, times LYAPUNOV_MAX_CAUTION. Where
 //   a vector varies while it is carried round, or turns into its direction slowly, blocks are alike
 //   and wrong together; the error is what the vector varies by, over the time.
+// Where there is no clock the record ends anywhere on a cycle. There the exponent looks through the
+// record's window (observe.h): on a cycle and on a torus it is much better than this error says, in
+// chaos its standard error grows by a fifth.
 // The zero exponents of phases are not counted. The host adds to the error of a periodic motion
 // what the steps' length and the distance from the orbit make
 // (host/tile/detail/exponent_error.hpp).
@@ -23,6 +26,7 @@
 
 enum {
   lyapunov_max_sum,         // of the periods' rates: log stretching over time
+  lyapunov_max_weighted,    // of the same, as they count in the record's window
   lyapunov_max_stretching,  // of the periods' log stretchings
   lyapunov_max_block,       // of the rates in the running block
   lyapunov_max_origin,      // mean rate of the first block
@@ -53,6 +57,7 @@ SHARED_FN void lyapunov_max_end_period(real* sums, const Section* section) {
   const uint block = max(section->record / lyapunov_max_blocks, 1u);
   const real rate = section->log_stretching[0] / section->period;
   sums[lyapunov_max_sum] += rate;
+  sums[lyapunov_max_weighted] += period_weight(section) * rate;
   sums[lyapunov_max_stretching] += section->log_stretching[0];
   sums[lyapunov_max_block] += rate;
   const uint middle = section->record / 2;
@@ -77,10 +82,10 @@ SHARED_FN void lyapunov_max_finish(const real* sums, SweepRound round, real* out
   const scalar blocks = (scalar)(round.record / max(round.record / lyapunov_max_blocks, 1u));
   const real mean = sums[lyapunov_max_offsets] / blocks;
   const real variance = lane_max(sums[lyapunov_max_squares] / blocks - mean * mean, (real)(0));
-  const real of_blocks = lane_sqrt(variance / (blocks - 1));
+  const real of_blocks = lane_sqrt((scalar)(WINDOW_SQUARES)*variance / (blocks - 1));
   const real range = sums[lyapunov_max_highest] - sums[lyapunov_max_lowest];
   const real of_straying = (scalar)(LYAPUNOV_MAX_CAUTION)*range / (scalar)(round.record);
-  out[0] = sums[lyapunov_max_sum] / (scalar)(round.record);
+  out[0] = sums[lyapunov_max_weighted] / (scalar)(round.record);
   out[1] = lane_select(of_blocks < of_straying, of_straying, of_blocks);
   out[2] = sums[lyapunov_max_stretching] / (scalar)(round.record);
 }

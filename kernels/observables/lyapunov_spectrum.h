@@ -22,7 +22,10 @@ SHARED_FN void lyapunov_spectrum_init(real* sums, const Instant* start) {
 SHARED_FN void lyapunov_spectrum_step(real* sums, const Step* step) {}
 
 SHARED_FN void lyapunov_spectrum_end_period(real* sums, const Section* section) {
-  for (int j = 0; j < TANGENTS; ++j) sums[j] += section->log_stretching[j] / section->period;
+  const Share weight = period_weight(section);
+  for (int j = 0; j < TANGENTS; ++j) {
+    sums[j] += weight * (section->log_stretching[j] / section->period);
+  }
 }
 
 SHARED_FN void lyapunov_spectrum_finish(const real* sums, SweepRound round, real* out) {

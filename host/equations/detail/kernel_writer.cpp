@@ -152,7 +152,7 @@ class KernelWriter {
       coefs.push_back(fmt::format("w{}, 0", i));
     }
     write_list("MODEL_STATES", states);
-    write_list("MODEL_PARAMETERS", parameters);
+    if (!parameters.empty()) write_list("MODEL_PARAMETERS", parameters);
     write_list("MODEL_SIGNALS", signals);
     if (!coefs.empty()) write_list("MODEL_PHASE_COEFS", coefs);
     if (!definition_.options.empty()) {

@@ -17,15 +17,32 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+// What each of the record's periods counts, of mean 1: where there is no clock by a window that
+// opens and closes smoothly (kernels/observe.h), otherwise alike.
+std::vector<double> weights_of(std::size_t periods, bool is_clockless) {
+  std::vector<double> weights(periods, 1.0);
+  if (!is_clockless) return weights;
+  for (std::size_t i = 0; i < periods; ++i) {
+    const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(periods);
+    weights[i] = place * place * (1.0 - place) * (1.0 - place);
+  }
+  const double average = mean(weights);
+  for (double& weight : weights) weight /= average;
+  return weights;
+}
+
 class LyapunovMax final : public ReferenceObservable {
  public:
+  explicit LyapunovMax(bool is_clockless) : is_clockless_(is_clockless) {}
   void period(const Eigen::VectorXd&, const Eigen::VectorXd& log_stretching,
               double length) override {
     log_stretchings_.push_back(log_stretching[0]);
     rates_.push_back(log_stretching[0] / length);
   }
   std::vector<double> finish(const Window&) const override {
-    return {mean(rates_), error(), mean(log_stretchings_)};
+    const std::vector<double> weights = weights_of(rates_.size(), is_clockless_);
+    const double sum = std::inner_product(weights.begin(), weights.end(), rates_.begin(), 0.0);
+    return {sum / static_cast<double>(rates_.size()), error(), mean(log_stretchings_)};
   }
 
  private:
@@ -62,34 +79,41 @@ class LyapunovMax final : public ReferenceObservable {
     double squares = 0.0;
     for (const double value : means) squares += (value - middle) * (value - middle);
     const auto count = static_cast<double>(means.size());
-    return std::sqrt(squares / (count * (count - 1.0)));
+    const double of_window = is_clockless_ ? 10.0 / 7.0 : 1.0;  // the mean square of the weights
+    return std::sqrt(of_window * squares / (count * (count - 1.0)));
   }
 
+  bool is_clockless_;
   std::vector<double> log_stretchings_, rates_;
 };
 
 class LyapunovSpectrum final : public ReferenceObservable {
  public:
+  explicit LyapunovSpectrum(bool is_clockless) : is_clockless_(is_clockless) {}
   void period(const Eigen::VectorXd&, const Eigen::VectorXd& log_stretching,
               double length) override {
-    if (sums_.size() == 0) sums_ = Eigen::VectorXd::Zero(log_stretching.size());
-    sums_ += log_stretching / length;
+    rates_.push_back(log_stretching / length);
   }
-  std::vector<double> finish(const Window& window) const override {
-    const Eigen::VectorXd means = sums_ / static_cast<double>(window.record);
+  std::vector<double> finish(const Window&) const override {
+    const std::vector<double> weights = weights_of(rates_.size(), is_clockless_);
+    Eigen::VectorXd means = Eigen::VectorXd::Zero(rates_.front().size());
+    for (std::size_t i = 0; i < rates_.size(); ++i) means += weights[i] * rates_[i];
+    means /= static_cast<double>(rates_.size());
     std::vector<double> exponents(means.begin(), means.end());
     std::sort(exponents.begin(), exponents.end(), std::greater<>());
     return exponents;
   }
 
  private:
-  Eigen::VectorXd sums_;
+  bool is_clockless_;
+  std::vector<Eigen::VectorXd> rates_;  // [period]
 };
 
 class KaplanYorke final : public ReferenceObservable {
  public:
   // clocks: of the model, each with an exponent 0 that the spectrum does not show.
-  explicit KaplanYorke(std::size_t clocks) : clocks_(static_cast<double>(clocks)) {}
+  KaplanYorke(std::size_t clocks, bool is_clockless)
+      : clocks_(static_cast<double>(clocks)), spectrum_(is_clockless) {}
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
               double length) override {
     spectrum_.period(state, log_stretching, length);
@@ -139,12 +163,14 @@ Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {
   return log_stretching;
 }
 
-std::unique_ptr<ReferenceObservable> make_lyapunov_max() { return std::make_unique<LyapunovMax>(); }
-std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum() {
-  return std::make_unique<LyapunovSpectrum>();
+std::unique_ptr<ReferenceObservable> make_lyapunov_max(bool is_clockless) {
+  return std::make_unique<LyapunovMax>(is_clockless);
 }
-std::unique_ptr<ReferenceObservable> make_kaplan_yorke(std::size_t clocks) {
-  return std::make_unique<KaplanYorke>(clocks);
+std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum(bool is_clockless) {
+  return std::make_unique<LyapunovSpectrum>(is_clockless);
+}
+std::unique_ptr<ReferenceObservable> make_kaplan_yorke(const Model& model) {
+  return std::make_unique<KaplanYorke>(model.clocks, model.is_clockless);
 }
 
 }  // namespace gearsweep

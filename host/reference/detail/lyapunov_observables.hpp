@@ -19,10 +19,10 @@ void set_start_tangents(std::size_t count, const Model& model, Trajectory* traje
 Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory);
 
 // Largest exponent, its standard error (NaN with one block), largest exponent times the period.
-std::unique_ptr<ReferenceObservable> make_lyapunov_max();
-// All exponents, in the order of the vectors.
-std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum();
-// clocks: Model::clocks.
-std::unique_ptr<ReferenceObservable> make_kaplan_yorke(std::size_t clocks);
+// is_clockless: of a model that nothing drives, whose periods count by a window.
+std::unique_ptr<ReferenceObservable> make_lyapunov_max(bool is_clockless = false);
+// All exponents, the largest first.
+std::unique_ptr<ReferenceObservable> make_lyapunov_spectrum(bool is_clockless = false);
+std::unique_ptr<ReferenceObservable> make_kaplan_yorke(const Model& model);
 
 }  // namespace gearsweep

@@ -14,8 +14,8 @@ constexpr double kRunaway = 100.0;
 
 }  // namespace
 
-GrowthWatch::GrowthWatch(Eigen::Index vector, bool has_clock)
-    : vector_(vector), has_clock_(has_clock), exponent_(make_lyapunov_max()) {}
+GrowthWatch::GrowthWatch(Eigen::Index vector, bool has_clock, bool is_clockless)
+    : vector_(vector), has_clock_(has_clock), exponent_(make_lyapunov_max(is_clockless)) {}
 
 void GrowthWatch::period(const Eigen::VectorXd& log_stretching, double length) {
   const Eigen::Index vector = std::min(vector_, log_stretching.size() - 1);  // a line has one

@@ -25,7 +25,7 @@ struct Growth {
 // Follows one tangent vector: the first, or the one behind it.
 class GrowthWatch {
  public:
-  explicit GrowthWatch(Eigen::Index vector, bool has_clock = false);
+  GrowthWatch(Eigen::Index vector, bool has_clock, bool is_clockless);
   void period(const Eigen::VectorXd& log_stretching, double length);
   Growth growth(const Window& window) const;
 

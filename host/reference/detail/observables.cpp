@@ -154,9 +154,9 @@ std::unique_ptr<ReferenceObservable> make_observable(const Study& study,
       return make_return_motion(*section, period_tolerance, kinds, has_room(model));
     }
   }
-  if (kind == "lyapunov_max") return make_lyapunov_max();
-  if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum();
-  if (kind == "kaplan_yorke") return make_kaplan_yorke(model.clocks);
+  if (kind == "lyapunov_max") return make_lyapunov_max(model.is_clockless);
+  if (kind == "lyapunov_spectrum") return make_lyapunov_spectrum(model.is_clockless);
+  if (kind == "kaplan_yorke") return make_kaplan_yorke(model);
   if (kind == "period") return make_period(period_tolerance, kinds);
   if (kind == "settled") return make_settled(period_tolerance, kinds);
   if (kind == "motion") return make_motion(period_tolerance, kinds);

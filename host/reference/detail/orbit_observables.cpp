@@ -54,7 +54,7 @@ class Settled final : public SectionObservable {
 class Motion final : public SectionObservable {
  public:
   Motion(double tolerance, const StateKinds& kinds)
-      : SectionObservable(tolerance, kinds), watch_(0, kinds.has_clock) {}
+      : SectionObservable(tolerance, kinds), watch_(0, kinds.has_clock, false) {}
   void period(const Eigen::VectorXd& state, const Eigen::VectorXd& log_stretching,
               double length) override {
     SectionObservable::period(state, log_stretching, length);

@@ -151,7 +151,7 @@ class ReturnMotion final : public ReferenceObservable {
   double settled_;  // recurrences that are no worse need not go on
   bool has_room_;   // for a torus, or chaos
   Eigen::VectorXd lowest_, highest_;
-  GrowthWatch first_{0}, second_{1};
+  GrowthWatch first_{0, false, true}, second_{1, false, true};
 };
 
 }  // namespace

@@ -149,10 +149,6 @@ class DefinitionReader {
         read_parameter(entry, name_in_list(entry.name, i), &(*list)[i]);
       }
     }
-    if (definition_.parameters.empty()) {
-      throw InputError(
-          fmt::format("{}: the model has no [parameters]: nothing could be swept", source_));
-    }
   }
 
   // value: of a list, whose entry says the rest.
