@@ -10,6 +10,7 @@
 
 #include "support/pair_model.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -141,6 +142,23 @@ double largest_difference(const SweepResult& one, const SweepResult& other) {
     }
   }
   return largest;
+}
+
+// Van der Pol's oscillator with numbers in its equations: a state is swept.
+TEST(TextModel, NeedsNoParameters) {
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result = run(study_of_text(
+        "[model]\nname = \"plain\"\n[states]\nx = { start = 1.0 }\ny = {}\n[equations]\nx = \"y\"\n"
+        "y = \"(1 - x^2)*y - x\"\n",
+        fmt::format("[[axes]]\nname = 'x'\nvalues = [0.5, 3.0]\n[integrate]\nengine = '{}'\n"
+                    "max_step = 0.05\n[observe]\nquantities = ['cycle_time', 'lyapunov_max']\n",
+                    engine)));
+    for (std::size_t point = 0; point < 2; ++point) {
+      EXPECT_NEAR(map_of(result, "cycle_time")[point], 6.663286859, 1e-5);
+      EXPECT_NEAR(map_of(result, "lyapunov_max")[point], 0.0, 1e-5);
+    }
+  }
 }
 
 // To the error of the interpolation, which is h^2/8 of the second derivative, or h^4/384 of the

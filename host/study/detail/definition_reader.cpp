@@ -71,6 +71,10 @@ class DefinitionReader {
     TableReader reader(table, "[model]");
     definition_.name = reader.text("name", "");
     if (!is_model_name(definition_.name)) {
+      if (table->contains("text") || table->contains("file")) {
+        fail_at(*table,
+                "this [model] is that of a study: 'gearsweep model --study FILE' shows its model");
+      }
       fail_at(*table, fmt::format("[model] needs a name of up to {} letters, digits and _: "
                                   "name = \"impact\"",
                                   kMaxModelNameLetters));
