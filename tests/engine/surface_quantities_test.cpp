@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "study/refusal.hpp"
 #include "support/run.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -53,6 +56,34 @@ TEST(SurfaceQuantities, DoNotDependOnHowLongIsRecorded) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(map_of(early, "sticking_share")[i], map_of(late, "sticking_share")[i], 1e-7);
     EXPECT_NEAR(map_of(early, "sticking_stops")[i], map_of(late, "sticking_stops")[i], 1e-12);
+  }
+}
+
+// A motion that slides along x = 0 has the share p of its time above, by Filippov: signals are the
+// means of what they are on both sides, however they are written, and whatever is done with them.
+TEST(SurfaceQuantities, SignalsOfASlidingMotionAreMeansOfBothSides) {
+  const std::string model =
+      "[model]\nname = \"slide\"\n[states]\nx = { start = -1.0 }\ny = {}\n[parameters]\n"
+      "p = 0.3\nq = 2.0\n[equations]\nx = \"p - step(x)\"\ny = \"step(x) - y\"\n[signals]\n"
+      "by_step = \"step(x)\"\nby_if = \"q*if(x > 0, 3, 1) - y\"\nby_sign = \"0.5 + 0.5*sign(x)\"\n"
+      "squared = \"(1 + sign(x))^2 - 3*step(x)\"\ninside = \"cos(q*if(x < 0, 0, 1))\"\n"
+      "both = \"if(x > 0 and y < q, q, abs(sign(x)))\"\n";
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result = run(study_of_text(
+        model, fmt::format("[[axes]]\nname = 'p'\nvalues = [0.3, 0.6]\n[integrate]\nengine = '{}'\n"
+                           "settle = 50\nrecord = 20\nmax_step = 0.05\n[observe]\n"
+                           "quantities = ['by_step_mean', 'by_if_max', 'by_sign_rms', "
+                           "'squared_mean', 'inside_min', 'both_mean']\n",
+                           engine)));
+    for (const auto& [i, p] : {std::pair(0U, 0.3), {1U, 0.6}}) {
+      EXPECT_NEAR(map_of(result, "by_step_mean")[i], p, 1e-12);
+      EXPECT_NEAR(map_of(result, "by_if_max")[i], 2.0 * (1.0 + 2.0 * p) - p, 1e-9);
+      EXPECT_NEAR(map_of(result, "by_sign_rms")[i], p, 1e-12);
+      EXPECT_NEAR(map_of(result, "squared_mean")[i], p, 1e-12);
+      EXPECT_NEAR(map_of(result, "inside_min")[i], p * std::cos(2.0) + 1.0 - p, 1e-12);
+      EXPECT_NEAR(map_of(result, "both_mean")[i], 1.0 + p, 1e-12);
+    }
   }
 }
 

@@ -7,7 +7,9 @@
 #include <map>
 #include <optional>
 
+#include "equations/detail/borders.hpp"
 #include "equations/detail/dependence.hpp"
+#include "equations/detail/mean_of_sides.hpp"
 #include "equations/detail/phase_breaks.hpp"
 #include "expression/differentiate.hpp"
 #include "expression/magnitude.hpp"
@@ -85,6 +87,7 @@ class Lowering {
         held_[node] = on_side(side, jump, node, above, jump.below.at(node));
       }
     }
+    hold_in_signals(sides, *signals);
     for (Formula::Impact& impact : formula_->impacts) {
       sides.push_back(graph_->symbol(fmt::format("side[{}]", sides.size())));
       Rewriter simplify(graph_, {});
@@ -94,7 +97,22 @@ class Lowering {
     dependences_.know_sides(sides);
     Rewriter hold(graph_, held_);
     for (NodeId& id : *equations) id = hold(id);
-    for (NodeId& id : *signals) id = hold(id);
+    for (NodeId& id : *signals) id = mean_of_sides(graph_, hold(id), {sides.begin(), sides.end()});
+  }
+
+  // What signals have where the equations jump is on the same side, however it is written.
+  void hold_in_signals(const std::vector<NodeId>& sides, const std::vector<NodeId>& signals) {
+    if (corners_->jumps.empty()) return;
+    for (const Border& border : find_borders(formula_, signals)) {
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Jump& jump = corners_->jumps[i];
+        if (jump.is_staircase || jump.lhs != border.lhs || jump.rhs != border.rhs) continue;
+        for (const auto& [node, above] : border.above) {
+          if ((*graph_)[node].operation == Operation::arctangent_of_two) continue;
+          held_.try_emplace(node, on_side(sides[i], jump, node, above, border.below.at(node)));
+        }
+      }
+    }
   }
 
   // Level, rate and size of each section are signals. equations: held on their sides.
