@@ -111,6 +111,14 @@ std::optional<OrderMap> map_orders(const Study& whole, const OrderRequest& reque
   OrderMap map;
   map.study = study_over(whole, request.over, request.place);
   const Model& model = *map.study.model;
+  if (model.is_clockless) {
+    throw InputError(fmt::format(
+        "orders are multiples of a forcing's frequency, and nothing drives model '{}': 'gearsweep "
+        "trace STUDY --samples-per-period 256 -o trace.nc' and 'plot trace.nc -q spectrum' show "
+        "its "
+        "frequencies",
+        model.name));
+  }
   map.channel = find_channel(model, request.channel);
   map.window = request.window;
   map.samples_per_period = request.samples_per_period;

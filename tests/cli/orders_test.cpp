@@ -30,6 +30,17 @@ TEST(OrdersCommand, WritesATableWithARowForEachOrderAndSpeed) {
   EXPECT_THAT(table, HasSubstr("\n0.8,0.5,0.4,"));
 }
 
+TEST(OrdersCommand, AndReportAreOfAForcing) {
+  const Folder folder;
+  folder.write("free.toml",
+               "[model]\nname = 'clock'\n[[axes]]\nname = 'friction'\nvalues = [0.05]\n");
+  for (const char* words : {"orders free.toml -o out.nc", "report free.toml -o out.html"}) {
+    const Outcome outcome = gearsweep(folder, words);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("nothing drives model 'clock'"));
+  }
+}
+
 struct OrdersMistake {
   std::string arguments, message;
 };

@@ -28,8 +28,10 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
   }
   for (const Surface& surface : lowered.surfaces) {
     if (!surface.reset.empty()) {
+      const auto defined =
+          std::ranges::find(definition.surfaces, surface.name, &SurfaceDefinition::name);
       add(fmt::format("surface '{}': the state is reset where {} goes from below 0 to above it",
-                      surface.name, to_short_text(graph, surface.level, formula.names)));
+                      surface.name, defined->when.text));
       continue;
     }
     add(

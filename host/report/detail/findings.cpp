@@ -183,6 +183,13 @@ std::size_t find_speed_axis(const Study& study) {
     stride *= axis.values.size();
     if (!axis.is_list && period_at(plan, 0) != period_at(plan, last)) return i;
   }
+  if (study.model->is_clockless) {
+    throw InputError(
+        fmt::format("a report goes over the speed of a forcing, and nothing drives model '{}': "
+                    "'gearsweep run', "
+                    "'trace' and 'floquet' tell of its motions",
+                    study.model->name));
+  }
   std::vector<std::string> names;
   for (const Axis& axis : study.axes) names.push_back(axis.name);
   throw InputError(fmt::format(
