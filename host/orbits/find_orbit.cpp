@@ -240,6 +240,29 @@ Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearc
   return cycle;
 }
 
+Orbit away_from_surfaces(const PeriodMap& map, const Orbit& cycle) {
+  constexpr std::size_t kMoments = 32;
+  if (map.model().surfaces.empty() || cycle.kind != OrbitKind::cycle) return cycle;
+  const TimeSpan part = {cycle.duration / static_cast<double>(kMoments),
+                         (cycle.steps + kMoments - 1) / kMoments};
+  std::vector<VectorXd> states = {cycle.state}, levels;
+  VectorXd reach = VectorXd::Zero(static_cast<Eigen::Index>(map.model().surfaces.size()));
+  for (std::size_t i = 0; i < kMoments; ++i) {
+    levels.push_back(map.levels(states.back()).cwiseAbs());
+    reach = reach.cwiseMax(levels.back());
+    std::optional<VectorXd> next = map.advance(states.back(), part);
+    if (!next) return cycle;
+    states.push_back(*std::move(next));
+  }
+  const auto distance = [&](const VectorXd& level) {
+    return level.cwiseQuotient(above_zero(reach)).minCoeff();
+  };
+  const auto farthest = std::ranges::max_element(levels, {}, distance);
+  if (farthest == levels.begin()) return cycle;
+  const VectorXd& state = states[static_cast<std::size_t>(farthest - levels.begin())];
+  return shoot_cycle(map, state, {cycle.duration, cycle.steps}).value_or(cycle);
+}
+
 std::optional<Orbit> find_rest(const PeriodMap& map, const VectorXd& start,
                                const VectorXd& settled) {
   std::optional<Orbit> rest = find_equilibrium(map, settled, map.difference(start, settled));

@@ -30,6 +30,11 @@ struct CycleSearch {
 };
 Orbit find_cycle(const PeriodMap& map, const Eigen::VectorXd& settled, const CycleSearch& search);
 
+// The same cycle from that of its moments that is farthest from all surfaces, each in units of what
+// its level reaches. A cycle that is followed must not begin on one: its neighbours would begin on
+// either side, and what carries them round has another derivative there. Others are given back.
+Orbit away_from_surfaces(const PeriodMap& map, const Orbit& cycle);
+
 // The equilibrium that a motion has come to: a stable one, of the way to which a ten thousandth is
 // left, or less. Nothing where the motion goes on.
 std::optional<Orbit> find_rest(const PeriodMap& map, const Eigen::VectorXd& start,

@@ -105,6 +105,18 @@ MatrixXd PeriodMap::rate_slope(const VectorXd& state) const {
   return out;
 }
 
+VectorXd PeriodMap::levels(const VectorXd& state) const {
+  HeldField field(*model_, point_.get());
+  field.begin(grid_.coefs.data(), period() / static_cast<double>(steps()), state.data());
+  const std::vector<double> values = field.levels(grid_.coefs.data(), state.data()).value;
+  VectorXd out = VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    const bool is_staircase = model_->surfaces[static_cast<std::size_t>(i)].is_staircase;
+    if (is_staircase) out[i] -= std::round(out[i]);
+  }
+  return out;
+}
+
 VectorXd PeriodMap::difference(const VectorXd& to, const VectorXd& from) const {
   VectorXd out = to - from;
   for (const std::size_t angle : model_->angles) {

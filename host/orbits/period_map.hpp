@@ -54,6 +54,8 @@ class PeriodMap {
   // The derivative of a motion by the time, and the derivative of that by the state.
   Eigen::VectorXd rate(const Eigen::VectorXd& state) const;
   Eigen::MatrixXd rate_slope(const Eigen::VectorXd& state) const;
+  // How far it is from each surface, in the unit of its level: Model::surfaces.
+  Eigen::VectorXd levels(const Eigen::VectorXd& state) const;
 
   // to - from, states that are angles by the shorter way around.
   Eigen::VectorXd difference(const Eigen::VectorXd& to, const Eigen::VectorXd& from) const;

@@ -153,10 +153,11 @@ std::vector<Branch> follow(const Study& study, const FollowedRange& range, const
                            false,
                            stop};
   const double start = study.setting.parameters[range.parameter];
+  const Orbit first = away_from_surfaces(map, orbit);
   std::vector<Branch> branches;
-  if (start > request.from) branches.push_back(follow_orbit(request, orbit));
+  if (start > request.from) branches.push_back(follow_orbit(request, first));
   request.upwards = true;
-  if (start < request.to) branches.push_back(follow_orbit(request, orbit));
+  if (start < request.to) branches.push_back(follow_orbit(request, first));
   return branches;
 }
 

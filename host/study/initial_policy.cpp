@@ -6,7 +6,7 @@ const std::vector<InitialPolicyInfo>& initial_policies() {
   using enum InitialPolicy;
   static const std::vector<InitialPolicyInfo> kAll = {
       {fixed, "fixed", "at state", 0},
-      {shifted, "shifted", "at its own static equilibrium", 0},
+      {shifted, "shifted", "at the start that its model gives for its parameters", 0},
       {forward, "forward", "where its neighbour before it along an axis has ended", -1},
       {backward, "backward", "where its neighbour behind it along an axis has ended", 1}};
   return kAll;

@@ -3,7 +3,8 @@
 
 #define POINCARE_ROLE samples
 // X(suffix of the quantity's name, unit (empty: the state's), flag meanings, meaning)
-#define POINCARE_OUTPUTS(X) X(, "", "", "state at phase 0 of each recorded period")
+#define POINCARE_OUTPUTS(X) \
+  X(, "", "", "state at phase 0 of each recorded period, or at each return to a section")
 
 enum { poincare_accumulators = 0 };
 

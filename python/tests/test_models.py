@@ -208,7 +208,6 @@ def test_the_period_is_said():
         (lambda: Model({"x": "v", "v": None}, PARAMETERS, period=1), "'v' has no equation"),
         (lambda: Model({"x": "v", "v": "__import__('os')"}, PARAMETERS, period=1), "__import__"),
         (lambda: Model({}, PARAMETERS, period=1), "no [states]"),
-        (lambda: Model(STATES, {}, period=1), "no [parameters]"),
         (lambda: Model(["x"], PARAMETERS, period=PERIOD), "states: expected a dict"),
         (lambda: Model(STATES, {**PARAMETERS, "b": "wide"}, period=PERIOD), "unknown name 'wide'"),
         (lambda: Model(STATES, {**PARAMETERS, "b": numpy.nan}, period=PERIOD), "must be finite"),

@@ -232,6 +232,18 @@ TEST(FloquetCommand, DoesNotDependOnUnits) {
   }
 }
 
+// The maximum of x, where a cycle is found, is where the friction jumps. The clock's cycle ends
+// where its friction takes what a push gives, at 1/sqrt(96).
+TEST(FloquetCommand, FollowsCyclesWhoseMaximumIsAtAJump) {
+  const Folder folder;
+  folder.write("clock.toml",
+               "[model]\nname = 'clock'\n[[axes]]\nname = 'friction'\nvalues = [0.1]\n"
+               "[observe]\nquantities = ['x_rms']\n");
+  const Outcome outcome = gearsweep(folder, "floquet clock.toml --along friction=0.1:0.11");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("no smooth way on from friction = 0.10206207"));
+}
+
 TEST(FloquetCommand, TellsCyclesAndEquilibriaOfModelsThatNothingDrives) {
   const Folder folder;
   folder.write("rossler.toml",

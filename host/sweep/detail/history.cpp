@@ -139,16 +139,28 @@ class History {
                trace);
     };
     event_ = 0;
+    Eigen::VectorXd came;  // to the surface
     const auto take = [&](double from, double to, const HeldMotion& before,
                           const HeldMotion& after) {
+      if (event_ > 0 && before.state == came) {  // through a surface that resets on the other way
+        drop_last(trace);
+        event_ = 0;
+      }
       if (event_ != 0) add_at(from, before);
       event_ = event_at(step, to, after);
-      if (event_ != 0) add_at(to, after);
+      if (event_ == 0) return;
+      came = after.state;
+      add_at(to, after);
     };
     HeldMotion motion{
         Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(model_.states.size())), {}};
     step_held(&held_, moment_at, &motion, take);
     event_ = 0;
+  }
+
+  static void drop_last(Trace* trace) {
+    trace->tau.pop_back();
+    for (std::vector<double>& values : trace->values) values.pop_back();
   }
 
   template <class Visit>
