@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/process.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep::testing {
 namespace {

@@ -7,6 +7,7 @@
 #include "result/python.hpp"
 #include "result/study_source.hpp"
 #include "study/study.hpp"
+#include "support/study_text.hpp"
 
 namespace gearsweep {
 namespace {
