@@ -9,6 +9,7 @@ namespace gearsweep {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const char* const kStudy = "[[axes]]\nname = 'e0'\nvalues = [0.1, 0.2]\n";
@@ -17,6 +18,22 @@ std::string gear_study(const std::string& parameters) {
   std::string text = builtin_studies().at("table1-gear.toml");
   const std::string mark = "[parameters]\n";
   return text.insert(text.find(mark) + mark.size(), parameters);
+}
+
+// Without a clock the section is that by which motions are judged, too.
+TEST(Notices, TellHowNothingIsSampled) {
+  const auto notices = [](const std::string& model, const std::string& observe) {
+    return read_study("[model]\nname = '" + model + "'\n[sections.up]\nwhen = 'v'\n[[axes]]\n" +
+                          "name = 'x'\nvalues = [0.1]\n[observe]\n" + observe,
+                      "s.toml")
+        .notices;
+  };
+  const std::string rms = "quantities = ['x_rms']\n";
+  EXPECT_THAT(notices("duffing", rms + "poincare = ['v']\nsection = 'up'\n"),
+              ElementsAre(HasSubstr("observe.poincare says how 'poincare' is sampled"),
+                          HasSubstr("observe.section says how 'poincare' is sampled")));
+  EXPECT_THAT(notices("jerk", rms + "section = 'up'\n"), IsEmpty());
+  EXPECT_THAT(notices("duffing", "quantities = ['poincare']\npoincare = ['v']\n"), IsEmpty());
 }
 
 TEST(Notices, AnAxisWinsOverTheCommandLine) {

@@ -97,6 +97,17 @@ TEST(RoughModel, HasNoneWhereBothSidesAreTheSame) {
   }
 }
 
+// Each part of a signal is looked at once: 2^40 of these sums are met on the ways to their jump.
+TEST(RoughModel, ReadsSignalsOfSharedParts) {
+  std::string constants = "c0 = \"if(v > 0, 1, 0)\"\n";
+  for (int i = 1; i <= 40; ++i) {
+    constants += fmt::format("c{0} = \"c{1} - x*c{1}\"\n", i, i - 1);
+  }
+  const auto model = read_model_text(
+      model_with("sign(v)", "[constants]\n" + constants) + "[signals]\ns = \"c40\"\n", "dry.toml");
+  EXPECT_EQ(model->surfaces.size(), 1U);
+}
+
 // Steps are cut where it can be said on which side a motion is: not at the turn of atan2, and not
 // where the place of a jump jumps itself.
 TEST(RoughModel, KnowsTheSidesOfItsJumps) {

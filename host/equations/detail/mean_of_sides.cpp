@@ -1,16 +1,25 @@
 #include "equations/detail/mean_of_sides.hpp"
 
-#include <algorithm>
+#include <map>
 #include <vector>
+
+#include "equations/detail/borders.hpp"
 
 namespace gearsweep {
 namespace {
 
-std::vector<NodeId> used_by(const ExpressionGraph& graph, NodeId id,
-                            const std::set<NodeId>& sides) {
-  std::vector<NodeId> used = parts_of(graph, {id});
-  std::erase_if(used, [&](NodeId part) { return !sides.contains(part); });
-  return used;
+// Whether its mean is the same operation on the means of its arguments.
+bool is_linear(const Node& node, const std::set<NodeId>& jumping) {
+  switch (node.operation) {
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::negate:
+      return true;
+    case Operation::multiply:
+      return !jumping.contains(node.arguments[0]) || !jumping.contains(node.arguments[1]);
+    default:
+      return false;
+  }
 }
 
 // Whole numbers of a side are its values; between them it is their mean.
@@ -30,26 +39,31 @@ NodeId mean_of_side(ExpressionGraph* graph, NodeId id, NodeId side) {
 }  // namespace
 
 NodeId mean_of_sides(ExpressionGraph* graph, NodeId signal, const std::set<NodeId>& sides) {
-  constexpr std::size_t kMost = 3;
-  const std::vector<NodeId> used = used_by(*graph, signal, sides);
-  if (used.empty() || sides.contains(signal)) return signal;
-  const Node node = (*graph)[signal];
-  const bool is_sum = node.operation == Operation::add || node.operation == Operation::subtract ||
-                      node.operation == Operation::negate;
-  const bool is_multiple = node.operation == Operation::multiply &&
-                           std::ranges::any_of(node.arguments, [&](NodeId factor) {
-                             return used_by(*graph, factor, sides).empty();
-                           });
-  if (is_sum || is_multiple) {
-    std::vector<NodeId> arguments;
-    for (const NodeId argument : node.arguments) {
-      arguments.push_back(mean_of_sides(graph, argument, sides));
-    }
-    return graph->make(node.operation, arguments);
+  const std::set<NodeId> jumping = changed_by(*graph, {signal}, sides);
+  const std::vector<NodeId> parts = parts_of(*graph, {signal});
+  std::set<NodeId> terms = {signal};
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    const Node& node = (*graph)[*part];
+    if (!terms.contains(*part) || !is_linear(node, jumping)) continue;
+    terms.insert(node.arguments.begin(), node.arguments.end());
   }
-  if (used.size() > kMost) return signal;
-  for (const NodeId side : used) signal = mean_of_side(graph, signal, side);
-  return signal;
+  std::map<NodeId, NodeId> means;
+  for (const NodeId part : parts) {
+    if (!terms.contains(part)) continue;
+    NodeId mean = part;
+    const Node node = (*graph)[part];
+    if (jumping.contains(part) && !sides.contains(part) && is_linear(node, jumping)) {
+      std::vector<NodeId> arguments;
+      for (const NodeId argument : node.arguments) arguments.push_back(means.at(argument));
+      mean = graph->make(node.operation, arguments);
+    } else if (jumping.contains(part) && !sides.contains(part)) {
+      for (const NodeId inner : parts_of(*graph, {part})) {
+        if (sides.contains(inner)) mean = mean_of_side(graph, mean, inner);
+      }
+    }
+    means[part] = mean;
+  }
+  return means.at(signal);
 }
 
 }  // namespace gearsweep

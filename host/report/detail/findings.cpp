@@ -186,8 +186,7 @@ std::size_t find_speed_axis(const Study& study) {
   if (study.model->is_clockless) {
     throw InputError(
         fmt::format("a report goes over the speed of a forcing, and nothing drives model '{}': "
-                    "'gearsweep run', "
-                    "'trace' and 'floquet' tell of its motions",
+                    "'gearsweep run', 'trace' and 'floquet' tell of its motions",
                     study.model->name));
   }
   std::vector<std::string> names;

@@ -53,7 +53,9 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   reader.refuse_unknown();
   if (std::ranges::find(quantities, "poincare") == quantities.end()) {
     for (const char* key : {"poincare", "section"}) {
-      if (reader.find(key) == nullptr) continue;
+      // Without a clock the section is that by which motions are judged, too.
+      const bool judges = model.is_clockless && key == std::string("section");
+      if (reader.find(key) == nullptr || judges) continue;
       study->notices.push_back(fmt::format(
           "observe.{} says how 'poincare' is sampled, which is not among observe.quantities", key));
     }
