@@ -2,6 +2,8 @@
 // multipliers or eigenvalues, and the bifurcations along a parameter.
 #include <fmt/format.h>
 
+#include <chrono>
+#include <functional>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -24,6 +26,17 @@ struct FloquetArguments {
   bool is_equilibrium = false, as_json = false;
 };
 
+// A line every ten seconds, in which the branch has come further.
+std::function<void(const Branch&)> tell_branch(const std::string& parameter) {
+  using Clock = std::chrono::steady_clock;
+  return [parameter, last = Clock::now()](const Branch& branch) mutable {
+    if (Clock::now() - last < std::chrono::seconds(10)) return;
+    last = Clock::now();
+    tell("{} orbits, to {} = {:.8g}\n", branch.orbits.size(), parameter,
+         branch.orbits.back().parameter);
+  };
+}
+
 OrbitFindings compute(const FloquetArguments& arguments) {
   const Study whole = load_study(arguments.study, arguments.overrides);
   OrbitRequest request = {.place = {},
@@ -32,7 +45,10 @@ OrbitFindings compute(const FloquetArguments& arguments) {
                           .period = arguments.period,
                           .steps = arguments.steps,
                           .is_equilibrium = arguments.is_equilibrium};
-  if (!arguments.along.empty()) request.range = read_range(*whole.model, arguments.along);
+  if (!arguments.along.empty()) {
+    request.range = read_range(*whole.model, arguments.along);
+    request.each_orbit = tell_branch(whole.model->parameters[request.range->parameter].name);
+  }
   request.place = read_place(whole, arguments.at);
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
@@ -58,15 +74,15 @@ void add_floquet_command(CLI::App* app) {
       ->type_name("NAME=FROM:TO");
   command
       ->add_option("--period", arguments->period,
-                   "The orbit's length in forcing periods, or in maxima of the first state where "
-                   "nothing drives the model (default: the smallest after which the motion "
-                   "repeats, 64 at most)")
+                   "The orbit's length in forcing periods; where nothing drives the model, in "
+                   "returns to its first section, or to where the first state is largest (default: "
+                   "the smallest after which the motion repeats, 64 at most)")
       ->type_name(kNumberValue)
       ->check(whole_number(1, 4096));
   command
       ->add_option(
           "--steps", arguments->steps,
-          fmt::format("Integration steps per period, or from a maximum to the next (default: "
+          fmt::format("Integration steps per period, or from a return to the next (default: "
                       "{} or the study's, if that is more)",
                       kMinOrbitSteps))
       ->type_name(kNumberValue)

@@ -183,7 +183,7 @@ std::vector<SectionInfo> add_section_signals(const Formula& formula, ModelDefini
     const std::size_t level = add("_level", unit, "what rises through 0 at the section");
     const std::size_t rate = add("_rate", "1", "rate of that");
     const std::size_t size = add("_size", unit, "what its terms come to without their signs");
-    sections.push_back({name, level, rate, size});
+    sections.push_back({name, place_of(definition->sections[i]), level, rate, size});
   }
   return sections;
 }

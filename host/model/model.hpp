@@ -105,7 +105,8 @@ struct SurfaceInfo {
 
 // A place that a motion is looked at where it comes up through it, and nothing happens.
 struct SectionInfo {
-  std::string name;  // its quantities begin with it
+  std::string name;   // its quantities begin with it
+  std::string place;  // "where x is largest", "where v goes up through 0"
   // Signals: the level is 0 there; its rate along the motion; the size of its terms, whose rounding
   // the level must leave.
   std::size_t level = 0, rate = 0, size = 0;

@@ -24,6 +24,8 @@ constexpr double kFarLanding = 0.3;    // correction, as a share of the step
 constexpr double kSmallCycle = 2e-3;   // of the largest cycle: near its birth
 constexpr double kShrinking = 0.6;     // a step makes a cycle no smaller than that
 constexpr double kAlong = 1e-3;        // off 1, of the multiplier along a cycle
+constexpr double kMostSlack = 0.01;    // multipliers tell nothing then
+constexpr double kApart = 1e-4;        // arclength from a fold to where its parameter has changed
 constexpr double kLonger = 3.0;        // lengths of the first one: worth telling
 constexpr double kLongCycle = 30.0;    // lengths of the first one
 
@@ -41,7 +43,7 @@ class BranchSearch {
   Branch follow(const Orbit& start) {
     std::optional<BranchPoint> last = follower_.start(start);
     if (!last) return ended("Newton's method failed at the start");
-    branch_.orbits.push_back({follower_.parameter_of(*last), last->orbit});
+    add_orbit(*last);
     double length = kFirstStep;
     while (branch_.orbits.size() < kMaxOrbits) {
       const std::optional<BranchPoint> next = step(*last, length);
@@ -65,7 +67,7 @@ class BranchSearch {
         return ended(fmt::format("reached {} = {:.8g}", name_,
                                  parameter < request_.from ? request_.from : request_.to));
       }
-      branch_.orbits.push_back({parameter, last->orbit});
+      add_orbit(*last);
       if (last->orbit.duration > kLongCycle * first_.duration) {
         return ended_at(
             fmt::format("a turn takes {:.0f} times as long as at the start (it nears a homoclinic "
@@ -85,6 +87,11 @@ class BranchSearch {
   }
   Branch ended_at(const std::string& why, const BranchPoint& s) {
     return ended(fmt::format("{} {} = {:.8g}", why, name_, follower_.parameter_of(s)));
+  }
+
+  void add_orbit(const BranchPoint& s) {
+    branch_.orbits.push_back({follower_.parameter_of(s), s.orbit});
+    if (request_.each_orbit) request_.each_orbit(branch_);
   }
 
   Branch ended_without_way(const BranchPoint& last) {
@@ -107,6 +114,7 @@ class BranchSearch {
     }
     // Where the multiplier along a cycle is not 1 it is none, or has too few steps.
     if (next->orbit.along && std::fabs(*next->orbit.along - 1.0) > kAlong) return std::nullopt;
+    if (next->orbit.slack > kMostSlack) return std::nullopt;
     // Beyond its birth a cycle is the same again, half a turn later.
     if (first_.kind == OrbitKind::cycle &&
         follower_.extent_of(*next) < kShrinking * follower_.extent_of(last)) {
@@ -120,6 +128,12 @@ class BranchSearch {
     const std::optional<Bracket> found = locate(follower_, coarser_, test, a, b);
     if (!found || found->parameter < request_.from || found->parameter > request_.to) return;
     if (test == at_pair && !is_pair_complex(found->low.orbit)) return;
+    // A family of cycles, as about a center, stays at one value of the parameter: it does not turn.
+    const auto stays = [&](const BranchPoint& s) {
+      return std::fabs(follower_.parameter_of(s) - found->parameter) <= found->error &&
+             (s.z - found->low.z).norm() > kApart;
+    };
+    if (test == turning && (stays(a) || stays(b))) return;
     branch_.bifurcations.push_back(
         {kind, found->parameter, found->error, found->low.orbit, found->grazing, born_of});
   }

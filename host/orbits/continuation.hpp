@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <vector>
 
 #include "orbits/floquet.hpp"
@@ -43,6 +44,8 @@ struct FollowRequest {
   std::size_t steps = 0;
   bool upwards = true;                      // direction of the parameter at the start
   const std::atomic<bool>* stop = nullptr;  // as in PeriodMap
+  // Told of each orbit, the last one of the branch so far; empty: nobody asks.
+  std::function<void(const Branch& so_far)> each_orbit = {};
 };
 
 // Follows the orbit `start` of `request.setting`. Bifurcations are located to about 1e-9 of the

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/error.hpp"
+#include "orbits/returns.hpp"
 
 namespace gearsweep {
 namespace {
@@ -120,32 +121,24 @@ RunError other_period(std::size_t found, std::size_t wanted) {
       found, wanted, found));
 }
 
-// The visits of a motion to the maxima of one state.
-class Maxima {
+// The moments at which a motion that nothing drives returns (orbits/returns.hpp).
+class Returns {
  public:
-  Maxima(const PeriodMap& map, const VectorXd& start, double step)
-      : map_(map),
-        state_(static_cast<Eigen::Index>(returning_state(map.model()))),
-        step_(step),
-        here_{start, 0.0},
-        extent_{start, start} {}
+  Returns(const PeriodMap& map, const VectorXd& start, double step)
+      : map_(map), step_(step), here_{start, 0.0}, extent_{start, start} {}
 
   // The next ones; RunError that says so where there are none.
   void visit(std::size_t count) {
-    const auto& states = map_.model().states;
-    double slope = slope_at(here_.state);
     for (std::size_t steps = 0; visits_.size() < count; ++steps) {
       if (steps == kMaxSteps) {
         throw RunError(
-            fmt::format("in {} steps the motion comes to no {} maxima of {}: there is "
-                        "nothing to tell a cycle by",
-                        kMaxSteps, count, states[static_cast<std::size_t>(state_)].name));
+            fmt::format("in {} steps the motion makes no {}: there is nothing to tell "
+                        "a cycle by",
+                        kMaxSteps, describe_returns(map_.model(), count)));
       }
-      Visit next = after(step_);
-      const double next_slope = slope_at(next.state);
-      if (slope > 0.0 && next_slope <= 0.0) visits_.push_back(turn_within());
-      here_ = std::move(next);
-      slope = next_slope;
+      const PeriodMap::Way way = way_of(step_);
+      if (way.returns > 0) visits_.push_back(return_within());
+      here_ = {way.end, here_.time + step_};
       extent_.take(here_.state);
     }
   }
@@ -154,27 +147,48 @@ class Maxima {
   VectorXd sizes() const { return sizes_of(extent_); }
 
  private:
-  double slope_at(const VectorXd& state) const { return map_.rate(state)[state_]; }
-  Visit after(double time) const {
-    std::optional<VectorXd> next = map_.advance(here_.state, TimeSpan{time, 1});
-    if (!next) throw left_range();
-    return {*std::move(next), here_.time + time};
+  PeriodMap::Way way_of(double time) const {
+    std::optional<PeriodMap::Way> way = map_.way(here_.state, TimeSpan{time, 1});
+    if (!way) throw left_range();
+    return *std::move(way);
   }
-  Visit turn_within() const {
+  Visit return_within() const {
     double low = 0.0, high = step_;
     for (double middle = 0.5 * step_; low < middle && middle < high; middle = 0.5 * (low + high)) {
-      (slope_at(after(middle).state) > 0.0 ? low : high) = middle;
+      (way_of(middle).returns == 0 ? low : high) = middle;
     }
-    return after(high);
+    return {way_of(high).end, here_.time + high};
   }
 
   const PeriodMap& map_;
-  Eigen::Index state_;
   double step_;
   Visit here_;
   Extent extent_;
   Visits visits_;
 };
+
+// That of the moments of a way that is farthest from all surfaces, each in units of what its level
+// reaches; where there are none, or the motion leaves the range, its start.
+VectorXd farthest_from_surfaces(const PeriodMap& map, const VectorXd& start, const TimeSpan& way) {
+  constexpr std::size_t kMoments = 32;
+  if (map.model().surfaces.empty()) return start;
+  const TimeSpan part = {way.duration / static_cast<double>(kMoments),
+                         (way.steps + kMoments - 1) / kMoments};
+  std::vector<VectorXd> states = {start}, levels;
+  VectorXd reach = VectorXd::Zero(static_cast<Eigen::Index>(map.model().surfaces.size()));
+  for (std::size_t i = 0; i < kMoments; ++i) {
+    levels.push_back(map.levels(states.back()).cwiseAbs());
+    reach = reach.cwiseMax(levels.back());
+    std::optional<VectorXd> next = map.advance(states.back(), part);
+    if (!next) return start;
+    states.push_back(*std::move(next));
+  }
+  const auto distance = [&](const VectorXd& level) {
+    return level.cwiseQuotient(above_zero(reach)).minCoeff();
+  };
+  const auto farthest = std::ranges::max_element(levels, {}, distance);
+  return states[static_cast<std::size_t>(farthest - levels.begin())];
+}
 
 // The shortest share of a cycle, of those that a whole number of its returns make, after which it
 // is back.
@@ -216,10 +230,10 @@ Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<st
 }
 
 Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearch& search) {
-  Maxima maxima(map, settled, search.step);
-  maxima.visit(kLongestPeriod + 1 + 4 * search.period.value_or(0));
-  const Visits& visits = maxima.visits();
-  const VectorXd sizes = maxima.sizes();
+  Returns returns(map, settled, search.step);
+  returns.visit(kLongestPeriod + 1 + 4 * search.period.value_or(0));
+  const Visits& visits = returns.visits();
+  const VectorXd sizes = returns.sizes();
   const std::size_t wanted = search.period ? *search.period : return_period(map, visits, sizes);
   if (wanted == 0) throw no_return(kLongestPeriod, "returns");
   std::vector<std::size_t> guesses = {visits.size() - 1 - wanted};
@@ -232,7 +246,10 @@ Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearc
         std::max(std::ceil(duration / search.step), static_cast<double>(search.steps * wanted));
     // Angles may have gone around often.
     const VectorXd guess = map.difference(visits[from].state, VectorXd::Zero(settled.size()));
-    found = shoot_cycle(map, guess, {duration, static_cast<std::size_t>(asked)});
+    const TimeSpan span = {duration, static_cast<std::size_t>(asked)};
+    found = shoot_cycle(map, guess, span);
+    // A return may lie at a surface, on either side of which its neighbours begin.
+    if (!found) found = shoot_cycle(map, farthest_from_surfaces(map, guess, span), span);
   }
   if (!found) throw no_orbit(wanted);
   const Orbit cycle = shortest_of(map, *found);
@@ -241,26 +258,10 @@ Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearc
 }
 
 Orbit away_from_surfaces(const PeriodMap& map, const Orbit& cycle) {
-  constexpr std::size_t kMoments = 32;
-  if (map.model().surfaces.empty() || cycle.kind != OrbitKind::cycle) return cycle;
-  const TimeSpan part = {cycle.duration / static_cast<double>(kMoments),
-                         (cycle.steps + kMoments - 1) / kMoments};
-  std::vector<VectorXd> states = {cycle.state}, levels;
-  VectorXd reach = VectorXd::Zero(static_cast<Eigen::Index>(map.model().surfaces.size()));
-  for (std::size_t i = 0; i < kMoments; ++i) {
-    levels.push_back(map.levels(states.back()).cwiseAbs());
-    reach = reach.cwiseMax(levels.back());
-    std::optional<VectorXd> next = map.advance(states.back(), part);
-    if (!next) return cycle;
-    states.push_back(*std::move(next));
-  }
-  const auto distance = [&](const VectorXd& level) {
-    return level.cwiseQuotient(above_zero(reach)).minCoeff();
-  };
-  const auto farthest = std::ranges::max_element(levels, {}, distance);
-  if (farthest == levels.begin()) return cycle;
-  const VectorXd& state = states[static_cast<std::size_t>(farthest - levels.begin())];
-  return shoot_cycle(map, state, {cycle.duration, cycle.steps}).value_or(cycle);
+  if (cycle.kind != OrbitKind::cycle) return cycle;
+  const TimeSpan span = {cycle.duration, cycle.steps};
+  const VectorXd state = farthest_from_surfaces(map, cycle.state, span);
+  return state == cycle.state ? cycle : shoot_cycle(map, state, span).value_or(cycle);
 }
 
 std::optional<Orbit> find_rest(const PeriodMap& map, const VectorXd& start,

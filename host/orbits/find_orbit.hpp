@@ -19,10 +19,9 @@ inline constexpr std::size_t kLongestPeriod = 64;
 Orbit find_orbit(const PeriodMap& map, const Eigen::VectorXd& settled,
                  std::optional<std::size_t> period);
 
-// The same of a motion that nothing drives. It is looked at at the maxima of its
-// returning_state(), which `period` counts; `step`: what it is integrated with till then, in
-// dimensionless time. A cycle takes `steps` from a maximum to the next, or more where `step` asks
-// for that.
+// The same of a motion that nothing drives. It is looked at where it returns (orbits/returns.hpp),
+// and `period` counts returns; `step`: what it is integrated with till then, in dimensionless time.
+// A cycle takes `steps` from a return to the next, or more where `step` asks for that.
 struct CycleSearch {
   double step = 0.0;
   std::size_t steps = 0;

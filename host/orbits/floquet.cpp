@@ -147,6 +147,7 @@ Orbit make_cycle(const VectorXd& state, const PeriodImage& image, const TimeSpan
   const MatrixXd turned = basis.transpose() * scaled * basis;
   const Eigen::Index across = state.size() - 1;
   orbit.along = turned(0, 0);
+  orbit.slack = turned.col(0).tail(across).norm() * turned.row(0).tail(across).norm();
   orbit.multipliers = eigenvalues_of(turned.bottomRightCorner(across, across));
   sort_by_modulus(&orbit.multipliers);
   return orbit;
@@ -165,13 +166,6 @@ Orbit make_equilibrium(const VectorXd& state, const MatrixXd& jacobian, const Ve
   std::stable_sort(orbit.multipliers.begin(), orbit.multipliers.end(),
                    [](const auto& a, const auto& b) { return a.real() > b.real(); });
   return orbit;
-}
-
-std::size_t returning_state(const Model& model) {
-  for (std::size_t i = 0; i < model.states.size(); ++i) {
-    if (std::ranges::find(model.angles, i) == model.angles.end()) return i;
-  }
-  return 0;
 }
 
 VectorXd above_zero(const VectorXd& sizes) {

@@ -38,8 +38,8 @@ std::string name_of(Bifurcation kind, OrbitKind of);
 struct Orbit {
   OrbitKind kind = OrbitKind::forced;
   Eigen::VectorXd state;  // at phase 0; of a cycle anywhere on it
-  // The smallest, in forcing periods; of a cycle, the maxima of the state that its returns are
-  // counted by (returning_state()); 1 of an equilibrium.
+  // The smallest, in forcing periods; of a cycle, its returns (orbits/returns.hpp); 1 of an
+  // equilibrium.
   std::size_t period = 1;
   double duration = 0.0;      // of the whole orbit, in dimensionless time; 0 of an equilibrium
   std::size_t steps = 0;      // that a cycle was computed with
@@ -49,6 +49,9 @@ struct Orbit {
   // map. Of an equilibrium: eigenvalues of the Jacobian, the largest real part first.
   Eigen::VectorXcd multipliers;
   std::optional<double> along;
+  // By so much multipliers of a cycle may be off: what is carried round along it comes back a
+  // little across it, which is an error, times what from across comes back along it.
+  double slack = 0.0;
   std::vector<Graze> grazes;
   // What counts as the size of each state, above 0: see sizes_of. Residuals and distances are
   // judged in these sizes, so that no unit of a state or of the time decides anything.
@@ -85,9 +88,6 @@ Orbit make_cycle(const Eigen::VectorXd& state, const PeriodImage& image, const T
 // sizes: magnitudes whose rounding is that of the state.
 Orbit make_equilibrium(const Eigen::VectorXd& state, const Eigen::MatrixXd& jacobian,
                        const Eigen::VectorXd& sizes);
-
-// The state whose maxima count the returns of a cycle: the first that is no angle.
-std::size_t returning_state(const Model& model);
 
 // The size of each state on a way: half of its extent there, which does not know from where a state
 // is counted; at least a millionth of its magnitude, and of what the others' sizes become in it; 1

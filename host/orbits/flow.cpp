@@ -18,32 +18,6 @@ void Extent::take(const Eigen::VectorXd& state) {
   max = max.cwiseMax(state);
 }
 
-MaximaCount::MaximaCount(const Eigen::VectorXd& start)
-    : last_(start),
-      first_way_(static_cast<std::size_t>(start.size()), Way::none),
-      last_way_(first_way_),
-      counts_(first_way_.size(), 0) {}
-
-void MaximaCount::take(const Eigen::VectorXd& state) {
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    const double change = state[static_cast<Eigen::Index>(i)] - last_[static_cast<Eigen::Index>(i)];
-    if (change == 0.0) continue;
-    const Way way = change > 0.0 ? Way::up : Way::down;
-    if (first_way_[i] == Way::none) first_way_[i] = way;
-    if (last_way_[i] == Way::up && way == Way::down) ++counts_[i];
-    last_way_[i] = way;
-  }
-  last_ = state;
-}
-
-std::vector<std::size_t> MaximaCount::counts() const {
-  std::vector<std::size_t> counts = counts_;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (last_way_[i] == Way::up && first_way_[i] == Way::down) ++counts[i];
-  }
-  return counts;
-}
-
 Flow::Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point,
            const PhaseGrid& grid, double duration, const Eigen::VectorXd& state,
            const Eigen::MatrixXd& tangents)
@@ -56,7 +30,7 @@ Flow::Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point
       has_surfaces_(!model.surfaces.empty()),
       grazes_(model.contact_limits().size()),
       extent_{state, state},
-      maxima_(state),
+      return_level_(model, *point, &held_),
       at_{state, tangents},
       start_(at_),
       moving_{at_, at_, at_},
@@ -66,9 +40,16 @@ Flow::Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point
   rows_.fill(std::vector<double>(row_width_));
 }
 
-void Flow::advance_grid() {
+void Flow::advance_grid(bool counts_returns) {
   const double* coefs = grid_.coefs.data();
   double phase = 0.0;
+  PartCallback each_part;
+  if (counts_returns && has_surfaces_) {
+    each_part = [&](double, double, const HeldMotion& before, const HeldMotion& after) {
+      take_return(coefs, before.state);
+      take_return(coefs, after.state);
+    };
+  }
   for (std::size_t segment = 0; segment < grid_.segment_steps.size(); ++segment) {
     const double length = grid_.segment_fractions[segment];
     const std::uint32_t count = grid_.segment_steps[segment];
@@ -77,16 +58,21 @@ void Flow::advance_grid() {
       const GridStep first = {coefs, phase, length, inside};
       held_.begin(moments_of(first)(0.0).data(), length * duration_, at_.state.data());
     }
+    if (counts_returns) take_return(coefs, at_.state);
     for (std::uint32_t i = 0; i < count; ++i) {
       const GridStep step = {coefs, phase + length * i, length, inside};
-      has_surfaces_ ? step_held(&held_, moments_of(step), &at_) : advance(step);
+      has_surfaces_ ? step_held(&held_, moments_of(step), &at_, each_part) : advance(step);
+      if (counts_returns) take_return(coefs, at_.state);
       extent_.take(at_.state);
-      maxima_.take(at_.state);
       coefs += 2 * row_width_;
     }
     phase += length * count;
     coefs += row_width_;  // the next segment has its own one-sided row at the break phase
   }
+}
+
+void Flow::take_return(const double* coefs, const Eigen::VectorXd& state) {
+  returns_.take(return_level_(coefs, state.data()));
 }
 
 StepMoments Flow::moments_of(const GridStep& step) const {

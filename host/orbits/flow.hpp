@@ -12,6 +12,7 @@
 
 #include "model/held_step.hpp"
 #include "orbits/contact_field.hpp"
+#include "orbits/returns.hpp"
 #include "plan/phase_grid.hpp"
 
 namespace gearsweep {
@@ -34,23 +35,6 @@ struct Extent {
   Eigen::VectorXd swing() const { return 0.5 * (max - min); }
 };
 
-// How many maxima each state has on a closed way, at the ends of its steps.
-class MaximaCount {
- public:
-  explicit MaximaCount(const Eigen::VectorXd& start);
-
-  void take(const Eigen::VectorXd& state);
-  // Where the way ends, it begins again.
-  std::vector<std::size_t> counts() const;
-
- private:
-  enum class Way { none, up, down };
-
-  Eigen::VectorXd last_;
-  std::vector<Way> first_way_, last_way_;  // [state]
-  std::vector<std::size_t> counts_;
-};
-
 class Flow {
  public:
   // From `state` at phase 0. The grid takes `duration`, in dimensionless time: a forcing period, or
@@ -59,8 +43,8 @@ class Flow {
   Flow(const Model& model, const ModelSetting& setting, PreparedPoint* point, const PhaseGrid& grid,
        double duration, const Eigen::VectorXd& state, const Eigen::MatrixXd& tangents);
 
-  // Through the whole grid.
-  void advance_grid();
+  // Through the whole grid. counts_returns: of a motion that nothing drives.
+  void advance_grid(bool counts_returns = false);
 
   const Eigen::VectorXd& state() const { return at_.state; }
   const Eigen::MatrixXd& tangents() const { return at_.tangents; }
@@ -69,7 +53,8 @@ class Flow {
   const std::vector<Graze>& nearest_grazes() const { return grazes_; }
   // The extent of the way so far, at the ends of its steps.
   const Extent& extent() const { return extent_; }
-  const MaximaCount& maxima() const { return maxima_; }
+  // Those of the way so far that were to be counted.
+  const ReturnCount& returns() const { return returns_; }
 
  private:
   using Carried = HeldMotion;
@@ -98,6 +83,8 @@ class Flow {
   };
 
   void advance(const GridStep& step);
+  // On a row of phase coefficients.
+  void take_return(const double* coefs, const Eigen::VectorXd& state);
   StepMoments moments_of(const GridStep& step) const;
   // Carries `carried` from the start of a part to a share of the step.
   Seen carry(const Part& part, double to, Carried* carried);
@@ -126,7 +113,8 @@ class Flow {
   bool has_surfaces_;
   std::vector<Graze> grazes_;
   Extent extent_;
-  MaximaCount maxima_;
+  ReturnLevel return_level_;
+  ReturnCount returns_;
   Carried at_;     // where the trajectory is
   Carried start_;  // where the part of the step began that is being tried
   // Kept from step to step: allocating them anew costs more than a small model's right-hand side.

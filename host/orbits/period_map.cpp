@@ -26,10 +26,10 @@ bool PeriodMap::driven() const {
   return false;
 }
 
-bool PeriodMap::advance(Flow* flow, std::size_t times) const {
+bool PeriodMap::advance(Flow* flow, std::size_t times, bool counts_returns) const {
   for (std::size_t i = 0; i < times; ++i) {
     if (stop_ != nullptr && *stop_) throw SearchStopped();
-    flow->advance_grid();
+    flow->advance_grid(counts_returns);
     const VectorXd& state = flow->state();
     if (!model_->is_within_limits({state.data(), static_cast<std::size_t>(state.size())})) {
       return false;
@@ -42,7 +42,7 @@ namespace {
 
 PeriodImage image_of(const Flow& flow) {
   return {flow.state(), flow.tangents(), flow.nearest_grazes(), flow.extent(),
-          flow.maxima().counts()};
+          flow.returns().of_closed_way()};
 }
 
 }  // namespace
@@ -74,18 +74,24 @@ PhaseGrid PeriodMap::grid_of(const TimeSpan& span) const {
   return grid;
 }
 
-std::optional<VectorXd> PeriodMap::advance(const VectorXd& state, const TimeSpan& span) const {
+std::optional<PeriodMap::Way> PeriodMap::way(const VectorXd& state, const TimeSpan& span) const {
   const PhaseGrid grid = grid_of(span);
   Flow flow(*model_, setting_, point_.get(), grid, span.duration, state, MatrixXd(state.size(), 0));
-  if (!advance(&flow, 1)) return std::nullopt;
-  return flow.state();
+  if (!advance(&flow, 1, true)) return std::nullopt;
+  return Way{flow.state(), flow.returns().so_far()};
+}
+
+std::optional<VectorXd> PeriodMap::advance(const VectorXd& state, const TimeSpan& span) const {
+  const std::optional<Way> found = way(state, span);
+  if (!found) return std::nullopt;
+  return found->end;
 }
 
 std::optional<PeriodImage> PeriodMap::linearize(const VectorXd& state, const TimeSpan& span) const {
   const PhaseGrid grid = grid_of(span);
   Flow flow(*model_, setting_, point_.get(), grid, span.duration, state,
             MatrixXd::Identity(state.size(), state.size()));
-  if (!advance(&flow, 1)) return std::nullopt;
+  if (!advance(&flow, 1, true)) return std::nullopt;
   return image_of(flow);
 }
 

@@ -20,7 +20,7 @@ struct PeriodImage {
   // What the way there meets, as Flow tells it.
   std::vector<Graze> grazes;
   Extent extent;
-  std::vector<std::size_t> maxima;  // of each state, if the way is closed
+  std::size_t returns = 0;  // of a motion that nothing drives, if the way is closed
 };
 
 // A time, dimensionless, and the equal steps that it is taken in.
@@ -50,6 +50,12 @@ class PeriodMap {
   bool driven() const;
   // As above, after a time.
   std::optional<Eigen::VectorXd> advance(const Eigen::VectorXd& state, const TimeSpan& span) const;
+  // The same, with what it passes.
+  struct Way {
+    Eigen::VectorXd end;
+    std::size_t returns = 0;
+  };
+  std::optional<Way> way(const Eigen::VectorXd& state, const TimeSpan& span) const;
   std::optional<PeriodImage> linearize(const Eigen::VectorXd& state, const TimeSpan& span) const;
   // The derivative of a motion by the time, and the derivative of that by the state.
   Eigen::VectorXd rate(const Eigen::VectorXd& state) const;
@@ -66,7 +72,7 @@ class PeriodMap {
 
  private:
   // Through the grid; false when the state left the range.
-  bool advance(Flow* flow, std::size_t times) const;
+  bool advance(Flow* flow, std::size_t times, bool counts_returns = false) const;
   PhaseGrid grid_of(const TimeSpan& span) const;
 
   const Model* model_;

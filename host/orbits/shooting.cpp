@@ -157,7 +157,7 @@ Orbit Shooting::orbit_at(const PeriodMap& map, const VectorXd& unknowns,
       return make_orbit(state, image, form_.period);
     case OrbitKind::cycle:
       return make_cycle(state, image, {duration_of(unknowns), form_.steps}, map.rate(state),
-                        image.maxima[returning_state(map.model())]);
+                        image.returns);
     case OrbitKind::equilibrium:
       break;
   }

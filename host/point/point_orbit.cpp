@@ -143,7 +143,8 @@ void require_smooth(const Study& study) {
 }
 
 std::vector<Branch> follow(const Study& study, const FollowedRange& range, const PeriodMap& map,
-                           const Orbit& orbit, const std::atomic<bool>* stop) {
+                           const Orbit& orbit, const std::atomic<bool>* stop,
+                           const std::function<void(const Branch&)>& each_orbit) {
   FollowRequest request = {study.model,
                            study.setting,
                            range.parameter,
@@ -151,7 +152,8 @@ std::vector<Branch> follow(const Study& study, const FollowedRange& range, const
                            std::max(range.from, range.to),
                            map.steps(),
                            false,
-                           stop};
+                           stop,
+                           each_orbit};
   const double start = study.setting.parameters[range.parameter];
   const Orbit first = away_from_surfaces(map, orbit);
   std::vector<Branch> branches;
@@ -213,7 +215,9 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
     const OrbitError error =
         error_of(orbit, PeriodMap(model, study.setting, map.steps() / 2, options.stop));
     std::vector<Branch> branches;
-    if (request.range) branches = follow(study, *request.range, map, orbit, options.stop);
+    if (request.range) {
+      branches = follow(study, *request.range, map, orbit, options.stop, request.each_orbit);
+    }
     return OrbitFindings{study,         parameters_of(study, place), map.period(), orbit, error,
                          request.range, std::move(branches)};
   } catch (const SearchStopped&) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,8 @@ struct OrbitRequest {
   std::optional<std::size_t> period;
   std::optional<std::size_t> steps;  // of that; nothing: kMinOrbitSteps or the study's
   bool is_equilibrium = false;       // the one that Newton's method comes to from the start
+  // As in FollowRequest.
+  std::function<void(const Branch& so_far)> each_orbit = {};
 };
 
 // Throws InputError unless the model has the parameter and it may have the values.

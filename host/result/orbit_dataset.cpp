@@ -9,6 +9,7 @@
 #include <functional>
 #include <numeric>
 
+#include "orbits/returns.hpp"
 #include "result/detail/file_notes.hpp"
 
 namespace gearsweep {
@@ -183,8 +184,7 @@ class OrbitDescription {
 
   std::string period_meaning() const {
     if (kind_ == OrbitKind::forced) return "period of the orbit in forcing periods";
-    return fmt::format("maxima of {} in a turn of the cycle",
-                       model_.states[returning_state(model_)].name);
+    return "returns to " + place_of_returns(model_) + " in a turn of the cycle";
   }
   std::string stable_meaning() const {
     return kind_ == OrbitKind::equilibrium ? "whether no eigenvalue has a positive real part"

@@ -47,11 +47,11 @@ def floquet(
         A parameter, and from where to where the orbit is followed: ``("omega", 0.5, 0.7)``. It
         begins where the place says, or else at the first of the two values.
     period : int, optional
-        The orbit's length in forcing periods, of a cycle in maxima of its first state. By default
-        the smallest after which the motion repeats, 64 at most. Finds an unstable orbit inside
-        chaos, too.
+        The orbit's length in forcing periods, of a cycle in returns to its first section. By
+        default the smallest after which the motion repeats, 64 at most. Finds an unstable orbit
+        inside chaos, too.
     steps : int, optional
-        Integration steps of a forcing period, of a cycle from one maximum to the next; by default
+        Integration steps of a forcing period, of a cycle from one return to the next; by default
         2048, or the study's if that is more.
     equilibrium : bool, optional
         Find the equilibrium that Newton's method comes to from the start, stable or not, of a model

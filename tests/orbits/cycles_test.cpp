@@ -19,6 +19,50 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+// theta only rises, and jumps back where the next spoke lands: it has no maximum. Each step a spoke
+// loses all but cos(2 alpha)^2 of its energy, 2 sin(alpha) sin(slope) more than it gets back at
+// the next one (McGeer 1990).
+TEST(Cycles, ReturnToTheSectionOfTheirModel) {
+  const double alpha = 0.4, slope = 0.08;
+  const Example wheel("rimless_wheel", {{"alpha", alpha}, {"slope", slope}});
+  const PeriodMap map = wheel.map();
+  const Eigen::VectorXd settled =
+      map.advance(Eigen::Vector2d(slope - alpha, 0.5), TimeSpan{200.0, 10000}).value();
+  const Orbit cycle = find_cycle(map, settled, {0.02, kSteps, {}});
+  EXPECT_EQ(cycle.period, 1U);
+  const double kept = std::pow(std::cos(2.0 * alpha), 2);
+  EXPECT_NEAR(cycle.multipliers[0].real(), kept, 1e-10);
+  const double landing = 4.0 * std::sin(alpha) * std::sin(slope) * kept / (1.0 - kept);
+  const double energy = 0.5 * std::pow(cycle.state[1], 2) + std::cos(cycle.state[0]);
+  EXPECT_NEAR(energy, 0.5 * landing + std::cos(slope - alpha), 1e-11);
+}
+
+// The wheel's multiplier is the same at any slope, up to the slope at which it stops over its foot.
+TEST(Cycles, HaveNoBifurcationWhereTheirMultipliersAreRounding) {
+  const Example wheel("rimless_wheel", {{"slope", 0.074}});
+  const PeriodMap map = wheel.map();
+  const Eigen::VectorXd settled =
+      map.advance(Eigen::Vector2d(-0.3, 0.45), TimeSpan{200.0, 10000}).value();
+  const Branch branch =
+      wheel.follow(find_cycle(map, settled, {0.02, 256, {}}), "slope", 0.07, 0.075, false, 256);
+  EXPECT_TRUE(branch.bifurcations.empty());
+  const double stops = branch.orbits.back().parameter;
+  EXPECT_NEAR(stops, 0.0724388, 1e-6);
+}
+
+// Small cycles about the rest, where no tooth parts, are all at the parameter of the Hopf
+// bifurcation: 0.065482361894 by the eigenvalues.
+TEST(Cycles, OfAFamilyAtOneParameterDoNotTurn) {
+  const Example gear("gear_squeal", {{"mu", 0.07}});
+  const PeriodMap map = gear.map();
+  const Eigen::VectorXd start = Eigen::VectorXd::Constant(6, 0.1);
+  const Eigen::VectorXd settled = map.advance(start, TimeSpan{4000.0, 80000}).value();
+  const Branch branch =
+      gear.follow(find_cycle(map, settled, {0.05, 512, {}}), "mu", 0.06, 0.08, false, 512);
+  EXPECT_TRUE(branch.bifurcations.empty());
+  EXPECT_NEAR(branch.orbits.back().parameter, 0.065482361894, 1e-9);
+}
+
 // The cycle that a motion from states of 1 comes to in `time`.
 Orbit cycle_of(const Example& example, double time, std::optional<std::size_t> period = {}) {
   const double step = 0.02;

@@ -8,6 +8,7 @@
 
 #include "cli/detail/digits.hpp"
 #include "cli/detail/json_text.hpp"
+#include "orbits/returns.hpp"
 
 namespace gearsweep {
 namespace {
@@ -85,10 +86,8 @@ std::string describe_kind(const OrbitFindings& findings) {
       return fmt::format("orbit of period {} ({}), T = {:.10g}\n", orbit.period, stability,
                          static_cast<double>(orbit.period) * findings.forcing_period);
     case OrbitKind::cycle:
-      return fmt::format("cycle with {} {} of {} ({}), T = {}\n", orbit.period,
-                         orbit.period == 1 ? "maximum" : "maxima",
-                         model.states[returning_state(model)].name, stability,
-                         with_digits(orbit.duration, findings.error.duration));
+      return fmt::format("cycle with {} ({}), T = {}\n", describe_returns(model, orbit.period),
+                         stability, with_digits(orbit.duration, findings.error.duration));
     case OrbitKind::equilibrium:
       break;
   }

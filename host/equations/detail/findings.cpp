@@ -14,6 +14,14 @@ constexpr std::size_t kBreaksToSee = 8;
 
 }  // namespace
 
+std::string place_of(const SectionDefinition& section) {
+  const std::string& value = section.value.text;
+  if (section.of_rate) {
+    return fmt::format("where {} is {}", value, section.is_down ? "largest" : "smallest");
+  }
+  return fmt::format("where {} goes {} through 0", value, section.is_down ? "down" : "up");
+}
+
 std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
                                      const Lowered& lowered, const PhaseBreaks& breaks) {
   std::vector<std::string> lines;
@@ -40,11 +48,7 @@ std::vector<std::string> findings_of(const ModelDefinition& definition, const Fo
                     surface.place.expression, equation_of(definition, surface.place)));
   }
   for (const SectionDefinition& section : definition.sections) {
-    const char* const extreme = section.is_down ? "largest" : "smallest";
-    add(section.of_rate
-            ? fmt::format("section '{}': where {} is {}", section.name, section.value.text, extreme)
-            : fmt::format("section '{}': where {} goes {} through 0", section.name,
-                          section.value.text, section.is_down ? "down" : "up"));
+    add(fmt::format("section '{}': {}", section.name, place_of(section)));
   }
   for (const Contact& contact : lowered.contacts.list) {
     if (contact.is_hidden) {

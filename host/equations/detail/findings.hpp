@@ -10,6 +10,9 @@
 
 namespace gearsweep {
 
+// SectionInfo::place.
+std::string place_of(const SectionDefinition& section);
+
 // Model::findings: a line each.
 std::vector<std::string> findings_of(const ModelDefinition& definition, const Formula& formula,
                                      const Lowered& lowered, const PhaseBreaks& breaks);

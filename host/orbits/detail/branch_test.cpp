@@ -131,7 +131,9 @@ bool changes(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
 bool is_told(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
   if (a.orbit.kind == OrbitKind::forced) return true;
   // Rounding of eigenvalues, and errors of a cycle's.
-  const double border = a.orbit.kind == OrbitKind::equilibrium ? 1e-9 : 1e-6;
+  const double border = a.orbit.kind == OrbitKind::equilibrium
+                            ? 1e-9
+                            : std::max({1e-6, a.orbit.slack, b.orbit.slack});
   const auto smallest = [&](const BranchPoint& s) {
     double least = 1.0;
     for (const complex<double>& factor : factors_of(test, s.orbit)) {
