@@ -94,10 +94,12 @@ typedef struct {
   mask slid;                    // it began to slide since this was last cleared
 } Sides;
 
-// Which surfaces have reset the state, and how fast their levels rose there.
+// Which surfaces have reset the state; how fast their levels rose there, and what their own resets
+// made of that.
 typedef struct {
   mask hit[MODEL_SURFACES];
   real rate[MODEL_SURFACES];
+  real behind[MODEL_SURFACES];
 } SurfaceMet;
 
 // Phase coefficients at a moment of a lane's own.

@@ -89,45 +89,66 @@ void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMot
   }
 }
 
-// Resets at a surface that is met, and at those that this lifts the state above, each once.
+// Resets at a surface that is met, and at those that this lifts the state above, or drives it into
+// from rest, each once.
 void HeldField::reset_from(std::size_t surface, double rate, const double* coefs, double* x,
                            Carried* carried) {
   const Index states = index(states_);
   const double level_there = std::fabs(values(SurfaceValue::level, coefs, x, 1)[surface]);
   std::vector<Met> met = {{surface, rate}};
+  std::vector<double> rates_behind;  // of the surfaces that are met, by their own resets
+  std::vector<bool> rested = slides_, changed(sides_.size());
   for (std::size_t i = 0; i < met.size(); ++i) {
     const std::size_t one = met[i].surface;
     const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
                               drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
                               slopes =
                                   values(SurfaceValue::reset_gradient, coefs, x, states_ * states_),
-                              before = values(SurfaceValue::level, coefs, x, 1);
+                              before = values(SurfaceValue::level, coefs, x, 1),
+                              held_before = values(SurfaceValue::held, coefs, x, 1);
     const MatrixXd slope = RowMajor::Map(slopes.data() + one * states_ * states_, states, states);
     carried->by = (slope * carried->by).eval();
     carried->field =
         (slope * carried->field + VectorXd::Map(drifts.data() + one * states_, states)).eval();
     std::copy_n(to.begin() + static_cast<std::ptrdiff_t>(one * states_), states_, x);
-    const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1);
+    const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1),
+                              held = values(SurfaceValue::held, coefs, x, 1);
+    rates_behind.push_back(held[one]);
     std::vector<std::size_t> elsewhere;
-    std::optional<std::size_t> lifted_above;
+    std::optional<std::size_t> next;
     for (std::size_t k = 0; k < levels.size(); ++k) {
       if (std::ranges::find(met, k, &Met::surface) != met.end()) continue;
-      if (model_.surfaces[k].resets && sides_[k] < 0.5 && levels[k] > 0.0) {
-        if (!lifted_above) lifted_above = k;
-      } else if (levels[k] != before[k]) {
+      const bool resets = model_.surfaces[k].resets;
+      const bool is_moved =
+          levels[k] != before[k] || (resets && rested[k] && held[k] != held_before[k]);
+      changed[k] = changed[k] || is_moved;
+      if (changed[k] && resets && sides_[k] < 0.5 && levels[k] > 0.0) {
+        if (!next) next = k;
+      } else if (is_moved) {
         elsewhere.push_back(k);
       }
     }
     find_sides(elsewhere, levels, coefs, x);
-    if (!lifted_above) continue;
+    for (std::size_t k = 0; k < levels.size() && !next; ++k) {
+      const bool is_met = std::ranges::find(met, k, &Met::surface) != met.end();
+      const bool was_at_rest = model_.surfaces[k].resets && rested[k] && !slides_[k];
+      if (!is_met && changed[k] && was_at_rest && held[k] > 0.0) next = k;
+    }
+    if (!next) continue;
     std::vector<double> dx(states_);
-    slides_[*lifted_above] = false;
+    slides_[*next] = false;
     rhs(coefs, x, dx.data());
-    met.push_back({*lifted_above, std::max(rates(coefs, x, dx.data())[*lifted_above], 0.0)});
+    met.push_back({*next, std::max(rates(coefs, x, dx.data())[*next], 0.0)});
   }
-  for (const Met& one : met) {
-    rebound(one, one.surface == surface ? level_there : 0.0, coefs, x);
-    met_.push_back(one);
+  met_.insert(met_.end(), met.begin(), met.end());
+  // What rests may push others into rest.
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      if (slides_[met[i].surface]) continue;
+      rebound(met[i], rates_behind[i], met[i].surface == surface ? level_there : 0.0, coefs, x);
+      is_new = is_new || slides_[met[i].surface];
+    }
   }
 }
 
@@ -150,7 +171,8 @@ void HeldField::cross(std::size_t surface, const double* coefs, const double* x)
 
 // Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
 // the flight to the next impact would be too short to count.
-void HeldField::rebound(const Met& met, double level_there, const double* coefs, double* x) {
+void HeldField::rebound(const Met& met, double rate_behind, double level_there, const double* coefs,
+                        double* x) {
   const std::size_t surface = met.surface;
   std::vector<double> dx(states_);
   rhs(coefs, x, dx.data());
@@ -160,8 +182,9 @@ void HeldField::rebound(const Met& met, double level_there, const double* coefs,
   // The reset leaves the level what it was, but for rounding.
   const double reach = level_there + kNear * step_ * std::max(std::fabs(rate), step_ * push);
   const bool is_at = std::fabs(level) <= 2.0 * reach;
-  // Of a reset that leaves no speed the rate is rounding.
-  const bool goes_on = rate > kNear * met.rate;
+  // Of a reset that leaves no speed the rate is rounding. Thrown back, and driven against it again
+  // by another surface, it is met anew.
+  const bool goes_on = std::min(rate, rate_behind) > kNear * met.rate;
   sides_[surface] = (is_at ? goes_on : level > 0.0) ? 1.0 : 0.0;
   point_->hold(sides_);
   if (!is_at || goes_on) return;

@@ -102,8 +102,10 @@ class HeldField {
   void cross(std::size_t surface, const double* coefs, const double* x);
   void reset_from(std::size_t surface, double rate, const double* coefs, double* x,
                   Carried* carried);
-  // level_there: how far off the surface the motion came to it.
-  void rebound(const Met& met, double level_there, const double* coefs, double* x);
+  // rate_behind: of the level, as its own reset left it; level_there: how far off the surface the
+  // motion came to it.
+  void rebound(const Met& met, double rate_behind, double level_there, const double* coefs,
+               double* x);
   // To just above or below a surface, at a level of `at`, so that by rounding it does not count as
   // on the other side; put_below: of one where the state is reset.
   void put_beside(std::size_t surface, double at, bool above, const double* coefs, double* x);

@@ -176,41 +176,63 @@ SHARED_FN void surface_reset(const ModelPoint* point, const PhaseAt* moment, int
 }
 
 // Resets the state at the surfaces that are met. Where that puts it to another side of others, it
-// is there at once; where it lifts it above one that resets it, too, that one is met at the same
-// moment: one after the other, each once.
+// is there at once; where it lifts it above one that resets it, too, or drives it into one that it
+// rests against, that one is met at the same moment: one after the other, each once. From one that
+// it rests against it may also be thrown off.
 SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, int beside, real* x,
                               real* field, real* w, SurfaceMet* met) {
   const real zero = 0;
   const real one = 1;
   mask now[MODEL_SURFACES];
+  mask rested[MODEL_SURFACES];
+  mask changed[MODEL_SURFACES];  // by a reset: the level, or what rest keeps
   UNROLL
-  for (int k = 0; k < MODEL_SURFACES; ++k) now[k] = met->hit[k];
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    now[k] = met->hit[k];
+    rested[k] = MODEL_RESETS(k) ? point->sides.slides[k] & !met->hit[k] : zero != zero;
+    changed[k] = zero != zero;
+  }
   for (int times = 0; times < MODEL_SURFACES; ++times) {
     real before[MODEL_SURFACES];
     real after[MODEL_SURFACES];
+    real held_before[MODEL_SURFACES];
+    real held_after[MODEL_SURFACES];
     real dx[MODEL_STATE_COUNT];
     real rates[MODEL_SURFACES];
     mask moved[MODEL_SURFACES];
+    mask due[MODEL_SURFACES];
     mask any = now[0];
     UNROLL
     for (int k = 1; k < MODEL_SURFACES; ++k) any = any | now[k];
     if (all_lanes(!any)) break;
     model_level_values(point, moment, x, before);
+    model_held_values(point, moment, x, held_before);
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
       if (!MODEL_RESETS(k) || all_lanes(!now[k])) continue;
       surface_reset(point, moment, k, now[k], beside, x, field, w);
     }
     model_level_values(point, moment, x, after);
+    model_held_values(point, moment, x, held_after);
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      met->behind[k] = lane_select(now[k], held_after[k], met->behind[k]);
+      moved[k] = any & !met->hit[k] &
+                 ((after[k] != before[k]) | (rested[k] & (held_after[k] != held_before[k])));
+      changed[k] = changed[k] | moved[k];
+      const mask is_lifted = changed[k] & (point->sides.side[k] < one) & (zero < after[k]);
+      due[k] = MODEL_RESETS(k) ? is_lifted : zero != zero;
+      moved[k] = moved[k] & !due[k];
+    }
+    surfaces_find_sides(point, moment, h, x, after, moved);
     mask is_free = any;  // no other surface is met next
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
-      const mask is_lifted = any & !met->hit[k] & (point->sides.side[k] < one) & (zero < after[k]);
-      now[k] = MODEL_RESETS(k) ? is_lifted & is_free : zero != zero;
+      const mask is_struck =
+          changed[k] & rested[k] & !point->sides.slides[k] & (zero < held_after[k]);
+      now[k] = (due[k] | is_struck) & !met->hit[k] & is_free;
       is_free = is_free & !now[k];
-      moved[k] = any & !met->hit[k] & (after[k] != before[k]) & !(MODEL_RESETS(k) & is_lifted);
     }
-    surfaces_find_sides(point, moment, h, x, after, moved);
     surface_bind_resting(point, moment, h, x);
     surface_field(point, moment, x, dx, rates);
     UNROLL
@@ -224,53 +246,60 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
 }
 
 // Behind a reset: back, on through the surface, to where the reset put it, or at rest on it, where
-// the flight to the next impact would be too short to count. cuts: of the step, so far.
+// the flight to the next impact would be too short to count. What rests may push others into rest:
+// one round after the other, until no more come to it. cuts: of the step, so far.
 SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, real cuts,
                                const mask* hit, const mask* touched, const SurfaceMet* met,
-                               const real* levels_before, const real* field,
-                               const real* rates_behind, real* x) {
+                               const real* levels_before, real* x) {
   const real zero = 0;
   const real one = 1;
-  real levels[MODEL_SURFACES];
-  real pushes[MODEL_SURFACES];
-  mask rests = zero != zero;
   const real shortest = lane_select(cuts < SURFACE_MANY_CUTS, (real)(SURFACE_SHORT_FLIGHT),
                                     (real)(SURFACE_SHORT_OF_MANY));
-  model_level_values(point, moment, x, levels);
-  model_held_rates(point, moment, x, field, pushes);
-  UNROLL
-  for (int k = 0; k < MODEL_SURFACES; ++k) {
-    if (!MODEL_RESETS(k)) continue;
-    const mask is_reset = met->hit[k];
-    const real rate = rates_behind[k];
-    const real push = pushes[k];
-    // The reset leaves the level what it was, but for rounding; where the motion came to it.
-    const real came_to = lane_select(hit[k], lane_abs(levels_before[k]), zero);
-    const real reach = came_to + SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
-    const mask is_at = lane_abs(levels[k]) <= (scalar)(2) * reach;
-    // Of a reset that leaves no speed the rate is rounding.
-    const real smallest =
-        SURFACE_NEAR * met->rate[k] + surface_rate_rounding(point, moment, x, k, field);
-    const mask goes_on = smallest < rate;
-    const mask is_above = (is_at & goes_on) | (!is_at & (zero < levels[k]));
-    // What only touches it from below goes on there.
-    const mask touches = touched[k];
-    const mask returns = touches | (is_reset & !is_above);
-    const real rounding = surface_put_below(point, moment, k, touches | (returns & is_at), x);
-    // A flight that is too short, or too low.
-    const mask is_short = (scalar)(2) * lane_abs(rate) <= shortest * h * push;
-    const mask is_low = rate * rate <= (scalar)(8) * push * rounding;
-    const mask stays =
-        (touches | (is_reset & is_at & !goes_on)) & (zero < push) & (is_short | is_low);
-    point->sides.side[k] =
-        lane_select(returns, zero, lane_select(is_reset, one, point->sides.side[k]));
-    point->sides.slides[k] = point->sides.slides[k] | stays;
-    rests = rests | stays;
+  for (int times = 0; times < MODEL_SURFACES; ++times) {
+    real field[MODEL_STATE_COUNT];
+    real rates[MODEL_SURFACES];
+    real levels[MODEL_SURFACES];
+    real pushes[MODEL_SURFACES];
+    mask rests = zero != zero;
+    surface_field(point, moment, x, field, rates);
+    model_level_values(point, moment, x, levels);
+    model_held_rates(point, moment, x, field, pushes);
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      if (!MODEL_RESETS(k)) continue;
+      const mask is_new = !point->sides.slides[k];
+      const mask is_reset = met->hit[k] & is_new;
+      const real rate = rates[k];
+      const real push = pushes[k];
+      // The reset leaves the level what it was, but for rounding; where the motion came to it.
+      const real came_to = lane_select(hit[k], lane_abs(levels_before[k]), zero);
+      const real reach = came_to + SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
+      const mask is_at = lane_abs(levels[k]) <= (scalar)(2) * reach;
+      // Of a reset that leaves no speed the rate is rounding.
+      const real smallest =
+          SURFACE_NEAR * met->rate[k] + surface_rate_rounding(point, moment, x, k, field);
+      // Thrown back, and driven against it again by another surface, it is met anew.
+      const mask goes_on = (smallest < rate) & (smallest < met->behind[k]);
+      const mask is_above = (is_at & goes_on) | (!is_at & (zero < levels[k]));
+      // What only touches it from below goes on there.
+      const mask touches = touched[k] & is_new;
+      const mask returns = touches | (is_reset & !is_above);
+      const real rounding = surface_put_below(point, moment, k, touches | (returns & is_at), x);
+      // A flight that is too short, or too low.
+      const mask is_short = (scalar)(2) * lane_abs(rate) <= shortest * h * push;
+      const mask is_low = rate * rate <= (scalar)(8) * push * rounding;
+      const mask stays =
+          (touches | (is_reset & is_at & !goes_on)) & (zero < push) & (is_short | is_low);
+      point->sides.side[k] =
+          lane_select(returns, zero, lane_select(is_reset, one, point->sides.side[k]));
+      point->sides.slides[k] = point->sides.slides[k] | stays;
+      rests = rests | stays;
+    }
+    if (all_lanes(!rests)) return;
+    point->sides.slid = point->sides.slid | rests;
+    surface_return(point, moment, h, rests, x);
+    surface_bind(point, moment, h, rests, x);
   }
-  if (all_lanes(!rests)) return;
-  point->sides.slid = point->sides.slid | rests;
-  surface_return(point, moment, h, rests, x);
-  surface_bind(point, moment, h, rests, x);
 }
 
 #else
@@ -280,10 +309,9 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
 }
 SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h, real cuts,
                                const mask* hit, const mask* touched, const SurfaceMet* met,
-                               const real* levels_before, const real* field,
-                               const real* rates_behind, real* x) {
+                               const real* levels_before, real* x) {
   (void)point, (void)moment, (void)h, (void)cuts, (void)hit, (void)touched, (void)met;
-  (void)levels_before, (void)field, (void)rates_behind, (void)x;
+  (void)levels_before, (void)x;
 }
 #endif
 

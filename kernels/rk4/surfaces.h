@@ -123,7 +123,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
     }
     hit[k] = where & event->crossed[k];
     met->hit[k] = MODEL_RESETS(k) ? hit[k] & came_up & (zero < rates[k]) : zero != zero;
-    met->rate[k] = rates[k];
+    met->rate[k] = met->behind[k] = rates[k];
     touched[k] = hit[k] & came_up & !met->hit[k];
   }
 #if TANGENTS > 0
@@ -148,8 +148,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
     const real at = surface_level(k, lane_select(rises[k], side, side + one));
     (void)surface_put_beside(point, &moment, k, at, rises[k], stands, x);
   }
-  surface_rebound(point, &moment, rows->h, cuts, hit, touched, met, levels, behind, rates_behind,
-                  x);
+  surface_rebound(point, &moment, rows->h, cuts, hit, touched, met, levels, x);
   sliding_slope(point, &moment, x, behind);
 #if TANGENTS > 0
   if (beside & RK4_LINEAR) {
