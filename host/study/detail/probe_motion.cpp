@@ -186,7 +186,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     const double end_phase = is_at_end ? bounds_[segment_ + 1] : phase_ + length / period_;
     // A short step to the end of a segment or to a pulse has an error of rounding alone.
     const bool is_short = (is_at_end || meets_pulse) && length < 0.5 * length_;
-    const bool is_cut = meets_surface(length, &trial.end);
+    const bool is_cut = meets_surface(length, &trial.end, &stretch);
     if (is_smooth && !is_short && !is_cut && !crosses_limit(trial.end, end_phase)) {
       stretch.steps.push_back({length, std::move(trial.errors)});
     }
@@ -199,7 +199,7 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
     turns += length / period_;
     phase_ = end_phase;
     look_at_signals(&stretch);
-    look_at_levels(&stretch);
+    look_at_levels(coefs_at(phase_).data(), x_.data(), &stretch);
     look_at_peaks(stretch, length);
     if (is_at_end) {
       segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
@@ -239,9 +239,9 @@ void ProbeMotion::look_at_signals(Stretch* stretch) {
 }
 
 // A level along which the motion slides is rounding.
-void ProbeMotion::look_at_levels(Stretch* stretch) {
+void ProbeMotion::look_at_levels(const double* coefs, const double* x, Stretch* stretch) {
   if (model_.surfaces.empty() || held_.slides()) return;
-  const HeldField::Levels now = held_.levels(coefs_at(phase_).data(), x_.data());
+  const HeldField::Levels now = held_.levels(coefs, x);
   if (stretch->level_speeds.empty()) {
     stretch->low_levels = stretch->high_levels = now.value;
     stretch->level_speeds.assign(now.value.size(), 0.0);
@@ -335,7 +335,7 @@ void ProbeMotion::look_at_sides() {
   held_.begin(moments_of(length)(0.0).data(), length, x_.data());
 }
 
-bool ProbeMotion::meets_surface(double length, std::vector<double>* end) {
+bool ProbeMotion::meets_surface(double length, std::vector<double>* end, Stretch* stretch) {
   if (model_.surfaces.empty()) return false;
   const StepMoments moment_at = moments_of(length);
   held_.put_back(moment_at(1.0).data(), end->data());
@@ -351,6 +351,8 @@ bool ProbeMotion::meets_surface(double length, std::vector<double>* end) {
   const auto look = [&](double from, double to, const HeldMotion& before, const HeldMotion& after) {
     if (from > 0.0) look_at(from, before);
     look_at(to, after);
+    // Steps that are as long as several returns would see a level at one place alone.
+    look_at_levels(moment_at(to).data(), after.state.data(), stretch);
   };
   step_held(&held_, moment_at, &motion, look);
   end->assign(motion.state.begin(), motion.state.end());

@@ -82,7 +82,7 @@ class ProbeMotion {
   void look_at_signals(Stretch* stretch);
   void look_at_section(const std::vector<double>& signals, double time);
   void look_at_rates(Stretch* stretch) const;
-  void look_at_levels(Stretch* stretch);
+  void look_at_levels(const double* coefs, const double* x, Stretch* stretch);
   // A part of a step of `length`, from one share of it to another.
   std::vector<double> step(const StepMoments& moment_at, double begin, double end,
                            const std::vector<double>& from);
@@ -97,7 +97,7 @@ class ProbeMotion {
   void look_at_sides();
   // Whether the motion meets a surface in a step to `end`; then `end` is made that of the step that
   // is cut there.
-  bool meets_surface(double length, std::vector<double>* end);
+  bool meets_surface(double length, std::vector<double>* end, Stretch* stretch);
   bool crosses_limit(const std::vector<double>& end, double end_phase) const;
 
   const Model& model_;
