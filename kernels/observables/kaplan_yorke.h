@@ -7,7 +7,9 @@
 #define KAPLAN_YORKE_ROLE verdict
 #define KAPLAN_YORKE_TANGENTS PER_STATE
 // X(suffix of the quantity's name, unit, flag meanings, meaning)
-#define KAPLAN_YORKE_OUTPUTS(X) X(, "1", "", "Kaplan-Yorke dimension of the section")
+#define KAPLAN_YORKE_OUTPUTS(X) \
+  X(, "1", "",                  \
+    "Kaplan-Yorke dimension: of the section at phase 0, without forcing of the attractor")
 #define KAPLAN_YORKE_OUTPUT_ROLES(X) X(, exponents)
 
 enum { kaplan_yorke_accumulators = lyapunov_spectrum_accumulators };

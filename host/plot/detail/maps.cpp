@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
@@ -52,15 +53,23 @@ MissingPoints find_missing(const ResultMap& map, const ResultMap& status) {
   MissingPoints missing;
   const std::size_t width = map.values.size() / map.points();
   std::vector<std::size_t> reasons(status.flags.size(), 0);
+  std::size_t lost = 0;  // exponents of what is lost where a motion sticks
   for (std::size_t point = 0; point < map.points(); ++point) {
     const auto first = map.values.begin() + static_cast<std::ptrdiff_t>(point * width);
-    missing.mask.push_back(std::none_of(first, first + static_cast<std::ptrdiff_t>(width),
-                                        [](double value) { return std::isfinite(value); }));
+    const auto last = first + static_cast<std::ptrdiff_t>(width);
+    missing.mask.push_back(
+        std::none_of(first, last, [](double value) { return std::isfinite(value); }));
     const double reason = status.values[point];
     if (!missing.mask.back() || !(reason >= 0.0)) continue;
+    if (std::find(first, last, -std::numeric_limits<double>::infinity()) != last) {
+      ++lost;
+      continue;
+    }
     if (reason < static_cast<double>(reasons.size())) ++reasons[static_cast<std::size_t>(reason)];
   }
   std::vector<std::string> notes;
+  if (lost > 0)
+    notes.push_back(fmt::format("minus infinity at {} of {} points", lost, map.points()));
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     if (reasons[i] == 0) continue;
     const std::string name = status.flags[i] == "ok" ? "undefined" : status.flags[i];
