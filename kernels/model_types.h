@@ -94,12 +94,13 @@ typedef struct {
   mask slid;                    // it began to slide since this was last cleared
 } Sides;
 
-// Which surfaces have reset the state; how fast their levels rose there, and what their own resets
-// made of that.
+// Which surfaces have reset the state; how fast their levels rose there, what their own resets made
+// of that, and whether the levels stayed what they were.
 typedef struct {
   mask hit[MODEL_SURFACES];
   real rate[MODEL_SURFACES];
   real behind[MODEL_SURFACES];
+  mask in_place[MODEL_SURFACES];
 } SurfaceMet;
 
 // Phase coefficients at a moment of a lane's own.

@@ -1,6 +1,8 @@
 // Through the surfaces of a held field: crossings, and resets.
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/detail/held_sliding.hpp"
 
@@ -96,8 +98,10 @@ void HeldField::reset_from(std::size_t surface, double rate, const double* coefs
   const Index states = index(states_);
   const double level_there = std::fabs(values(SurfaceValue::level, coefs, x, 1)[surface]);
   std::vector<Met> met = {{surface, rate}};
-  std::vector<double> rates_behind;  // of the surfaces that are met, by their own resets
-  std::vector<bool> rested = slides_, changed(sides_.size());
+  std::vector<double> rates_behind;           // of the surfaces that are met, by their own resets
+  std::vector<bool> in_place(sides_.size());  // met, and its level is what it was
+  const std::vector<bool> rested = slides_;
+  std::vector<bool> changed(sides_.size());
   for (std::size_t i = 0; i < met.size(); ++i) {
     const std::size_t one = met[i].surface;
     const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
@@ -114,6 +118,10 @@ void HeldField::reset_from(std::size_t surface, double rate, const double* coefs
     const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1),
                               held = values(SurfaceValue::held, coefs, x, 1);
     rates_behind.push_back(held[one]);
+    in_place[one] = true;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      in_place[k] = in_place[k] && levels[k] == before[k];
+    }
     std::vector<std::size_t> elsewhere;
     std::optional<std::size_t> next;
     for (std::size_t k = 0; k < levels.size(); ++k) {
@@ -129,6 +137,10 @@ void HeldField::reset_from(std::size_t surface, double rate, const double* coefs
       }
     }
     find_sides(elsewhere, levels, coefs, x);
+    for (const std::size_t k : elsewhere) {
+      if (model_.surfaces[k].resets && rested[k] && levels[k] == before[k]) sides_[k] = 0.0;
+    }
+    point_->hold(sides_);
     for (std::size_t k = 0; k < levels.size() && !next; ++k) {
       const bool is_met = std::ranges::find(met, k, &Met::surface) != met.end();
       const bool was_at_rest = model_.surfaces[k].resets && rested[k] && !slides_[k];
@@ -145,9 +157,13 @@ void HeldField::reset_from(std::size_t surface, double rate, const double* coefs
   for (bool is_new = true; is_new;) {
     is_new = false;
     for (std::size_t i = 0; i < met.size(); ++i) {
-      if (slides_[met[i].surface]) continue;
-      rebound(met[i], rates_behind[i], met[i].surface == surface ? level_there : 0.0, coefs, x);
-      is_new = is_new || slides_[met[i].surface];
+      const std::size_t one = met[i].surface;
+      if (slides_[one]) continue;
+      const double reach = in_place[one]    ? std::numeric_limits<double>::infinity()
+                           : one == surface ? level_there
+                                            : 0.0;
+      rebound(met[i], rates_behind[i], reach, coefs, x);
+      is_new = is_new || slides_[one];
     }
   }
 }
@@ -198,6 +214,26 @@ void HeldField::rebound(const Met& met, double rate_behind, double level_there, 
 
 void HeldField::put_below(std::size_t surface, const double* coefs, double* x) {
   put_beside(surface, 0.0, false, coefs, x);
+}
+
+void HeldField::put_below_all(const double* coefs, double* x) {
+  std::vector<std::size_t> resting;
+  for (std::size_t k = 0; k < slides_.size(); ++k) {
+    if (slides_[k] && model_.surfaces[k].resets) resting.push_back(k);
+  }
+  if (resting.empty()) return;
+  const Index states = index(states_), count = index(resting.size());
+  const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1),
+                            all = values(SurfaceValue::level_gradient, coefs, x, states_);
+  auto state = VectorXd::Map(x, states);
+  MatrixXd gradients(count, states);
+  VectorXd down(count);
+  for (Index i = 0; i < count; ++i) {
+    const std::size_t k = resting[static_cast<std::size_t>(i)];
+    gradients.row(i) = VectorXd::Map(all.data() + k * states_, states);
+    down[i] = levels[k] + kRounding * gradients.row(i).cwiseAbs().transpose().dot(state.cwiseAbs());
+  }
+  state -= gradients.transpose() * (gradients * gradients.transpose()).fullPivLu().solve(down);
 }
 
 void HeldField::put_beside(std::size_t surface, double at, bool above, const double* coefs,

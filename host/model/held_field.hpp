@@ -102,14 +102,17 @@ class HeldField {
   void cross(std::size_t surface, const double* coefs, const double* x);
   void reset_from(std::size_t surface, double rate, const double* coefs, double* x,
                   Carried* carried);
-  // rate_behind: of the level, as its own reset left it; level_there: how far off the surface the
-  // motion came to it.
+  // rate_behind: of the level, as its own reset left it; level_there: how far off the surface it
+  // still is where the motion came to it.
   void rebound(const Met& met, double rate_behind, double level_there, const double* coefs,
                double* x);
   // To just above or below a surface, at a level of `at`, so that by rounding it does not count as
   // on the other side; put_below: of one where the state is reset.
   void put_beside(std::size_t surface, double at, bool above, const double* coefs, double* x);
   void put_below(std::size_t surface, const double* coefs, double* x);
+  // Below all that the motion rests against, at once: one after the other, each would lift the
+  // state above the one before, where both move a mass between them.
+  void put_below_all(const double* coefs, double* x);
 
   const Model& model_;
   PreparedPoint* point_;

@@ -191,9 +191,7 @@ void HeldField::put_back(const double* coefs, double* x) {
   if (!slides()) return;
   const Index states = index(states_);
   auto state = VectorXd::Map(x, states);
-  for (std::size_t k = 0; k < slides_.size(); ++k) {
-    if (slides_[k] && model_.surfaces[k].resets) put_below(k, coefs, x);
-  }
+  put_below_all(coefs, x);
   const Sliding along = sliding(coefs, x);
   const std::vector<double> at = values(SurfaceValue::held, coefs, x, 1);
   VectorXd off(along.share.size());

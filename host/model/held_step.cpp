@@ -6,7 +6,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr int kMaxParts = 256;  // of a step
+constexpr int kMaxParts = 512;  // of a step
 constexpr int kLooks = 4;       // so that a surface that is crossed and crossed back is seen
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -72,6 +72,55 @@ SHARED_FN real surface_put_below(const ModelPoint* point, const PhaseAt* moment,
   return surface_put_beside(point, moment, surface, zero, zero != zero, where, x);
 }
 
+#ifdef MODEL_HAS_RESETS
+// Takes lanes to just below all surfaces that they rest against, at once: one after the other, each
+// would lift the state above the one before, where both move a mass between them.
+SHARED_FN void surface_put_below_all(const ModelPoint* point, const PhaseAt* moment, mask where,
+                                     real* x) {
+  real normal[MODEL_SURFACES][MODEL_STATE_COUNT];
+  real down[MODEL_SURFACES];
+  ModelPoint resting = *point;
+  Sliding sliding;
+  model_level_values(point, moment, x, down);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    resting.sides.slides[k] = where & point->sides.slides[k];
+    if (!MODEL_RESETS(k)) resting.sides.slides[k] = where & !where;
+    sliding.bound[k] = where & !where;
+    sliding.edge[k] = 0;
+    down[k] = down[k] + surface_normal(point, moment, x, k, normal[k]);
+  }
+  UNROLL
+  for (int j = 0; j < MODEL_SURFACES; ++j) {
+    real squares = 0;
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) squares = squares + normal[j][i] * normal[j][i];
+    UNROLL
+    for (int k = 0; k < MODEL_SURFACES; ++k) {
+      real both = 0;
+      UNROLL
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) both = both + normal[j][i] * normal[k][i];
+      sliding.gain[j][k] = both / squares;
+    }
+  }
+  sliding_solve(&resting, &sliding, 0, down);
+  sliding_keep_finite(down);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    if (!MODEL_RESETS(k)) continue;
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+      x[i] = lane_select(resting.sides.slides[k], x[i] - down[k] * normal[k][i], x[i]);
+    }
+  }
+}
+#else
+SHARED_FN void surface_put_below_all(const ModelPoint* point, const PhaseAt* moment, mask where,
+                                     real* x) {
+  (void)point, (void)moment, (void)where, (void)x;
+}
+#endif
+
 // Takes a motion that slides back onto its surfaces: a step leaves them by what it is wrong by. A
 // state that the way back leaves nothing of but rounding of what a step of length h adds to it is
 // 0, so that what sticks is at rest.
@@ -83,11 +132,7 @@ SHARED_FN void surface_return(const ModelPoint* point, const PhaseAt* moment, re
   Sliding sliding;
   real levels[MODEL_SURFACES];
   real back[MODEL_STATE_COUNT];
-  UNROLL
-  for (int k = 0; k < MODEL_SURFACES; ++k) {
-    if (!MODEL_RESETS(k)) continue;
-    surface_put_below(point, moment, k, where & point->sides.slides[k], x);
-  }
+  surface_put_below_all(point, moment, where, x);
   sliding_find(point, moment, x, &sliding);
   model_held_values(point, moment, x, levels);
   UNROLL
@@ -217,6 +262,7 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
       met->behind[k] = lane_select(now[k], held_after[k], met->behind[k]);
+      met->in_place[k] = (met->in_place[k] | now[k]) & (!any | (after[k] == before[k]));
       moved[k] = any & !met->hit[k] &
                  ((after[k] != before[k]) | (rested[k] & (held_after[k] != held_before[k])));
       changed[k] = changed[k] | moved[k];
@@ -228,6 +274,8 @@ SHARED_FN void surface_resets(ModelPoint* point, const PhaseAt* moment, real h, 
     mask is_free = any;  // no other surface is met next
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
+      const mask is_still_at = moved[k] & rested[k] & (after[k] == before[k]);
+      point->sides.side[k] = lane_select(is_still_at, zero, point->sides.side[k]);
       const mask is_struck =
           changed[k] & rested[k] & !point->sides.slides[k] & (zero < held_after[k]);
       now[k] = (due[k] | is_struck) & !met->hit[k] & is_free;
@@ -272,9 +320,11 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
       const real rate = rates[k];
       const real push = pushes[k];
       // The reset leaves the level what it was, but for rounding; where the motion came to it.
+      real normal[MODEL_STATE_COUNT];
       const real came_to = lane_select(hit[k], lane_abs(levels_before[k]), zero);
-      const real reach = came_to + SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
-      const mask is_at = lane_abs(levels[k]) <= (scalar)(2) * reach;
+      const real reach = came_to + surface_normal(point, moment, x, k, normal) +
+                         SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
+      const mask is_at = met->in_place[k] | (lane_abs(levels[k]) <= (scalar)(2) * reach);
       // Of a reset that leaves no speed the rate is rounding.
       const real smallest =
           SURFACE_NEAR * met->rate[k] + surface_rate_rounding(point, moment, x, k, field);

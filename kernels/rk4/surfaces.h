@@ -12,7 +12,7 @@
 
 #ifdef MODEL_SURFACES
 
-#define SURFACE_PASSES 256  // each crossing takes two
+#define SURFACE_PASSES 1024  // each crossing takes two
 
 // The sides at a state where nothing is known of the way there.
 SHARED_FN void surfaces_begin(ModelPoint* point, const SurfaceRows* rows, const real* x) {
@@ -124,6 +124,7 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
     hit[k] = where & event->crossed[k];
     met->hit[k] = MODEL_RESETS(k) ? hit[k] & came_up & (zero < rates[k]) : zero != zero;
     met->rate[k] = met->behind[k] = rates[k];
+    met->in_place[k] = met->hit[k];
     touched[k] = hit[k] & came_up & !met->hit[k];
   }
 #if TANGENTS > 0

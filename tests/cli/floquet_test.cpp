@@ -256,7 +256,8 @@ TEST(FloquetCommand, TellsCyclesAndEquilibriaOfModelsThatNothingDrives) {
     return gearsweep(folder, "floquet " + arguments).out;
   };
   const std::string cycle = floquet("rossler.toml --along c=2.5:3");
-  EXPECT_THAT(cycle, HasSubstr("cycle with 1 return to where x is largest (stable), T = 5.748991183\n"));
+  EXPECT_THAT(cycle,
+              HasSubstr("cycle with 1 return to where x is largest (stable), T = 5.748991183\n"));
   EXPECT_THAT(cycle, HasSubstr("and the one along the cycle, which is 1: off by "));
   EXPECT_THAT(cycle, HasSubstr("flip               c = 2.83244503\n"));
   // It settles on one of the two rests.

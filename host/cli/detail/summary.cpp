@@ -191,7 +191,8 @@ std::string describe_diverged(const SweepResult& result) {
   const auto count = std::ranges::count(result.status, std::uint8_t{STATUS_diverged});
   if (count == 0 || result.study.model->surfaces.empty()) return "";
   return fmt::format(
-      "{} of {} points diverged: a state had no bound, or surfaces were met a hundred times within "
+      "{} of {} points diverged: a state had no bound, or surfaces were met hundreds of times "
+      "within "
       "a step; shorter steps (integrate.max_step) tell which\n",
       count, result.status.size());
 }
