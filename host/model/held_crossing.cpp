@@ -71,7 +71,8 @@ void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMot
   rhs(coefs, x, before.data());
   const double rate = rates(coefs, x, before.data())[surface];
   if (model_.surfaces[surface].resets && sides_[surface] < 0.5 && rate <= 0.0) {
-    return put_below(surface, coefs, x);  // it only touches it
+    // It only touches it, and may come to rest there.
+    return rebound({surface, rate}, rate, std::numeric_limits<double>::infinity(), coefs, x);
   }
   const VectorXd delays =
       VectorXd::Map(

@@ -1,6 +1,7 @@
 // Along the surfaces that a motion stays at.
 #include "model/detail/held_sliding.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -172,10 +173,16 @@ void HeldField::settle(const double* coefs, HeldMotion* motion) {
   const MatrixXd given = motion->tangents;
   MatrixXd& w = motion->tangents;
   const std::vector<double> levels = values(SurfaceValue::level_gradient, coefs, x, states_);
+  MatrixXd across(index(states_), 0);  // of what it rests against
   for (std::size_t k = 0; k < slides_.size(); ++k) {
     if (!slides_[k] || !model_.surfaces[k].resets) continue;
-    const VectorXd level = VectorXd::Map(levels.data() + k * states_, index(states_));
-    w -= (level * (level.transpose() * w) / level.squaredNorm()).eval();
+    across.conservativeResize(Eigen::NoChange, across.cols() + 1);
+    across.rightCols(1) = VectorXd::Map(levels.data() + k * states_, index(states_));
+  }
+  if (across.cols() > 0) {
+    const Eigen::ColPivHouseholderQR<MatrixXd> decomposed(across);
+    const MatrixXd directions = MatrixXd(decomposed.householderQ()).leftCols(decomposed.rank());
+    w -= (directions * (directions.transpose() * w)).eval();
   }
   const Sliding along = sliding(coefs, x);
   w -= (along.turn * along.solve(along.gradients * w)).eval();

@@ -91,6 +91,11 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   if (!named.empty()) {
     section.emplace(*std::ranges::find(study.model->sections, named, &SectionInfo::name));
   }
+  // Of a motion that has diverged before the record, a period that means nothing.
+  for (const auto& observable : observables) {
+    if (!result.diverged) break;
+    observable->period(trajectory.state(), log_stretching, trajectory.period());
+  }
   RecordWindow record(study.model->is_clockless, window.record);
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
     result.diverged = !advance([&](TrajectoryStep& step) {

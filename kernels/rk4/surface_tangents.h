@@ -39,6 +39,35 @@ SHARED_FN void surface_sliding_tangents(const ModelPoint* point, const SurfacePa
   for (int i = 0; i < TANGENT_NUMBERS; ++i) w[i] = lane_select(where, sum_w[i], w[i]);
 }
 
+// Unit vectors across the surfaces that the motion rests against, each across the ones before, too;
+// 0 of the others, and of one that says nothing new.
+SHARED_FN void surface_directions(const ModelPoint* point, const PhaseAt* moment, const real* x,
+                                  real directions[MODEL_SURFACES][MODEL_STATE_COUNT]) {
+  const real zero = 0;
+  const real one = 1;
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    real* own = directions[k];
+    real whole = 0;
+    real left = 0;
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) own[i] = 0;
+    if (!MODEL_RESETS(k)) continue;
+    (void)surface_normal(point, moment, x, k, own);
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) whole = whole + own[i] * own[i];
+    UNROLL
+    for (int j = 0; j < k; ++j) {
+      real both = 0;
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) both = both + own[i] * directions[j][i];
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) own[i] = own[i] - both * directions[j][i];
+    }
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) left = left + own[i] * own[i];
+    const mask counts =
+        point->sides.slides[k] & (SURFACE_ROUNDING * SURFACE_ROUNDING * whole < left);
+    const real scale = lane_select(counts, one / lane_sqrt(left), zero);
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) own[i] = lane_select(counts, scale * own[i], zero);
+  }
+}
+
 // Takes from tangent vectors what they have across the surfaces that the motion stays at. A
 // neighbour that lies off a surface by d comes to it in a time of order d, and from either side to
 // the same place: w - turn (grad(held) w)/gain. What rests on a surface has no other level either;
@@ -47,8 +76,10 @@ SHARED_FN void surface_sliding_tangents(const ModelPoint* point, const SurfacePa
 SHARED_FN void surface_settle_tangents(const ModelPoint* point, const PhaseAt* moment,
                                        const real* x, mask where, real* w) {
   const real zero = 0;
+  real directions[MODEL_SURFACES][MODEL_STATE_COUNT];
   Sliding sliding;
   sliding_find(point, moment, x, &sliding);
+  surface_directions(point, moment, x, directions);
   for (int j = 0; j < TANGENTS; ++j) {
     real* own = w + j * MODEL_STATE_COUNT;
     real settled[MODEL_STATE_COUNT];
@@ -58,11 +89,11 @@ SHARED_FN void surface_settle_tangents(const ModelPoint* point, const PhaseAt* m
     UNROLL
     for (int k = 0; k < MODEL_SURFACES; ++k) {
       if (!MODEL_RESETS(k)) continue;
-      real normal[MODEL_STATE_COUNT];
-      surface_normal(point, moment, x, k, normal);
-      model_level_along(point, moment, x, settled, held);
-      const real level = lane_select(point->sides.slides[k], held[k], zero);
-      for (int i = 0; i < MODEL_STATE_COUNT; ++i) settled[i] = settled[i] - level * normal[i];
+      real across = 0;
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) across = across + directions[k][i] * settled[i];
+      for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+        settled[i] = settled[i] - across * directions[k][i];
+      }
     }
     model_held_along(point, moment, x, settled, held);
     UNROLL

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -193,11 +194,8 @@ quantities = ["gap_min", "gap_max", "next_gap_min", "next_gap_max"]
   EXPECT_LE(told, 1U);
 }
 
-// Three bodies fall on a table, still or shaken. On a still one they end on each other at rest; no
-// body ever goes through another one. Where impacts come by the hundred, between a table and a
-// heavy body, the point says so.
-TEST(ResetsAtOnce, BodiesInAStackStayInTheirOrder) {
-  constexpr const char* kStack = R"toml([model]
+// Three bodies over a table that may shake.
+constexpr const char* kStack = R"toml([model]
 name = "stack"
 [states]
 x1 = { start = "0.5" }
@@ -235,6 +233,11 @@ reset = { v2 = "v2 - 1.3*(v2 - v3)*m3/(m2 + m3)", v3 = "v3 + 1.3*(v2 - v3)*m2/(m
 [signals]
 least = "min(min(x1 - ground_place, x2 - x1), x3 - x2)"
 )toml";
+
+// They fall on the table, still or shaken. On a still one they end on each other at rest; no
+// body ever goes through another one. Where impacts come by the hundred, between a table and a
+// heavy body, the point says so.
+TEST(ResetsAtOnce, BodiesInAStackStayInTheirOrder) {
   constexpr const char* kStudy = R"toml([[axes]]
 name = "m3"
 from = 0.1
@@ -266,6 +269,48 @@ quantities = ["least_min", "x3_max", "sticking_share"]
     EXPECT_NEAR(map_of(result, "sticking_share")[i], 1.0, 1e-9) << i;
   }
   EXPECT_LE(told, 4U);
+}
+
+// Nothing is left of a neighbour: all states are those of the table.
+TEST(ResetsAtOnce, WhatRestsInAStackHasLostAllExponents) {
+  constexpr const char* kStudy = R"toml([[axes]]
+name = "A"
+values = [0.02, 0.05]
+[integrate]
+settle = 20
+record = 4
+stop = "never"
+max_step = 0.05
+[observe]
+quantities = ["lyapunov_spectrum", "sticking_share"]
+)toml";
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result = run_with(engine, kStack, kStudy);
+    for (const double share : map_of(result, "sticking_share")) EXPECT_NEAR(share, 1.0, 1e-9);
+    for (const double exponent : map_of(result, "lyapunov_spectrum")) {
+      EXPECT_EQ(exponent, -std::numeric_limits<double>::infinity());
+    }
+  }
+}
+
+// A motion that is none before its record begins has no exponents, and is no crash.
+TEST(ResetsAtOnce, MotionsThatDivergeBeforeTheRecordHaveNoExponents) {
+  constexpr const char* kStudy = R"toml([[axes]]
+name = "A"
+values = [1e9]
+[integrate]
+settle = 2
+record = 2
+stop = "never"
+diverged_above = 1e6
+[observe]
+quantities = ["lyapunov_spectrum", "kaplan_yorke", "sticking_share", "x1_max"]
+)toml";
+  const SweepResult result = run_with("reference", kStack, kStudy);
+  for (const double exponent : map_of(result, "lyapunov_spectrum")) {
+    EXPECT_TRUE(std::isnan(exponent));
+  }
 }
 
 }  // namespace
