@@ -25,9 +25,11 @@ constexpr double kSmallCycle = 2e-3;   // of the largest cycle: near its birth
 constexpr double kShrinking = 0.6;     // a step makes a cycle no smaller than that
 constexpr double kAlong = 1e-3;        // off 1, of the multiplier along a cycle
 constexpr double kMostSlack = 0.01;    // multipliers tell nothing then
-constexpr double kApart = 1e-4;        // arclength from a fold to where its parameter has changed
-constexpr double kLonger = 3.0;        // lengths of the first one: worth telling
-constexpr double kLongCycle = 30.0;    // lengths of the first one
+// Of the range: what rounding makes of a parameter that stays; and the arclength from a fold to
+// where its parameter has changed by more.
+constexpr double kOneValue = 1e-10, kApart = 1e-4;
+constexpr double kLonger = 3.0;      // lengths of the first one: worth telling
+constexpr double kLongCycle = 30.0;  // lengths of the first one
 
 class BranchSearch {
  public:
@@ -130,7 +132,8 @@ class BranchSearch {
     if (test == at_pair && !is_pair_complex(found->low.orbit)) return;
     // A family of cycles, as about a center, stays at one value of the parameter: it does not turn.
     const auto stays = [&](const BranchPoint& s) {
-      return std::fabs(follower_.parameter_of(s) - found->parameter) <= found->error &&
+      return std::fabs(follower_.parameter_of(s) - found->parameter) <=
+                 kOneValue * follower_.range() &&
              (s.z - found->low.z).norm() > kApart;
     };
     if (test == turning && (stays(a) || stays(b))) return;
