@@ -82,9 +82,10 @@ std::optional<PeriodMap::Way> PeriodMap::way(const VectorXd& state, const TimeSp
 }
 
 std::optional<VectorXd> PeriodMap::advance(const VectorXd& state, const TimeSpan& span) const {
-  const std::optional<Way> found = way(state, span);
-  if (!found) return std::nullopt;
-  return found->end;
+  const PhaseGrid grid = grid_of(span);
+  Flow flow(*model_, setting_, point_.get(), grid, span.duration, state, MatrixXd(state.size(), 0));
+  if (!advance(&flow, 1)) return std::nullopt;
+  return flow.state();
 }
 
 std::optional<PeriodImage> PeriodMap::linearize(const VectorXd& state, const TimeSpan& span) const {

@@ -180,16 +180,17 @@ stop = "never"
 quantities = ["gap_min", "gap_max", "next_gap_min", "next_gap_max"]
 )toml";
   const SweepResult result = run_with("opencl", kTrain, kStudy);
-  std::size_t told = 0;  // that more impacts fell into a step than are followed
+  constexpr double kCubics = 1e-3;  // what cubics between moments of a step make of an extreme
+  std::size_t told = 0;             // that more impacts fell into a step than are followed
   for (std::size_t i = 0; i < 8; ++i) {
     if (std::isnan(map_of(result, "gap_min")[i])) {
       ++told;
       continue;
     }
-    EXPECT_GT(map_of(result, "gap_min")[i], -1e-3) << i;
-    EXPECT_LT(map_of(result, "gap_max")[i], 0.3 + 1e-3) << i;
-    EXPECT_GT(map_of(result, "next_gap_min")[i], -1e-3) << i;
-    EXPECT_LT(map_of(result, "next_gap_max")[i], 0.2 + 1e-3) << i;
+    EXPECT_GT(map_of(result, "gap_min")[i], -kCubics) << i;
+    EXPECT_LT(map_of(result, "gap_max")[i], 0.3 + kCubics) << i;
+    EXPECT_GT(map_of(result, "next_gap_min")[i], -kCubics) << i;
+    EXPECT_LT(map_of(result, "next_gap_max")[i], 0.2 + kCubics) << i;
   }
   EXPECT_LE(told, 1U);
 }
@@ -263,8 +264,9 @@ quantities = ["least_min", "x3_max", "sticking_share"]
       ++told;
       continue;
     }
+    // Cubics between the moments of a step make so much of an extreme.
     EXPECT_GT(map_of(result, "least_min")[i], -1e-3) << i;
-    if (i >= 6) continue;
+    if (i >= 6) continue;  // the first six are on a still table
     EXPECT_NEAR(map_of(result, "x3_max")[i], 0.0, 1e-9) << i;
     EXPECT_NEAR(map_of(result, "sticking_share")[i], 1.0, 1e-9) << i;
   }

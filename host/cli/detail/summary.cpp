@@ -192,8 +192,7 @@ std::string describe_diverged(const SweepResult& result) {
   if (count == 0 || result.study.model->surfaces.empty()) return "";
   return fmt::format(
       "{} of {} points diverged: a state had no bound, or surfaces were met hundreds of times "
-      "within "
-      "a step; shorter steps (integrate.max_step) tell which\n",
+      "within a step; shorter steps (integrate.max_step) tell which\n",
       count, result.status.size());
 }
 
