@@ -91,11 +91,6 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
   if (!named.empty()) {
     section.emplace(*std::ranges::find(study.model->sections, named, &SectionInfo::name));
   }
-  // Of a motion that has diverged before the record, a period that means nothing.
-  for (const auto& observable : observables) {
-    if (!result.diverged) break;
-    observable->period(trajectory.state(), log_stretching, trajectory.period());
-  }
   RecordWindow record(study.model->is_clockless, window.record);
   for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
     result.diverged = !advance([&](TrajectoryStep& step) {
@@ -109,6 +104,7 @@ PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::Vect
     if (!section) keep(trajectory.state());
   }
   result.state = trajectory.state();
+  if (result.diverged) return result;  // has no outputs; it may have no period that observables saw
   for (const auto& observable : observables) {
     const std::vector<double> outputs = observable->finish(window);
     result.outputs.insert(result.outputs.end(), outputs.begin(), outputs.end());
