@@ -23,33 +23,47 @@ constexpr int kManyCuts = 64;
 
 }  // namespace
 
-std::optional<std::size_t> HeldField::left_behind(const double* coefs, const double* x) {
+const std::vector<HeldField::Clearance>& HeldField::clearances(const double* coefs,
+                                                               const double* x) {
+  clearances_.clear();
   if (slides()) {
     const Sliding along = sliding(coefs, x);
     for (std::size_t i = 0; i < along.surfaces.size(); ++i) {
+      const std::size_t k = along.surfaces[i];
       const double share = along.share[index(i)];
-      const bool is_bounded = !model_.surfaces[along.surfaces[i]].resets;
-      if (share < -kNear || (is_bounded && share > 1.0 + kNear)) return along.surfaces[i];
+      clearances_.push_back({k, share + kNear});
+      if (!model_.surfaces[k].resets) clearances_.push_back({k, 1.0 - share + kNear});
     }
   }
-  const std::vector<double> at = values(SurfaceValue::level, coefs, x, 1);
-  for (std::size_t k = 0; k < at.size(); ++k) {
+  const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
     if (slides_[k]) continue;
-    const bool stays = model_.surfaces[k].is_staircase ? std::floor(at[k]) == sides_[k]
-                       : sides_[k] > 0.5               ? at[k] >= 0.0
-                                                       : at[k] <= 0.0;
-    if (!stays) return k;
+    if (model_.surfaces[k].is_staircase) {
+      clearances_.push_back({k, levels[k] - sides_[k]});
+      clearances_.push_back({k, sides_[k] + 1.0 - levels[k]});
+    } else {
+      clearances_.push_back({k, sides_[k] > 0.5 ? levels[k] : -levels[k]});
+    }
   }
-  const std::vector<bool> touch = touching(coefs, x);
-  const auto changed = std::ranges::mismatch(touch, touches_).in1;
-  if (changed == touch.end()) return std::nullopt;
-  return sides_.size() + static_cast<std::size_t>(changed - touch.begin());
+  if (touches_.empty()) return clearances_;
+  const Depths& depths = contacts_.depths(coefs, x);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    clearances_.push_back({sides_.size() + i, touches_[i] ? depths[i] : -depths[i]});
+  }
+  return clearances_;
+}
+
+std::optional<std::size_t> HeldField::left_behind(const double* coefs, const double* x) {
+  for (const Clearance& one : clearances(coefs, x)) {
+    if (!(one.value >= 0.0)) return one.surface;
+  }
+  return std::nullopt;
 }
 
 void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMotion* motion) {
   cuts_ = cuts;
   double* const x = motion->state.data();
-  if (surface >= sides_.size()) {  // the field bends, and does not jump
+  if (is_contact(surface)) {  // the field bends, and does not jump
     touches_[surface - sides_.size()].flip();
     return;
   }
@@ -97,6 +111,7 @@ void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMot
 void HeldField::reset_from(std::size_t surface, double rate, const double* coefs, double* x,
                            Carried* carried) {
   const Index states = index(states_);
+  const Depths depths = contacts_.depths(coefs, x);
   const double level_there = std::fabs(values(SurfaceValue::level, coefs, x, 1)[surface]);
   std::vector<Met> met = {{surface, rate}};
   std::vector<double> rates_behind;           // of the surfaces that are met, by their own resets
@@ -136,6 +151,10 @@ void HeldField::reset_from(std::size_t surface, double rate, const double* coefs
       } else if (is_moved) {
         elsewhere.push_back(k);
       }
+    }
+    for (std::size_t k = 0; k < touches_.size(); ++k) {
+      const double depth = contacts_.depths(coefs, x)[k];
+      if (depth != depths[k]) touches_[k] = depth > 0.0;
     }
     find_sides(elsewhere, levels, coefs, x);
     for (const std::size_t k : elsewhere) {

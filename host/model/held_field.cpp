@@ -19,26 +19,16 @@ constexpr double kOn = 1e-6;
 HeldField::HeldField(const Model& model, PreparedPoint* point)
     : model_(model),
       point_(point),
-      states_(model.whole == nullptr ? model.states.size() : model.whole->states.size()),
+      states_(model.full().states.size()),
       sides_(model.surfaces.size()),
       slides_(model.surfaces.size()),
-      limits_(model.contact_limits()) {}
+      contacts_(model, *point) {}
 
 std::vector<double> HeldField::values(SurfaceValue value, const double* coefs, const double* x,
                                       std::size_t each) const {
   std::vector<double> out(sides_.size() * each);
+  if (out.empty()) return out;
   point_->of_surfaces(value, coefs, x, out.data());
-  return out;
-}
-
-std::vector<bool> HeldField::touching(const double* coefs, const double* x) const {
-  std::vector<double> places(2 * (model_.contacts.size() + model_.corners));
-  if (!places.empty()) point_->contact_places(coefs, x, places.data());
-  std::vector<bool> out;
-  for (const ContactLimit& limit : limits_) {
-    const double* const place = &places[2 * limit.contact];
-    out.push_back(limit.flank * place[0] > place[1]);
-  }
   return out;
 }
 
@@ -61,7 +51,7 @@ std::vector<double> HeldField::field_with(const std::vector<double>& sides, cons
                                           const double* x) {
   std::vector<double> dx(states_);
   point_->hold(sides);
-  point_->rhs(coefs, x, dx.data());
+  contacts_.slope(coefs, x, touches_, dx.data());
   point_->hold(sides_);
   return dx;
 }
@@ -78,8 +68,12 @@ void HeldField::begin(const double* coefs, double step, const double* x) {
   step_ = step;
   std::vector<std::size_t> all(sides_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
+  hold_contacts(coefs, x);
   find_sides(all, values(SurfaceValue::level, coefs, x, 1), coefs, x);
-  touches_ = touching(coefs, x);
+}
+
+void HeldField::hold_contacts(const double* coefs, const double* x) {
+  touches_ = contact_of(contacts_.depths(coefs, x));
 }
 
 void HeldField::find_sides(const std::vector<std::size_t>& surfaces,

@@ -1,7 +1,8 @@
-// The field of a model whose equations jump with a state, on the sides of its surfaces that a
-// motion is on, and along the surfaces that it slides along (A. F. Filippov, Differential Equations
-// with Discontinuous Righthand Sides, 1988). Where a state is reset, impacts that follow each other
-// ever faster end in contact: the motion rests on the surface while it is pushed against it.
+// The field of a model whose equations jump with a state, on the sides of its surfaces and of the
+// limits of its contacts that a motion is on, and along the surfaces that it slides along (A. F.
+// Filippov, Differential Equations with Discontinuous Righthand Sides, 1988). Where a state is
+// reset, impacts that follow each other ever faster end in contact: the motion rests on the surface
+// while it is pushed against it.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/contact_field.hpp"
 #include "model/model.hpp"
 
 namespace gearsweep {
@@ -29,7 +31,8 @@ class HeldField {
   // Sets the sides by a state alone. On a surface, that is, nearer to it than a billionth of what
   // its level changes in `step` (dimensionless time), the fields of both sides decide: where both
   // lead to one side, that one; where both push towards it, the motion slides; where both lead
-  // away, it goes on above.
+  // away, it goes on above. Before it has been called no side is held: the field is that of the
+  // state's own sides.
   void begin(const double* coefs, double step, const double* x);
 
   // As PreparedPoint has them.
@@ -44,6 +47,15 @@ class HeldField {
   };
   Levels levels(const double* coefs, const double* x);
 
+  // How far a motion is from leaving a side that it is on: below 0, and not a number, it has left
+  // it. Each in a unit of its own: of surfaces their levels, of what it slides along the shares of
+  // the fields of both sides, of the limits of contacts, which come after all surfaces, the depths.
+  struct Clearance {
+    std::size_t surface;
+    double value;
+  };
+  // Of all that it may leave; as many, and in the same order, until it passes a surface.
+  const std::vector<Clearance>& clearances(const double* coefs, const double* x);
   // A surface on whose side a state is not any more, or along which it slid and does not; after
   // the surfaces, the limits of the contacts.
   std::optional<std::size_t> left_behind(const double* coefs, const double* x);
@@ -51,6 +63,12 @@ class HeldField {
   // saltation matrix (R. I. Leine, H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical
   // Systems, 2004, chapter 7).
   void pass(std::size_t surface, const double* coefs, int cuts, HeldMotion* motion);
+
+  // A contact on whose side a state is, or none: nothing jumps there, and the sides that are held
+  // need not be its own for long.
+  bool is_contact(std::size_t surface) const { return surface >= sides_.size(); }
+  void hold_contacts(const double* coefs, const double* x);
+  void free_contacts() { touches_.clear(); }
 
   bool slides() const;
   // Takes a state that a step has led away from the surfaces that it slides along back onto them.
@@ -79,8 +97,6 @@ class HeldField {
   // Of all surfaces, so many numbers each.
   std::vector<double> values(SurfaceValue value, const double* coefs, const double* x,
                              std::size_t each) const;
-  // Of the contacts' limits.
-  std::vector<bool> touching(const double* coefs, const double* x) const;
   // Of the levels, along dx.
   std::vector<double> rates(const double* coefs, const double* x, const double* dx) const;
   // Of what a motion at this surface keeps, along dx.
@@ -119,8 +135,9 @@ class HeldField {
   std::size_t states_;
   std::vector<double> sides_;  // of a jump that it slides along: the one above
   std::vector<bool> slides_;   // or stays at
-  std::vector<ContactLimit> limits_;
-  std::vector<bool> touches_;  // [limit]
+  ContactField contacts_;
+  HeldContacts touches_;  // empty: as the state has it
+  std::vector<Clearance> clearances_;
   double step_ = 0.0;
   int cuts_ = 0;  // of the step, so far
   bool has_slid_ = false;

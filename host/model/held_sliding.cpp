@@ -113,20 +113,20 @@ bool HeldField::rests() const {
 }
 
 void HeldField::rhs(const double* coefs, const double* x, double* dx) {
-  point_->rhs(coefs, x, dx);
+  contacts_.slope(coefs, x, touches_, dx);
   if (slides()) VectorXd::Map(dx, index(states_)) = sliding(coefs, x).field();
 }
 
 void HeldField::jacobian(const double* coefs, const double* x, double* out) {
   const Index states = index(states_);
-  if (!slides()) return point_->jacobian(coefs, x, out);
+  if (!slides()) return contacts_.jacobian(coefs, x, touches_, out);
   const Sliding along = sliding(coefs, x);
   const VectorXd dx = along.field();
   const std::vector<double> below = sides_below();
   const auto with = [&](const std::vector<double>& sides) {
     RowMajor jacobian(states, states);
     point_->hold(sides);
-    point_->jacobian(coefs, x, jacobian.data());
+    contacts_.jacobian(coefs, x, touches_, jacobian.data());
     point_->hold(sides_);
     return jacobian;
   };

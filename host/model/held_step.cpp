@@ -1,104 +1,225 @@
 #include "model/held_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gearsweep {
 namespace {
 
 constexpr int kMaxParts = 512;  // of a step
-constexpr int kLooks = 4;       // so that a surface that is crossed and crossed back is seen
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-class Step {
- public:
-  Step(HeldField* field, const StepMoments& moment_at) : field_(field), moment_at_(moment_at) {}
-
-  void take(double from, double to, HeldMotion* motion) const {
-    carry_held(field_, moment_at_, from, to, motion);
-    field_->put_back(moment_at_(to).data(), motion->state.data());
-  }
-
-  // The share at which the motion is just beyond the first surface; 1 where there is none.
-  double first_event(double from, const HeldMotion& start) const {
-    double low = from;
-    for (int look = 1; look <= kLooks; ++look) {
-      double high = look == kLooks ? 1.0 : from + (1.0 - from) * look / kLooks;
-      if (!is_left_behind(from, high, start)) {
-        low = high;
-        continue;
-      }
-      for (double middle = 0.5 * (low + high); low < middle && middle < high;
-           middle = 0.5 * (low + high)) {
-        (is_left_behind(from, middle, start) ? high : low) = middle;
-      }
-      return high;
-    }
-    return 1.0;
-  }
-
- private:
-  bool is_left_behind(double from, double to, const HeldMotion& start) const {
-    HeldMotion probe{start.state, Eigen::MatrixXd(start.state.size(), 0)};
-    take(from, to, &probe);
-    return field_->left_behind(moment_at_(to).data(), probe.state.data()).has_value();
-  }
-
-  HeldField* field_;
-  const StepMoments& moment_at_;
-};
+constexpr int kMaxBends = 16;   // limits of contacts that are crossed in a step; more are rounding
+constexpr std::size_t kLooks = 4;
+constexpr double kGolden = 0.6180339887498949;
+constexpr double kTurnFound = 1e-9;  // of a step: a minimum is flat
 
 }  // namespace
 
+const double* StepMoments::at(double share, std::vector<double>* row) const {
+  if (rows != nullptr && share == 0.0) return rows;
+  if (rows != nullptr && share == 0.5) return rows + width;
+  if (rows != nullptr && share == 1.0) return rows + 2 * width;
+  row->resize(width);
+  (*row_at)(std::min(phase + share * length, 1.0), inside, row->data());
+  return row->data();
+}
+
 std::vector<double> StepMoments::operator()(double share) const {
-  std::vector<double> coefs(width);
-  (*row_at)(std::min(phase + share * length, 1.0), inside, coefs.data());
-  return coefs;
+  std::vector<double> row(width);
+  const double* const coefs = at(share, &row);
+  if (coefs != row.data()) std::copy_n(coefs, width, row.begin());
+  return row;
 }
 
-void carry_held(HeldField* field, const StepMoments& moment_at, double from, double to,
-                HeldMotion* motion) {
+void HeldStep::carry(const StepMoments& moment_at, double from, double to, HeldMotion* motion) {
+  carry(moment_at, from, to, motion, motion->tangents.cols() > 0 ? &moving_ : &probing_);
+}
+
+void HeldStep::carry(const StepMoments& moment_at, double from, double to, HeldMotion* motion,
+                     Work* work) {
   const double h = (to - from) * moment_at.length * moment_at.period;
-  const std::vector<double> middle = moment_at(0.5 * (from + to));
-  HeldMotion at = *motion, slope = *motion, sum = *motion;
-  RowMajor jacobian(at.state.size(), at.state.size());
-  // Adds the slope at a moment to the sum, and goes to where the next one is looked for.
-  const auto add = [&](const std::vector<double>& coefs, double weight, double reach) {
-    field->rhs(coefs.data(), at.state.data(), slope.state.data());
-    sum.state += h * weight * slope.state;
-    if (at.tangents.cols() > 0) {
-      field->jacobian(coefs.data(), at.state.data(), jacobian.data());
-      slope.tangents.noalias() = jacobian * at.tangents;
-      sum.tangents += h * weight * slope.tangents;
-      at.tangents = motion->tangents + h * reach * slope.tangents;
-    }
-    at.state = motion->state + h * reach * slope.state;
+  const double* const first = moment_at.at(from, &rows_[0]);
+  const double* const middle = moment_at.at(0.5 * (from + to), &rows_[1]);
+  const double* const last = moment_at.at(to, &rows_[2]);
+  const bool has_tangents = motion->tangents.cols() > 0;
+  const auto reach = [&](double length) {
+    work->at.state = motion->state + length * work->slope.state;
+    if (has_tangents) work->at.tangents = motion->tangents + length * work->slope.tangents;
   };
-  add(moment_at(from), 1.0 / 6.0, 0.5);
-  add(middle, 1.0 / 3.0, 0.5);
-  add(middle, 1.0 / 3.0, 1.0);
-  add(moment_at(to), 1.0 / 6.0, 0.0);
-  *motion = std::move(sum);
+  const auto add = [&](double weight) {
+    work->sum.state += weight * work->slope.state;
+    if (has_tangents) work->sum.tangents += weight * work->slope.tangents;
+  };
+  work->sum = *motion;
+  stage(first, *motion, work);
+  add(h / 6.0);
+  reach(0.5 * h);
+  work->middle = 0.5 * work->at.state;
+  stage(middle, work->at, work);
+  add(h / 3.0);
+  reach(0.5 * h);
+  work->middle += 0.5 * work->at.state;
+  stage(middle, work->at, work);
+  add(h / 3.0);
+  reach(h);
+  stage(last, work->at, work);
+  add(h / 6.0);
+  *motion = work->sum;
+  field_->put_back(last, motion->state.data());
 }
 
-void step_held(HeldField* field, const StepMoments& moment_at, HeldMotion* motion,
-               const PartCallback& each_part) {
-  const Step step(field, moment_at);
-  double from = 0.0;
-  for (int part = 0; part < kMaxParts; ++part) {
-    field->settle(moment_at(from).data(), motion);
-    const HeldMotion before = *motion;
-    const double to = step.first_event(from, before);
-    step.take(from, to, motion);
-    if (each_part) each_part(from, to, before, *motion);
-    const std::vector<double> coefs = moment_at(to);
-    const auto surface = field->left_behind(coefs.data(), motion->state.data());
-    if (surface) field->pass(*surface, coefs.data(), part + 1, motion);
+void HeldStep::stage(const double* coefs, const HeldMotion& at, Work* work) {
+  const Eigen::Index states = at.state.size();
+  work->slope.state.resize(states);
+  field_->rhs(coefs, at.state.data(), work->slope.state.data());
+  if (at.tangents.cols() == 0) return;
+  work->jacobian.resize(states, states);
+  field_->jacobian(coefs, at.state.data(), work->jacobian.data());
+  work->slope.tangents.noalias() = work->jacobian * at.tangents;
+}
+
+void HeldStep::take(const StepMoments& moment_at, HeldMotion* motion, const PartCallback& each_part,
+                    const TurnCallback& each_turn) {
+  Part part{moment_at, 0.0, each_turn};
+  field_->hold_contacts(moment_at.at(0.0, &row_), motion->state.data());
+  int bends = 0;
+  for (int cuts = 1; cuts <= kMaxParts; ++cuts) {
+    field_->settle(moment_at.at(part.from, &row_), motion);
+    start_ = *motion;
+    look(part.from, moment_at.at(part.from, &row_), start_.state, &looks_[0]);
+    carry(moment_at, part.from, 1.0, motion);
+    const Work& work = motion->tangents.cols() > 0 ? moving_ : probing_;
+    const double middle = 0.5 * (part.from + 1.0);
+    look(middle, moment_at.at(middle, &row_), work.middle, &looks_[1]);
+    look(1.0, moment_at.at(1.0, &row_), motion->state, &looks_[2]);
+    if (!motion->state.allFinite()) return;
+    const std::optional<double> event = first_event(part);
+    const double to = event.value_or(1.0);
+    if (event && to < 1.0) {
+      *motion = start_;
+      carry(moment_at, part.from, to, motion);
+    }
+    if (each_part) each_part(part.from, to, start_, *motion);
+    if (!event) return;
+    const double* const coefs = moment_at.at(to, &row_);
+    if (const auto surface = field_->left_behind(coefs, motion->state.data())) {
+      if (field_->is_contact(*surface) && ++bends > kMaxBends) {
+        field_->free_contacts();
+      } else {
+        field_->pass(*surface, coefs, cuts, motion);
+      }
+    }
     if (to == 1.0) return;
-    from = to;
+    part.from = to;
   }
   motion->state.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+void HeldStep::look(double share, const double* coefs, const Eigen::VectorXd& state, Look* out) {
+  out->share = share;
+  out->values = field_->clearances(coefs, state.data());
+}
+
+void HeldStep::look(const Part& part, double share, Look* out) {
+  probe_.state = start_.state;
+  carry(part.moment_at, part.from, share, &probe_, &probing_);
+  look(share, part.moment_at.at(share, &row_), probe_.state, out);
+}
+
+double HeldStep::clearance(const Part& part, std::size_t index, double share) {
+  probe_.state = start_.state;
+  carry(part.moment_at, part.from, share, &probe_, &probing_);
+  return field_->clearances(part.moment_at.at(share, &row_), probe_.state.data())[index].value;
+}
+
+std::optional<double> HeldStep::first_event(const Part& part) {
+  close_.clear();
+  std::optional<double> first;
+  for (std::size_t i = 0; i < looks_[0].values.size(); ++i) {
+    const std::optional<Way> way = way_beyond(part, i);
+    if (!way || (first && way->inside >= *first)) continue;
+    double low = way->inside, high = way->beyond;
+    for (double middle = 0.5 * (low + high); low < middle && middle < high;
+         middle = 0.5 * (low + high)) {
+      // It ends beyond the limit: at it, a corner's equations may be those of either side.
+      (clearance(part, i, middle) >= 0.0 ? low : high) = middle;
+    }
+    if (!first || high < *first) first = high;
+  }
+  return first;
+}
+
+std::optional<HeldStep::Way> HeldStep::way_beyond(const Part& part, std::size_t index) {
+  const double first = looks_[0].values[index].value, middle = looks_[1].values[index].value,
+               last = looks_[2].values[index].value;
+  const auto [low, high] = std::minmax({first, middle, last});
+  if (!(low > high - low)) return way_beyond_near(part, index);
+  // Far from it the parabola through the three is good enough.
+  const double bend = first - 2.0 * middle + last, slope = 0.5 * (last - first);
+  if (std::fabs(slope) < bend) {
+    tell_turn(part, index, middle - 0.5 * slope * slope / bend, bend, 0.5 * (1.0 - part.from));
+  }
+  return std::nullopt;
+}
+
+std::optional<HeldStep::Way> HeldStep::way_beyond_near(const Part& part, std::size_t index) {
+  const double spacing = (1.0 - part.from) / kLooks;
+  if (close_.empty()) {
+    close_.resize(kLooks + 1);
+    close_.front() = looks_.front();
+    close_.back() = looks_.back();
+    for (std::size_t k = 1; k < kLooks; ++k) {
+      look(part, part.from + spacing * static_cast<double>(k), &close_[k]);
+    }
+  }
+  for (std::size_t k = 1; k <= kLooks; ++k) {
+    if (!(close_[k].values[index].value >= 0.0)) return Way{close_[k - 1].share, close_[k].share};
+    if (k == kLooks) break;
+    const double before = close_[k - 1].values[index].value, at = close_[k].values[index].value,
+                 behind = close_[k + 1].values[index].value;
+    const double bend = before - 2.0 * at + behind, slope = 0.5 * (behind - before);
+    if (!(std::fabs(slope) < bend)) continue;
+    double lowest = at - 0.5 * slope * slope / bend;
+    if (lowest < bend) {
+      const double share = find_turn(part, index, close_[k - 1].share, close_[k + 1].share);
+      lowest = clearance(part, index, share);
+      tell_turn(part, index, lowest, bend, spacing);
+      if (lowest < 0.0) return Way{close_[k - 1].share, share};
+    } else {
+      tell_turn(part, index, lowest, bend, spacing);
+    }
+  }
+  return std::nullopt;
+}
+
+double HeldStep::find_turn(const Part& part, std::size_t index, double low, double high) {
+  struct Place {
+    double share, clearance;
+  };
+  const auto at = [&](double share) { return Place{share, clearance(part, index, share)}; };
+  Place left = at(high - kGolden * (high - low)), right = at(low + kGolden * (high - low));
+  while (high - low > kTurnFound) {
+    if (left.clearance < right.clearance) {
+      high = right.share;
+      right = left;
+      left = at(high - kGolden * (high - low));
+    } else {
+      low = left.share;
+      left = right;
+      right = at(low + kGolden * (high - low));
+    }
+  }
+  return left.clearance < right.clearance ? left.share : right.share;
+}
+
+void HeldStep::tell_turn(const Part& part, std::size_t index, double clearance, double bend,
+                         double spacing) const {
+  if (!part.each_turn) return;
+  const double h = spacing * part.moment_at.length * part.moment_at.period;
+  std::vector<double> row;
+  const double* const coefs = part.moment_at.at(part.from, &row);
+  part.each_turn(
+      {looks_[0].values[index].surface, clearance, bend / (h * h), coefs, &start_.state});
 }
 
 }  // namespace gearsweep

@@ -362,6 +362,8 @@ struct Model {
 
   ModelSetting default_setting() const;
 
+  // The model whose states its functions take: this one, or the whole one.
+  const Model& full() const { return whole == nullptr ? *this : *whole; }
   // This model, a whole one that outlives the result, with the states that are kept.
   Model reduced(const Reduction& reduction) const;
   // A state of the whole model as one of this.

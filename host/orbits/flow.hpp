@@ -1,17 +1,13 @@
 // A trajectory with its derivative by the start, by the classical Runge-Kutta method on a phase
-// grid. Where the motion crosses a limit of the backlash inside a step, the step is cut at the
-// crossing: the field is continuous there, so nothing jumps, and the field of each part is smooth.
-// Both the state and the derivative keep fourth order.
+// grid. Steps are cut where the motion comes to a surface or to a limit of a contact
+// (model/held_step.hpp).
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "model/held_step.hpp"
-#include "orbits/contact_field.hpp"
 #include "orbits/returns.hpp"
 #include "plan/phase_grid.hpp"
 
@@ -57,72 +53,23 @@ class Flow {
   const ReturnCount& returns() const { return returns_; }
 
  private:
-  using Carried = HeldMotion;
-  // What a Runge-Kutta step works on.
-  struct Work {
-    Carried at, slope, sum;
-  };
-  // A step of the phase grid. Places in it are told by shares of it, 0 to 1.
-  struct GridStep {
-    const double* coefs;   // rows at its start, middle and end
-    double phase, length;  // where it starts, and its share of the grid
-    double inside;         // a phase within its segment
-  };
-  // What is left of a step from a share on, and the contact that is held.
-  struct Part {
-    const GridStep& step;
-    double from;
-    Contact held;
-  };
-  // The depths at the start, in the middle and at the end of the way through a part.
-  using Seen = std::array<Depths, 3>;
-  // Where a flank meets the other or leaves it.
-  struct Event {
-    std::size_t flank;
-    double share;
-  };
-
-  void advance(const GridStep& step);
   // On a row of phase coefficients.
   void take_return(const double* coefs, const Eigen::VectorXd& state);
-  StepMoments moments_of(const GridStep& step) const;
-  // Carries `carried` from the start of a part to a share of the step.
-  Seen carry(const Part& part, double to, Carried* carried);
-  Depths stage(const double* coefs, const Contact& held, const Carried& at, Carried* slope);
-  const double* coefs_at(const GridStep& step, double share, std::vector<double>* row) const;
-
-  // The first event of a part that begins at `start_`; nothing when there is none.
-  std::optional<Event> first_event(const Part& part, const Seen& seen);
-  // How far the motion from `start_` is on its side of a flank's limit at a share of the step.
-  double clearance(const Part& part, std::size_t flank, double share);
-  // Where the motion is nearest to a flank's limit, or farthest beyond it.
-  struct Turn {
-    double share, clearance;
-  };
-  Turn find_turn(const Part& part, std::size_t flank);
-  // A share at which the motion is beyond the flank's limit; nothing when it is at none. Takes note
-  // of how near it comes.
-  std::optional<double> share_beyond(const Part& part, std::size_t flank, const Seen& seen);
+  void take_turn(const Turn& turn);
 
   Model::PhaseRow row_at_;
   const PhaseGrid& grid_;
   double duration_;
   std::size_t row_width_;
-  ContactField field_;
+  std::size_t surfaces_;
+  ContactField contacts_;
   HeldField held_;
-  bool has_surfaces_;
+  HeldStep step_;
   std::vector<Graze> grazes_;
   Extent extent_;
   ReturnLevel return_level_;
   ReturnCount returns_;
-  Carried at_;     // where the trajectory is
-  Carried start_;  // where the part of the step began that is being tried
-  // Kept from step to step: allocating them anew costs more than a small model's right-hand side.
-  Work moving_;
-  Carried probe_;  // a state alone, to look for events
-  Work probing_;
-  RowMatrix jacobian_;
-  std::array<std::vector<double>, 3> rows_;
+  HeldMotion at_;
 };
 
 }  // namespace gearsweep

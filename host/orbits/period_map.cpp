@@ -107,7 +107,8 @@ VectorXd PeriodMap::rate(const VectorXd& state) const {
 MatrixXd PeriodMap::rate_slope(const VectorXd& state) const {
   HeldField field(*model_, point_.get());
   field.begin(grid_.coefs.data(), period() / static_cast<double>(steps()), state.data());
-  RowMatrix out(state.size(), state.size());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> out(state.size(),
+                                                                             state.size());
   field.jacobian(grid_.coefs.data(), state.data(), out.data());
   return out;
 }

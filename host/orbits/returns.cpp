@@ -29,20 +29,17 @@ std::string describe_returns(const Model& model, std::size_t count) {
                      place_of_returns(model));
 }
 
-ReturnLevel::ReturnLevel(const Model& model, const PreparedPoint& point, HeldField* field)
+ReturnLevel::ReturnLevel(const Model& model, HeldField* field)
     : model_(model),
-      point_(point),
       field_(field),
       values_(model.sections.empty() ? model.states.size() : model.signals.size()) {}
 
 double ReturnLevel::operator()(const double* coefs, const double* x) {
-  const bool has_surfaces = !model_.surfaces.empty();
   if (model_.sections.empty()) {
-    has_surfaces ? field_->rhs(coefs, x, values_.data()) : point_.rhs(coefs, x, values_.data());
+    field_->rhs(coefs, x, values_.data());
     return -values_[returning_state(model_)];
   }
-  has_surfaces ? field_->signals(coefs, x, values_.data())
-               : point_.signals(coefs, x, values_.data());
+  field_->signals(coefs, x, values_.data());
   const SectionInfo& section = model_.sections.front();
   const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * values_[section.size];
   return std::abs(values_[section.level]) <= rounding ? 0.0 : values_[section.level];

@@ -19,15 +19,14 @@ std::string describe_returns(const Model& model, std::size_t count);
 // What rises through 0 where a motion returns.
 class ReturnLevel {
  public:
-  // All must outlive it.
-  ReturnLevel(const Model& model, const PreparedPoint& point, HeldField* field);
+  // Both must outlive it.
+  ReturnLevel(const Model& model, HeldField* field);
 
   // 0 where rounding alone makes it another number.
   double operator()(const double* coefs, const double* x);
 
  private:
   const Model& model_;
-  const PreparedPoint& point_;
   HeldField* field_;
   std::vector<double> values_;  // signals, or rates
 };

@@ -37,7 +37,7 @@ std::vector<double> start_of_policy(const Study& study, const ModelSetting& sett
 
 StudyPoints::StudyPoints(std::shared_ptr<const Study> study) : study_(std::move(study)) {
   const Model& model = *study_->model;
-  offsets_ = ensemble_offsets(study_->initial, (model.whole ? *model.whole : model).states.size());
+  offsets_ = ensemble_offsets(study_->initial, model.full().states.size());
   for (const Swept* swept : study_->swept()) {
     if (!swept->is_state) differing_.push_back(swept->index);
   }

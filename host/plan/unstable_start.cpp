@@ -21,7 +21,7 @@ struct Local {
 };
 
 Local local_at(const Model& model, const ModelSetting& setting, const std::vector<double>& own) {
-  const Model& whole = model.whole == nullptr ? model : *model.whole;
+  const Model& whole = model.full();
   const std::size_t states = whole.states.size();
   std::vector<std::size_t> kept = model.reduction.kept;
   for (std::size_t i = 0; model.whole == nullptr && i < states; ++i) kept.push_back(i);

@@ -7,6 +7,7 @@
 
 #include "orbits/exact_impacts.hpp"
 #include "orbits/orbit_error.hpp"
+#include "study/model_file.hpp"
 #include "support/eigenvalues.hpp"
 
 namespace gearsweep::testing {
@@ -74,6 +75,36 @@ TEST(Impacts, MultipliersConvergeWithTheFourthOrder) {
     EXPECT_GT(std::log2(coarse / fine) / 3.0, 3.7) << coarse << " to " << fine;
     EXPECT_LT(fine, 1e-7);
   }
+}
+
+// A stop beside a wall: of a step that comes to the stop the part behind it has another Jacobian.
+TEST(Impacts, MultipliersBesideAWallConvergeWithTheFourthOrder) {
+  const auto model = read_model_text(R"toml([model]
+name = "stop_and_wall"
+[states]
+x = { start = "0.3" }
+v = {}
+[parameters]
+omega = 0.9
+[equations]
+x = "v"
+v = "-x - 0.15*v - 20*max(x - 0.5, 0) + 1.3*cos(phase)"
+[forcing]
+period = "2*pi/omega"
+[surfaces.wall]
+when = "-x - 1.1"
+reset = { v = "-0.8*v" }
+)toml",
+                                     "wall.toml");
+  const auto shot = [&](std::size_t steps) {
+    const PeriodMap map(*model, model->default_setting(), steps);
+    const Eigen::VectorXd settled = map.advance(Eigen::Vector2d(0.3, 0.0), 60).value();
+    return shoot(map, settled, 1).value().multipliers;
+  };
+  const Eigen::VectorXcd truth = shot(3200);
+  const double coarse = apart(shot(100), truth), fine = apart(shot(800), truth);
+  EXPECT_GT(std::log2(coarse / fine) / 3.0, 3.7) << coarse << " to " << fine;
+  EXPECT_LT(fine, 1e-7);
 }
 
 // Two or three digits are lost to the crossing's own motion with the start, which is left out of

@@ -23,6 +23,7 @@ Trajectory::Trajectory(const Plan& plan, std::size_t point, const Eigen::VectorX
       row_at_(plan.study().model->phase_rows(plan.setting_of(point))),
       point_(plan.study().model->prepare(plan.setting_of(point))),
       held_(*plan.study().model, point_.get()),
+      held_step_(&held_),
       state_(state) {}
 
 bool Trajectory::advance_period() { return advance_period(StepCallback()); }
@@ -37,12 +38,11 @@ bool Trajectory::advance_period(const StepCallback& each_step,
     const double inside = phase + 0.5 * share * grid_.segment_steps[segment];
     std::optional<Instant> earlier;
     if (!model_.surfaces.empty()) {
-      held_.begin(moments_of(phase, inside, share)(0.0).data(), share * point_->period(),
-                  state_.data());
+      held_.begin(grid_.coefs.data() + row * row_width_, share * point_->period(), state_.data());
     }
     for (std::uint32_t i = 0; i < grid_.segment_steps[segment]; ++i) {
       if (!model_.surfaces.empty()) {
-        step_through_surfaces(phase + share * i, inside, share, each_step);
+        step_through_surfaces(moments_of(row, phase + share * i, inside, share), each_step);
         row += 2;
         if (on_the_way && i % kFewSteps == kFewSteps - 1) on_the_way();
         continue;
@@ -60,7 +60,7 @@ bool Trajectory::advance_period(const StepCallback& each_step,
                        same_contact(seen.middle, seen.after);
       seen.earlier = earlier;
       seen.at = [&](double within) {
-        return moment_within(moments_of(phase + share * i, inside, share), start, within);
+        return moment_within(moments_of(row - 2, phase + share * i, inside, share), start, within);
       };
       each_step(seen);
       earlier.reset();
@@ -137,8 +137,15 @@ bool Trajectory::same_contact(const Instant& a, const Instant& b) const {
   });
 }
 
-StepMoments Trajectory::moments_of(double phase, double inside, double share) const {
-  return {&row_at_, row_width_, phase, share, inside, point_->period()};
+StepMoments Trajectory::moments_of(std::size_t row, double phase, double inside,
+                                   double share) const {
+  return {&row_at_,
+          row_width_,
+          phase,
+          share,
+          inside,
+          point_->period(),
+          grid_.coefs.data() + row * row_width_};
 }
 
 Instant Trajectory::held_instant(const std::vector<double>& coefs, const Eigen::VectorXd& state) {
@@ -147,22 +154,19 @@ Instant Trajectory::held_instant(const std::vector<double>& coefs, const Eigen::
   return out;
 }
 
-void Trajectory::step_through_surfaces(double phase, double inside, double share,
-                                       const StepCallback& seen) {
-  const StepMoments moment = moments_of(phase, inside, share);
+void Trajectory::step_through_surfaces(const StepMoments& moment, const StepCallback& seen) {
   const auto tell = [&](double from, double to, const Bundle& before, const Bundle& after) {
     if (!seen) return;
     const auto at = [&](double share_of_part) {
       const double end = from + share_of_part * (to - from);
       Bundle there{before.state, Eigen::MatrixXd(before.state.size(), 0)};
-      carry_held(&held_, moment, from, end, &there);
-      held_.put_back(moment(end).data(), there.state.data());
+      held_step_.carry(moment, from, end, &there);
       return held_instant(moment(end), there.state);
     };
     TrajectoryStep step = {.before = held_instant(moment(from), before.state),
                            .middle = at(0.5),
                            .after = held_instant(moment(to), after.state),
-                           .share = (to - from) * share,
+                           .share = (to - from) * moment.length,
                            .ends_step = to == 1.0};
     step.is_smooth = !is_rough_ && same_contact(step.before, step.middle) &&
                      same_contact(step.middle, step.after);
@@ -172,7 +176,7 @@ void Trajectory::step_through_surfaces(double phase, double inside, double share
     seen(step);
   };
   Bundle motion{state_, tangents_};
-  step_held(&held_, moment, &motion, tell);
+  held_step_.take(moment, &motion, tell);
   if (!seen) held_.take_met();  // nobody asks for it
   state_ = motion.state;
   tangents_ = motion.tangents;

@@ -71,9 +71,10 @@ class Trajectory {
                         double share) const;
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
-  // Of a model with surfaces: a step from a phase on. seen: told the step's parts.
-  void step_through_surfaces(double phase, double inside, double share, const StepCallback& seen);
-  StepMoments moments_of(double phase, double inside, double share) const;
+  // Of a model with surfaces. seen: told the step's parts.
+  void step_through_surfaces(const StepMoments& moment, const StepCallback& seen);
+  // Of a step that begins at a row of the grid, and at a phase.
+  StepMoments moments_of(std::size_t row, double phase, double inside, double share) const;
   Instant held_instant(const std::vector<double>& coefs, const Eigen::VectorXd& state);
   bool same_contact(const Instant& a, const Instant& b) const;
   // p of a limit (ContactLimit), by a row of coefficients and a state.
@@ -94,6 +95,7 @@ class Trajectory {
   Model::PhaseRow row_at_;
   std::unique_ptr<PreparedPoint> point_;
   HeldField held_;
+  HeldStep held_step_;
   Eigen::VectorXd state_;
   Eigen::MatrixXd tangents_;
 };

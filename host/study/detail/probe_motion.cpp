@@ -80,6 +80,7 @@ ProbeMotion::ProbeMotion(const Model& model, ModelSetting setting, std::vector<d
       point_(model.prepare(setting_)),
       row_at_(model.phase_rows(setting_)),
       held_(model, point_.get()),
+      held_step_(&held_),
       is_rough_(model.is_rough || !model.uncorrected.empty() ||
                 !model.state_jumps(setting_).empty()),
       period_(point_->period()),
@@ -354,7 +355,7 @@ bool ProbeMotion::meets_surface(double length, std::vector<double>* end, Stretch
     // Steps that are as long as several returns would see a level at one place alone.
     look_at_levels(moment_at(to).data(), after.state.data(), stretch);
   };
-  step_held(&held_, moment_at, &motion, look);
+  held_step_.take(moment_at, &motion, look);
   end->assign(motion.state.begin(), motion.state.end());
   return true;
 }
@@ -362,7 +363,7 @@ bool ProbeMotion::meets_surface(double length, std::vector<double>* end, Stretch
 std::vector<double> ProbeMotion::step(const StepMoments& moment_at, double begin, double end,
                                       const std::vector<double>& from) {
   HeldMotion motion{Eigen::VectorXd::Map(from.data(), static_cast<Eigen::Index>(from.size())), {}};
-  carry_held(&held_, moment_at, begin, end, &motion);
+  held_step_.carry(moment_at, begin, end, &motion);
   return {motion.state.begin(), motion.state.end()};
 }
 

@@ -106,6 +106,7 @@ class ProbeMotion {
   const std::unique_ptr<PreparedPoint> point_;
   const Model::PhaseRow row_at_;
   HeldField held_;
+  HeldStep held_step_;
   std::optional<FieldReach> reach_;  // of a model whose field neither jumps nor has a phase
   const bool is_rough_;              // it bends or jumps where steps do not know of it
   const double period_;

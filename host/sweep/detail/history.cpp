@@ -22,6 +22,7 @@ class History {
         point_(model_.prepare(setting_)),
         row_at_(model_.phase_rows(setting_)),
         held_(model_, point_.get()),
+        held_step_(&held_),
         grid_(plan.phase_grid_of(point)),
         bounds_(segment_bounds(model_, setting_)),
         rows_(rows) {}
@@ -57,14 +58,14 @@ class History {
           for (; phase_of(next) < step.from + to * (step.to - step.from); ++next) {
             const double share = (phase_of(next) - step.from) / (step.to - step.from);
             HeldMotion motion = before;
-            carry_held(&held_, moments_of(step), from, share, &motion);
+            held_step_.carry(moments_of(step), from, share, &motion);
             add_held(phase_of(next), moments_of(step)(share), motion.state.data(), &trace);
             event_ = 0;
           }
           if (const int event = event_at(step, to, after); event != 0) event_ = event;
         };
         HeldMotion motion{Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(states)), {}};
-        step_held(&held_, moments_of(step), &motion, take);
+        held_step_.take(moments_of(step), &motion, take);
         return;
       }
       bool has_slopes = false;
@@ -105,7 +106,8 @@ class History {
             step.from - std::floor(step.from),
             step.to - step.from,
             step.inside,
-            point_->period()};
+            point_->period(),
+            step.coefs};
   }
 
   // Holds the sides of surfaces that a state at a share of the step is on, and slides along them
@@ -154,7 +156,7 @@ class History {
     };
     HeldMotion motion{
         Eigen::VectorXd::Map(step.start, static_cast<Eigen::Index>(model_.states.size())), {}};
-    step_held(&held_, moment_at, &motion, take);
+    held_step_.take(moment_at, &motion, take);
     event_ = 0;
   }
 
@@ -255,6 +257,7 @@ class History {
   const std::unique_ptr<PreparedPoint> point_;
   const Model::PhaseRow row_at_;
   HeldField held_;
+  HeldStep held_step_;
   const PhaseGrid grid_;
   const std::vector<double> bounds_;
   const std::vector<double>& rows_;

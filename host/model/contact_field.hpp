@@ -13,37 +13,33 @@
 namespace gearsweep {
 
 // One entry for each of the model's limits (Model::contact_limits()).
-using Contact = std::vector<bool>;   // it touches
-using Depths = std::vector<double>;  // D - b' or -D - b'; it touches where positive
+using HeldContacts = std::vector<bool>;  // it touches
+using Depths = std::vector<double>;      // D - b' or -D - b'; it touches where positive
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Contact contact_of(const Depths& depths);
+HeldContacts contact_of(const Depths& depths);
 
 class ContactField {
  public:
   // Both must outlive the field.
   ContactField(const Model& model, const PreparedPoint& point);
 
-  Depths depths(const double* coefs, const Eigen::VectorXd& state);
+  // coefs: a row of phase coefficients; x: a state.
+  const Depths& depths(const double* coefs, const double* x);
 
-  // Writes the derivative by time, and returns the depths at the state.
-  Depths slope(const double* coefs, const Eigen::VectorXd& state, const Contact& held,
-               Eigen::VectorXd* out);
-  // Writes the slope's derivative by the state.
-  void jacobian(const double* coefs, const Eigen::VectorXd& state, const Contact& held,
-                RowMatrix* out);
+  // Writes the derivative by time. No contact at all is held where `held` is empty.
+  void slope(const double* coefs, const double* x, const HeldContacts& held, double* out);
+  // Writes the slope's derivative by the state, row by row.
+  void jacobian(const double* coefs, const double* x, const HeldContacts& held, double* out);
   // What the field gains per depth where a flank touches, and the depth's derivative by the state:
   // their product is what the Jacobian gains where the flank begins to touch.
-  const Eigen::VectorXd& force_at(const double* coefs, const Eigen::VectorXd& state,
-                                  std::size_t limit);
-  const Eigen::RowVectorXd& gradient_at(const double* coefs, const Eigen::VectorXd& state,
-                                        std::size_t limit);
+  const Eigen::VectorXd& force_at(const double* coefs, const double* x, std::size_t limit);
+  const Eigen::RowVectorXd& gradient_at(const double* coefs, const double* x, std::size_t limit);
 
  private:
   const PreparedPoint& point_;
   std::vector<ContactLimit> limits_;
   std::vector<double> places_;  // deflection and backlash of each contact and corner
+  Depths depths_;
   Eigen::VectorXd force_direction_;
   Eigen::RowVectorXd gradient_;
 };
