@@ -81,13 +81,15 @@ SHARED_FN bool take_item(uint items, uint item, PARAMETER_TABLES, __global const
 #define ROUNDINGS_TOLD ((scalar)(REAL_BITS == 64 ? 64 * 2.220446e-16 : 64 * 1.1920929e-7))
 
 // What distances between states are relative to: for each state the range of the motion, whatever
-// the offset. A range must not be so small that `tolerance` times it drowns in rounding.
+// the offset. A range must not be so small that `tolerance` times it drowns in rounding, that of
+// the state or of those that change it: of a mass at rest the speed is rounding of its place.
 SHARED_FN void extent_ranges(const Extent* extent, scalar tolerance, real* ranges) {
   const scalar smallest = ROUNDINGS_TOLD / tolerance;
   UNROLL
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     const real largest = lane_max(lane_abs(extent->low[i]), lane_abs(extent->high[i]));
-    ranges[i] = lane_max(extent->high[i] - extent->low[i], smallest * largest);
+    const real rounded = lane_max(largest, extent->made[i]);
+    ranges[i] = lane_max(extent->high[i] - extent->low[i], smallest * rounded);
   }
 }
 

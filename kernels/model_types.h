@@ -91,7 +91,7 @@ typedef struct {
 typedef struct {
   real side[MODEL_SURFACES];    // 1 above, 0 below; of a staircase the level's floor
   mask slides[MODEL_SURFACES];  // it slides along the surface: `side` is the one above
-  mask slid;                    // it began to slide since this was last cleared
+  mask slid;                    // it began to slide, or was reset, since this was last cleared
 } Sides;
 
 // Which surfaces have reset the state; how fast their levels rose there, what their own resets made

@@ -123,12 +123,14 @@ SHARED_FN void watch_segment(Watcher* watcher, const ModelPoint* point, const Su
   watcher->was_smooth = zero != zero;
 }
 
-// In the other lanes nothing moves: their part has no length.
+// In the other lanes nothing moves: their part has no length. One that ends where it begins shows
+// nothing, either.
 SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const SurfacePart* part,
-                          mask where) {
+                          mask moves) {
   const real zero = 0;
   const real one = 1;
   const real one_half = (scalar)(0.5);
+  const mask where = moves & (part->from < *part->to);
   real inside[MODEL_STATE_COUNT];
   Instant middle;
   Instant after;
@@ -164,6 +166,23 @@ SHARED_FN void watch_part(Watcher* watcher, const ModelPoint* point, const Surfa
   watch_select(!where, &earlier, &watcher->earlier);
 }
 
+// Whether a motion stays at the surfaces that it has come to slide along.
+SHARED_FN mask watch_holds(const ModelPoint* point, const SurfaceRows* rows, real share,
+                           const real* x) {
+  const real zero = 0;
+  mask holds = zero == zero;
+  if (all_lanes(!sliding_any(point))) return holds;
+  PhaseAt moment;
+  Sliding sliding;
+  surface_moment(rows, share, &moment);
+  sliding_find(point, &moment, x, &sliding);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) {
+    holds = holds & (!point->sides.slides[k] | !surface_is_out(k, sliding.share[k]));
+  }
+  return holds;
+}
+
 SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const SurfaceRows* rows,
                           real share, mask where, const SurfaceMet* met, const real* x) {
   const real zero = 0;
@@ -174,7 +193,8 @@ SHARED_FN void watch_side(Watcher* watcher, const ModelPoint* point, const Surfa
   (void)met, (void)zero;
 #endif
   watch_instant(point, rows, share, x, &instant);
-  watch_select(where, &instant, &watcher->before);
+  // What does not hold it at its surfaces shows nothing: it leaves them at once.
+  watch_select(where & watch_holds(point, rows, share, x), &instant, &watcher->before);
   watcher->was_smooth = watcher->was_smooth & !where;
 }
 

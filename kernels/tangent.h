@@ -12,8 +12,9 @@
 #define TANGENT_VECTORS (TANGENTS > 0 ? TANGENTS : 1)
 #define TANGENT_NUMBERS (TANGENT_VECTORS * MODEL_STATE_COUNT)
 
-// A motion that begins to slide along a surface loses what tangent vectors have across it. The
-// vector that is lost is 0 from then on, and its exponent minus infinity.
+// A motion that begins to slide along a surface loses what tangent vectors have across it, and one
+// that is reset what the reset writes over. The vector that is lost is 0 from then on, and its
+// exponent minus infinity.
 #ifdef MODEL_SURFACES
 #define TANGENT_LOST ((scalar)(REAL_BITS == 64 ? 1.4e-14 : 7.6e-6))  // 64 roundings
 
@@ -48,7 +49,7 @@ SHARED_FN real tangent_tame(real* w) {
 // Makes the vectors orthonormal, and adds the logarithm of each vector's stretching. Only the loops
 // over pairs of vectors are unrolled, since they take most of the time. With the others unrolled,
 // too, the compiler would keep a single vector in the registers that the step of the state needs.
-// slid: the motion may have begun to slide since the last time.
+// slid: the motion may have begun to slide, or been reset, since the last time.
 SHARED_FN void tangent_orthonormalize(mask slid, real* w, real* log_stretching) {
 #ifdef MODEL_SURFACES
   real before[TANGENT_VECTORS];

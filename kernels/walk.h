@@ -52,6 +52,33 @@ SHARED_FN void walk_orthonormalize(const ModelPoint* point, real* w, real* log_s
 }
 #endif
 
+// What the magnitudes of all states make of each in a period, by the field's derivative at phase 0:
+// rounding of theirs makes the same share of it.
+SHARED_FN void walk_magnitudes(const ModelPoint* point, TABLE PhaseCoefs* stage, const real* x,
+                               Extent* extent) {
+  const real zero = 0;
+  const real one = 1;
+  const PhaseCoefs coefs = stage[0];
+  const PhaseAt phase = phase_at(&coefs);
+  ModelLinear linear;
+  real zeros[MODEL_STATE_COUNT];
+  UNROLL
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) zeros[i] = 0;
+  model_linearize(point, &phase, x, one, &linear);
+  for (int j = 0; j < MODEL_STATE_COUNT; ++j) {
+    real alone[MODEL_STATE_COUNT];
+    real made[MODEL_STATE_COUNT];
+    const real size = lane_max(lane_abs(extent->low[j]), lane_abs(extent->high[j]));
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) alone[i] = i == j ? size : zero;
+    model_tangent(point, &linear, alone, zeros, made);
+    UNROLL
+    for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+      extent->made[i] = extent->made[i] + point->period * lane_abs(made[i]);
+    }
+  }
+}
+
 // Advances a state by a period. All of this is inlined, so what is not asked for costs nothing.
 // events: steps in which a limit of the contact is crossed are corrected.
 SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool events, int beside,
@@ -107,5 +134,6 @@ SHARED_FN void walk_period(const ModelPoint* point, const WalkGrid* grid, bool e
     }
     stage += 1;
   }
+  if (beside & WALK_EXTENT) walk_magnitudes(held, grid->stages, x, extent);
   end_period(x);
 }

@@ -11,6 +11,7 @@ typedef struct {
 // The box of a motion in the space of states.
 typedef struct {
   real low[MODEL_STATE_COUNT], high[MODEL_STATE_COUNT];
+  real made[MODEL_STATE_COUNT];  // by the magnitudes of all states in a period (walk_period)
 } Extent;
 
 // An extent is a yardstick: one step in so many does for it.
@@ -18,7 +19,10 @@ typedef struct {
 
 SHARED_FN void extent_begin(const real* x, Extent* extent) {
   UNROLL
-  for (int i = 0; i < MODEL_STATE_COUNT; ++i) extent->low[i] = extent->high[i] = x[i];
+  for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
+    extent->low[i] = extent->high[i] = x[i];
+    extent->made[i] = 0;
+  }
 }
 
 SHARED_FN void extent_widen(const real* x, Extent* extent) {

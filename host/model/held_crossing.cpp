@@ -173,6 +173,7 @@ void HeldField::reset_from(std::size_t surface, double rate, const double* coefs
     met.push_back({*next, std::max(rates(coefs, x, dx.data())[*next], 0.0)});
   }
   met_.insert(met_.end(), met.begin(), met.end());
+  has_slid_ = true;  // a reset may leave nothing of a tangent, either
   // What rests may push others into rest.
   for (bool is_new = true; is_new;) {
     is_new = false;

@@ -83,7 +83,8 @@ class HeldField {
     double rate;
   };
   std::vector<Met> take_met() { return std::exchange(met_, {}); }
-  // Whether it has begun to slide since this was asked the last time.
+  // Whether it has begun to slide, or been reset, since this was asked the last time: tangents may
+  // have been lost.
   bool take_slid();
 
  private:

@@ -99,7 +99,7 @@ void HeldStep::take(const StepMoments& moment_at, HeldMotion* motion, const Part
       *motion = start_;
       carry(moment_at, part.from, to, motion);
     }
-    if (each_part) each_part(part.from, to, start_, *motion);
+    if (each_part && part.from < to) each_part(part.from, to, start_, *motion);
     if (!event) return;
     const double* const coefs = moment_at.at(to, &row_);
     if (const auto surface = field_->left_behind(coefs, motion->state.data())) {
@@ -152,6 +152,7 @@ std::optional<double> HeldStep::first_event(const Part& part) {
 std::optional<HeldStep::Way> HeldStep::way_beyond(const Part& part, std::size_t index) {
   const double first = looks_[0].values[index].value, middle = looks_[1].values[index].value,
                last = looks_[2].values[index].value;
+  if (!(first >= 0.0)) return Way{part.from, part.from};
   const auto [low, high] = std::minmax({first, middle, last});
   if (!(low > high - low)) return way_beyond_near(part, index);
   // Far from it the parabola through the three is good enough.

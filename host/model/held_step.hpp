@@ -28,7 +28,8 @@ struct StepMoments {
   std::vector<double> operator()(double share) const;
 };
 
-// Told each part of a step, once it has been taken: from and to where, and the motion there.
+// Told each part of a step that has a length, once it has been taken: from and to where, and the
+// motion there.
 using PartCallback =
     std::function<void(double from, double to, const HeldMotion& before, const HeldMotion& after)>;
 

@@ -20,6 +20,7 @@ constexpr double kSameOrbit = 1e-8;         // of the states' sizes: two states 
 constexpr double kSameCycle = 1e-6;         // the same where steps differ
 constexpr double kArrived = 1e-4;           // of the way from the start to an equilibrium
 constexpr double kRest = 1e-12;             // of states' magnitudes
+constexpr double kCloses = 0.1;             // that the multiplier along a cycle may be off
 constexpr std::size_t kMaxSteps = 1 << 21;  // in search of returns
 
 RunError left_range() {
@@ -190,6 +191,11 @@ VectorXd farthest_from_surfaces(const PeriodMap& map, const VectorXd& start, con
   return states[static_cast<std::size_t>(farthest - levels.begin())];
 }
 
+// Whether a cycle carries a step along it round to the same, as it must.
+bool closes(const Orbit& cycle) {
+  return std::fabs(*cycle.along - 1.0) <= std::max(kCloses, cycle.slack);
+}
+
 // The shortest share of a cycle, of those that a whole number of its returns make, after which it
 // is back.
 Orbit shortest_of(const PeriodMap& map, const Orbit& cycle) {
@@ -249,7 +255,10 @@ Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearc
     const TimeSpan span = {duration, static_cast<std::size_t>(asked)};
     found = shoot_cycle(map, guess, span);
     // A return may lie at a surface, on either side of which its neighbours begin.
-    if (!found) found = shoot_cycle(map, farthest_from_surfaces(map, guess, span), span);
+    if (!found || !closes(*found)) {
+      found = shoot_cycle(map, farthest_from_surfaces(map, guess, span), span);
+    }
+    if (found && !closes(*found)) found.reset();
   }
   if (!found) throw no_orbit(wanted);
   const Orbit cycle = shortest_of(map, *found);
@@ -271,7 +280,8 @@ std::optional<Orbit> find_rest(const PeriodMap& map, const VectorXd& start,
   const VectorXd left = map.difference(settled, rest->state).cwiseAbs();
   const VectorXd allowed =
       kArrived * spread_of(map.difference(start, rest->state).cwiseAbs(), rest->monodromy, 1.0);
-  if ((left.array() > allowed.cwiseMax(kRest * rest->reach).array()).any()) return std::nullopt;
+  if ((left.array() > allowed.cwiseMax(kRest * rest->extent.reach()).array()).any())
+    return std::nullopt;
   return rest;
 }
 

@@ -43,7 +43,7 @@ Orbit without_multipliers(OrbitKind kind, const VectorXd& state, const PeriodIma
   orbit.monodromy = image.monodromy;
   orbit.grazes = image.grazes;
   orbit.sizes = sizes_of(image);
-  orbit.reach = image.extent.reach();
+  orbit.extent = image.extent;
   return orbit;
 }
 
@@ -159,7 +159,7 @@ Orbit make_equilibrium(const VectorXd& state, const MatrixXd& jacobian, const Ve
   orbit.state = state;
   orbit.monodromy = jacobian;
   orbit.sizes = sizes;
-  orbit.reach = state.cwiseAbs();
+  orbit.extent = {state, state};
   // The same in the sizes of states, where rounding weighs least.
   orbit.multipliers =
       eigenvalues_of(sizes.cwiseInverse().asDiagonal() * jacobian * sizes.asDiagonal());
@@ -196,6 +196,10 @@ VectorXd sizes_of(const PeriodImage& image) {
 VectorXd rounding_sizes(const PeriodImage& image, const VectorXd& sizes) {
   const VectorXd reach = image.extent.reach();
   return sizes.cwiseMax(reach).cwiseMax(kCarried * carried(reach, image.monodromy));
+}
+
+double offset_of(const Extent& extent, const VectorXd& sizes) {
+  return extent.reach().cwiseQuotient(sizes).maxCoeff();
 }
 
 double stretch_of(const MatrixXd& matrix, const VectorXd& sizes) {

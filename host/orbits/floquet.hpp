@@ -56,7 +56,7 @@ struct Orbit {
   // What counts as the size of each state, above 0: see sizes_of. Residuals and distances are
   // judged in these sizes, so that no unit of a state or of the time decides anything.
   Eigen::VectorXd sizes;
-  Eigen::VectorXd reach;  // largest magnitude of each state on the orbit
+  Extent extent;
 
   bool stable() const;
   // How many multipliers lie outside the unit circle, or eigenvalues right of the imaginary axis.
@@ -109,6 +109,9 @@ inline constexpr double kMadeOfOthers = 1e-3;
 // The sizes that the residual of shooting is judged in: rounding of the end state is that of the
 // start, as far as the flow stretches it.
 Eigen::VectorXd rounding_sizes(const PeriodImage& image, const Eigen::VectorXd& sizes);
+// The largest magnitude of a state, in its size: where a state is counted from far off, all that
+// has to do with it is rounded by so much more.
+double offset_of(const Extent& extent, const Eigen::VectorXd& sizes);
 
 // How far a matrix that carries states to states stretches: its largest entry between states in
 // their own sizes.

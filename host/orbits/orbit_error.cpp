@@ -59,7 +59,7 @@ OrbitError error_of(const Orbit& orbit, const PeriodMap& coarser) {
   if (!coarse) return error;
   // Each state's own change may be small by chance.
   const double change = distance_of(coarser.difference(coarse->state, orbit.state), orbit.sizes);
-  error.state = kErrorPerChange * change * orbit.sizes + kRounding * orbit.reach;
+  error.state = kErrorPerChange * change * orbit.sizes + kRounding * orbit.extent.reach();
   error.duration =
       kErrorPerChange * std::fabs(coarse->duration - orbit.duration) + kRounding * orbit.duration;
   const double stretch = std::max(1.0, stretch_of(orbit.monodromy, orbit.sizes));

@@ -12,23 +12,42 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kResidual = 1e-12;  // of the states' sizes
+constexpr double kOffset = 0.1;      // of the largest offset: how much of it all states get
+constexpr double kBetter = 0.5;      // of a residual that may be rounding: one that is not
 constexpr int kMaxIterations = 40;
+// Of an equilibrium: a start may lie on the other side of a place where the Jacobian is singular,
+// which the method leaves by chance.
+constexpr int kMaxRestIterations = 400;
 constexpr int kMaxHalvings = 10;          // of a Newton step
 constexpr double kLongerOrShorter = 4.0;  // a cycle than what it is looked for by
 constexpr double kBalanced = 1e-9;        // of what the terms of a rate may be
+constexpr double kRounding = 1.8e-15;     // 8 roundings
 constexpr double kStill = 1e-6;  // of the sizes at the guess: a cycle that moves less is none
 
-// Newton's method from unknowns; sizes: those of the guess, which distances are judged in.
+// Newton's method from unknowns; sizes: those of the guess, which distances are judged in. Where a
+// state is counted from far off, what is left of a residual may be rounding: it is, if a step makes
+// it no better.
 std::optional<Orbit> solve(const PeriodMap& map, const Shooting& shooting, VectorXd z) {
   const PhasePlane plane = shooting.plane_at(map, z);
   std::optional<Shooting::Equations> now = shooting.at(map, z, plane);
   for (int iteration = 0; now && iteration < kMaxIterations; ++iteration) {
-    if ((now->residual.cwiseAbs().array() <= kResidual * now->rounding.array()).all()) {
-      return shooting.orbit_at(map, z, now->image);
-    }
+    const auto is_within = [&](const VectorXd& rounding) {
+      return (now->residual.cwiseAbs().array() <= kResidual * rounding.array()).all();
+    };
+    if (is_within(now->rounding)) return shooting.orbit_at(map, z, now->image);
     const double before = now->residual.cwiseAbs().maxCoeff();
     const VectorXd step = now->slope.fullPivLu().solve(-now->residual);
     std::optional<Shooting::Equations> next;
+    const double offset = kOffset * offset_of(now->image.extent, shooting.sizes());
+    if (is_within(now->rounding.cwiseMax(offset))) {
+      next = shooting.at(map, z + step, plane);
+      if (!next || !(next->residual.cwiseAbs().maxCoeff() < kBetter * before)) {
+        return shooting.orbit_at(map, z, now->image);
+      }
+      z += step;
+      now = std::move(next);
+      continue;
+    }
     double damping = 1.0;
     for (int halvings = 0; halvings < kMaxHalvings; ++halvings, damping *= 0.5) {
       next = shooting.at(map, z + damping * step, plane);
@@ -47,7 +66,7 @@ std::optional<Orbit> balanced(const VectorXd& state, const PeriodMap& map, const
   const MatrixXd jacobian = map.rate_slope(state);
   const VectorXd allowed = kBalanced * (jacobian.cwiseAbs() * sizes);
   if ((map.rate(state).cwiseAbs().array() > allowed.array()).any()) return std::nullopt;
-  return make_equilibrium(state, jacobian, above_zero(sizes));
+  return make_equilibrium(state, jacobian, above_zero(sizes.cwiseMax(state.cwiseAbs())));
 }
 
 }  // namespace
@@ -181,7 +200,7 @@ std::optional<Orbit> shoot_cycle(const PeriodMap& map, const VectorXd& guess,
   z << guess.cwiseQuotient(shooting.sizes()), 1.0;
   std::optional<Orbit> found = solve(map, shooting, z);
   // Any length brings a state of rest back.
-  if (!found || distance_of(found->sizes, shooting.sizes()) < kStill) return std::nullopt;
+  if (!found || distance_of(found->extent.swing(), shooting.sizes()) < kStill) return std::nullopt;
   return found;
 }
 
@@ -198,18 +217,19 @@ std::optional<Orbit> shoot_again(const PeriodMap& map, const Orbit& near, std::s
 }
 
 std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& guess) {
-  return find_equilibrium(map, guess, guess);
+  return find_equilibrium(map, guess, VectorXd::Zero(guess.size()));
 }
 
 std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& guess,
                                       const VectorXd& way) {
   VectorXd state = guess;
-  // The largest that each state, or a step of it, has had; and some of what others make of it.
-  VectorXd sizes =
-      spread_of(guess.cwiseAbs().cwiseMax(way.cwiseAbs()), map.rate_slope(guess), kMadeOfOthers);
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  // The largest way that each state has come, or a step of it, wherever it is counted from; and
+  // some of what others make of it.
+  VectorXd sizes = spread_of((kMinSize * guess.cwiseAbs()).cwiseMax(way.cwiseAbs()),
+                             map.rate_slope(guess), kMadeOfOthers);
+  for (int iteration = 0; iteration < kMaxRestIterations; ++iteration) {
     // In sizes of states: in their own units a pivot may count as 0.
-    const VectorXd scale = above_zero(sizes);
+    const VectorXd scale = above_zero(sizes.cwiseMax(state.cwiseAbs()));
     const MatrixXd jacobian = map.rate_slope(state);
     const Eigen::FullPivLU<MatrixXd> solver(scale.cwiseInverse().asDiagonal() * jacobian *
                                             scale.asDiagonal());
@@ -218,9 +238,16 @@ std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& gues
     };
     const VectorXd step = step_by(map.rate(state));
     if (!step.allFinite()) return std::nullopt;
-    sizes = sizes.cwiseMax(step.cwiseAbs()).cwiseMax(state.cwiseAbs());
+    sizes = sizes.cwiseMax(step.cwiseAbs()).cwiseMax(kMinSize * state.cwiseAbs());
     const VectorXd judged_in = above_zero(sizes);
-    if (distance_of(step, judged_in) <= kResidual) {
+    // What rounding of the states makes of their rates, and so of the step.
+    const VectorXd rounding =
+        kRounding * (scale.asDiagonal() * solver.inverse().cwiseAbs() *
+                     scale.cwiseInverse().asDiagonal() * (jacobian.cwiseAbs() * state.cwiseAbs()));
+    const bool is_rounding =
+        rounding.allFinite() &&
+        (step.cwiseAbs().array() <= (kResidual * judged_in).cwiseMax(rounding).array()).all();
+    if (is_rounding || distance_of(step, judged_in) <= kResidual) {
       return balanced((state.array().abs() <= kResidual * sizes.array()).select(0.0, state), map,
                       sizes);
     }

@@ -70,6 +70,7 @@ SHARED_FN void cycle_step(real* sums, const SectionCrossing* crossing, const Ste
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) {
     extent.low[i] = sums[cycle_near_low + i];
     extent.high[i] = sums[cycle_near_high + i];
+    extent.made[i] = 0;
   }
   extent_ranges(&extent, (scalar)(PERIOD_TOLERANCE), ranges);
   share_ranges(ranges, shared);

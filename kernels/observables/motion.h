@@ -155,7 +155,9 @@ SHARED_FN MotionGrowth motion_growth(const real* sums, real forcing, SweepRound 
   MotionGrowth growth;
   growth.log_stretching = exponent[0] * time;
   growth.error = (scalar)(3) * exponent[1] * time;
-  growth.grows = growth.log_stretching > growth.error;
+  // A direction that is neither stretched nor shrunk, as along a clock, has rounding.
+  const real rounding = (scalar)(REAL_BITS == 64 ? 1e-9 : 1e-4);
+  growth.grows = growth.log_stretching > lane_max(growth.error, rounding);
   const real size = lane_abs(growth.log_stretching);
   growth.neutral = (size <= nothing) | ((size <= growth.error) & (size <= much));
 #if MODEL_CLOCKS > 0

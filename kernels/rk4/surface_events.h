@@ -121,6 +121,13 @@ SHARED_FN void surface_take(SurfaceEvent* event, mask is_earlier, real after, in
   event->any = event->any | is_earlier;
 }
 
+// Whether nothing holds a motion at a surface that it is to slide along, with this share.
+SHARED_FN mask surface_is_out(int surface, real share) {
+  const real one = 1;
+  const real most = MODEL_RESETS(surface) ? (real)(INFINITY) : one;
+  return (share < -SURFACE_NEAR) | (most + SURFACE_NEAR < share);
+}
+
 // Where the share of a surface that the motion slides along leaves [0, 1].
 SHARED_FN void surface_find_leaving(const ModelPoint* point, const SurfacePart* part,
                                     SurfaceEvent* event) {
@@ -135,8 +142,7 @@ SHARED_FN void surface_find_leaving(const ModelPoint* point, const SurfacePart* 
     // How far the share is inside; the bound is that which it passes at the end, or is beyond at
     // the start.
     const real most = MODEL_RESETS(k) ? (real)(INFINITY) : one;
-    const mask starts_out =
-        (first.share[k] < -SURFACE_NEAR) | (most + SURFACE_NEAR < first.share[k]);
+    const mask starts_out = surface_is_out(k, first.share[k]);
     const real deciding = lane_select(starts_out, first.share[k], last.share[k]);
     const mask is_above = most < deciding;
     const mask leaves =

@@ -56,11 +56,15 @@ SHARED_FN real surface_delay(const ModelPoint* point, const PhaseAt* moment, con
   return later;
 }
 
-// Takes lanes that have come to a surface, at a share of the step, onto it by Newton's method.
+// Takes lanes that have come to a surface, at a share of the step, onto it by Newton's method; not
+// back to `from`, where the part began: of a motion that has just left a surface at which it rested
+// the cubic of the level may be wrong by rounding alone, and Newton's method knows no bound.
 SHARED_FN void surface_land(const ModelPoint* point, const SurfaceRows* rows,
-                            const SurfaceEvent* event, mask where, real* share, real* x) {
+                            const SurfaceEvent* event, mask where, real from, real* share,
+                            real* x) {
   const real zero = 0;
   const real longest = (scalar)(0.01) * rows->h;
+  const real earliest = from + (scalar)(0.5) * (*share - from);
   for (int i = 0; i < 3; ++i) {
     PhaseAt moment;
     real dx[MODEL_STATE_COUNT];
@@ -79,6 +83,7 @@ SHARED_FN void surface_land(const ModelPoint* point, const SurfaceRows* rows,
       const real later = surface_delay(point, &moment, x, dx, k, -level, rates[k], rises);
       delay = lane_select(counts, lane_clamp(later, -longest, longest), delay);
     }
+    delay = lane_max(delay, (earliest - *share) * rows->h);
     UNROLL
     for (int j = 0; j < MODEL_STATE_COUNT; ++j) x[j] = x[j] + delay * dx[j];
     *share = *share + delay / rows->h;
@@ -131,6 +136,8 @@ SHARED_FN void surface_pass(ModelPoint* point, const SurfaceRows* rows, const Su
   if (beside & RK4_LINEAR) surface_delays(point, &moment, x, rates, hit, w, delays);
 #endif
   surface_resets(point, &moment, rows->h, beside, x, carried, w, met);
+  UNROLL
+  for (int k = 0; k < MODEL_SURFACES; ++k) point->sides.slid = point->sides.slid | met->hit[k];
   surface_field(point, &moment, x, behind, rates_behind);
   UNROLL
   for (int k = 0; k < MODEL_SURFACES; ++k) {
@@ -222,7 +229,7 @@ SHARED_FN void surfaces_step(ModelPoint* point, const SurfaceRows* rows, scalar 
     }
 #endif
     surface_return(point, &end, rows->h, moves, next);
-    if (!all_lanes(!lands)) surface_land(point, rows, &event, lands, &to, next);
+    if (!all_lanes(!lands)) surface_land(point, rows, &event, lands, from, &to, next);
     if (beside & RK4_MIDDLE) watch_part(watcher, point, &part, moves);
     UNROLL
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = lane_select(moves, next[i], x[i]);

@@ -1,5 +1,6 @@
 // Period, settling and kind of motion against orbits that are known, and against the section's own
 // samples.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,6 +114,50 @@ TEST(Period, IsNotThatOfAnApproachThatAlternatesOrTurns) {
 // From the start, without settling: the transient is not taken for the motion, and `settled` tells
 // how long it took. References lie at most 512 periods apart in a record of this length, so the
 // orbit may have settled up to so many periods before.
+// A mass beside the motion has come to rest, away from 0: its speed is rounding of its place, which
+// comes back by chance. A clock that a reset moves is neutral, and its growth rounding.
+TEST(Period, IsNotThatOfRounding) {
+  constexpr const char* kBeside = R"toml([model]
+text = """
+[model]
+name = "beside"
+[states]
+x = {}
+v = {}
+y = { start = "0.1" }
+w = {}
+c = {}
+[parameters]
+omega = 1.0
+[equations]
+x = "v"
+v = "cos(phase) - 0.05*v - x"
+y = "w"
+w = "-1.25*(y - 0.3) - 0.125*w"
+c = "1"
+[forcing]
+period = "2*pi/omega"
+[surfaces.tick]
+when = "c - 0.2*pi/omega"
+reset = { c = "c - 0.2*pi/omega" }
+"""
+[[axes]]
+name = "omega"
+from = 1.7
+to = 2.3
+count = 48
+[integrate]
+settle = 400
+record = 66
+stop = "never"
+[observe]
+quantities = ["period", "motion_class"]
+)toml";
+  const SweepResult result = run(kBeside);
+  EXPECT_THAT(map_of(result, "period"), ::testing::Each(1.0));
+  EXPECT_THAT(map_of(result, "motion_class"), ::testing::Each(kPeriodic));
+}
+
 TEST(Settled, TellsHowLongASlowTransientTook) {
   const SweepResult result =
       run(sweep("coarse", "0.8, 1.9"), {"integrate.settle=0", "integrate.record=1600"});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/run.hpp"
+#include "sweep_types.h"
 
 namespace gearsweep::testing {
 namespace {
@@ -292,6 +293,63 @@ quantities = ["lyapunov_spectrum", "sticking_share"]
     for (const double share : map_of(result, "sticking_share")) EXPECT_NEAR(share, 1.0, 1e-9);
     for (const double exponent : map_of(result, "lyapunov_spectrum")) {
       EXPECT_EQ(exponent, -std::numeric_limits<double>::infinity());
+    }
+  }
+}
+
+// Two masses on springs that meet without rebound and go on together until what holds them together
+// is gone. Against SciPy's DOP853 with located events, the two as one while they touch. Behind
+// such a parting the level leaves 0 with the third power of time, and its cubic is rounding.
+TEST(ResetsAtOnce, BodiesThatHaveRestedAgainstEachOtherPart) {
+  constexpr const char* kPair = R"toml([model]
+name = "pair"
+[states]
+x = {}
+y = { start = "0.3" }
+v = {}
+w = {}
+[parameters]
+omega = 1.0
+F = 0.6
+m = 0.4
+[equations]
+x = "v"
+y = "w"
+v = "F*cos(phase) - 0.05*v - x"
+w = "(-2*(y - 0.3) - 0.05*w)/m"
+[forcing]
+period = "2*pi/omega"
+[surfaces.meet]
+when = "x - y"
+reset = { v = "(v + m*w)/(1 + m)", w = "(v + m*w)/(1 + m)" }
+)toml";
+  constexpr const char* kStudy = R"toml([[axes]]
+name = "omega"
+values = [0.5, 0.9, 1.3]
+[[axes]]
+name = "F"
+values = [0.5, 0.8]
+[integrate]
+settle = 60
+record = 8
+stop = "never"
+[observe]
+quantities = ["x_mean", "sticking_share", "meet_impacts"]
+)toml";
+  struct Known {
+    std::size_t point;
+    double mean, share, impacts;
+  };
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result = run_with(engine, kPair, kStudy);
+    EXPECT_THAT(result.status, ::testing::Each(STATUS_ok));
+    for (const Known& known : {Known{3, -0.12191922738592, 0.408820290128, 2.0},
+                               Known{4, -0.30453005967508, 0.291873680312, 1.0},
+                               Known{2, -0.12798015242004, 0.118146203874, 2.0}}) {
+      EXPECT_NEAR(map_of(result, "x_mean")[known.point], known.mean, 1e-6);
+      EXPECT_NEAR(map_of(result, "sticking_share")[known.point], known.share, 2e-6);
+      EXPECT_EQ(map_of(result, "meet_impacts")[known.point], known.impacts);
     }
   }
 }

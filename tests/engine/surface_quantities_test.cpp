@@ -47,6 +47,58 @@ TEST(SurfaceQuantities, AreTheSameInBothEnginesAndInEachLane) {
   }
 }
 
+// A block that is dragged by another one, which sticks to the floor at times. Where it comes to
+// rest on both, the friction that would hold it there may be more than there is: it shows nowhere.
+TEST(SurfaceQuantities, FrictionNeverExceedsItsBound) {
+  constexpr const char* kBlocks = R"toml([model]
+text = """
+[model]
+name = "block_on_block"
+[states]
+x1 = {}
+x2 = {}
+v1 = {}
+v2 = {}
+[parameters]
+omega = 0.8
+F = 0.6
+[constants]
+floor_force = "0.5*sign(v1)"
+drag = "0.4*sign(v2 - v1)"
+[equations]
+x1 = "v1"
+x2 = "v2"
+v1 = "drag - floor_force - x1 + 0.5*(x2 - x1)"
+v2 = "(F*cos(phase) - drag - 0.5*(x2 - x1))/0.6"
+[forcing]
+period = "2*pi/omega"
+[signals]
+between = "drag"
+"""
+[[axes]]
+name = "omega"
+values = [0.6, 0.8, 1.1]
+[[axes]]
+name = "F"
+values = [0.6, 1.0]
+[integrate]
+settle = 60
+record = 10
+stop = "never"
+[observe]
+quantities = ["between_max", "between_min", "sticking_share"]
+)toml";
+  for (const char* engine : {"opencl", "reference"}) {
+    SCOPED_TRACE(engine);
+    const SweepResult result = run(kBlocks, {fmt::format("integrate.engine='{}'", engine)});
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_NEAR(map_of(result, "between_max")[i], 0.4, 1e-7) << i;
+      EXPECT_NEAR(map_of(result, "between_min")[i], -0.4, 1e-7) << i;
+    }
+    EXPECT_GT(map_of(result, "sticking_share")[2], 0.5);
+  }
+}
+
 // On its orbit a point is recorded for a turn alone.
 TEST(SurfaceQuantities, DoNotDependOnHowLongIsRecorded) {
   const std::string study =

@@ -1,4 +1,5 @@
 // Cycles and equilibria of models that nothing drives, against closed forms and SciPy.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -237,6 +238,41 @@ struct Written {
     return follow_orbit({model.get(), setting, 0, low, high, 2048, upwards}, start);
   }
 };
+
+// Three lags and a relay with hysteresis, whose output is a state that resets alone change. Any
+// output has an equilibrium, which comes back after any time. T and multipliers by the matrix
+// exponential of half a cycle and its jump (SciPy).
+TEST(Cycles, OfARelayAreNoneOfItsEquilibria) {
+  const Written relay("x = {}\ny = {}\nz = {}\nu = { start = 1 }\n",
+                      "x = 'u - m*x'\ny = 'x - y'\nz = 'y - z'\nu = '0'\n"
+                      "[surfaces.off]\nwhen = 'z - 0.1'\nreset = { u = '-1' }\n"
+                      "[surfaces.on]\nwhen = '-z - 0.1'\nreset = { u = '1' }\n",
+                      1.0);
+  const Orbit cycle = relay.cycle(Eigen::Vector4d(0.0, 0.0, 0.0, 1.0), 200.0, 0.02);
+  EXPECT_NEAR(cycle.duration, 4.7876719420454, 1e-9);
+  EXPECT_NEAR(cycle.multipliers[0].real(), 2.5927482e-2, 1e-9);
+  EXPECT_NEAR(cycle.multipliers[1].real(), 2.2308026e-5, 1e-9);
+}
+
+// x^2 + (y - c)^2 = m, which comes back as exp(-4 pi m). Seven thousand times its size away from 0
+// rounding of y is that of x, too.
+TEST(Cycles, AreTheSameWhereverTheirStatesAreCountedFrom) {
+  for (const double from : {0.0, 70.0, -7000.0}) {
+    SCOPED_TRACE(from);
+    const std::string y = fmt::format("(y - ({}))", from);
+    const Written circle("x = { start = 0.1 }\ny = {}\n",
+                         fmt::format("x = 'x*(m - x^2 - {0}^2) - {0}'\n"
+                                     "y = '{0}*(m - x^2 - {0}^2) + x'\n",
+                                     y),
+                         0.3);
+    const Orbit cycle = circle.cycle(Eigen::Vector2d(0.1, from), 100.0, 0.02);
+    EXPECT_NEAR(cycle.duration, 2.0 * std::numbers::pi, 1e-8);
+    EXPECT_NEAR(cycle.multipliers[0].real(), std::exp(-1.2 * std::numbers::pi), 1e-8);
+    const Orbit rest = find_equilibrium(circle.map(), Eigen::Vector2d(0.2, from + 0.1)).value();
+    EXPECT_NEAR(rest.state[0], 0.0, 1e-10);
+    EXPECT_NEAR(rest.multipliers[0].real(), 0.3, 1e-8);
+  }
+}
 
 TEST(Equilibria, AreNotWhereNothingIsBalanced) {
   const Written drift("x = {}\ny = {}\n", "x = '1'\ny = '-m*y'\n", 1.0);

@@ -152,7 +152,8 @@ Eigen::VectorXd orthonormalize_tangents(Trajectory* trajectory) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(grown);
   Eigen::VectorXd stretching = qr.matrixQR().diagonal().cwiseAbs();
   if (trajectory->take_slid()) {
-    // What a vector has across a surface that the motion begins to slide along is lost.
+    // What a vector has across a surface that the motion begins to slide along is lost, and what a
+    // reset writes over.
     constexpr double kLost = 1e-12;
     for (Eigen::Index j = 0; j < count; ++j) {
       if (stretching[j] < kLost * grown.col(j).norm()) stretching[j] = 0.0;

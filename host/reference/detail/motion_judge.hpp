@@ -15,7 +15,8 @@ namespace gearsweep {
 struct Growth {
   double log_stretching = 0.0, error = 0.0;  // three standard errors
   bool has_clock = false;                    // which neither grows nor decays beside it
-  bool grows() const { return log_stretching > error; }
+  // By more than rounding of a direction that is neither stretched nor shrunk.
+  bool grows() const { return log_stretching > std::max(error, 1e-9); }
   bool is_neutral() const {
     if (has_clock && !grows()) return true;
     return std::abs(log_stretching) <= std::max(0.01, std::min(error, 10.0));

@@ -58,7 +58,7 @@ class Trajectory {
   const PhaseGrid& grid() const { return grid_; }
   // Length of the period in dimensionless time.
   double period() const { return point_->period(); }
-  // Whether it has begun to slide along a surface since this was asked the last time.
+  // HeldField::take_slid().
   bool take_slid() { return held_.take_slid(); }
 
  private:

@@ -46,10 +46,11 @@ std::optional<std::vector<double>> largest_exponents(const Plan& plan, const Til
       engine->return_maps(plan, subset, points.states, points.lengths, after_round);
   if (!maps) return std::nullopt;
   const Array2 derivatives(maps->derivatives, states * states);
+  const double lost = lost_multiplier(!model.surfaces.empty(), plan.study().integrate.fp64);
   std::vector<double> exponents(points.positions.size());
   for_each_on_all_cores(exponents.size(), [&](std::size_t i) {
     const double time = points.lengths[i] * model.period(plan.setting_of(subset.points[i]));
-    exponents[i] = largest_log_multiplier(derivatives[i], states) / time;
+    exponents[i] = largest_log_multiplier(derivatives[i], states, lost) / time;
   });
   return exponents;
 }
@@ -58,6 +59,9 @@ std::optional<std::vector<double>> largest_exponents(const Plan& plan, const Til
 // their own are off by. Where teeth meet at a grazing angle it does not fall evenly: this many
 // times what they change is more than the error at 99 of 100 points.
 constexpr double kSafety = 4.0;
+
+// Both may be minus infinity.
+double apart(double a, double b) { return a == b ? 0.0 : std::abs(a - b); }
 
 }  // namespace
 
@@ -82,8 +86,8 @@ bool add_exponent_errors(const Plan& plan, const Tile& tile,
   if (!coarse) return false;
   for (std::size_t i = 0; i < coarse->size(); ++i) {
     const std::size_t point = all.positions[i];
-    error[point] += std::abs(exponents[point] - told[point]) +
-                    kSafety * std::abs((*coarse)[i] - exponents[point]);
+    error[point] +=
+        apart(exponents[point], told[point]) + kSafety * apart((*coarse)[i], exponents[point]);
   }
   return true;
 }

@@ -16,14 +16,12 @@ namespace {
 constexpr double kStable = 0.99;
 // Where Newton's method converges, each step does better than this, soon much better.
 constexpr double kSlow = 0.2;
-// What stands for the logarithm of zero.
-constexpr double kMin = 1e-30;
 
-std::vector<double> log_moduli(const Eigen::MatrixXd& derivative) {
+std::vector<double> log_moduli(const Eigen::MatrixXd& derivative, double lost) {
   std::vector<double> logs;
   for (const std::complex<double>& value :
        eigenvalues(derivative.data(), static_cast<std::size_t>(derivative.rows()))) {
-    logs.push_back(std::log(std::max(std::abs(value), kMin)));
+    logs.push_back(std::log(std::abs(value) <= lost ? 0.0 : std::abs(value)));
   }
   std::sort(logs.rbegin(), logs.rend());
   return logs;
@@ -60,10 +58,11 @@ bool correct(const Eigen::VectorXd& correction, NewtonTry* one) {
 
 }  // namespace
 
-double largest_log_multiplier(std::span<const double> derivative, std::size_t states) {
+double largest_log_multiplier(std::span<const double> derivative, std::size_t states, double lost) {
   const auto size = static_cast<Eigen::Index>(states);
   const Eigen::Map<const Eigen::MatrixXd> slope(derivative.data(), size, size);
-  const std::vector<double> logs = slope.allFinite() ? log_moduli(slope) : std::vector<double>();
+  const std::vector<double> logs =
+      slope.allFinite() ? log_moduli(slope, lost) : std::vector<double>();
   return logs.empty() ? std::numeric_limits<double>::quiet_NaN() : logs.front();
 }
 
@@ -88,7 +87,7 @@ NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double
   one->step = step.lpNorm<Eigen::Infinity>();
   if (one->step > limits.close) return NewtonVerdict::going_on;
 
-  one->log_multipliers = log_moduli(slope);
+  one->log_multipliers = log_moduli(slope, limits.lost);
   if (one->log_multipliers.empty()) return NewtonVerdict::failed;
   if (one->log_multipliers.front() > std::log(kStable)) return NewtonVerdict::unstable;
   if (tangents > 1 && one->log_multipliers[tangents - 1] - one->log_multipliers.front() <

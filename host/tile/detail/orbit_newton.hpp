@@ -15,7 +15,15 @@ struct NewtonLimits {
   double far;      // the orbit sought lies no farther from where the trajectory is
   double weakest;  // smallest multiplier, relative to the largest, that rounding leaves
   std::vector<std::size_t> angles = {};  // states that mean the same after a full turn
+  double lost = 0.0;                     // lost_multiplier()
 };
+
+// A multiplier of this modulus is rounding of 0, as where a motion has lost at a surface what its
+// neighbours have across it; one of a model without surfaces is what it is.
+constexpr double lost_multiplier(bool has_surfaces, bool fp64) {
+  if (!has_surfaces) return 0.0;
+  return fp64 ? 1.4e-14 : 7.6e-6;  // 64 roundings, as TANGENT_LOST
+}
 
 enum class NewtonVerdict {
   going_on,  // the state is a better guess now
@@ -38,8 +46,8 @@ struct NewtonTry {
 };
 
 // The logarithm of the largest absolute value of a multiplier, of a return map's derivative
-// ([column][row]); NaN when there is none.
-double largest_log_multiplier(std::span<const double> derivative, std::size_t states);
+// ([column][row]); NaN when there is none. lost: lost_multiplier().
+double largest_log_multiplier(std::span<const double> derivative, std::size_t states, double lost);
 
 // Whether a state comes back: it is the same as its map.
 bool comes_back(std::span<const double> mapped, const NewtonLimits& limits, const NewtonTry& one);

@@ -20,8 +20,12 @@ constexpr std::size_t kMaxSteps = 5;  // of Newton's method
 // which a multiplier near 1 makes a step some 30 times as long, asks for more.
 NewtonLimits limits_of(const Study& study) {
   const bool fp64 = study.integrate.fp64;
-  return {study.selection.period_tolerance, fp64 ? 1e-4 : 1e-3, kFar, fp64 ? 1e-10 : 1e-3,
-          study.model->angles};
+  return {study.selection.period_tolerance,
+          fp64 ? 1e-4 : 1e-3,
+          kFar,
+          fp64 ? 1e-10 : 1e-3,
+          study.model->angles,
+          lost_multiplier(!study.model->surfaces.empty(), fp64)};
 }
 
 // The attempts as an engine takes them.
