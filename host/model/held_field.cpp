@@ -44,7 +44,13 @@ std::vector<double> HeldField::rates(const double* coefs, const double* x, const
 HeldField::Levels HeldField::levels(const double* coefs, const double* x) {
   std::vector<double> dx(states_);
   rhs(coefs, x, dx.data());
-  return {values(SurfaceValue::level, coefs, x, 1), rates(coefs, x, dx.data())};
+  Levels out = {values(SurfaceValue::level, coefs, x, 1), rates(coefs, x, dx.data()),
+                std::vector<double>(sides_.size())};
+  const std::vector<double> gradients = values(SurfaceValue::level_gradient, coefs, x, states_);
+  for (std::size_t i = 0; i < gradients.size(); ++i) {
+    out.size[i / states_] += std::fabs(gradients[i] * x[i % states_]);
+  }
+  return out;
 }
 
 std::vector<double> HeldField::field_with(const std::vector<double>& sides, const double* coefs,

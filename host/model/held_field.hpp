@@ -41,9 +41,10 @@ class HeldField {
   // Where a motion slides, with the sides that its field mixes.
   void signals(const double* coefs, const double* x, double* out);
 
-  // Of all surfaces, and their rates along the motion.
+  // Of all surfaces, their rates along the motion, and the sizes of their terms, of which rounding
+  // is.
   struct Levels {
-    std::vector<double> value, rate;
+    std::vector<double> value, rate, size;
   };
   Levels levels(const double* coefs, const double* x);
 
@@ -71,6 +72,7 @@ class HeldField {
   void free_contacts() { touches_.clear(); }
 
   bool slides() const;
+  bool slides(std::size_t surface) const { return slides_[surface]; }
   // Takes a state that a step has led away from the surfaces that it slides along back onto them.
   void put_back(const double* coefs, double* x);
   // Takes from tangents what they have across the surfaces that the motion stays at: a neighbour

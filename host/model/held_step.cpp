@@ -10,8 +10,8 @@ namespace {
 constexpr int kMaxParts = 512;  // of a step
 constexpr int kMaxBends = 16;   // limits of contacts that are crossed in a step; more are rounding
 constexpr std::size_t kLooks = 4;
-constexpr double kGolden = 0.6180339887498949;
 constexpr double kTurnFound = 1e-9;  // of a step: a minimum is flat
+constexpr int kMaxParabolas = 8;     // till then
 
 }  // namespace
 
@@ -180,37 +180,36 @@ std::optional<HeldStep::Way> HeldStep::way_beyond_near(const Part& part, std::si
                  behind = close_[k + 1].values[index].value;
     const double bend = before - 2.0 * at + behind, slope = 0.5 * (behind - before);
     if (!(std::fabs(slope) < bend)) continue;
-    double lowest = at - 0.5 * slope * slope / bend;
-    if (lowest < bend) {
-      const double share = find_turn(part, index, close_[k - 1].share, close_[k + 1].share);
-      lowest = clearance(part, index, share);
-      tell_turn(part, index, lowest, bend, spacing);
-      if (lowest < 0.0) return Way{close_[k - 1].share, share};
-    } else {
-      tell_turn(part, index, lowest, bend, spacing);
+    Place turn = {close_[k].share, at - 0.5 * slope * slope / bend};
+    if (turn.clearance < bend) {
+      turn = find_turn(part, index, {close_[k - 1].share, before}, {close_[k].share, at},
+                       {close_[k + 1].share, behind});
     }
+    tell_turn(part, index, turn.clearance, bend, spacing);
+    if (turn.clearance < 0.0) return Way{close_[k - 1].share, turn.share};
   }
   return std::nullopt;
 }
 
-double HeldStep::find_turn(const Part& part, std::size_t index, double low, double high) {
-  struct Place {
-    double share, clearance;
-  };
-  const auto at = [&](double share) { return Place{share, clearance(part, index, share)}; };
-  Place left = at(high - kGolden * (high - low)), right = at(low + kGolden * (high - low));
-  while (high - low > kTurnFound) {
-    if (left.clearance < right.clearance) {
-      high = right.share;
-      right = left;
-      left = at(high - kGolden * (high - low));
+HeldStep::Place HeldStep::find_turn(const Part& part, std::size_t index, Place low, Place at,
+                                    Place high) {
+  for (int i = 0; i < kMaxParabolas && at.clearance >= 0.0; ++i) {
+    // The vertex of the parabola through the three (successive parabolic interpolation).
+    const double before = at.share - low.share, behind = high.share - at.share;
+    const double fall = before * (at.clearance - high.clearance),
+                 rise = behind * (at.clearance - low.clearance);
+    const double way = 0.5 * (behind * rise - before * fall) / (fall + rise);
+    const double share = at.share + way;
+    if (!(low.share < share && share < high.share) || std::fabs(way) < kTurnFound) break;
+    const Place next = {share, clearance(part, index, share)};
+    if (next.clearance < at.clearance) {
+      (way > 0.0 ? low : high) = at;
+      at = next;
     } else {
-      low = left.share;
-      left = right;
-      right = at(low + kGolden * (high - low));
+      (way > 0.0 ? high : low) = next;
     }
   }
-  return left.clearance < right.clearance ? left.share : right.share;
+  return at;
 }
 
 void HeldStep::tell_turn(const Part& part, std::size_t index, double clearance, double bend,

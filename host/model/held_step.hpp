@@ -95,8 +95,13 @@ class HeldStep {
   std::optional<Way> way_beyond(const Part& part, std::size_t index);
   // The same where the motion comes near.
   std::optional<Way> way_beyond_near(const Part& part, std::size_t index);
-  // Where a clearance between two looks is smallest.
-  double find_turn(const Part& part, std::size_t index, double low, double high);
+  // A clearance at a share of the step.
+  struct Place {
+    double share, clearance;
+  };
+  // Where a clearance between two looks is smallest, or below 0: one between them is smaller, or
+  // will be.
+  Place find_turn(const Part& part, std::size_t index, Place low, Place at, Place high);
   void tell_turn(const Part& part, std::size_t index, double clearance, double bend,
                  double spacing) const;
 

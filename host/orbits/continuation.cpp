@@ -29,6 +29,7 @@ constexpr double kMostSlack = 0.01;    // multipliers tell nothing then
 // where its parameter has changed by more.
 constexpr double kOneValue = 1e-10, kApart = 1e-4;
 constexpr double kLonger = 3.0;      // lengths of the first one: worth telling
+constexpr double kUnstable = 300.0;  // a multiplier that is worth telling
 constexpr double kLongCycle = 30.0;  // lengths of the first one
 
 class BranchSearch {
@@ -47,11 +48,18 @@ class BranchSearch {
     if (!last) return ended("Newton's method failed at the start");
     add_orbit(*last);
     double length = kFirstStep;
+    std::size_t begun_at = 0;  // orbits, when the last of them was begun at another moment
     while (branch_.orbits.size() < kMaxOrbits) {
       const std::optional<BranchPoint> next = step(*last, length);
       if (!next) {
         length *= 0.5;
-        if (length < kMinStep) return ended_without_way(*last);
+        if (length >= kMinStep) continue;
+        const bool has_gone_on = begun_at < branch_.orbits.size();
+        const auto elsewhere = has_gone_on ? follower_.start_elsewhere(*last) : std::nullopt;
+        if (!elsewhere) return ended_without_way(*last);
+        last = elsewhere;
+        length = kFirstStep;
+        begun_at = branch_.orbits.size();
         continue;
       }
       if (!add_bifurcations(*last, *next)) return ended_at("the branch begins near", *next);
@@ -98,6 +106,14 @@ class BranchSearch {
 
   Branch ended_without_way(const BranchPoint& last) {
     const double longer = first_.duration > 0.0 ? last.orbit.duration / first_.duration : 1.0;
+    const double grown =
+        last.orbit.multipliers.size() > 0 ? last.orbit.multipliers.cwiseAbs().maxCoeff() : 0.0;
+    if (first_.kind != OrbitKind::equilibrium && grown > kUnstable) {
+      return ended_at(fmt::format("a neighbour of the orbit is {:.1g} times as far off after a "
+                                  "turn, which shooting may not hold; no way on is found from",
+                                  grown),
+                      last);
+    }
     if (longer < kLonger) return ended_at("no smooth way on from", last);
     return ended_at(
         fmt::format("a turn takes {:.3g} times as long as at the start, and no way on is "

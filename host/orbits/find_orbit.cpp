@@ -128,14 +128,15 @@ class Returns {
   Returns(const PeriodMap& map, const VectorXd& start, double step)
       : map_(map), step_(step), here_{start, 0.0}, extent_{start, start} {}
 
-  // The next ones; RunError that says so where there are none.
-  void visit(std::size_t count) {
+  // The next ones, or as many as there are in the steps that are taken at most; RunError that says
+  // so where there are too few to tell a cycle by.
+  void visit(std::size_t count, std::size_t fewest) {
     for (std::size_t steps = 0; visits_.size() < count; ++steps) {
+      if (steps == kMaxSteps && visits_.size() >= fewest) return;
       if (steps == kMaxSteps) {
-        throw RunError(
-            fmt::format("in {} steps the motion makes no {}: there is nothing to tell "
-                        "a cycle by",
-                        kMaxSteps, describe_returns(map_.model(), count)));
+        throw RunError(fmt::format(
+            "in {} steps of {:.3g} the motion makes no {}: there is nothing to tell a cycle by",
+            kMaxSteps, step_, describe_returns(map_.model(), fewest)));
       }
       const PeriodMap::Way way = way_of(step_);
       if (way.returns > 0) visits_.push_back(return_within());
@@ -237,11 +238,11 @@ Orbit find_orbit(const PeriodMap& map, const VectorXd& settled, std::optional<st
 
 Orbit find_cycle(const PeriodMap& map, const VectorXd& settled, const CycleSearch& search) {
   Returns returns(map, settled, search.step);
-  returns.visit(kLongestPeriod + 1 + 4 * search.period.value_or(0));
+  returns.visit(kLongestPeriod + 1 + 4 * search.period.value_or(0), search.period.value_or(1) + 1);
   const Visits& visits = returns.visits();
   const VectorXd sizes = returns.sizes();
   const std::size_t wanted = search.period ? *search.period : return_period(map, visits, sizes);
-  if (wanted == 0) throw no_return(kLongestPeriod, "returns");
+  if (wanted == 0) throw no_return(visits.size() - 1, "returns");
   std::vector<std::size_t> guesses = {visits.size() - 1 - wanted};
   if (search.period) guesses = closest_returns(map, visits, sizes, wanted);
   std::optional<Orbit> found;

@@ -95,12 +95,12 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
       std::max(study_.model->period(setting) / study_.integrate.max_step, for_orders);
   const double possible = std::min(kMaxSteps, kMaxMeshSteps * study_.model->mesh_periods(setting));
   if (!(wanted <= possible)) {
-    throw InputError(fmt::format(
-        "a period would take {:.3g} steps of at most {}{}; at most {} are "
-        "possible: raise integrate.max_step, or give "
-        "integrate.steps_per_period",
-        wanted, study_.integrate.max_step,
-        study_.step_reason.empty() ? "" : fmt::format(" ({})", study_.step_reason), possible));
+    throw InputError(
+        fmt::format("a period would take {:.3g} steps of at most {}{}; at most {} are possible: {} "
+                    "integrate.max_step, or give integrate.steps_per_period",
+                    wanted, study_.integrate.max_step,
+                    study_.step_reason.empty() ? "" : fmt::format(" ({})", study_.step_reason),
+                    possible, study_.step_reason.empty() ? "raise" : "give a longer"));
   }
   return longer(study_.model->is_autonomous ? few_steps(wanted) : ladder_steps(wanted));
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "orbits/find_orbit.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -86,12 +88,22 @@ BranchPoint Follower::grow_to(const BranchPoint& s) {
 }
 
 std::optional<BranchPoint> Follower::start(const Orbit& orbit) const {
-  const double parameter = request_.setting.parameters[request_.parameter];
+  return start(orbit, request_.setting.parameters[request_.parameter], request_.upwards);
+}
+
+std::optional<BranchPoint> Follower::start_elsewhere(const BranchPoint& s) const {
+  const Orbit moved = away_from_surfaces(map_at(parameter_of(s)), s.orbit);
+  if (moved.state == s.orbit.state) return std::nullopt;
+  return start(moved, parameter_of(s), s.tangent[s.tangent.size() - 1] > 0.0);
+}
+
+std::optional<BranchPoint> Follower::start(const Orbit& orbit, double parameter,
+                                           bool upwards) const {
   const VectorXd unknowns = shooting().unknowns_of(orbit);
   VectorXd z(unknowns.size() + 1);
   z << unknowns, parameter / range_;
   VectorXd along = VectorXd::Zero(z.size());
-  along[z.size() - 1] = request_.upwards ? 1.0 : -1.0;
+  along[z.size() - 1] = upwards ? 1.0 : -1.0;
   return correct(z, along);
 }
 

@@ -31,6 +31,9 @@ class Follower {
   BranchPoint grow_to(const BranchPoint& s);
 
   std::optional<BranchPoint> start(const Orbit& orbit) const;
+  // The same cycle from another of its moments, and on in the same direction: along a branch the
+  // moment that a cycle begins at may come to a surface. Nothing where no other is farther off.
+  std::optional<BranchPoint> start_elsewhere(const BranchPoint& s) const;
 
   // How far half the period is from bringing the orbit back; far when it has no half.
   double half_return(const BranchPoint& s) const;
@@ -46,6 +49,7 @@ class Follower {
   PeriodMap map_at(double parameter) const;
 
  private:
+  std::optional<BranchPoint> start(const Orbit& orbit, double parameter, bool upwards) const;
   ModelSetting setting_at(double parameter) const;
   Shooting shooting() const { return {form_, sizes_}; }
   // Derivative of the image by the parameter, by central differences (inside the allowed range). It

@@ -66,7 +66,7 @@ double ProbeMotion::Stretch::level_time(const Model& model) const {
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < level_speeds.size(); ++k) {
     const double range = high_levels[k] - low_levels[k];
-    if (!(range > 0.0 && level_speeds[k] > 0.0)) continue;
+    if (rests[k] || !(range > kRounding * level_sizes[k] && level_speeds[k] > 0.0)) continue;
     const double way = model.surfaces[k].is_staircase ? std::min(range, 1.0) : range;
     shortest = std::min(shortest, way / level_speeds[k]);
   }
@@ -241,17 +241,24 @@ void ProbeMotion::look_at_signals(Stretch* stretch) {
 
 // A level along which the motion slides is rounding.
 void ProbeMotion::look_at_levels(const double* coefs, const double* x, Stretch* stretch) {
-  if (model_.surfaces.empty() || held_.slides()) return;
+  if (model_.surfaces.empty()) return;
   const HeldField::Levels now = held_.levels(coefs, x);
   if (stretch->level_speeds.empty()) {
     stretch->low_levels = stretch->high_levels = now.value;
     stretch->level_speeds.assign(now.value.size(), 0.0);
+    stretch->level_sizes.assign(now.value.size(), 0.0);
+    stretch->rests.assign(now.value.size(), false);
   }
   for (std::size_t k = 0; k < now.value.size(); ++k) {
+    if (held_.slides(k)) {
+      stretch->rests[k] = stretch->rests[k] || model_.surfaces[k].resets;
+      continue;
+    }
     if (!std::isfinite(now.value[k]) || !std::isfinite(now.rate[k])) continue;
     stretch->low_levels[k] = std::min(stretch->low_levels[k], now.value[k]);
     stretch->high_levels[k] = std::max(stretch->high_levels[k], now.value[k]);
     stretch->level_speeds[k] = std::max(stretch->level_speeds[k], std::abs(now.rate[k]));
+    stretch->level_sizes[k] = std::max(stretch->level_sizes[k], now.size[k]);
   }
 }
 

@@ -25,7 +25,9 @@ class ProbeMotion {
     // where nothing moves.
     double step_of(double local_error) const;
     // The shortest time in which a surface's level goes through what it ranges over, or, of a
-    // staircase, from one step to the next; infinite where none moves.
+    // staircase, from one step to the next; infinite where none moves. A level that varies by
+    // rounding does not, nor one of a surface that the motion comes to rest at: of the flights
+    // that lead there each is shorter than the one before.
     double level_time(const Model& model) const;
 
     struct Step {
@@ -38,6 +40,8 @@ class ProbeMotion {
     std::vector<double> rounding;                   // [state]: what varies by less is rounding
     std::vector<double> low_levels, high_levels;    // [surface]
     std::vector<double> level_speeds;               // [surface]: the fastest
+    std::vector<double> level_sizes;                // [surface]: of the level's terms, the largest
+    std::vector<bool> rests;                        // [surface]: where a reset may end in rest
     double first_rate = 0.0;                        // at its start
     double rate = 0.0;  // the largest modulus of the Jacobian's eigenvalues
   };
