@@ -203,6 +203,46 @@ TEST(Trace, EvenMomentsTellThatThereWasAnImpact) {
   EXPECT_EQ(2 * impacts_in(trace), impacts_in(exact));
 }
 
+// A body that does not rebound leaves a table a cos(t) before its top, where a cos(t) = g.
+TEST(Trace, TellsWhereABodyLeavesATableThatItRestsOn) {
+  const Trace trace = trace_of_study(R"toml([model]
+text = """
+[model]
+name = "table"
+[states]
+x = { start = "a" }
+v = {}
+[parameters]
+a = 1.1
+[equations]
+x = "v"
+v = "-1"
+[forcing]
+period = "2*pi"
+[surfaces.ground]
+when = "a*cos(phase) - x"
+reset = { v = "-a*sin(phase)" }
+"""
+[[axes]]
+name = "a"
+values = [1.1]
+[integrate]
+settle = 5
+record = 1
+stop = "never"
+max_step = 0.05
+[observe]
+quantities = ["x_max"]
+)toml");
+  const std::vector<double>&event = channel(trace, kEvents), &v = channel(trace, "v");
+  std::vector<double> left;
+  for (std::size_t i = 0; i + 1 < event.size(); ++i) {
+    if (event[i] == 1.0 && event[i + 1] == 1.0 && v[i] == v[i + 1]) left.push_back(trace.tau[i]);
+  }
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_NEAR(std::remainder(left[0], 2.0 * std::numbers::pi), -std::acos(1.0 / 1.1), 1e-6);
+}
+
 // It sticks to the belt from one jump of the friction's sign to the next.
 TEST(Trace, TellsWhereItBeginsAndEndsToStick) {
   const Trace trace = trace_of_study(

@@ -123,6 +123,7 @@ class History {
   int event_at(const Step& step, double share, const HeldMotion& motion) {
     if (share == 1.0) return 0;
     const auto met = held_.left_behind(moments_of(step)(share).data(), motion.state.data());
+    leaves_ = met && *met < model_.surfaces.size() && held_.slides(*met);
     return met && *met < model_.surfaces.size() ? number_of(*met) : 0;
   }
 
@@ -144,7 +145,8 @@ class History {
     Eigen::VectorXd came;  // to the surface
     const auto take = [&](double from, double to, const HeldMotion& before,
                           const HeldMotion& after) {
-      if (event_ > 0 && before.state == came) {  // through a surface that resets on the other way
+      // Through a surface that resets on the other way.
+      if (event_ > 0 && !leaves_ && before.state == came) {
         drop_last(trace);
         event_ = 0;
       }
@@ -262,7 +264,8 @@ class History {
   const std::vector<double> bounds_;
   const std::vector<double>& rows_;
   std::vector<double> shown_ = std::vector<double>(model_.signals.size());  // signals
-  int event_ = 0;  // of the moment that is added next
+  int event_ = 0;        // of the moment that is added next
+  bool leaves_ = false;  // where it stayed
 };
 
 }  // namespace
