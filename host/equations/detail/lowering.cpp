@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 
 #include "equations/detail/borders.hpp"
-#include "equations/detail/dependence.hpp"
+#include "equations/detail/inner_loop.hpp"
 #include "equations/detail/mean_of_sides.hpp"
 #include "equations/detail/phase_breaks.hpp"
 #include "expression/differentiate.hpp"
@@ -17,19 +16,10 @@
 namespace gearsweep {
 namespace {
 
-// A part of a sum, or of a product.
-struct Part {
-  NodeId id;
-  bool is_inverse;  // subtracted, or divided by
-  // What waits longest for the states is joined last: what no state changes, what positions alone
-  // do, the others; the longer expressions after the shorter ones.
-  std::array<std::size_t, 3> wait = {};
-};
-
 class Lowering {
  public:
   explicit Lowering(Formula* formula)
-      : formula_(formula), graph_(&formula->graph), dependences_(*formula) {
+      : formula_(formula), graph_(&formula->graph), loop_(formula, &lowered_) {
     lowered_.shapes_phase.assign(formula->parameters.size(), false);
   }
 
@@ -49,13 +39,14 @@ class Lowering {
     }
     add_sections(equations, &signals);
     lowered_.is_second_order = is_second_order(equations);
-    if (lowered_.is_second_order) dependences_.know_velocities();
-    const auto changes = [this](NodeId id) { return of(id).phase; };
-    has_phase_ = std::ranges::any_of(equations, changes) || std::ranges::any_of(signals, changes);
+    if (lowered_.is_second_order) loop_.know_velocities();
+    const auto changes = [this](NodeId id) { return loop_.dependence_of(id).phase; };
+    loop_.know_phase(std::ranges::any_of(equations, changes) ||
+                     std::ranges::any_of(signals, changes));
     // The signals are another function: that they have a part, too, is no reason to keep it whole.
-    count_uses(equations);
+    loop_.count_uses(equations);
     for (const NodeId id : equations) lowered_.equations.push_back(inner(id));
-    count_uses(signals);
+    loop_.count_uses(signals);
     for (const NodeId id : signals) lowered_.signals.push_back(inner(id));
     for (const NodeId row : lowered_.equations) {
       for (const NodeId state : formula_->states) {
@@ -94,7 +85,7 @@ class Lowering {
       impact.when = simplify(impact.when);
       for (NodeId& id : impact.reset) id = simplify(id);
     }
-    dependences_.know_sides(sides);
+    loop_.know_sides(sides);
     Rewriter hold(graph_, held_);
     for (NodeId& id : *equations) id = hold(id);
     for (NodeId& id : *signals) id = mean_of_sides(graph_, hold(id), {sides.begin(), sides.end()});
@@ -224,228 +215,16 @@ class Lowering {
       const bool is_read = std::ranges::any_of(
           of_value, [&](NodeId part) { return (*graph_)[part].operation == Operation::table; });
       if (is_read || graph_->is_number(slope, 0.0)) continue;
-      coef(slope);
+      loop_.coef(slope);
       const auto place = std::ranges::find(lowered_.coef_values, slope);
       lowered_.phase_slopes.emplace_back(
           i, static_cast<std::size_t>(place - lowered_.coef_values.begin()));
     }
   }
 
-  void count_uses(const std::vector<NodeId>& roots) {
-    for (const NodeId id : parts_of(*graph_, roots)) {
-      for (const NodeId argument : (*graph_)[id].arguments) ++uses_[argument];
-    }
-    for (const NodeId id : roots) ++uses_[id];
-  }
-
-  const Dependence& of(NodeId id) { return dependences_.of(id); }
-
   NodeId make(Operation operation, NodeId a, NodeId b) { return graph_->make(operation, {a, b}); }
 
-  // The node in terms of what the inner loop has.
-  NodeId inner(NodeId id) {
-    const auto known = inner_.find(id);
-    if (known != inner_.end()) return known->second;
-    const NodeId made = make_inner(id);
-    inner_.emplace(id, made);
-    return made;
-  }
-
-  NodeId make_inner(NodeId id) {
-    const Node node = (*graph_)[id];  // a copy: the graph grows
-    if (graph_->is_number(id)) return id;
-    const Dependence depends = of(id);
-    if (!depends.state && !depends.phase) {
-      return has_phase_ && !depends.swept && depends.rounds ? coef(id) : point_field(id);
-    }
-    if (!depends.state && !depends.swept) return coef(id);
-    switch (node.operation) {
-      case Operation::add:
-      case Operation::subtract:
-        return sum(id);
-      case Operation::multiply:
-      case Operation::divide:
-        return product(id);
-      case Operation::negate:
-        return graph_->make(Operation::negate, {inner(node.arguments[0])});
-      case Operation::symbol:
-        return id;  // of a state
-      default:
-        break;
-    }
-    if (!depends.state) return coef(id);
-    if (is_condition(node.operation) || node.operation == Operation::select) return chosen(node);
-    std::vector<NodeId> arguments;
-    for (const NodeId argument : node.arguments) arguments.push_back(inner(argument));
-    return graph_->make(node.operation, arguments);
-  }
-
-  // Conditions that no state changes become numbers: only these can be tabulated.
-  NodeId chosen(const Node& node) {
-    std::vector<NodeId> arguments;
-    for (const NodeId argument : node.arguments) {
-      if (!is_condition((*graph_)[argument].operation) || of(argument).state) {
-        arguments.push_back(inner(argument));
-        continue;
-      }
-      const NodeId one = graph_->number(1.0), zero = graph_->number(0.0);
-      const NodeId as_number = inner(graph_->make(Operation::select, {argument, one, zero}));
-      arguments.push_back(make(Operation::less, zero, as_number));
-    }
-    return graph_->make(node.operation, arguments);
-  }
-
-  NodeId point_field(NodeId id) {
-    const auto known = std::ranges::find(lowered_.point_values, id);
-    const auto index = static_cast<std::size_t>(known - lowered_.point_values.begin());
-    if (known == lowered_.point_values.end()) {
-      lowered_.point_values.push_back(id);
-      lowered_.point.push_back(graph_->symbol(fmt::format("point->c{}", index)));
-    }
-    return lowered_.point[index];
-  }
-
-  NodeId coef(NodeId id) {
-    const auto known = std::ranges::find(lowered_.coef_values, id);
-    const auto index = static_cast<std::size_t>(known - lowered_.coef_values.begin());
-    if (known == lowered_.coef_values.end()) {
-      lowered_.coef_values.push_back(id);
-      lowered_.coefs.push_back(graph_->symbol(fmt::format("phase->w{}", index)));
-      for (const NodeId part : parts_of(*graph_, {id})) {
-        const auto parameter = std::ranges::find(formula_->parameters, part);
-        if (parameter == formula_->parameters.end()) continue;
-        lowered_.shapes_phase[static_cast<std::size_t>(parameter - formula_->parameters.begin())] =
-            true;
-      }
-    }
-    return lowered_.coefs[index];
-  }
-
-  // The parts of a sum, or of a product; what is used elsewhere, too, stays whole.
-  void take_apart(NodeId id, bool is_product, bool is_inverse, bool is_root,
-                  std::vector<Part>* parts, bool* is_negative) {
-    const Node node = (*graph_)[id];
-    const Operation join = is_product ? Operation::multiply : Operation::add;
-    const Operation part = is_product ? Operation::divide : Operation::subtract;
-    const bool is_shared = !is_root && uses_[id] > 1;
-    if (!is_shared && (node.operation == join || node.operation == part)) {
-      take_apart(node.arguments[0], is_product, is_inverse, false, parts, is_negative);
-      take_apart(node.arguments[1], is_product, is_inverse != (node.operation == part), false,
-                 parts, is_negative);
-    } else if (!is_shared && node.operation == Operation::negate) {
-      if (is_product) *is_negative = !*is_negative;
-      take_apart(node.arguments[0], is_product, is_inverse != !is_product, false, parts,
-                 is_negative);
-    } else {
-      parts->push_back({id, is_inverse});
-    }
-  }
-
-  NodeId joined(NodeId left, const Part& part, bool is_product) {
-    const Operation operation = is_product
-                                    ? (part.is_inverse ? Operation::divide : Operation::multiply)
-                                    : (part.is_inverse ? Operation::subtract : Operation::add);
-    return make(operation, left, part.id);
-  }
-
-  // What no state changes goes together, and first: of the point alone, of the phase alone, of
-  // both. The evaluations of a step share it. The others follow, those that wait longest for the
-  // states last.
-  NodeId join(NodeId id, bool is_product, bool* is_negative) {
-    std::vector<Part> parts;
-    take_apart(id, is_product, false, true, &parts, is_negative);
-    const NodeId neutral = graph_->number(is_product ? 1.0 : 0.0);
-    NodeId of_point = neutral, of_all = neutral, of_phase = neutral;
-    std::vector<Part> rest;
-    for (const Part& part : parts) {
-      const Dependence depends = of(part.id);
-      if (!depends.state && !depends.phase) {
-        const bool is_tabulated = has_phase_ && depends.rounds;
-        NodeId& constant = depends.swept ? of_point : is_tabulated ? of_phase : of_all;
-        constant = joined(constant, part, is_product);
-      } else if (!depends.state && !depends.swept) {
-        of_phase = joined(of_phase, part, is_product);
-      } else if (is_product && part.is_inverse && !depends.state) {
-        rest.push_back({coef(make(Operation::divide, neutral, part.id)), false});
-      } else {
-        const NodeId made = inner(part.id);
-        rest.push_back(
-            {made, part.is_inverse, {depends.state, depends.velocity, (*graph_)[made].depth}});
-      }
-    }
-    std::ranges::stable_sort(rest, {}, &Part::wait);
-    // What is the same for all points goes with what is there.
-    const bool has_phase_alone = of_point == neutral && of_phase != neutral;
-    NodeId& host = has_phase_alone ? of_phase : of_point;
-    host = joined(host, {of_all, false}, is_product);
-    NodeId all = inner(of_point);
-    all = joined(all, {inner(of_phase), false}, is_product);
-    // Of two products that are added, the second one is worked out first: the sum is fused with the
-    // other.
-    const bool is_plain = !is_product && all == neutral && rest.size() > 1;
-    if (is_plain && !rest[0].is_inverse && !rest[1].is_inverse) std::swap(rest[0], rest[1]);
-    for (const Part& part : rest) all = joined(all, part, is_product);
-    return all;
-  }
-
-  NodeId sum(NodeId id) {
-    bool is_negative = false;
-    return join(id, false, &is_negative);
-  }
-  bool is_of_point(NodeId id) {
-    const Dependence& depends = of(id);
-    return !depends.state && !depends.phase;
-  }
-
-  std::vector<Part> factors_of(NodeId id, bool is_root, bool* is_negative) {
-    std::vector<Part> factors;
-    take_apart(id, true, false, is_root, &factors, is_negative);
-    return factors;
-  }
-
-  // A product of what belongs to the point with one sum, as a sum of products: c (k x + d v + f)
-  // becomes (c k) x + (c d) v + c f, with an operation less. Unchanged where more than one part of
-  // the sum would need a multiplication of its own.
-  NodeId distributed(NodeId id) {
-    bool is_negative = false;
-    NodeId factor = graph_->number(1.0);
-    std::vector<NodeId> others;
-    for (const Part& part : factors_of(id, true, &is_negative)) {
-      if (is_of_point(part.id)) {
-        factor = joined(factor, part, true);
-      } else {
-        others.push_back(part.id);
-        if (part.is_inverse) return id;
-      }
-    }
-    if (others.size() != 1 || uses_[others[0]] > 1 || graph_->is_number(factor)) return id;
-    if (!of(others[0]).state) return id;
-    const Operation operation = (*graph_)[others[0]].operation;
-    if (operation != Operation::add && operation != Operation::subtract) return id;
-    std::vector<Part> terms;
-    take_apart(others[0], false, false, true, &terms, &is_negative);
-    int bare = 0;
-    for (const Part& term : terms) {
-      bool is_turned = false;
-      const std::vector<Part> own = factors_of(term.id, false, &is_turned);
-      if (std::ranges::none_of(own, [&](const Part& part) { return is_of_point(part.id); })) ++bare;
-    }
-    if (bare > 1) return id;
-    NodeId all = graph_->number(0.0);
-    for (const Part& term : terms) {
-      const NodeId product = make(Operation::multiply, factor, term.id);
-      all = joined(all, {product, term.is_inverse != is_negative}, false);
-    }
-    return all;
-  }
-
-  NodeId product(NodeId id) {
-    const NodeId sum = distributed(id);
-    if (sum != id) return inner(sum);
-    bool is_negative = false;
-    const NodeId all = join(id, true, &is_negative);
-    return is_negative ? graph_->make(Operation::negate, {all}) : all;
-  }
+  NodeId inner(NodeId id) { return loop_.arranged(id); }
 
   // False for what is known to be a parameter that is never negative.
   bool may_be_negative(NodeId id) const {
@@ -464,8 +243,7 @@ class Lowering {
   void find_contacts_of(const std::vector<NodeId>& written, const std::vector<NodeId>& equations) {
     std::map<NodeId, std::string> names;
     for (const NodeId id : parts_of(*graph_, equations)) {
-      const auto lowered = inner_.find(id);
-      if (lowered != inner_.end()) names[lowered->second] = innermost_constant(id);
+      if (const auto lowered = loop_.known(id)) names[*lowered] = innermost_constant(id);
     }
     if (!corners_) corners_ = find_corners(formula_, written);
     std::vector<Contact> hidden;
@@ -508,12 +286,9 @@ class Lowering {
   Formula* formula_;
   ExpressionGraph* graph_;
   Lowered lowered_;
-  std::map<NodeId, std::size_t> uses_;
-  Dependences dependences_;
-  std::map<NodeId, NodeId> inner_;
+  InnerLoop loop_;
   std::optional<Corners> corners_;
   std::map<NodeId, NodeId> held_;  // what jumps, and what it is on the side that is held
-  bool has_phase_ = false;
 };
 
 }  // namespace
