@@ -160,4 +160,14 @@ NodeId derivative(ExpressionGraph* graph, NodeId of, NodeId by) {
   return known.at(of);
 }
 
+NodeId derivative_along(ExpressionGraph* graph, NodeId id, const std::vector<NodeId>& symbols,
+                        const std::vector<NodeId>& by) {
+  NodeId all = graph->number(0.0);
+  for (std::size_t i = 0; i < by.size(); ++i) {
+    const NodeId slope = derivative(graph, id, symbols[i]);
+    all = graph->make(Operation::add, {all, graph->make(Operation::multiply, {slope, by[i]})});
+  }
+  return all;
+}
+
 }  // namespace gearsweep
