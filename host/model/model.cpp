@@ -96,11 +96,7 @@ ModelSetting Model::default_setting() const {
   return setting;
 }
 
-std::vector<std::string> Model::state_names() const {
-  std::vector<std::string> names;
-  for (const auto& state : states) names.push_back(state.name);
-  return names;
-}
+std::vector<std::string> Model::state_names() const { return names_of(states); }
 
 std::string Model::name_in_kernel(const std::string& channel) const { return kernel_name(channel); }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "model/names.hpp"
 #include "result/detail/dataset_file.hpp"
 #include "result/detail/derived_coordinates.hpp"
 #include "result/detail/file_names.hpp"
@@ -20,12 +21,6 @@ namespace gearsweep {
 namespace {
 
 constexpr const char* kComponents = "component";  // the dimension of quantities of every state
-
-std::vector<std::string> names_of_axes(const Study& study) {
-  std::vector<std::string> names;
-  for (const Axis& axis : study.axes) names.push_back(axis.name);
-  return names;
-}
 
 // 1, 2, ...
 std::vector<double> numbers_to(std::size_t last) {
@@ -46,17 +41,11 @@ void add_flags(const std::vector<signed char>& codes, const std::vector<std::str
   attributes->push_back({"flag_meanings", fmt::format("{}", fmt::join(names, " "))});
 }
 
-std::vector<std::string> names_of(const std::vector<ChannelInfo>& channels) {
-  std::vector<std::string> names;
-  for (const ChannelInfo& channel : channels) names.push_back(channel.name);
-  return names;
-}
-
 // Puts the dataset together, variable by variable.
 class Description {
  public:
   explicit Description(const SweepResult& result)
-      : result_(result), study_(result.study), notes_(result.study, names_of_axes(result.study)) {}
+      : result_(result), study_(result.study), notes_(result.study, names_of(result.study.axes)) {}
 
   Dataset make(const Provenance& provenance) {
     add_provenance(provenance);

@@ -237,11 +237,7 @@ std::string ResultFile::settings_text() const {
 
 Scales ResultFile::scales() const { return read_scales(*file_); }
 
-std::vector<std::string> ResultFile::poincare_states() const {
-  std::vector<std::string> names;
-  for (const ChannelInfo& state : read_states()) names.push_back(state.name);
-  return names;
-}
+std::vector<std::string> ResultFile::poincare_states() const { return names_of(read_states()); }
 
 std::vector<ChannelInfo> ResultFile::read_states() const {
   std::vector<ChannelInfo> states;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "model/error.hpp"
+#include "model/names.hpp"
 #include "model/version.hpp"
 #include "plan/plan.hpp"
 #include "result/order_dataset.hpp"
@@ -189,8 +190,7 @@ std::size_t find_speed_axis(const Study& study) {
                     "'gearsweep run', 'trace' and 'floquet' tell of its motions",
                     study.model->name));
   }
-  std::vector<std::string> names;
-  for (const Axis& axis : study.axes) names.push_back(axis.name);
+  const std::vector<std::string> names = names_of(study.axes);
   throw InputError(fmt::format(
       "a report goes over a speed, and the study has no axis that changes the period of the "
       "forcing{}{}: add one, as in\n  [[axes]]\n  name = \"omega\"\n  from = 0.4\n  to = 2.0\n  "
