@@ -173,9 +173,14 @@ std::optional<HeldStep::Way> HeldStep::way_beyond_near(const Part& part, std::si
       look(part, part.from + spacing * static_cast<double>(k), &close_[k]);
     }
   }
+  std::optional<Way> way;
+  // A dip beyond that ends within the step is a turn, too, however far it goes.
+  const bool ends_inside = looks_[2].values[index].value >= 0.0;
   for (std::size_t k = 1; k <= kLooks; ++k) {
-    if (!(close_[k].values[index].value >= 0.0)) return Way{close_[k - 1].share, close_[k].share};
-    if (k == kLooks) break;
+    if (!way && !(close_[k].values[index].value >= 0.0)) {
+      way = Way{close_[k - 1].share, close_[k].share};
+    }
+    if (k == kLooks || (way && !ends_inside)) break;
     const double before = close_[k - 1].values[index].value, at = close_[k].values[index].value,
                  behind = close_[k + 1].values[index].value;
     const double bend = before - 2.0 * at + behind, slope = 0.5 * (behind - before);
@@ -185,15 +190,15 @@ std::optional<HeldStep::Way> HeldStep::way_beyond_near(const Part& part, std::si
       turn = find_turn(part, index, {close_[k - 1].share, before}, {close_[k].share, at},
                        {close_[k + 1].share, behind});
     }
-    tell_turn(part, index, turn.clearance, bend, spacing);
-    if (turn.clearance < 0.0) return Way{close_[k - 1].share, turn.share};
+    if (ends_inside || turn.clearance >= 0.0) tell_turn(part, index, turn.clearance, bend, spacing);
+    if (!way && turn.clearance < 0.0) way = Way{close_[k - 1].share, turn.share};
   }
-  return std::nullopt;
+  return way;
 }
 
 HeldStep::Place HeldStep::find_turn(const Part& part, std::size_t index, Place low, Place at,
                                     Place high) {
-  for (int i = 0; i < kMaxParabolas && at.clearance >= 0.0; ++i) {
+  for (int i = 0; i < kMaxParabolas; ++i) {
     // The vertex of the parabola through the three (successive parabolic interpolation).
     const double before = at.share - low.share, behind = high.share - at.share;
     const double fall = before * (at.clearance - high.clearance),

@@ -99,8 +99,7 @@ class HeldStep {
   struct Place {
     double share, clearance;
   };
-  // Where a clearance between two looks is smallest, or below 0: one between them is smaller, or
-  // will be.
+  // Where a clearance between two looks is smallest; the one between them is smaller, or will be.
   Place find_turn(const Part& part, std::size_t index, Place low, Place at, Place high);
   void tell_turn(const Part& part, std::size_t index, double clearance, double bend,
                  double spacing) const;
