@@ -15,12 +15,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t kGuesses = 8;         // of an orbit inside chaos
-constexpr double kSameOrbit = 1e-8;         // of the states' sizes: two states of one orbit
-constexpr double kSameCycle = 1e-6;         // the same where steps differ
-constexpr double kArrived = 1e-4;           // of the way from the start to an equilibrium
-constexpr double kRest = 1e-12;             // of states' magnitudes
-constexpr double kCloses = 0.1;             // that the multiplier along a cycle may be off
+constexpr std::size_t kGuesses = 8;  // of an orbit inside chaos
+constexpr double kSameOrbit = 1e-8;  // of the states' sizes: two states of one orbit
+constexpr double kSameCycle = 1e-6;  // the same where steps differ
+constexpr double kArrived = 1e-4;    // of the way from the start to an equilibrium
+constexpr double kRest = 1e-12;      // of states' magnitudes
+// That the multiplier along a cycle may be off: coarse steps make it less, and a cycle that is none
+// or begins at a surface makes it of the size of 1.
+constexpr double kCloses = 0.1;
 constexpr std::size_t kMaxSteps = 1 << 21;  // in search of returns
 
 RunError left_range() {
