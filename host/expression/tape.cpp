@@ -5,11 +5,12 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "expression/scratch.hpp"
+
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kShort = 256;  // places that need no memory of their own
-constexpr std::size_t kBlock = 16;   // inputs that are worked out together
+constexpr std::size_t kBlock = 16;  // inputs that are worked out together
 using Block = std::array<double, kBlock>;
 
 // Loops of their own for what a compiler makes vectors of.
@@ -193,10 +194,8 @@ Tape Tape::given(const std::vector<double>& first) const {
 }
 
 void Tape::run(const double* inputs, double* outputs) const {
-  const std::size_t size = inputs_ + numbers_.size() + steps_.size();
-  std::array<double, kShort> near;
-  std::vector<double> far(size > kShort ? size : 0);
-  double* const values = size > kShort ? far.data() : near.data();
+  Scratch scratch(inputs_ + numbers_.size() + steps_.size());
+  double* const values = scratch.data();
   std::copy_n(inputs, inputs_, values);
   double* next = std::ranges::copy(numbers_, values + inputs_).out;
   for (const Step& step : steps_) {

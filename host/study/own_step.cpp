@@ -8,8 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "equations/field_graph.hpp"
+#include "study/detail/median.hpp"
 #include "study/detail/probe_motion.hpp"
+#include "study/detail/probe_starts.hpp"
 
 namespace gearsweep {
 namespace {
@@ -23,49 +24,6 @@ constexpr double kRate = 0.3, kRateOfTransient = 2.0;  // times the step
 // a level goes there and back within a step, both crossings are missed.
 constexpr double kLevelWay = 0.15;
 constexpr std::size_t kSteps = 1000;  // of either half of a motion
-
-struct ProbeStart {
-  ModelSetting setting;
-  std::vector<double> state;
-};
-
-// Corners and middle of two axes, five places of one.
-std::vector<ProbeStart> probe_starts(const Study& study) {
-  const std::size_t places = study.axes.size() == 1 ? 5 : 3;
-  std::vector<std::vector<std::size_t>> chosen(2, std::vector<std::size_t>{0});
-  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
-    const std::size_t count = study.axes[axis].values.size();
-    chosen[axis].clear();
-    for (std::size_t i = 0; i < places; ++i) chosen[axis].push_back(i * (count - 1) / (places - 1));
-    chosen[axis].erase(std::unique(chosen[axis].begin(), chosen[axis].end()), chosen[axis].end());
-  }
-  std::vector<ProbeStart> starts;
-  for (const std::size_t second : chosen[1]) {
-    for (const std::size_t first : chosen[0]) {
-      const std::size_t index[] = {first, second};
-      ProbeStart start = {study.setting, {}};
-      std::vector<std::pair<std::size_t, double>> states;
-      for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
-        for (const Swept& swept : study.axes[axis].swept()) {
-          const double value = swept.values[index[axis]];
-          if (swept.is_state) {
-            states.emplace_back(swept.index, value);
-          } else {
-            start.setting.parameters[swept.index] = value;
-          }
-        }
-      }
-      // The plan refuses what is wrong here.
-      if (!study.model->check(start.setting).empty()) continue;
-      start.state = study.initial.policy == InitialPolicy::fixed
-                        ? study.initial.state
-                        : study.model->equilibrium(start.setting);
-      for (const auto& [state, value] : states) start.state[state] = value;
-      starts.push_back(std::move(start));
-    }
-  }
-  return starts;
-}
 
 // The shortest of the steps that are asked for, and who asks.
 struct Shortest {
@@ -133,83 +91,6 @@ OwnStep find_own_step(const Study& study) {
   return {rounded_down(shortest.step, period), shortest.step, shortest.reason};
 }
 
-// How far the states range in a stretch, in the largest of the ranges in `widest`, which it widens.
-double extent_of(const ProbeMotion::Stretch& stretch, std::vector<double>* widest) {
-  widest->resize(stretch.low.size(), 0.0);
-  double extent = 0.0;
-  for (std::size_t i = 0; i < stretch.low.size(); ++i) {
-    const double range = stretch.high[i] - stretch.low[i];
-    (*widest)[i] = std::max((*widest)[i], range);
-    if (range > stretch.rounding[i]) extent = std::max(extent, range / (*widest)[i]);
-  }
-  return extent;
-}
-
-double mean_return_time(const Study& study) {
-  constexpr std::size_t kEnough = 8, kSome = 2;
-  constexpr int kStretches = 8, kMostStretches = 200;
-  constexpr double kAtRest = 1e-3;  // of the ranges that the motion has had
-  std::vector<double> times;
-  for (const ProbeStart& start : probe_starts(study)) {
-    ProbeMotion motion(*study.model, start.setting, start.state);
-    std::vector<double> widest;
-    extent_of(motion.go_on(kSteps), &widest);
-    const std::size_t before = motion.returns().size();
-    const auto seen = [&] { return motion.returns().size() - before; };
-    for (int i = 0; i < kMostStretches && seen() < kEnough; ++i) {
-      if (i >= kStretches && seen() >= kSome) break;
-      // A cycle may be slow beside its steps; but not where another motion has told.
-      if (i >= kStretches && !times.empty()) break;
-      const double extent = extent_of(motion.go_on(kSteps), &widest);
-      if (motion.escapes() || (i >= kStretches && extent < kAtRest)) break;
-    }
-    if (motion.escapes() || seen() < kSome) continue;
-    const double span = motion.returns().back() - motion.returns()[before];
-    times.push_back(span / static_cast<double>(seen() - 1));
-  }
-  if (times.empty()) return 0.0;
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::ranges::nth_element(times, middle);
-  return *middle;
-}
-
-std::optional<std::size_t> better_state_to_look_at(const Study& study) {
-  constexpr std::size_t kStretches = 8;
-  constexpr double kStill = 0.1;  // of its range: a state that moves less at the end has swung out
-  const Model& model = *study.model;
-  std::vector<std::size_t> good(model.states.size(), 0);
-  for (const ProbeStart& start : probe_starts(study)) {
-    ProbeMotion motion(model, start.setting, start.state);
-    motion.go_on(kSteps);
-    motion.watch_peaks();
-    ProbeMotion::Stretch all = motion.go_on(kSteps);
-    ProbeMotion::Stretch last = all;
-    for (std::size_t i = 1; i < kStretches && !motion.escapes(); ++i) {
-      last = motion.go_on(kSteps);
-      for (std::size_t j = 0; j < good.size(); ++j) {
-        all.low[j] = std::min(all.low[j], last.low[j]);
-        all.high[j] = std::max(all.high[j], last.high[j]);
-      }
-    }
-    if (motion.escapes()) continue;
-    const std::vector<bool> has_peaks = motion.has_peaks();
-    for (std::size_t i = 0; i < good.size(); ++i) {
-      const bool moves = last.high[i] - last.low[i] > kStill * (all.high[i] - all.low[i]);
-      good[i] += has_peaks[i] && moves ? 1 : 0;
-    }
-  }
-  for (const std::size_t angle : model.angles) good[angle] = 0;
-  const auto is_looked_at = [&](std::size_t state) {
-    return !model.field->graph.is_number(model.field->rates[state], 0.0) &&
-           std::ranges::find(model.angles, state) == model.angles.end();
-  };
-  std::size_t own = 0;
-  while (own + 1 < good.size() && !is_looked_at(own)) ++own;
-  const auto best = std::ranges::max_element(good);
-  if (*best == good[own]) return std::nullopt;
-  return static_cast<std::size_t>(best - good.begin());
-}
-
 std::map<std::string, double> motion_ranges(const Study& study) {
   std::map<std::string, std::vector<double>> found;
   for (const ProbeStart& start : probe_starts(study)) {
@@ -226,10 +107,8 @@ std::map<std::string, double> motion_ranges(const Study& study) {
     }
   }
   std::map<std::string, double> ranges;
-  for (auto& [name, values] : found) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    ranges[name] = *middle;
+  for (const auto& [name, values] : found) {
+    ranges[name] = median_of(values);
   }
   return ranges;
 }

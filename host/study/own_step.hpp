@@ -19,9 +19,7 @@
 // model without a phase does neither, it is steep, and the steps are halved on.
 #pragma once
 
-#include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "study/study.hpp"
@@ -43,19 +41,8 @@ OwnStep find_own_step(const Study& study);
 // To the next number of that ladder.
 double rounded_up(double steps);
 
-// The time after which such motions come back to the model's first section, on average; the median
-// of the points. 0 where none does.
-double mean_return_time(const Study& study);
-
 // What each state and signal ranges over in the later half of such motions, by name: the median of
 // the points. It knows no offset. Without motions that go to infinity.
 std::map<std::string, double> motion_ranges(const Study& study);
-
-// The state by whose maxima motions of a model without forcing are judged, where those of the state
-// that its own section looks at tell nothing: it decays, it is conserved, or it stays at its
-// largest value, so that rounding says when that is. It has peaks, and goes on moving, in most of
-// the motions looked at, the first of several such states; nothing where none is better than the
-// own section's.
-std::optional<std::size_t> better_state_to_look_at(const Study& study);
 
 }  // namespace gearsweep

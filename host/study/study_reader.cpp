@@ -27,6 +27,7 @@
 #include "study/detail/uncertain_reader.hpp"
 #include "study/detail/zoom.hpp"
 #include "study/draft.hpp"
+#include "study/free_motions.hpp"
 #include "study/nesting.hpp"
 #include "study/notices.hpp"
 #include "study/own_step.hpp"
@@ -179,9 +180,9 @@ void check_size(const toml::table& root, const Study& study) {
 // many steps of its own, so that chaos does not make a different clock of each rounding; or, where
 // nothing returns, in periods of 128 such steps. A return of very many, as of a cycle that is slow
 // beside its fastest rate, is several periods: a longer one would be refused.
-void wind_clock(double step, Study* study) {
+void wind_clock(double return_time, double step, Study* study) {
   constexpr double kMostSteps = 4096.0;
-  const double steps = study->model->sections.empty() ? 0.0 : mean_return_time(*study) / step;
+  const double steps = return_time / step;
   study->clock_reason = steps > kMostSteps ? "a part of a return"
                         : steps > 0.0      ? "about a return"
                                            : "128 steps, since no motion looked at comes back, so "
@@ -191,13 +192,17 @@ void wind_clock(double step, Study* study) {
   study->bind(binding);
 }
 
-// At another state, where the model's own section tells nothing of its motions.
-void look_elsewhere(Study* study) {
+// Judges the motions of a model without forcing by the maxima of another state where those of its
+// own tell nothing. Returns the time that they take to come back; 0: they do not.
+double look_at_returns(Study* study) {
   const std::vector<SectionInfo>& sections = study->model->sections;
-  if (sections.size() != 1 || !sections.front().is_own) return;
+  const bool is_own = sections.size() == 1 && sections.front().is_own;
+  const FreeMotions seen = look_at_free_motions(*study, is_own, !sections.empty());
+  if (!seen.better_state) return seen.return_time;
   Binding binding = study->model->binding;
-  binding.looked_at = better_state_to_look_at(*study);
-  if (binding.looked_at) study->bind(binding);
+  binding.looked_at = seen.better_state;
+  study->bind(binding);
+  return look_at_free_motions(*study, false, true).return_time;
 }
 
 // The step of a study that names none, and the clock of a model that has none.
@@ -208,8 +213,7 @@ void find_steps(Study* study) {
   const double models = study->model->max_step;
   std::optional<OwnStep> own;
   if (needs_step || (needs_clock && models == 0.0)) own = find_own_step(*study);
-  if (needs_clock) look_elsewhere(study);
-  if (needs_clock) wind_clock(models > 0.0 ? models : own->longest, study);
+  if (needs_clock) wind_clock(look_at_returns(study), models > 0.0 ? models : own->longest, study);
   if (!needs_step) return;
   study->integrate.max_step = needs_clock ? own->longest : own->step;  // that divides the clock
   study->step_reason = own->reason;

@@ -76,7 +76,7 @@ TEST(FaultyGear, KernelAndHostHaveTheSameBits) {
       "[integrate]\nsettle = 3\nrecord = 1\nstop = 'never'\nsteps_per_period = 320\n"
       "contract = false\n" +
       kObserveGear5;
-  const SweepResult result = *run_sweep(with_whole_kernel(read_study(study, "test.toml")), {});
+  const SweepResult result = run(with_whole_kernel(read_study(study, "test.toml")));
   const Plan plan(result.study, result.study.points());
   for (std::size_t point = 0; point < 2; ++point) {
     const std::vector<double> host = step_on_host(plan, point, 4);

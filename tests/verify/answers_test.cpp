@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "study/builtin_models.hpp"
-#include "sweep/sweep.hpp"
+#include "support/run.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 using ::testing::ElementsAre;
 
 std::vector<ComputedAnswer> answers_of(const Model& model) {
-  const auto sweep = [](const Study& study) { return *run_sweep(study, {}); };
-  return compute_answers(model, "name = '" + model.name + "'", {sweep});
+  return compute_answers(model, "name = '" + model.name + "'",
+                         {[](const Study& study) { return run(study); }});
 }
 
 // `gearsweep verify --zoo` computes them (tests/cli/verify_test.cpp).

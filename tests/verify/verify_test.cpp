@@ -11,7 +11,7 @@
 #include <ostream>
 
 #include "model/error.hpp"
-#include "sweep/sweep.hpp"
+#include "support/run.hpp"
 
 namespace gearsweep {
 
@@ -24,13 +24,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-SweepResult compute(const Study& study) { return *run_sweep(study, {}); }
+const Subject kHere = {[](const Study& study) { return run(study); }};
 
 // A device whose every answer is too large by this share. The reference engine is no device.
 Subject spoilt(double share) {
   Subject subject;
   subject.compute = [share](const Study& study) {
-    SweepResult result = compute(study);
+    SweepResult result = run(study);
     if (study.integrate.engine == EngineKind::reference) return result;
     for (std::vector<double>& map : result.values) {
       for (double& value : map) value *= 1.0 + share;
@@ -44,7 +44,7 @@ Subject spoilt(double share) {
 class EveryCheck : public ::testing::TestWithParam<Check> {};
 
 TEST_P(EveryCheck, PassesHere) {
-  const Outcome outcome = carry_out(GetParam(), {compute});
+  const Outcome outcome = carry_out(GetParam(), {kHere});
   EXPECT_EQ(outcome.verdict, Verdict::pass)
       << outcome.reason << (outcome.worst ? describe(*outcome.worst) : "");
   EXPECT_GT(outcome.numbers, 0U);
@@ -52,7 +52,7 @@ TEST_P(EveryCheck, PassesHere) {
 
 // Whichever of its numbers is off, the check fails and shows that one.
 TEST_P(EveryCheck, FailsWhenAnyOneOfItsNumbersIsOff) {
-  const std::vector<Compared> right = GetParam().compare({compute});
+  const std::vector<Compared> right = GetParam().compare({kHere});
   for (std::size_t i = 0; i < right.size(); ++i) {
     std::vector<Compared> wrong = right;
     const double away = std::nextafter(wrong[i].expected, std::numeric_limits<double>::infinity());
@@ -106,7 +106,7 @@ TEST_P(EveryCheck, IsSkippedOnlyForWantOfFp64) {
     if (study.integrate.engine == EngineKind::opencl) {
       EXPECT_FALSE(study.integrate.fp64) << "a device without fp64 was asked for it";
     }
-    return compute(study);
+    return run(study);
   };
   const Outcome outcome = carry_out(GetParam(), subject);
   if (GetParam().needs_fp64) {
@@ -136,7 +136,7 @@ TEST(FileAndBack, FailsOnADeviceThatGivesOtherNumbersEachTime) {
   int calls = 0;
   Subject unsteady;
   unsteady.compute = [&calls](const Study& study) {
-    SweepResult result = compute(study);
+    SweepResult result = run(study);
     result.values[0][0] += ++calls;
     return result;
   };

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "expression/scratch.hpp"
+
 namespace gearsweep {
 
 TextPoint::TextPoint(std::shared_ptr<const Tapes> tapes, const ModelSetting& setting)
     : tapes_(std::move(tapes)),
-      moment_(tapes_->states + tapes_->are_staircases.size() + tapes_->points +
-              tapes_->coef_count) {
+      moment_(tapes_->states + tapes_->are_staircases.size() + tapes_->points) {
   const std::vector<double> inputs = inputs_of(*tapes_, setting);
   period_ = tapes_->period.run(inputs);
   tapes_->point.run(inputs.data(), moment_.data() + tapes_->states + tapes_->are_staircases.size());
@@ -55,28 +56,25 @@ void TextPoint::of_surfaces(SurfaceValue value, const double* coefs, const doubl
   run(tapes_->of_surfaces.at(value), coefs, x, out);
 }
 
-std::vector<double> TextPoint::moment_at(const double* coefs, const double* x) const {
-  std::vector<double> moment = moment_;
-  std::copy_n(x, tapes_->states, moment.begin());
-  std::copy_n(coefs, tapes_->coef_count,
-              moment.end() - static_cast<std::ptrdiff_t>(tapes_->coef_count));
-  return moment;
-}
-
 void TextPoint::run(const Tape& tape, const double* coefs, const double* x, double* out) const {
-  std::vector<double> moment = moment_at(coefs, x);
   const std::vector<bool>& are_staircases = tapes_->are_staircases;
-  std::vector<double> sides = sides_;
-  if (sides.empty() && !are_staircases.empty()) {
-    sides.resize(are_staircases.size());
+  Scratch scratch(moment_.size() + tapes_->coef_count);
+  double* const moment = scratch.data();
+  double* const sides = moment + tapes_->states;
+  std::copy_n(coefs, tapes_->coef_count, std::ranges::copy(moment_, moment).out);
+  std::copy_n(x, tapes_->states, moment);
+  if (sides_.empty() && !are_staircases.empty()) {
     // No level depends on a side.
-    tapes_->of_surfaces.at(SurfaceValue::level).run(moment.data(), sides.data());
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      sides[i] = are_staircases[i] ? std::floor(sides[i]) : sides[i] > 0.0 ? 1.0 : 0.0;
+    Scratch levels(are_staircases.size());
+    tapes_->of_surfaces.at(SurfaceValue::level).run(moment, levels.data());
+    for (std::size_t i = 0; i < are_staircases.size(); ++i) {
+      const double level = levels.data()[i];
+      sides[i] = are_staircases[i] ? std::floor(level) : level > 0.0 ? 1.0 : 0.0;
     }
+  } else {
+    std::ranges::copy(sides_, sides);
   }
-  std::ranges::copy(sides, moment.begin() + static_cast<std::ptrdiff_t>(tapes_->states));
-  tape.run(moment.data(), out);
+  tape.run(moment, out);
 }
 
 }  // namespace gearsweep

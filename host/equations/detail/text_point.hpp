@@ -28,13 +28,12 @@ class TextPoint final : public PreparedPoint {
                    double* out) const override;
 
  private:
-  std::vector<double> moment_at(const double* coefs, const double* x) const;
   void run(const Tape& tape, const double* coefs, const double* x, double* out) const;
 
   std::shared_ptr<const Tapes> tapes_;
   double period_ = 0.0;
   std::vector<double> sides_;   // that are held; empty: those that a state is on
-  std::vector<double> moment_;  // states, sides, point, coefs
+  std::vector<double> moment_;  // of what a tape takes: states, sides, point; coefs are not here
 };
 
 }  // namespace gearsweep
