@@ -50,6 +50,11 @@ gearsweep_embed(${GENERATED}/builtin_studies.cpp builtin_studies study/builtin_s
                 ${STUDIES} ${study_files})
 set(GEARSWEEP_STUDY_SOURCES ${GENERATED}/builtin_studies.cpp ${GENERATED}/model_texts.cpp)
 
+set(EXPLORE ${PROJECT_SOURCE_DIR}/explore)
+file(GLOB page_texts CONFIGURE_DEPENDS ${EXPLORE}/*.html ${EXPLORE}/*.css ${EXPLORE}/*.js)
+gearsweep_embed(${GENERATED}/page_files.cpp page_files explore/page_files.hpp ${EXPLORE} ${page_texts})
+set(GEARSWEEP_PAGE_SOURCES ${GENERATED}/page_files.cpp)
+
 # The version and a hash of all sources that decide a result.
 include(${PROJECT_SOURCE_DIR}/host/hash.cmake)
 gearsweep_deciding_files(hashed_files ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS)
@@ -60,4 +65,4 @@ add_custom_command(OUTPUT ${GENERATED}/version.cpp
 list(APPEND GEARSWEEP_MODEL_SOURCES ${GENERATED}/version.cpp)
 # The lists of two observables have the same names, and clang-tidy has nothing to say of what is
 # generated.
-set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} ${GEARSWEEP_KERNEL_SOURCES} ${GEARSWEEP_STUDY_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${GEARSWEEP_MODEL_SOURCES} ${GEARSWEEP_KERNEL_SOURCES} ${GEARSWEEP_STUDY_SOURCES} ${GEARSWEEP_PAGE_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

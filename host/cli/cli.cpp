@@ -47,6 +47,7 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
   add_merge_command(app, status);
   add_status_command(app);
   add_trace_command(app);
+  add_explore_command(app, signals, status);
   add_orders_command(app, signals, status);
   add_plot_command(app);
   add_export_command(app);

@@ -25,6 +25,7 @@ void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* s
 void add_merge_command(CLI::App* app, int* status);
 void add_status_command(CLI::App* app);
 void add_trace_command(CLI::App* app);
+void add_explore_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_orders_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_report_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_reproduce_command(CLI::App* app, SignalWatch* signals, int* status);

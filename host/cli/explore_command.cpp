@@ -1,0 +1,87 @@
+// gearsweep explore: a page to walk around in a map.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/browser.hpp"
+#include "cli/detail/stop_on_signals.hpp"
+#include "cli/detail/study_source.hpp"
+#include "cli/standard_streams.hpp"
+#include "explore/server.hpp"
+#include "result/result_file.hpp"
+#include "sweep/pilot.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct ExploreArguments {
+  std::string study, device;
+  std::vector<std::string> overrides;
+  std::size_t port = 0, megabytes = 512;
+  bool opens_browser = true, quiet = false;
+};
+
+// The step that the map had, or that a tolerance asks for; nothing: the model's or the study's own.
+std::optional<double> step_of(const ExploreArguments& arguments, const Study& study,
+                              const SweepOptions& options) {
+  if (is_netcdf(arguments.study)) return read_pilot_step(arguments.study);
+  if (!study.integrate.is_tolerance_asked) return std::nullopt;
+  const std::optional<SteppedStudy> stepped = choose_step(study, options);
+  return stepped && stepped->pilot ? std::optional(stepped->pilot->step) : std::nullopt;
+}
+
+int run(const ExploreArguments& arguments, SignalWatch* signals) {
+  const Study study = explorable(load_study(arguments.study, arguments.overrides));
+  ExplorerOptions options;
+  options.source = shell_quoted(arguments.study);
+  for (const std::string& set : arguments.overrides)
+    options.source += " --set " + shell_quoted(set);
+  options.devices = chosen_devices(arguments.device);
+  options.max_bytes = arguments.megabytes << 20U;
+  SweepOptions sweep;
+  sweep.devices = options.devices;
+  Explorer explorer({study, step_of(arguments, study, sweep)}, options);
+  ExploreServer server(&explorer, static_cast<int>(arguments.port));
+  signals->set(OnSignal::stop);
+  answer("{}\n", server.address());
+  flush_answers();
+  if (!arguments.quiet) tell("open it in a browser; Ctrl-C ends it\n");
+  if (arguments.opens_browser) open_browser(server.address());
+  server.serve(signals->interrupted());
+  return kDone;
+}
+
+}  // namespace
+
+void add_explore_command(CLI::App* app, SignalWatch* signals, int* status) {
+  CLI::App* command = app->add_subcommand("explore", "Walk around in a map, in a browser");
+  const auto arguments = std::make_shared<ExploreArguments>();
+  add_study_argument(command, &arguments->study, ", whose step is taken");
+  command
+      ->add_option("--port", arguments->port,
+                   "A port of this machine's own address (default: any that is free)")
+      ->type_name(kNumberValue)
+      ->check(whole_number(1, 65535));
+  command
+      ->add_option("--memory", arguments->megabytes,
+                   "Megabytes of computed tiles that are kept (default: 512)")
+      ->type_name(kNumberValue)
+      ->check(whole_number(16, 1 << 20));
+  command->add_flag("!--no-browser", arguments->opens_browser, "Only print the address");
+  add_device_option(command, &arguments->device, true);
+  add_set_option(command, &arguments->overrides);
+  command->add_flag("--quiet", arguments->quiet, "Print the address alone");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep explore coarse-chaos\n"
+      "  gearsweep explore map.nc                   with the step of that map\n"
+      "  gearsweep explore mine.toml --set parameters.mu=0 --no-browser --port 8000\n\n"
+      "The page computes what it shows: zooming gives the map anew at the new resolution, a click\n"
+      "the motion at that point, a slider another parameter. The study has two axes. The address\n"
+      "has a token and is of this machine alone; who has it can compute here.");
+  command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
+}
+
+}  // namespace gearsweep

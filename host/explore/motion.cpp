@@ -1,0 +1,85 @@
+#include "explore/motion.hpp"
+
+#include "model/error.hpp"
+#include "orders/spectrum.hpp"
+#include "point/point_orbit.hpp"
+#include "point/point_trace.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep_types.h"
+
+namespace gearsweep {
+namespace {
+
+// Enough to see a motion and its section, and no more than a page draws at once.
+constexpr std::size_t kPeriods = 64, kSamplesPerPeriod = 64;
+
+void add_trace(const SweepOptions& options, Motion* motion) {
+  PointTraces found;
+  const TraceWindows windows = {std::nullopt, kPeriods};
+  Place place = find_place(motion->study, motion->at, "");
+  if (!add_point_trace(with_windows(motion->study, windows), place, windows, kSamplesPerPeriod,
+                       options, &found)) {
+    return;
+  }
+  motion->trace = std::move(found.traces.front());
+  motion->samples_per_period = kSamplesPerPeriod;
+  MotionSpectrum spectrum;
+  for (std::size_t i = 0; i < motion->trace->channels.size(); ++i) {
+    Spectrum of_channel = amplitude_spectrum(*motion->trace, i, 0);
+    spectrum.order_step = of_channel.order_step;
+    spectrum.amplitude.push_back(std::move(of_channel.amplitude));
+  }
+  motion->spectrum = std::move(spectrum);
+}
+
+void add_orbit(const SweepOptions& options, Motion* motion) {
+  OrbitRequest request;
+  request.place = find_place(motion->study, motion->at, "");
+  const std::optional<OrbitFindings> found = find_point_orbit(motion->study, request, options);
+  if (!found) return;
+  motion->orbit = MotionOrbit{{found->orbit.multipliers.begin(), found->orbit.multipliers.end()},
+                              found->orbit.period,
+                              found->orbit.kind == OrbitKind::equilibrium,
+                              found->orbit.stable()};
+}
+
+// A note says what is missing.
+template <typename Find>
+void try_to(const char* what, const Find& find, Motion* motion) {
+  try {
+    find();
+  } catch (const InputError& error) {
+    motion->notes.push_back(std::string(what) + ": " + error.what());
+  } catch (const RunError& error) {
+    motion->notes.push_back(std::string(what) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Motion find_motion(const Scene& scene, const Cell& cell, const SweepOptions& options) {
+  const std::array<double, 2> values = {scene.value_at(0, cell.k[0], cell.depth),
+                                        scene.value_at(1, cell.k[1], cell.depth)};
+  Motion motion;
+  motion.study = scene.at({{{values[0]}, {values[1]}}});
+  for (std::size_t i = 0; i < 2; ++i) {
+    motion.at.push_back({motion.study.axes[i].name, values[i]});
+  }
+  const std::optional<SweepResult> result = run_sweep(motion.study, options);
+  if (!result) throw RunError("interrupted");
+  motion.status = result->status.front();
+  for (const std::vector<double>& map : result->values) motion.values.push_back(map.front());
+  if (!has_values(motion.status)) {
+    motion.notes.emplace_back("the motion goes to infinity, so there is no trace of it");
+    return motion;
+  }
+  try_to(
+      "no trace", [&] { add_trace(options, &motion); }, &motion);
+  if (result->on_orbit.front() != 0) {
+    try_to(
+        "no multipliers", [&] { add_orbit(options, &motion); }, &motion);
+  }
+  return motion;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,182 @@
+#include "explore/scene.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "model/error.hpp"
+#include "point/place.hpp"
+#include "point/point_trace.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Beyond either end of the first view, in views.
+constexpr double kBeyond = 1.5;
+
+struct Range {
+  double low = 0.0, high = 0.0;
+};
+
+// An axis as a scene has it: the first view, and the range that cells are counted on.
+struct SceneAxis {
+  std::string name;
+  bool logarithmic = false;
+  Range view, world;
+};
+
+// A world that reaches beyond the view as far as the parameter may go, and never to another sign:
+// at 0 a frequency has no period, and much else no meaning.
+Range world_of(const Range& view, bool logarithmic, const Range& allowed) {
+  Range world;
+  if (logarithmic) {
+    const double way = std::pow(view.high / view.low, kBeyond);
+    world = {view.low / way, view.high * way};
+  } else {
+    const double way = kBeyond * (view.high - view.low);
+    world = {view.low - way, view.high + way};
+    if (view.low > 0.0 && world.low <= 0.0) world.low = 0.25 * view.low;
+    if (view.high < 0.0 && world.high >= 0.0) world.high = 0.25 * view.high;
+    if (view.low == 0.0) world.low = 0.0;
+  }
+  return {std::max(world.low, allowed.low), std::min(world.high, allowed.high)};
+}
+
+Range allowed_of(const Model& model, const std::string& name) {
+  const int index = model.find_parameter(name);
+  if (index < 0) return {-HUGE_VAL, HUGE_VAL};
+  const ParameterInfo& info = model.parameters[static_cast<std::size_t>(index)];
+  return {info.min, info.max};
+}
+
+SceneAxis as_it_is(const Axis& axis, const Model& model) {
+  SceneAxis out = {axis.name, axis.logarithmic, {axis.values.front(), axis.values.back()}, {}};
+  out.world = world_of(out.view, out.logarithmic, allowed_of(model, axis.name));
+  return out;
+}
+
+// From half of what the study has of a parameter to half as much again; of a state one unit to
+// either side of 0.
+SceneAxis another(const Study& study, const std::string& name) {
+  const Model& model = *study.model;
+  SceneAxis out = {name, false, {-1.0, 1.0}, {}};
+  if (model.find_state(name) < 0) {
+    const Range allowed = allowed_of(model, name);
+    const int index = model.find_parameter(name);
+    if (index < 0) {
+      throw InputError(
+          fmt::format("'{}' is neither a parameter nor a state of model '{}'", name, model.name));
+    }
+    const double value = study.setting.parameters[static_cast<std::size_t>(index)];
+    const Range wanted = value == 0.0  ? Range{0.0, 1.0}
+                         : value > 0.0 ? Range{0.5 * value, 1.5 * value}
+                                       : Range{1.5 * value, 0.5 * value};
+    out.view = {std::clamp(wanted.low, allowed.low, allowed.high),
+                std::clamp(wanted.high, allowed.low, allowed.high)};
+    if (out.view.low == out.view.high) out.view = allowed;
+  }
+  out.world = world_of(out.view, false, allowed_of(model, name));
+  return out;
+}
+
+SceneAxis find_axis(const Study& study, std::size_t number, const std::string& name) {
+  for (const Axis& axis : study.axes) {
+    if (axis.name == (name.empty() ? study.axes[number].name : name)) {
+      return as_it_is(axis, *study.model);
+    }
+  }
+  return another(study, name);
+}
+
+std::string as_toml(const SceneAxis& axis) {
+  return fmt::format("{{name = \"{}\", from = {}, to = {}, count = 3, scale = \"{}\"}}", axis.name,
+                     axis.world.low, axis.world.high, axis.logarithmic ? "log" : "linear");
+}
+
+// A hash is enough: keys are compared with those of the same server alone.
+std::string short_text(const std::string& text) {
+  return fmt::format("{:016x}", std::hash<std::string>{}(text));
+}
+
+}  // namespace
+
+Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) {
+  const std::array<SceneAxis, 2> axes = {find_axis(base.study, 0, changes.x),
+                                         find_axis(base.study, 1, changes.y)};
+  std::vector<std::string> overrides = {
+      fmt::format("axes=[{}, {}]", as_toml(axes[0]), as_toml(axes[1]))};
+  for (const auto& [name, value] : changes.sets) {
+    const std::size_t index = parameter_index(*base.study.model, name, "");
+    require_in_range(base.study.model->parameters[index], value, "");
+    overrides.push_back(fmt::format("parameters.{}={}", name, value));
+  }
+  study_ = read_study(base.study.toml, "the page", overrides, {}, {}, NamedFiles::refused);
+  settle_step(base.pilot_step, &study_);
+  study_.separate_points();
+  key_ = short_text(study_.toml);
+  for (std::size_t i = 0; i < 2; ++i) {
+    first_view_[i] = {axes[i].view.low, axes[i].view.high};
+    study_.axes[i].values = {axes[i].world.low, axes[i].world.high};
+  }
+}
+
+double Scene::value_at(std::size_t axis, std::uint64_t k, std::size_t depth) const {
+  return value_at(axis, std::ldexp(static_cast<double>(k), -static_cast<int>(depth)));
+}
+
+double Scene::value_at(std::size_t axis, double share) const {
+  const double low = study_.axes[axis].values.front(), high = study_.axes[axis].values.back();
+  if (share == 1.0) return high;
+  if (study_.axes[axis].logarithmic) return low * std::pow(high / low, share);
+  return low + (high - low) * share;
+}
+
+Study Scene::at(const std::array<std::vector<double>, 2>& values) const {
+  Study study = study_;
+  for (std::size_t i = 0; i < 2; ++i) study.axes[i].values = values[i];
+  return study;
+}
+
+Study explorable(const Study& study) {
+  if (study.axes.size() != 2) {
+    throw InputError(
+        "explore shows maps over two axes, and this study has one; give it a second one, or see it "
+        "with 'gearsweep run --plot'");
+  }
+  for (const Axis& axis : study.axes) {
+    if (axis.is_list || !axis.columns.empty()) {
+      throw InputError(fmt::format(
+          "explore takes axes of one parameter or state each; '{}' stands for several", axis.name));
+    }
+  }
+  std::vector<std::string> kept, left;
+  for (const Quantity& quantity : study.selection.quantities) {
+    const bool is_of_all = quantity.of_census || quantity.of_draws || quantity.width != 1;
+    (is_of_all ? left : kept).push_back(quantity.name);
+  }
+  if (!study.selection.poincare.empty()) left.emplace_back("poincare");
+  if (kept.empty()) {
+    throw InputError(
+        fmt::format("explore shows quantities of single points, and this study has {} "
+                    "alone; add one, such as \"motion_class\"",
+                    fmt::join(left, ", ")));
+  }
+  std::vector<std::string> overrides = {
+      fmt::format("observe.quantities=[\"{}\"]", fmt::join(kept, "\", \""))};
+  Study alone = read_study(study.toml, "the study", overrides);
+  if (!left.empty()) {
+    alone.notices.push_back(
+        fmt::format("left out, since a point has none of its own: {}", fmt::join(left, ", ")));
+  }
+  if (alone.is_chained() || alone.members() > 1) {
+    alone.notices.emplace_back(
+        "each point starts on its own, and once: the study's chain, ensemble or tolerances are "
+        "left out");
+  }
+  return alone;
+}
+
+}  // namespace gearsweep

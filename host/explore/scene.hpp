@@ -1,0 +1,80 @@
+// What a page of the explorer shows: a study whose two axes reach beyond the first view, and the
+// places of its tiles and cells on them.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "point/place.hpp"
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+// What a page changes of the study that explore was started with.
+struct SceneChanges {
+  std::vector<NamedValue> sets;  // of parameters
+  std::string x, y;              // what is swept instead: parameters or states; empty: as it is
+};
+
+// A point: at share k / 2^depth of either axis. Cell k is cell 2k at the next depth, the same point
+// with the same bits.
+struct Cell {
+  static constexpr std::size_t kMaxDepth = 51;
+
+  std::size_t depth = 0;
+  std::array<std::uint64_t, 2> k = {};
+};
+
+// A square of cells. At depth d each axis has 2^d tiles; a cell's depth is 5 more.
+struct TilePlace {
+  static constexpr std::size_t kCells = 32;  // along either axis
+  static constexpr std::size_t kMaxDepth = Cell::kMaxDepth - 5;
+
+  std::size_t depth = 0;
+  std::array<std::uint64_t, 2> at = {};
+
+  TilePlace parent() const { return {depth - 1, {at[0] / 2, at[1] / 2}}; }
+  friend auto operator<=>(const TilePlace&, const TilePlace&) = default;
+};
+
+// Which study explore was started with, and the step that all of its scenes take; nothing: each
+// scene's own.
+struct ExploredStudy {
+  Study study;
+  std::optional<double> pilot_step;
+};
+
+class Scene {
+ public:
+  // base: see explorable(). Throws InputError for changes that the model does not allow.
+  Scene(const ExploredStudy& base, const SceneChanges& changes);
+
+  // Two scenes of one base with the same key are the same. A short text of letters and digits.
+  const std::string& key() const { return key_; }
+  // Its axes have their ends alone.
+  const Study& study() const { return study_; }
+  // [axis] where the first view begins and ends, as values.
+  const std::array<std::array<double, 2>, 2>& first_view() const { return first_view_; }
+
+  double value_at(std::size_t axis, double share) const;
+  double value_at(std::size_t axis, std::uint64_t k, std::size_t depth) const;
+  // The study with these values on its axes.
+  Study at(const std::array<std::vector<double>, 2>& values) const;
+
+ private:
+  Study study_;
+  std::string key_;
+  std::array<std::array<double, 2>, 2> first_view_ = {};
+};
+
+// The study as scenes take it: two axes of one parameter or state each, points that start on their
+// own and once, quantities that a point has without the others. What was left out stands in its
+// notices. Throws InputError where nothing is left, or the axes are others.
+Study explorable(const Study& study);
+
+}  // namespace gearsweep

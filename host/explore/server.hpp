@@ -1,0 +1,40 @@
+// The explorer's service on this machine's loopback address, for browsers and for programs.
+//
+// Each address begins with a random token, so that nobody else on the machine, and no page that a
+// browser has open, can ask for anything:
+//   GET  TOKEN/                        the page
+//   GET  TOKEN/scene?set=mu%3D0.1&x=omega&y=b    what a scene has (scene_message())
+//   POST TOKEN/tiles                   a stream of records (tile_record()), of the tiles that the
+//                                      body lists: {"scene": KEY, "page": ID, "tiles": [[d, i, j]]}
+//   GET  TOKEN/motion?scene=KEY&depth=12&kx=100&ky=7   the motion at a cell (motion_message())
+//   GET  TOKEN/study?scene=KEY&x0=0.2&x1=0.4&y0=0&y1=1&nx=200&ny=150   the view as a study
+// What is wrong is told as {"error": TEXT} with a status of 400, too much at once with one of 429.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "explore/explorer.hpp"
+
+namespace gearsweep {
+
+class ExploreServer {
+ public:
+  // port 0: any that is free. The explorer outlives it. Throws RunError when the port is taken.
+  ExploreServer(Explorer* explorer, int port);
+  ~ExploreServer();
+  ExploreServer(const ExploreServer&) = delete;
+  ExploreServer& operator=(const ExploreServer&) = delete;
+
+  // "http://127.0.0.1:41231/TOKEN/"
+  const std::string& address() const;
+  // Serves until `stop` is set.
+  void serve(const std::atomic<bool>& stop);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gearsweep

@@ -1,0 +1,34 @@
+// The maps of one tile.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "explore/scene.hpp"
+#include "sweep/sweep_options.hpp"
+
+namespace gearsweep {
+
+struct TileMaps {
+  // The status of each point (kRefused: its study is refused), then each quantity of the scene's
+  // study. [map][row][column], NaN where there is no value.
+  std::vector<double> numbers;
+  std::size_t computed = 0;  // points; the others are the parent's
+  double seconds = 0.0;      // that they took
+};
+
+inline constexpr double kRefused = 255.0;
+
+// Runs the scene's study at the points of a tile (run_sweep()), but for those that its parent has,
+// if that is given. Nothing when stopped. A tile with a point that the study refuses, such as one
+// whose period would need too many steps, is refused as a whole: that is no error. Throws RunError
+// when no device works.
+std::optional<TileMaps> compute_tile(const Scene& scene, const TilePlace& place,
+                                     const TileMaps* parent, const SweepOptions& options);
+
+// What a tile takes, in bytes.
+std::size_t bytes_of(const TileMaps& maps);
+
+}  // namespace gearsweep

@@ -1,0 +1,41 @@
+#include "explore/view_study.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr std::size_t kMaxCount = 4096;  // of values on an axis
+
+std::string as_toml(const Scene& scene, const ViewRange& view, std::size_t number) {
+  const double from = view.from[number], to = view.to[number];
+  if (!(0.0 <= from && from < to && to <= 1.0)) {
+    throw InputError(fmt::format("a view from {} to {} is none: 0 <= from < to <= 1", from, to));
+  }
+  const std::size_t count = view.count[number];
+  if (count < 2 || count > kMaxCount) {
+    throw InputError(fmt::format("{} values on an axis; 2 to {} are possible", count, kMaxCount));
+  }
+  const Axis& axis = scene.study().axes[number];
+  return fmt::format("{{name = \"{}\", from = {}, to = {}, count = {}, scale = \"{}\"}}", axis.name,
+                     scene.value_at(number, from), scene.value_at(number, to), count,
+                     axis.logarithmic ? "log" : "linear");
+}
+
+}  // namespace
+
+std::string view_study(const Scene& scene, const ViewRange& view) {
+  std::vector<std::string> overrides = {
+      fmt::format("axes=[{}, {}]", as_toml(scene, view, 0), as_toml(scene, view, 1))};
+  const Integrate& integrate = scene.study().integrate;
+  if (integrate.steps_per_period == 0) {
+    overrides.push_back(fmt::format("integrate.max_step={}", integrate.max_step));
+  }
+  return read_study(scene.study().toml, "the view", overrides, {}, {}, NamedFiles::refused).toml;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,22 @@
+// A view of the explorer as a study of its own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "explore/scene.hpp"
+
+namespace gearsweep {
+
+struct ViewRange {
+  // [axis] as shares of the scene's axes, from 0 to 1.
+  std::array<double, 2> from = {0.0, 0.0}, to = {1.0, 1.0};
+  std::array<std::size_t, 2> count = {200, 150};  // of values
+};
+
+// TOML that 'gearsweep run' takes: the scene's study over this view, with the scene's step. Throws
+// InputError for a view that is none.
+std::string view_study(const Scene& scene, const ViewRange& view);
+
+}  // namespace gearsweep

@@ -1,0 +1,93 @@
+// What a page shows: a world around the first view, cells that are the same at every depth.
+#include "explore/scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "explore/explored.hpp"
+#include "explore/view_study.hpp"
+#include "model/error.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(Scene, ReachesBeyondTheFirstViewAndNeverToAnotherSign) {
+  const Scene scene(explored(), {});
+  EXPECT_THAT(scene.first_view()[0], ElementsAre(0.8, 1.6));
+  EXPECT_DOUBLE_EQ(scene.value_at(0, 0.0), 0.25 * 0.8);
+  EXPECT_DOUBLE_EQ(scene.value_at(0, 1.0), 1.6 + 1.5 * 0.8);
+  EXPECT_DOUBLE_EQ(scene.value_at(1, 0.0), 0.1 / 8.0);
+  EXPECT_DOUBLE_EQ(scene.value_at(1, 1.0), 0.4 * 8.0);
+}
+
+TEST(Scene, AFinerCellHasTheBitsOfTheCoarserOneAtItsPlace) {
+  const Scene scene(explored(), {});
+  for (const std::size_t depth : {5U, 20U, 50U}) {
+    const std::uint64_t k = (std::uint64_t{1} << depth) / 3;
+    for (const std::size_t axis : {0U, 1U}) {
+      EXPECT_EQ(scene.value_at(axis, k, depth), scene.value_at(axis, 2 * k, depth + 1));
+      EXPECT_LT(scene.value_at(axis, 2 * k, depth + 1), scene.value_at(axis, 2 * k + 1, depth + 1));
+    }
+  }
+}
+
+TEST(Scene, TakesOtherAxesAndParameters) {
+  const ExploredStudy base = explored();
+  const Scene scene(base, {{{"omega", 1.1}}, "damping", "x"});
+  EXPECT_EQ(scene.study().axes[0].name, "damping");
+  EXPECT_TRUE(scene.study().axes[1].is_state);
+  const int omega = scene.study().model->find_parameter("omega");
+  EXPECT_EQ(scene.study().setting.parameters[static_cast<std::size_t>(omega)], 1.1);
+  EXPECT_NE(scene.key(), Scene(base, {}).key());
+  EXPECT_EQ(scene.key(), Scene(base, {{{"omega", 1.1}}, "damping", "x"}).key());
+}
+
+TEST(Scene, SaysWhatIsWrongWithAChange) {
+  const ExploredStudy base = explored();
+  const auto expect = [&](const SceneChanges& changes, const std::string& part) {
+    EXPECT_THAT([&] { Scene(base, changes); }, ThrowsMessage<InputError>(HasSubstr(part)));
+  };
+  expect({{{"dampin", 1.0}}, "", ""}, "did you mean 'damping'?");
+  expect({{{"omega", -1.0}}, "", ""}, "out of range");
+  expect({{}, "nothing", ""}, "neither a parameter nor a state");
+  expect({{}, "amplitude", ""}, "amplitude");
+}
+
+TEST(Explorable, LeavesOutWhatAPointHasNotAlone) {
+  const std::string text =
+      kExplored.substr(0, kExplored.find("quantities")) + "quantities = ['poincare', 'x_max']\n";
+  const Study study = explorable(read_study(text, "test.toml"));
+  ASSERT_EQ(study.selection.quantities.size(), 1U);
+  EXPECT_THAT(study.notices, Contains(HasSubstr("poincare")));
+}
+
+TEST(Explorable, RefusesWhatIsNoMapOverTwoAxes) {
+  const Study line = read_study(
+      "[model]\nname = 'duffing'\n[[axes]]\nname = 'omega'\nvalues = [1.0]\n"
+      "[observe]\nquantities = ['x_max']\n",
+      "test.toml");
+  EXPECT_THAT([&] { explorable(line); }, ThrowsMessage<InputError>(HasSubstr("two axes")));
+}
+
+TEST(ViewStudy, IsAStudyOfTheViewWithTheSameStep) {
+  const Scene scene(explored(), {});
+  const Study study =
+      read_study(view_study(scene, {{0.25, 0.5}, {0.5, 0.75}, {7, 5}}), "view.toml");
+  EXPECT_EQ(study.axes[0].values.size(), 7U);
+  EXPECT_EQ(study.axes[0].values.front(), scene.value_at(0, 0.25));
+  EXPECT_EQ(study.axes[1].values.back(), scene.value_at(1, 0.75));
+  EXPECT_EQ(study.integrate.max_step, scene.study().integrate.max_step);
+  EXPECT_EQ(study.integrate.tolerance, 0.0);
+  EXPECT_THROW(view_study(scene, {{0.5, 0.5}, {0.5, 0.75}, {7, 5}}), InputError);
+  EXPECT_THROW(view_study(scene, {{0.0, 0.0}, {1.0, 1.0}, {1, 1 << 20}}), InputError);
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
