@@ -6,7 +6,7 @@ namespace gearsweep {
 namespace {
 
 constexpr std::size_t kMaxScenes = 256;
-constexpr int kOfTiles = 0, kOfMotions = 1;  // priorities
+constexpr int kOfNobody = -1, kOfTiles = 0, kOfMotions = 1;  // priorities
 
 }  // namespace
 
@@ -64,6 +64,16 @@ double Explorer::points_per_second() const {
 Motion Explorer::motion(const Scene& scene, const Cell& cell) {
   const std::lock_guard lock(one_motion_);
   return find_motion(scene, cell, sweep_options(kOfMotions));
+}
+
+void Explorer::prepare_motions(const Scene& scene) {
+  const std::lock_guard lock(one_motion_);
+  const Cell middle = {1, {1, 1}};
+  try {
+    find_motion(scene, middle, sweep_options(kOfNobody));
+  } catch (const std::runtime_error&) {
+    return;
+  }
 }
 
 }  // namespace gearsweep

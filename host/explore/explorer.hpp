@@ -44,6 +44,8 @@ class Explorer {
   double points_per_second() const;
   // Tiles wait for it between their rounds. Throws InputError and RunError.
   Motion motion(const Scene& scene, const Cell& cell);
+  // Compiles what a motion takes, beside the tiles; whatever is wrong is left for motion() to say.
+  void prepare_motions(const Scene& scene);
 
   // The memory of all tiles that are kept.
   std::size_t bytes() const { return cache_.bytes(); }

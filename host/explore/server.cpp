@@ -120,13 +120,19 @@ class ExploreServer::Impl {
 
   void serve(const std::atomic<bool>& stop) {
     constexpr std::chrono::milliseconds kNap(50);
-    std::jthread listener([this] { server_.listen_after_bind(); });
-    while (!stop) std::this_thread::sleep_for(kNap);
+    std::atomic<bool> has_ended = false;
+    std::jthread listener([&] {
+      server_.listen_after_bind();
+      has_ended = true;
+    });
+    while (!stop && !has_ended) std::this_thread::sleep_for(kNap);
     {
       const std::lock_guard lock(mutex_);
       for (const auto& [page, its_stop] : pages_) *its_stop = true;
       is_closing_ = true;
     }
+    // To be stopped it must have begun.
+    while (!server_.is_running() && !has_ended) std::this_thread::yield();
     server_.stop();
   }
 
@@ -155,6 +161,10 @@ class ExploreServer::Impl {
     server_.set_pre_routing_handler([this](const auto& request, auto& response) {
       using Result = httplib::Server::HandlerResponse;
       if (is_own(request)) return Result::Unhandled;
+      if (request.path == "/favicon.ico") {  // browsers ask for it on their own
+        response.status = 204;
+        return Result::Handled;
+      }
       response.status = 403;
       response.set_content(error_message("the address lacks this explorer's token"), kJson);
       return Result::Handled;
@@ -295,6 +305,10 @@ class ExploreServer::Impl {
         return true;
       }
       record = tile_record(place, *maps, explorer_->points_per_second());
+      std::call_once(is_prepared_, [&] {
+        preparer_ =
+            std::jthread([this, scene = stream->scene] { explorer_->prepare_motions(*scene); });
+      });
     } catch (const std::exception& error) {
       stream->next = stream->places.size();
       record = error_record(error.what());
@@ -312,6 +326,8 @@ class ExploreServer::Impl {
   // Guarded by the mutex: the page's last stream is to stop.
   std::map<std::string, std::shared_ptr<std::atomic<bool>>> pages_;
   bool is_closing_ = false;
+  std::once_flag is_prepared_;
+  std::jthread preparer_;  // of what a click takes, once the first picture is there
 };
 
 ExploreServer::ExploreServer(Explorer* explorer, int port)

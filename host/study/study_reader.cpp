@@ -58,6 +58,18 @@ toml::table parse(const std::string& text, const std::string& source) {
   }
 }
 
+// Before its curves are there, a force that is read from them is 0, and there is no contact to
+// observe.
+void bind_curves(const toml::table* model, const std::vector<StudyDrawing>& drawings,
+                 Study* study) {
+  Binding binding = study->model->binding;
+  binding.curves = read_given_curves(model, *study->model);
+  for (const StudyDrawing& drawing : drawings) {
+    binding.curves.insert(drawing.gives.curves.begin(), drawing.gives.curves.end());
+  }
+  if (!binding.curves.empty()) study->bind(binding);
+}
+
 // The model with the study's options, which reads its measured curves.
 void bind_model(const toml::table* model, const std::vector<StudyDrawing>& drawings, Study* study) {
   Binding binding{
@@ -277,6 +289,7 @@ Study read_tables(const StudyText& text) {
   refuse_idle_axes(root, study);
   read_initial(reader.table("initial"), &study);
   read_integrate(reader.table("integrate"), &study);
+  bind_curves(root["model"].as_table(), drawings, &study);
   read_observe(reader.table("observe"), root, &study);
   check_attractors(reader.table("observe"), study);
   heed_rough_model(root, &study);

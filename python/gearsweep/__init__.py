@@ -4,6 +4,7 @@ from gearsweep import _core
 from gearsweep._accessor import Gear
 from gearsweep._distribution import normal, triangular, uniform, values
 from gearsweep._errors import InputError, RunError
+from gearsweep._explore import Exploration, explore
 from gearsweep._floquet import floquet
 from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, models
 from gearsweep._orders import orders
@@ -21,6 +22,7 @@ __all__ = [
     "Channel",
     "Check",
     "Device",
+    "Exploration",
     "Gear",
     "InputError",
     "Model",
@@ -33,6 +35,7 @@ __all__ = [
     "Study",
     "Verification",
     "devices",
+    "explore",
     "floquet",
     "model",
     "models",

@@ -34,7 +34,23 @@ _Described = tuple[
     dict[str, Any],
 ]
 
+class Exploration:
+    @property
+    def address(self) -> str: ...
+    @property
+    def is_running(self) -> bool: ...
+    def stop(self) -> None: ...
+
 class Session:
+    def explore(
+        self,
+        study: Study,
+        pilot_step: float | None,
+        source: str,
+        device: str,
+        megabytes: int,
+        port: int,
+    ) -> Exploration: ...
     def run(
         self,
         study: Study,

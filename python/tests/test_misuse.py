@@ -59,6 +59,7 @@ GOOD: dict[str, Mapping[str, object]] = {
         "device": None,
         "e0": 0.5,
     },
+    "explore": {"study": "coarse-map", "set": MAP, "device": None, "height": 400, "memory": 64, "port": None},
     "verify": {"device": None, "progress": None},
     "model": {"name": "gear5"},
     "models": {},

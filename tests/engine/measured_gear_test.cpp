@@ -110,6 +110,16 @@ TEST(MeasuredGear, ATableOfTheParabolicStiffnessIsTheParabolicOption) {
   }
 }
 
+// Without the curve there is no force, and nothing to touch: quantities are chosen with it.
+TEST(MeasuredGear, AMeasuredStiffnessThatIsNamedHasContacts) {
+  const std::string tables = held("k.csv", "0 2.3e8\n0.7 2.3e8\n0.7 1.6e8\n");
+  const Study named =
+      read_study("[model]\nstiffness = 'table'\n" +
+                     study_text(kOneSine + "stiffness_file = 'k.csv'\n", tables),
+                 "test.toml", {"observe.quantities=['contact_drive', 'backlash_max']"});
+  EXPECT_EQ(named.selection.quantities.size(), 2U);
+}
+
 TEST(MeasuredGear, TheMeanIsKeptOrNormalised) {
   const std::string table = held("k.csv", "share, N/m\n0, 1e8\n0.4, 3e8\n0.4, 2e8\n0.8, 1.5e8\n");
   // By hand: 0.4 of mean 2e8, 0.4 of mean 1.75e8, 0.2 of mean 1.25e8.

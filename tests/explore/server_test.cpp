@@ -45,6 +45,11 @@ class ServerTest : public ::testing::Test {
   httplib::Client client_;
 };
 
+TEST(Server, IsStoppedBeforeItHasBegun) {
+  Explorer explorer(explored(), {.source = "test", .devices = {}});
+  ExploreServer(&explorer, 0).serve(std::atomic<bool>(true));
+}
+
 TEST_F(ServerTest, TellsWhatASceneHas) {
   const json scene = json::parse(client_.Get(path("scene?x=damping&set=omega%3D1.2"))->body);
   EXPECT_EQ(scene.at("axes")[0].at("name"), "damping");

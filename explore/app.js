@@ -1,0 +1,277 @@
+// Starts the page and ties its parts together: the scene, the view, the colours and the frames.
+
+import { Axis, drawAxes } from "./axes.js";
+import { ColorState } from "./colorstate.js";
+import { Controls } from "./controls.js";
+import { setUpExports } from "./exports.js";
+import { drawLegend } from "./legend.js";
+import { decode, encode, History } from "./link.js";
+import { Loader } from "./loader.js";
+import { MotionPanel, pinColor } from "./motion.js";
+import { drawMarks, Painter } from "./paint.js";
+import { setUpPointer } from "./pointer.js";
+import { pointAt, Readout } from "./readout.js";
+import { SceneKeeper } from "./scene.js";
+import { Sliders } from "./sliders.js";
+import { statusLine, tellTrouble } from "./status.js";
+import { Strip } from "./strip.js";
+import { setUpTheme, themeStyle } from "./theme.js";
+import { neededTiles, TileCache } from "./tiles.js";
+import { cellShares, View } from "./view.js";
+import { Walker } from "./walker.js";
+
+const byId = (id) => document.getElementById(id);
+const mapCanvas = byId("map");
+const tell = (kind, text) => tellTrouble(byId("banner"), kind, text);
+
+const view = new View();
+const cache = new TileCache(256e6);
+const painter = new Painter(mapCanvas, cache);
+const colors = new ColorState(cache, view, painter);
+const readout = new Readout(byId("readout"), byId("live"));
+const walker = new Walker(view);
+
+let scene = null;
+let axes = null;
+let frame = 0;
+let pointer = null;
+let clickPending = false;
+let speed = 0;
+let tickLabels = { x: [], y: [] };
+
+const loader = new Loader({
+  scene: () => (scene && view.width > 1 ? scene.key : null),
+  needed: () => neededTiles(cache, scene.key, view, speed, pointer ? view.toShare(...pointer)
+    : [view.x0 + view.sx / 2, view.y0 + view.sy / 2]),
+  onTile(key, d, i, j, data) {
+    cache.put(key, d, i, j, data);
+    requestFrame();
+  },
+  onSpeed(value) { if (value > 0) speed = value; },
+  onChange: requestFrame,
+  onTrouble(text) { tell("tiles", text); },
+  onUnknownScene() { keeper.load(0); },
+});
+const keeper = new SceneKeeper({
+  onScene: takeScene, onTrouble(text) { tell("scene", text); }, onChange: requestFrame,
+});
+const sliders = new Sliders(byId("sliders"), byId("filter"), keeper);
+const motion = new MotionPanel(byId("motion"), { onChange: requestFrame, onClose: stateChanged });
+const strip = new Strip(byId("strip"), (hash) => {
+  history.pushState(null, "", hash);
+  goTo(hash);
+});
+const past = new History(() => encode(keeper, view, colors.look, motion.cell), () => {
+  if (!painter.old && !keeper.busy) strip.add(mapCanvas, past.hash());
+});
+const controls = new Controls(colors, {
+  scene: () => scene,
+  onLook: stateChanged,
+  onHome: goHome,
+  onAxes(x, y) { keeper.setAxes(x, y); },
+  onReset() { keeper.reset(); },
+});
+
+// A new scene from the server. The old pixels stay until its first tiles come.
+function takeScene(next, wantedView) {
+  const sameWorld = scene !== null && [0, 1].every((n) => ["name", "low", "high", "log"].every((field) =>
+    scene.axes[n][field] === next.axes[n][field]));
+  if (scene !== null && scene.key !== next.key) painter.keep(view, sameWorld);
+  scene = next;
+  axes = next.axes.map((told) => new Axis(told));
+  view.maxDepth = next.max_depth;
+  if (next.points_per_second > 0) speed = next.points_per_second;
+  if (wantedView) view.set(wantedView);
+  else if (!sameWorld) firstView();
+  if (!sameWorld) {
+    walker.cell = null;
+    colors.fit();
+  }
+  if (!next.quantities.some((quantity) => quantity.name === colors.look.quantity)) {
+    colors.look.quantity = next.quantities[0].name;
+    colors.forget(next);
+  }
+  controls.showScene(next);
+  sliders.show(next);
+  colors.renew(next);
+  motion.setScene(next);
+  viewChanged();
+}
+
+function firstView() {
+  const [x, y] = axes;
+  const x0 = x.share(x.from);
+  const y0 = y.share(y.from);
+  view.set({ x0, y0, sx: x.share(x.to) - x0, sy: y.share(y.to) - y0 });
+}
+
+function goHome() {
+  if (!scene) return;
+  firstView();
+  viewChanged();
+}
+
+function viewChanged() {
+  colors.viewMoved();
+  loader.refresh();
+  stateChanged();
+}
+
+function stateChanged() {
+  past.changed();
+  requestFrame();
+}
+
+function requestFrame() {
+  if (!frame) frame = requestAnimationFrame(draw);
+}
+
+function draw() {
+  frame = 0;
+  if (!scene) return;
+  const style = themeStyle();
+  colors.follow(scene, loader.busy);
+  const k = colors.quantityIndex(scene);
+  if (painter.draw(view, scene.key, k, colors.map, style)) requestFrame();
+  tickLabels = drawAxes(byId("xticks"), byId("yticks"), axes, view, style, painter.ratio);
+  if (colors.legendOld) {
+    drawLegend(byId("legend"), scene.quantities[k], colors.map, view.height, style, painter.ratio);
+    colors.legendOld = false;
+  }
+  drawMarks(byId("marks"), view, marks(), painter.ratio);
+  const at = readoutPlace();
+  const point = at ? pointAt(cache, scene, axes, view, at[0], at[1]) : null;
+  readout.show(point, scene, axes, colors.look.quantity);
+  const line = statusLine(axes, view, loader.left, speed, keeper.busy);
+  if (byId("status").textContent !== line) byId("status").textContent = line;
+  if (settled()) past.quiet();
+}
+
+function marks() {
+  const list = motion.pins.filter((pin) => pin.scene === scene.key).map((pin) => (
+    { cell: pin.cell, kind: "ring", color: pin.color }));
+  if (motion.cell) list.push({ cell: motion.cell, kind: "ring", color: pinColor(0) });
+  if (walker.cell) list.push({ cell: walker.cell, kind: "cross", color: "#fff" });
+  return list;
+}
+
+function readoutPlace() {
+  if (!pointer) return walker.cell ? cellShares(walker.cell) : null;
+  const at = view.toShare(...pointer);
+  return view.inWorld(...at) ? at : null;
+}
+
+function settled() {
+  return scene !== null && !loader.busy && !keeper.busy && !motion.busy && !clickPending && !frame &&
+    loader.left === 0 && !colors.fitting && neededTiles(cache, scene.key, view, speed, [0, 0]).length === 0;
+}
+
+function clickAt(px, py) {
+  if (!scene) return;
+  const at = view.toShare(px, py);
+  if (!view.inWorld(...at)) return;
+  const point = pointAt(cache, scene, axes, view, at[0], at[1]);
+  motion.open(scene, point ? point.cell : view.cellAt(view.targetDepth(), at[0], at[1]));
+  past.changed();
+}
+
+setUpPointer(mapCanvas, {
+  pan(dx, dy) { view.pan(dx, dy); viewChanged(); },
+  zoom(px, py, fx, fy) { view.zoom(px, py, fx, fy); viewChanged(); },
+  hover(px, py) { pointer = px === null ? null : [px, py]; requestFrame(); },
+  click: clickAt,
+  waiting(on) { clickPending = on; requestFrame(); },
+  walk(dx, dy) {
+    pointer = null;
+    if (scene && walker.step(dx, dy)) viewChanged();
+    readout.announce();
+    requestFrame();
+  },
+  open() {
+    if (pointer && !walker.cell) clickAt(...pointer);
+    else if (walker.cell) clickAt(...walker.pixel());
+    else this.walk(0, 0);
+  },
+  zoomKey(factor) {
+    const at = pointer && !walker.cell ? pointer : walker.pixel();
+    view.zoom(at[0], at[1], factor, factor);
+    viewChanged();
+  },
+  panKey(dx, dy) { view.pan(-dx * view.width / 8, dy * view.height / 8); viewChanged(); },
+  home: goHome,
+  leave() { walker.cell = null; requestFrame(); },
+});
+
+// Takes the state from a link. The scene is asked for only when it is another one.
+function goTo(hash) {
+  const wanted = decode(hash);
+  const before = colors.look.quantity;
+  const has = (name) => scene.quantities.some((one) => one.name === name);
+  if (scene && wanted.look.quantity && !has(wanted.look.quantity)) delete wanted.look.quantity;
+  Object.assign(colors.look, wanted.look);
+  controls.showLook();
+  past.arrived();
+  strip.mark(hash);
+  const done = () => {
+    if (wanted.cell) motion.open(scene, wanted.cell);
+    else motion.close(false);
+  };
+  if (scene && keeper.sameAs(wanted.changes)) {
+    keeper.cancel();
+    if (wanted.view) view.set(wanted.view);
+    else firstView();
+    if (before !== colors.look.quantity) colors.forget(scene);
+    colors.renew(scene);
+    loader.refresh();
+    done();
+    requestFrame();
+  } else {
+    if (before !== colors.look.quantity) colors.forget(null);
+    keeper.replace(wanted.changes, wanted.view, done);
+  }
+}
+
+window.addEventListener("popstate", () => goTo(location.hash));
+
+setUpTheme(byId("theme"), () => {
+  colors.legendOld = true;
+  motion.redraw();
+  requestFrame();
+});
+
+setUpExports({
+  view, cache, painter, tell,
+  get scene() { return scene; },
+  get axes() { return axes; },
+  get map() { return colors.map; },
+  quantityIndex: () => colors.quantityIndex(scene),
+}, motion);
+
+new ResizeObserver(() => {
+  const width = byId("mapbox").clientWidth;
+  const height = byId("mapbox").clientHeight;
+  if (width < 2 || height < 2) return;
+  view.width = width;
+  view.height = height;
+  painter.resize(width, height);
+  byId("marks").width = mapCanvas.width;
+  byId("marks").height = mapCanvas.height;
+  for (const id of ["map", "marks", "xticks"]) byId(id).style.width = width + "px";
+  for (const id of ["map", "marks", "yticks", "legend"]) byId(id).style.height = height + "px";
+  if (scene) view.clamp();
+  colors.legendOld = true;
+  loader.refresh();
+  requestFrame();
+}).observe(byId("mapbox"));
+
+// For tests of the page.
+window.gearsweepExplorer = {
+  view: () => ({ ...view.copy(), width: view.width, height: view.height, depth: view.targetDepth(),
+    scene: scene && scene.key, quantity: colors.look.quantity, ticks: tickLabels, left: loader.left }),
+  settled,
+  valueAt: (px, py) => scene && pointAt(cache, scene, axes, view, ...view.toShare(px, py)),
+  click: clickAt,
+  frameMilliseconds: () => painter.lastMilliseconds,
+};
+
+goTo(location.hash);

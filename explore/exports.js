@@ -1,0 +1,117 @@
+// What leaves the page: studies, pictures, numbers and commands.
+
+import { paintX, paintY, xHeight, yWidth } from "./axes.js";
+import { commandLine, copyText } from "./copy.js";
+import { legendWidth, paintLegend } from "./legend.js";
+import { statusText } from "./readout.js";
+import { getText, ServerError } from "./server.js";
+import { themeStyle } from "./theme.js";
+import { eachPlace, tileValue } from "./tiles.js";
+
+const byId = (id) => document.getElementById(id);
+
+function save(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 30000);
+}
+
+async function saveStudy(app) {
+  const { view, scene } = app;
+  const inside = (share) => Math.min(1, Math.max(0, share));
+  const query = new URLSearchParams({ scene: scene.key, x0: inside(view.x0), x1: inside(view.x1),
+    y0: inside(view.y0), y1: inside(view.y1), nx: 200, ny: 150 });
+  const text = await getText("study?" + query);
+  save(new Blob([text], { type: "text/plain" }), "view.toml");
+}
+
+// The map with its axes and colours, on a ground of the theme.
+export function picture(app) {
+  const { view, painter, axes, scene } = app;
+  const style = themeStyle();
+  const edge = 10;
+  const canvas = document.createElement("canvas");
+  const ratio = painter.ratio;
+  canvas.width = Math.round((yWidth + view.width + legendWidth + 2 * edge) * ratio);
+  canvas.height = Math.round((view.height + xHeight + 2 * edge) * ratio);
+  const pen = canvas.getContext("2d");
+  const at = (x, y) => pen.setTransform(ratio, 0, 0, ratio, (edge + x) * ratio, (edge + y) * ratio);
+  pen.fillStyle = style.back;
+  pen.fillRect(0, 0, canvas.width, canvas.height);
+  at(0, 0);
+  paintY(pen, axes[1], view, style);
+  at(yWidth, view.height);
+  paintX(pen, axes[0], view, style);
+  at(yWidth + view.width, 0);
+  paintLegend(pen, scene.quantities[app.quantityIndex()], app.map, view.height, style);
+  at(yWidth, 0);
+  pen.imageSmoothingEnabled = false;
+  pen.drawImage(painter.canvas, 0, 0, view.width, view.height);
+  return canvas;
+}
+
+// Each point in view once: a cell of a depth stands only where no finer tile tells it again.
+export function csvOf(app) {
+  const { view, cache, scene, axes } = app;
+  const quoted = (text) => "\"" + text.replaceAll("\"", "\"\"") + "\"";
+  const titled = (one) => quoted(one.unit ? one.name + " [" + one.unit + "]" : one.name);
+  const rows = [[...axes.map(titled), "status", ...scene.quantities.map(titled)].join(",")];
+  for (let depth = view.targetDepth(); depth >= 0; depth--) {
+    const cells = 2 ** (depth + 5);
+    eachPlace(view, depth, (i, j) => {
+      const tile = cache.get(scene.key, depth, i, j);
+      if (!tile) return;
+      const finer = [0, 1, 2, 3].map((n) => depth < view.targetDepth() &&
+        cache.has(scene.key, depth + 1, 2 * i + (n & 1), 2 * j + (n >> 1)));
+      for (let k = 0; k < 1024; k++) {
+        const column = k & 31;
+        const row = k >> 5;
+        if (finer[(column >> 4) + 2 * (row >> 4)]) continue;
+        const x = (32 * i + column) / cells;
+        const y = (32 * j + row) / cells;
+        if (x < view.x0 || x > view.x1 || y < view.y0 || y > view.y1) continue;
+        const values = scene.quantities.map((quantity, q) => {
+          const value = tileValue(tile, q, k);
+          if (Number.isNaN(value)) return "";
+          return quantity.classes ? quoted(quantity.classes[value] || String(value)) : String(value);
+        });
+        const status = quoted(statusText(tile.data[k]));
+        rows.push([axes[0].value(x), axes[1].value(y), status, ...values].join(","));
+      }
+    });
+  }
+  return rows.join("\n") + "\n";
+}
+
+export function setUpExports(app, motion) {
+  const banner = (error) => {
+    app.tell("export", error instanceof ServerError ? error.message : "the server does not answer");
+    setTimeout(() => app.tell("export", null), 6000);
+  };
+  const on = (id, act) => byId(id).addEventListener("click", () => {
+    if (app.scene) Promise.resolve(act()).catch(banner);
+  });
+  on("export-study", () => saveStudy(app));
+  on("export-png", () => picture(app).toBlob((blob) => save(blob, "map.png"), "image/png"));
+  on("export-csv", () => save(new Blob([csvOf(app)], { type: "text/csv" }), "map.csv"));
+  on("copy-link", () => copyText(location.href, byId("copy-link")));
+  byId("export").addEventListener("toggle", () => {
+    if (!byId("export").open || !app.scene) return;
+    const lines = [app.scene.command, ...(motion.data ? motion.data.commands || [] : [])];
+    byId("export-commands").replaceChildren(...lines.filter(Boolean).map(commandLine));
+  });
+  // A menu closes when something else is used.
+  document.addEventListener("pointerdown", (event) => {
+    for (const menu of document.querySelectorAll("details.menu[open]")) {
+      if (!menu.contains(event.target)) menu.open = false;
+    }
+  });
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    for (const menu of document.querySelectorAll("details.menu[open]")) menu.open = false;
+  });
+}

@@ -1,0 +1,88 @@
+// The colour bar or the list of classes, and what the hatches mean.
+
+import { classColor, css, paletteColor, shareOnBar, valueOnBar } from "./colors.js";
+import { hatchPattern } from "./paint.js";
+import { linearTicks, logTicks, short } from "./ticks.js";
+
+export const legendWidth = 128;
+
+function swatch(pen, y, fill, text, style) {
+  pen.fillStyle = fill;
+  pen.fillRect(4, y, 18, 14);
+  pen.strokeStyle = style.text;
+  pen.lineWidth = 1;
+  pen.strokeRect(4.5, y + 0.5, 17, 13);
+  pen.fillStyle = style.text;
+  pen.textAlign = "left";
+  pen.textBaseline = "middle";
+  pen.fillText(text, 28, y + 8, legendWidth - 30);
+}
+
+function barTicks(map, height) {
+  const count = Math.max(2, height / 45);
+  if (map.kind === "quantiles") {
+    return [0, 0.25, 0.5, 0.75, 1].map((share) => ({ share, label: short(valueOnBar(map, share), 4) }));
+  }
+  const find = map.kind === "log" ? logTicks : linearTicks;
+  const found = find(map.low, map.high, count);
+  const ticks = found.ticks.map((tick) => ({ share: shareOnBar(map, found.base + tick.offset),
+    label: found.from === "" ? tick.label : short(found.base + tick.offset, 10) }));
+  // A short logarithmic bar may hit no round number.
+  if (ticks.length < 2) {
+    for (const share of [0, 1]) ticks.push({ share, label: short(valueOnBar(map, share), 4) });
+  }
+  return ticks;
+}
+
+// Returns the legend in words, for those who do not see it.
+export function paintLegend(pen, quantity, map, height, style) {
+  pen.font = style.font;
+  const title = quantity.unit ? quantity.name + " [" + quantity.unit + "]" : quantity.name;
+  pen.fillStyle = style.text;
+  pen.textAlign = "left";
+  pen.textBaseline = "middle";
+  pen.fillText(title, 4, 8, legendWidth - 6);
+  const hatchTop = height - 44;
+  let words = title + ". ";
+  if (map.kind === "classes") {
+    const step = Math.min(22, (hatchTop - 26) / Math.max(1, map.classes.length));
+    map.classes.forEach((name, k) => swatch(pen, 22 + k * step, css(classColor(k)), name, style));
+    words += map.classes.join(", ");
+  } else {
+    const top = 24;
+    const bar = hatchTop - top - 16;
+    for (let y = 0; y < bar; y++) {
+      pen.fillStyle = css(paletteColor(map.palette, 1 - (y + 0.5) / bar));
+      pen.fillRect(4, top + y, 20, 1.5);
+    }
+    pen.strokeStyle = style.text;
+    pen.lineWidth = 1;
+    pen.strokeRect(4.5, top + 0.5, 19, bar);
+    pen.fillStyle = style.text;
+    pen.beginPath();
+    for (const tick of barTicks(map, bar)) {
+      if (!(tick.share > -1e-9 && tick.share < 1 + 1e-9)) continue;
+      const y = Math.round(top + (1 - tick.share) * bar) + 0.5;
+      pen.moveTo(24, y);
+      pen.lineTo(29, y);
+      pen.fillText(tick.label, 32, y, legendWidth - 34);
+    }
+    pen.stroke();
+    const end = (share) => short(valueOnBar(map, share), 4);
+    words += "Colours from " + end(0) + " to " + end(1) + ", " + map.kind;
+  }
+  const pattern = hatchPattern(pen, style);
+  swatch(pen, hatchTop, pattern, "no value", style);
+  swatch(pen, hatchTop + 20, pattern, "diverged", style);
+  pen.fillStyle = "rgba(0,0,0,0.44)";
+  pen.fillRect(5, hatchTop + 21, 16, 12);
+  return words + ". Hatched: no value; dark hatched: diverged.";
+}
+
+export function drawLegend(canvas, quantity, map, height, style, ratio) {
+  canvas.width = Math.round(legendWidth * ratio);
+  canvas.height = Math.round(height * ratio);
+  const pen = canvas.getContext("2d");
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  canvas.setAttribute("aria-label", "Legend: " + paintLegend(pen, quantity, map, height, style));
+}

@@ -1,0 +1,106 @@
+// The panel with the motion at a point, and the pins that keep motions for comparison.
+
+import { MotionView } from "./motionview.js";
+import { getJson, ServerError } from "./server.js";
+
+const lineColors = ["#2f86d6", "#d9770b", "#109b78", "#c25fa8", "#8a63d2", "#a08020", "#d0453c"];
+
+export function pinColor(k) {
+  return lineColors[k % lineColors.length];
+}
+
+export class MotionPanel {
+  // job: onChange(), onClose()
+  constructor(element, job) {
+    this.element = element;
+    this.job = job;
+    this.pins = [];
+    this.cell = null;
+    this.scene = null;
+    this.data = null;
+    this.shown = false;
+    this.abort = null;
+    this.view = new MotionView(element, {
+      close: () => this.close(true),
+      pin: () => this.pin(),
+      unpin: (pin) => this.unpin(pin),
+    });
+  }
+
+  get busy() { return this.abort !== null; }
+
+  // The same point of a new scene is another motion.
+  setScene(scene) {
+    const stale = this.shown && this.cell && this.scene && this.scene.key !== scene.key;
+    const sameAxes = stale && [0, 1].every((n) => this.scene.axes[n].name === scene.axes[n].name);
+    if (!stale) return;
+    if (sameAxes) this.open(scene, this.cell);
+    else this.close(false);
+  }
+
+  async open(scene, cell) {
+    if (this.abort) this.abort.abort();
+    const same = this.shown && this.data && this.scene && this.scene.key === scene.key && this.cell &&
+      ["depth", "kx", "ky"].every((field) => this.cell[field] === cell[field]);
+    this.abort = null;
+    if (same) return;
+    const abort = new AbortController();
+    this.abort = abort;
+    this.cell = cell;
+    this.scene = scene;
+    this.shown = true;
+    this.element.hidden = false;
+    this.view.wait();
+    this.job.onChange();
+    const query = new URLSearchParams({ scene: scene.key, depth: cell.depth, kx: cell.kx, ky: cell.ky });
+    try {
+      const data = await getJson("motion?" + query, abort.signal);
+      if (this.abort !== abort) return;
+      this.data = data;
+      this.view.show(data, this.layers(), this.pins);
+    } catch (error) {
+      if (this.abort !== abort || abort.signal.aborted) return;
+      this.data = null;
+      const away = "the server does not answer; click again";
+      this.view.fail(error instanceof ServerError ? error.message : away);
+    }
+    this.abort = null;
+    this.job.onChange();
+  }
+
+  layers() {
+    const now = this.data ? [{ data: this.data, color: pinColor(0), name: this.data.label }] : [];
+    const others = this.pins.filter((pin) => pin.data !== this.data);
+    // The newest is drawn last, above the pins.
+    return [...others.map((pin) => ({ data: pin.data, color: pin.color, name: pin.data.label })), ...now];
+  }
+
+  pin() {
+    if (!this.data || this.pins.some((pin) => pin.data === this.data)) return;
+    const used = this.pins.map((pin) => pin.color);
+    const free = lineColors.slice(1).find((color) => !used.includes(color));
+    this.pins.push({ data: this.data, cell: this.cell, scene: this.scene.key, color: free || pinColor(1) });
+    this.redraw();
+  }
+
+  unpin(pin) {
+    this.pins = this.pins.filter((one) => one !== pin);
+    this.redraw();
+  }
+
+  redraw() {
+    if (this.data) this.view.show(this.data, this.layers(), this.pins);
+    this.job.onChange();
+  }
+
+  close(told) {
+    if (this.abort) this.abort.abort();
+    this.abort = null;
+    const was = this.shown;
+    this.cell = null;
+    this.data = null;
+    this.shown = false;
+    this.element.hidden = true;
+    if (was && told) this.job.onClose();
+  }
+}

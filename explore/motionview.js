@@ -1,0 +1,197 @@
+// What the motion panel looks like: plots, values, notes, commands and the list of pins.
+
+import { commandLine } from "./copy.js";
+import { Plot } from "./plots.js";
+
+function make(tag, text, className) {
+  const element = document.createElement(tag);
+  if (text !== undefined) element.textContent = text;
+  if (className) element.className = className;
+  return element;
+}
+
+function button(text, label, act) {
+  const made = make("button", text);
+  made.type = "button";
+  made.setAttribute("aria-label", label);
+  made.addEventListener("click", act);
+  return made;
+}
+
+function chooser(label, onChange) {
+  const select = document.createElement("select");
+  select.setAttribute("aria-label", label);
+  select.addEventListener("change", onChange);
+  return select;
+}
+
+// Keeps the choice where the new motion has the same channel.
+function fill(select, names, fallback) {
+  const kept = names.includes(select.value) ? select.value : names[Math.min(fallback, names.length - 1)];
+  select.replaceChildren(...names.map((name) => new Option(name, name)));
+  select.value = kept;
+}
+
+export class MotionView {
+  // act: close(), pin(), unpin(pin)
+  constructor(element, act) {
+    this.element = element;
+    this.act = act;
+    this.layers = [];
+    const bar = make("div", undefined, "bar");
+    this.heading = make("h2", "");
+    bar.append(this.heading, button("pin", "keep this motion to compare", act.pin),
+      button("close", "close the motion", act.close));
+    this.message = make("p", "");
+    this.message.setAttribute("role", "status");
+    this.body = make("div", undefined, "body");
+    this.pinList = make("div");
+    this.values = make("table");
+    const again = () => this.plot();
+    this.historyChannel = chooser("channel of the history", again);
+    this.phaseX = chooser("channel across", again);
+    this.phaseY = chooser("channel upwards", again);
+    this.spectrumChannel = chooser("channel of the spectrum", again);
+    element.append(bar, this.message, this.body);
+    this.body.append(this.pinList, this.values);
+    this.history = this.section("time history", [this.historyChannel], { height: 150 });
+    this.phase = this.section("phase portrait", [this.phaseX, this.phaseY], { height: 230, loose: true });
+    this.spectrum = this.section("spectrum", [this.spectrumChannel], { height: 150, logY: true });
+    this.multipliers = this.section("multipliers", [], { height: 220, equal: true, circle: true });
+    this.multiplierText = make("p", "");
+    this.multipliers.box.append(this.multiplierText);
+    this.notes = make("div");
+    this.commands = make("div");
+    this.body.append(make("h3", "notes"), this.notes, make("h3", "commands"), this.commands);
+  }
+
+  section(title, choosers, about) {
+    const box = make("div");
+    const head = make("div", undefined, "choose");
+    head.append(make("h3", title), ...choosers);
+    box.append(head);
+    this.body.append(box);
+    return { box, plot: new Plot(box, { label: title, ...about }) };
+  }
+
+  wait() {
+    this.element.classList.add("waiting");
+    this.message.textContent = "computing the motion";
+    if (!this.heading.textContent) this.heading.textContent = "motion";
+  }
+
+  fail(text) {
+    this.element.classList.remove("waiting");
+    this.message.textContent = text;
+    this.heading.textContent = "no motion";
+    this.body.hidden = true;
+  }
+
+  show(data, layers, pins) {
+    this.element.classList.remove("waiting");
+    this.body.hidden = false;
+    this.data = data;
+    this.layers = layers;
+    this.heading.textContent = data.label;
+    this.message.textContent = data.status === "ok" ? "" : data.status;
+    this.showPins(pins);
+    const rows = [...data.at.map((one) => [one.name, String(one.value)]), ...data.values.map((one) => (
+      [one.name, one.text || String(one.value)]))];
+    this.values.replaceChildren(...rows.map((row) => {
+      const line = make("tr");
+      line.append(make("td", row[0]), make("td", row[1]));
+      return line;
+    }));
+    const names = (data.channels || []).map((channel) => channel.name);
+    fill(this.historyChannel, names, 0);
+    fill(this.phaseX, names, 0);
+    fill(this.phaseY, names, 1);
+    fill(this.spectrumChannel, data.spectrum ? data.spectrum.channels : [], 0);
+    this.notes.replaceChildren(...(data.notes || []).map((note) => make("p", note)));
+    this.commands.replaceChildren(...(data.commands || []).map(commandLine));
+    this.plot();
+  }
+
+  showPins(pins) {
+    this.pinList.replaceChildren(...pins.map((pin) => {
+      const line = make("div", undefined, "pin");
+      const dot = make("span", undefined, "dot");
+      dot.style.background = pin.color;
+      line.append(dot, make("span", pin.data.label), button("remove", "remove the pin " + pin.data.label,
+        () => this.act.unpin(pin)));
+      return line;
+    }));
+  }
+
+  title(name) {
+    const channel = this.data.channels.find((one) => one.name === name);
+    return channel && channel.unit ? name + " [" + channel.unit + "]" : name;
+  }
+
+  plot() {
+    const data = this.data;
+    if (!data) return;
+    const channel = (layer, name) => {
+      const k = (layer.data.channels || []).findIndex((one) => one.name === name);
+      return k < 0 ? null : layer.data.series[k];
+    };
+    const lines = (x, y) => this.layers.map((layer) => ({ x: x(layer), y: y(layer), color: layer.color,
+      name: layer.name })).filter((one) => one.x && one.y);
+    this.showHistory(lines, channel);
+    this.showPhase(lines, channel);
+    this.showSpectrum(lines);
+    this.showMultipliers();
+  }
+
+  showHistory(lines, channel) {
+    const name = this.historyChannel.value;
+    const some = (this.data.series || []).length > 0;
+    this.history.box.hidden = !some;
+    if (!some) return;
+    this.history.plot.set(lines((layer) => layer.data.tau, (layer) => channel(layer, name)),
+      this.data.time_unit ? "time [" + this.data.time_unit + "]" : "time", this.title(name));
+  }
+
+  showPhase(lines, channel) {
+    const x = this.phaseX.value;
+    const y = this.phaseY.value;
+    const some = (this.data.series || []).length > 0;
+    this.phase.box.hidden = !some;
+    if (!some) return;
+    const curves = lines((layer) => channel(layer, x), (layer) => channel(layer, y));
+    for (const layer of this.layers) {
+      const section = layer.data.section;
+      const kx = section ? section.channels.indexOf(x) : -1;
+      const ky = section ? section.channels.indexOf(y) : -1;
+      if (kx < 0 || ky < 0) continue;
+      curves.push({ x: section.points.map((point) => point[kx]), y: section.points.map((point) => point[ky]),
+        color: layer.color, dots: 3.2, name: layer.name + ", section" });
+    }
+    this.phase.plot.set(curves, this.title(x), this.title(y));
+  }
+
+  showSpectrum(lines) {
+    this.spectrum.box.hidden = !this.data.spectrum;
+    if (!this.data.spectrum) return;
+    const name = this.spectrumChannel.value;
+    const amplitude = (layer) => {
+      const k = layer.data.spectrum ? layer.data.spectrum.channels.indexOf(name) : -1;
+      return k < 0 ? null : layer.data.spectrum.amplitude[k];
+    };
+    const order = (layer) => (layer.data.spectrum ? layer.data.spectrum.order : null);
+    this.spectrum.plot.set(lines(order, amplitude),
+      this.data.clockless ? "frequency" : "order", "amplitude of " + this.title(name));
+  }
+
+  showMultipliers() {
+    const told = this.data.multipliers;
+    this.multipliers.box.hidden = !told;
+    if (!told) return;
+    this.multiplierText.textContent = told.text || "";
+    this.multipliers.plot.set(this.layers.filter((layer) => layer.data.multipliers).map((layer) => ({
+      x: layer.data.multipliers.values.map((value) => value[0]),
+      y: layer.data.multipliers.values.map((value) => value[1]),
+      color: layer.color, dots: 4, name: layer.name,
+    })), "real part", "imaginary part");
+  }
+}

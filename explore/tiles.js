@@ -1,0 +1,101 @@
+// The cache of tiles, and the list of tiles that a view still needs.
+
+import { tileCells } from "./view.js";
+
+const pointsOfTile = tileCells * tileCells;
+
+export class TileCache {
+  constructor(limitBytes) {
+    this.limit = limitBytes;
+    this.bytes = 0;
+    this.tiles = new Map();
+    this.clock = 0;
+  }
+
+  get(scene, depth, i, j) {
+    const tile = this.tiles.get(scene + "/" + depth + "/" + i + "/" + j);
+    if (tile) tile.used = this.clock;
+    return tile;
+  }
+
+  has(scene, depth, i, j) {
+    return this.tiles.has(scene + "/" + depth + "/" + i + "/" + j);
+  }
+
+  put(scene, depth, i, j, data) {
+    const key = scene + "/" + depth + "/" + i + "/" + j;
+    const old = this.tiles.get(key);
+    if (old) this.bytes -= old.size;
+    // A picture of the tile and its bookkeeping take about 6 KB.
+    const tile = { depth, i, j, data, canvas: null, stamp: -1, gaps: false, used: this.clock,
+      size: data.byteLength + 6144 };
+    this.tiles.set(key, tile);
+    this.bytes += tile.size;
+    if (this.bytes > this.limit) this.shrink();
+  }
+
+  // Many go at once, so that the sorting is rare.
+  shrink() {
+    const byAge = [...this.tiles.entries()].sort((a, b) => a[1].used - b[1].used);
+    for (const [key, tile] of byAge) {
+      if (this.bytes <= 0.8 * this.limit || tile.used >= this.clock - 1) break;
+      this.tiles.delete(key);
+      this.bytes -= tile.size;
+    }
+  }
+}
+
+// Calls with each tile place of a depth in the view.
+export function eachPlace(view, depth, call) {
+  const range = view.tileRange(depth);
+  for (let j = range.j0; j <= range.j1; j++) {
+    for (let i = range.i0; i <= range.i1; i++) call(i, j);
+  }
+}
+
+export function missingAt(cache, scene, view, depth) {
+  const missing = [];
+  eachPlace(view, depth, (i, j) => {
+    if (!cache.has(scene, depth, i, j)) missing.push([depth, i, j]);
+  });
+  return missing;
+}
+
+// Coarse tiles first, then those nearest to the pointer. The first depth costs about 250 ms.
+export function neededTiles(cache, scene, view, pointsPerSecond, pointer) {
+  const target = view.targetDepth();
+  let depth = Math.min(view.coarsestDepth(), target);
+  let missing = missingAt(cache, scene, view, depth);
+  while (depth < target) {
+    const finer = missingAt(cache, scene, view, depth + 1);
+    if (finer.length * pointsOfTile > 0.25 * pointsPerSecond) break;
+    depth++;
+    missing = finer;
+  }
+  const needed = [];
+  for (;;) {
+    const tiles = 2 ** depth;
+    const away = (tile) => Math.hypot(((tile[1] + 0.5) / tiles - pointer[0]) / view.sx,
+      ((tile[2] + 0.5) / tiles - pointer[1]) / view.sy);
+    const sorted = missing.map((tile) => [away(tile), tile]).sort((a, b) => a[0] - b[0]);
+    for (const entry of sorted) needed.push(entry[1]);
+    if (depth >= target) return needed;
+    depth++;
+    missing = missingAt(cache, scene, view, depth);
+  }
+}
+
+// The finest point that is there near a place: its cell and its tile.
+export function nearestPoint(cache, scene, view, x, y) {
+  const deepest = Math.min(view.maxDepth, view.targetDepth() + 1);
+  for (let depth = deepest; depth >= 0; depth--) {
+    const cell = view.cellAt(depth, x, y);
+    const tile = cache.get(scene, depth, Math.floor(cell.kx / tileCells), Math.floor(cell.ky / tileCells));
+    if (tile) return { cell, tile, index: (cell.ky % tileCells) * tileCells + cell.kx % tileCells };
+  }
+  return null;
+}
+
+export function tileValue(tile, quantity, index) {
+  return tile.data[(1 + quantity) * pointsOfTile + index];
+}
