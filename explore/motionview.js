@@ -105,7 +105,9 @@ export class MotionView {
     const names = (data.channels || []).map((channel) => channel.name);
     fill(this.historyChannel, names, 0);
     fill(this.phaseX, names, 0);
-    fill(this.phaseY, names, 1);
+    // A phase portrait is one of a state and its rate, where a state is that.
+    const rate = names.indexOf(data.channels?.[0]?.velocity);
+    fill(this.phaseY, names, rate > 0 ? rate : 1);
     fill(this.spectrumChannel, data.spectrum ? data.spectrum.channels : [], 0);
     this.notes.replaceChildren(...(data.notes || []).map((note) => make("p", note)));
     this.commands.replaceChildren(...(data.commands || []).map(commandLine));

@@ -1,4 +1,4 @@
-// A slider and a field for each choice that is not on an axis.
+// A slider and a field for each parameter that is not on an axis.
 
 export class Sliders {
   constructor(element, filter, keeper) {
@@ -9,14 +9,14 @@ export class Sliders {
     filter.addEventListener("input", () => this.sift());
   }
 
-  // The limits of a slider come from the first value seen where the model has none.
+  // A model allows far more than one looks at: a slider goes from 0 to twice the first value seen, or
+  // 1 to either side of 0. The field beside it takes all that is allowed.
   limits(choice) {
-    let low = choice.min;
-    let high = choice.max;
-    const twice = choice.value === 0 ? 1 : 2 * choice.value;
-    if (low === null) low = choice.value < 0 ? twice : choice.value === 0 ? -1 : 0;
-    if (high === null) high = choice.value < 0 ? 0 : twice;
-    return low < high ? [low, high] : [Math.min(low, choice.value), Math.max(low + 1, choice.value)];
+    const twice = 2 * choice.value;
+    let [low, high] = choice.value === 0 ? [-1, 1] : [Math.min(0, twice), Math.max(0, twice)];
+    if (choice.min !== null) low = Math.max(low, choice.min);
+    if (choice.max !== null) high = Math.min(high, choice.max);
+    return [low, high];
   }
 
   makeRow(choice) {
@@ -29,7 +29,7 @@ export class Sliders {
     const title = choice.unit ? choice.name + " [" + choice.unit + "]" : choice.name;
     box.className = "slider";
     box.dataset.name = choice.name;
-    box.title = choice.meaning + (choice.is_state ? " (initial state)" : "");
+    box.title = choice.meaning;
     field.type = "number";
     field.step = "any";
     field.id = "set-" + choice.name;
@@ -72,7 +72,8 @@ export class Sliders {
   show(scene) {
     const onAxes = scene.axes.map((axis) => axis.name);
     const shown = [];
-    for (const choice of scene.choices) {
+    // An initial state may be on an axis; elsewhere points start as the study says.
+    for (const choice of scene.choices.filter((each) => !each.is_state)) {
       if (!this.rows.has(choice.name)) this.rows.set(choice.name, this.makeRow(choice));
       const row = this.rows.get(choice.name);
       row.box.classList.toggle("changed", this.keeper.sets.has(choice.name));

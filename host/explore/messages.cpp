@@ -97,8 +97,10 @@ void add_trace(const Motion& motion, json* message) {
   const Trace& trace = *motion.trace;
   json channels = json::array(), names = json::array(), points = json::array();
   for (const ChannelInfo& channel : trace.channels) {
-    channels.push_back(
-        {{"name", channel.name}, {"unit", channel.unit}, {"meaning", channel.meaning}});
+    channels.push_back({{"name", channel.name},
+                        {"unit", channel.unit},
+                        {"meaning", channel.meaning},
+                        {"velocity", channel.velocity}});
     names.push_back(channel.name);
   }
   for (std::size_t i = 0; i < trace.tau.size() && !trace.is_clockless;
@@ -173,7 +175,7 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
 
 std::string motion_message(const Explorer& explorer, const Motion& motion) {
   const std::string at = at_text(motion);
-  json message = {{"label", at},
+  json message = {{"label", label_of(*motion.study.model, find_place(motion.study, motion.at, ""))},
                   {"status", has_values(motion.status) ? "ok" : "diverged"},
                   {"values", values_message(motion)},
                   {"notes", motion.notes},

@@ -116,6 +116,11 @@ Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) {
   study_ = read_study(base.study.toml, "the page", overrides, {}, {}, NamedFiles::refused);
   settle_step(base.pilot_step, &study_);
   study_.separate_points();
+  for (const std::string& notice : base.study.notices) {
+    if (std::ranges::find(study_.notices, notice) == study_.notices.end()) {
+      study_.notices.push_back(notice);
+    }
+  }
   key_ = short_text(study_.toml);
   for (std::size_t i = 0; i < 2; ++i) {
     first_view_[i] = {axes[i].view.low, axes[i].view.high};

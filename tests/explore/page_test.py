@@ -52,7 +52,8 @@ def wait_for(condition, what, seconds=90):
 class Page:
     def __init__(self, address):
         options = webdriver.ChromeOptions()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=900,700"):
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu",
+                         "--disable-dev-shm-usage", "--window-size=900,700"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options)
@@ -70,6 +71,13 @@ class Page:
     def requests(self):
         names = self.ask("performance.getEntriesByType('resource').map(entry => entry.name)")
         return [name for name in names if "favicon" not in name]
+
+    def turn_wheel(self, way):
+        self.driver.execute_script(
+            "const map = document.getElementById('map'); const box = map.getBoundingClientRect();"
+            "map.dispatchEvent(new WheelEvent('wheel', {deltaY: arguments[0], bubbles: true,"
+            "cancelable: true, clientX: box.left + box.width / 2, clientY: box.top + box.height / 2}))",
+            way)
 
     def complaints(self):
         return [entry["message"] for entry in self.driver.get_log("browser")
@@ -106,16 +114,11 @@ def check(gearsweep, server, address, folder, pictures):
         Select(page.find("quantity")).select_by_value("motion_class")
         page.settle("the other quantity")
         assert page.requests() == before
-        assert "periodic" in page.driver.find_element(By.TAG_NAME, "body").text
+        assert "periodic" in page.find("legend").get_attribute("aria-label")
 
         # The wheel zooms, and the view is computed anew.
         wide = page.ask("gearsweepExplorer.view()")
-        canvas = page.find("map")
-        ActionChains(page.driver).move_to_element(canvas).perform()
-        page.driver.execute_script(
-            "const c = document.getElementById('map'); const r = c.getBoundingClientRect();"
-            "c.dispatchEvent(new WheelEvent('wheel', {deltaY: -400, clientX: r.left + r.width / 2,"
-            "clientY: r.top + r.height / 2, bubbles: true, cancelable: true}))")
+        page.turn_wheel(-400)
         wait_for(lambda: page.ask("gearsweepExplorer.view()")["sx"] < 0.9 * wide["sx"], "zooming")
         page.settle("the zoomed view")
         page.driver.save_screenshot(str(pictures / "zoomed.png"))
@@ -153,7 +156,7 @@ def check(gearsweep, server, address, folder, pictures):
         # Without its server the page says so, and keeps what it has.
         server.terminate()
         server.wait(30)
-        page.driver.execute_script("gearsweepExplorer.click(100, 100)")
+        page.turn_wheel(-800)
         wait_for(lambda: page.find("banner").is_displayed(), "the banner")
         page.driver.save_screenshot(str(pictures / "lost.png"))
     finally:

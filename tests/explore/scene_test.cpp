@@ -66,6 +66,7 @@ TEST(Explorable, LeavesOutWhatAPointHasNotAlone) {
   const Study study = explorable(read_study(text, "test.toml"));
   ASSERT_EQ(study.selection.quantities.size(), 1U);
   EXPECT_THAT(study.notices, Contains(HasSubstr("poincare")));
+  EXPECT_THAT(Scene({study, std::nullopt}, {}).study().notices, Contains(HasSubstr("poincare")));
 }
 
 TEST(Explorable, RefusesWhatIsNoMapOverTwoAxes) {
