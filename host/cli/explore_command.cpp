@@ -1,16 +1,22 @@
 // gearsweep explore: a page to walk around in a map.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/browser.hpp"
+#include "cli/detail/named_model.hpp"
 #include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "explore/server.hpp"
 #include "result/result_file.hpp"
+#include "result/study_source.hpp"
+#include "study/builtin_models.hpp"
+#include "study/draft.hpp"
+#include "study/model_file.hpp"
 #include "sweep/pilot.hpp"
 
 namespace gearsweep {
@@ -23,6 +29,26 @@ struct ExploreArguments {
   bool opens_browser = true, quiet = false;
 };
 
+// A model's file has equations, which no study has.
+bool names_model(const std::string& name_or_path) {
+  if (name_or_path.find_first_of("./") == std::string::npos) {
+    const std::vector<std::string> studies = builtin_study_names();
+    return std::ranges::find(studies, name_or_path) == studies.end() &&
+           find_model(name_or_path) != nullptr;
+  }
+  return !is_netcdf(name_or_path) &&
+         ("\n" + model_file_text(name_or_path)).find("\n[equations]") != std::string::npos;
+}
+
+Study load(const ExploreArguments& arguments) {
+  if (!names_model(arguments.study)) return load_study(arguments.study, arguments.overrides);
+  const NamedModel named = named_model(arguments.study);
+  const std::string text = fmt::format(
+      "[model]\n{}\n[observe]\nquantities = ['motion_class', 'period', 'lyapunov_max', '{}_max']\n",
+      named.key, named.model->states.front().name);
+  return read_draft(text, arguments.study, arguments.overrides);
+}
+
 // The step that the map had, or that a tolerance asks for; nothing: the model's or the study's own.
 std::optional<double> step_of(const ExploreArguments& arguments, const Study& study,
                               const SweepOptions& options) {
@@ -33,7 +59,7 @@ std::optional<double> step_of(const ExploreArguments& arguments, const Study& st
 }
 
 int run(const ExploreArguments& arguments, SignalWatch* signals) {
-  const Study study = explorable(load_study(arguments.study, arguments.overrides));
+  const Study study = explorable(load(arguments));
   ExplorerOptions options;
   options.source = shell_quoted(arguments.study);
   for (const std::string& set : arguments.overrides)
@@ -77,9 +103,11 @@ void add_explore_command(CLI::App* app, SignalWatch* signals, int* status) {
       "Examples:\n"
       "  gearsweep explore coarse-chaos\n"
       "  gearsweep explore map.nc                   with the step of that map\n"
+      "  gearsweep explore my-model.toml            a model's file: two of its parameters\n"
       "  gearsweep explore mine.toml --set parameters.mu=0 --no-browser --port 8000\n\n"
       "The page computes what it shows: zooming gives the map anew at the new resolution, a click\n"
-      "the motion at that point, a slider another parameter. The study has two axes. The address\n"
+      "the motion at that point, a slider another parameter. A study with one axis gets a second "
+      "one. The address\n"
       "has a token and is of this machine alone; who has it can compute here.");
   command->callback([arguments, signals, status] { *status = run(*arguments, signals); });
 }

@@ -91,9 +91,40 @@ SceneAxis find_axis(const Study& study, std::size_t number, const std::string& n
   return another(study, name);
 }
 
-std::string as_toml(const SceneAxis& axis) {
+std::string as_toml(const SceneAxis& axis, const Range& range) {
   return fmt::format("{{name = \"{}\", from = {}, to = {}, count = 3, scale = \"{}\"}}", axis.name,
-                     axis.world.low, axis.world.high, axis.logarithmic ? "log" : "linear");
+                     range.low, range.high, axis.logarithmic ? "log" : "linear");
+}
+
+// Up to two: parameters that are not 0, in the model's order.
+void add_axes(const Study& study, std::vector<SceneAxis>* axes, std::vector<std::string>* notices) {
+  const Model& model = *study.model;
+  for (std::size_t i = 0; i < model.parameters.size() && axes->size() < 2; ++i) {
+    const std::string& name = model.parameters[i].name;
+    const bool is_free = study.setting.parameters[i] != 0.0 && model.find_derived(i) == nullptr &&
+                         std::ranges::find(*axes, name, &SceneAxis::name) == axes->end();
+    if (!is_free) continue;
+    axes->push_back(another(study, name));
+    notices->push_back(fmt::format("'{}' is swept, too: a map has two axes", name));
+  }
+  if (axes->size() == 2) return;
+  throw InputError("explore shows maps over two axes, and no other parameter could be swept");
+}
+
+std::vector<std::string> quantities_of_points(const Study& study,
+                                              std::vector<std::string>* notices) {
+  std::vector<std::string> kept, left;
+  for (const Quantity& quantity : study.selection.quantities) {
+    const bool is_of_all = quantity.of_census || quantity.of_draws || quantity.width != 1;
+    (is_of_all ? left : kept).push_back(quantity.name);
+  }
+  if (!study.selection.poincare.empty()) left.emplace_back("poincare");
+  if (!left.empty()) {
+    notices->push_back(
+        fmt::format("left out, since a point has none of its own: {}", fmt::join(left, ", ")));
+  }
+  if (kept.empty()) kept = {"motion_class", "period", "lyapunov_max"};
+  return kept;
 }
 
 // A hash is enough: keys are compared with those of the same server alone.
@@ -106,8 +137,8 @@ std::string short_text(const std::string& text) {
 Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) {
   const std::array<SceneAxis, 2> axes = {find_axis(base.study, 0, changes.x),
                                          find_axis(base.study, 1, changes.y)};
-  std::vector<std::string> overrides = {
-      fmt::format("axes=[{}, {}]", as_toml(axes[0]), as_toml(axes[1]))};
+  std::vector<std::string> overrides = {fmt::format(
+      "axes=[{}, {}]", as_toml(axes[0], axes[0].world), as_toml(axes[1], axes[1].world))};
   for (const auto& [name, value] : changes.sets) {
     const std::size_t index = parameter_index(*base.study.model, name, "");
     require_in_range(base.study.model->parameters[index], value, "");
@@ -146,41 +177,30 @@ Study Scene::at(const std::array<std::vector<double>, 2>& values) const {
 }
 
 Study explorable(const Study& study) {
-  if (study.axes.size() != 2) {
-    throw InputError(
-        "explore shows maps over two axes, and this study has one; give it a second one, or see it "
-        "with 'gearsweep run --plot'");
-  }
+  std::vector<SceneAxis> axes;
   for (const Axis& axis : study.axes) {
     if (axis.is_list || !axis.columns.empty()) {
       throw InputError(fmt::format(
           "explore takes axes of one parameter or state each; '{}' stands for several", axis.name));
     }
+    axes.push_back(as_it_is(axis, *study.model));
   }
-  std::vector<std::string> kept, left;
-  for (const Quantity& quantity : study.selection.quantities) {
-    const bool is_of_all = quantity.of_census || quantity.of_draws || quantity.width != 1;
-    (is_of_all ? left : kept).push_back(quantity.name);
-  }
-  if (!study.selection.poincare.empty()) left.emplace_back("poincare");
-  if (kept.empty()) {
-    throw InputError(
-        fmt::format("explore shows quantities of single points, and this study has {} "
-                    "alone; add one, such as \"motion_class\"",
-                    fmt::join(left, ", ")));
-  }
+  std::vector<std::string> notices;
+  add_axes(study, &axes, &notices);
+  const std::vector<std::string> quantities = quantities_of_points(study, &notices);
   std::vector<std::string> overrides = {
-      fmt::format("observe.quantities=[\"{}\"]", fmt::join(kept, "\", \""))};
-  Study alone = read_study(study.toml, "the study", overrides);
-  if (!left.empty()) {
-    alone.notices.push_back(
-        fmt::format("left out, since a point has none of its own: {}", fmt::join(left, ", ")));
+      fmt::format("observe.quantities=[\"{}\"]", fmt::join(quantities, "\", \""))};
+  if (study.axes.size() < 2) {
+    overrides.push_back(fmt::format("axes=[{}, {}]", as_toml(axes[0], axes[0].view),
+                                    as_toml(axes[1], axes[1].view)));
   }
+  Study alone = read_study(study.toml, "the study", overrides);
   if (alone.is_chained() || alone.members() > 1) {
-    alone.notices.emplace_back(
+    notices.emplace_back(
         "each point starts on its own, and once: the study's chain, ensemble or tolerances are "
         "left out");
   }
+  alone.notices.insert(alone.notices.end(), notices.begin(), notices.end());
   return alone;
 }
 

@@ -73,8 +73,10 @@ class Scene {
 };
 
 // The study as scenes take it: two axes of one parameter or state each, points that start on their
-// own and once, quantities that a point has without the others. What was left out stands in its
-// notices. Throws InputError where nothing is left, or the axes are others.
+// own and once, quantities that a point has without the others. Of a study or a draft with fewer
+// axes, other parameters are swept, too; of one without such quantities, its classes and exponents
+// are looked at. What was left out and added stands in its notices. Throws InputError for axes that
+// stand for several parameters.
 Study explorable(const Study& study);
 
 }  // namespace gearsweep

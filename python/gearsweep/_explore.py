@@ -65,7 +65,7 @@ def explore(
     Parameters
     ----------
     study : str, path, Study or Dataset
-        As `run` takes it, with two axes of one parameter or initial state each.
+        As `run` takes it; axes that are missing are other parameters.
     set : mapping of str to object, optional
         Changes of the study, as `run` takes them.
     device : int or str, optional

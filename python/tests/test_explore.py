@@ -23,6 +23,6 @@ def test_a_page_is_served_until_it_is_stopped() -> None:
     assert repr(page) == "Exploration(stopped)"
 
 
-def test_a_study_that_is_no_map_is_refused() -> None:
-    with pytest.raises(gearsweep.InputError, match="two axes"):
-        gearsweep.explore("coarse-bifurcation")
+def test_what_is_no_study_is_refused() -> None:
+    with pytest.raises(gearsweep.InputError, match="no-such-study"):
+        gearsweep.explore("no-such-study")

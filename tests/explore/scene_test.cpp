@@ -9,6 +9,7 @@
 #include "explore/explored.hpp"
 #include "explore/view_study.hpp"
 #include "model/error.hpp"
+#include "study/draft.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -69,12 +70,27 @@ TEST(Explorable, LeavesOutWhatAPointHasNotAlone) {
   EXPECT_THAT(Scene({study, std::nullopt}, {}).study().notices, Contains(HasSubstr("poincare")));
 }
 
-TEST(Explorable, RefusesWhatIsNoMapOverTwoAxes) {
-  const Study line = read_study(
-      "[model]\nname = 'duffing'\n[[axes]]\nname = 'omega'\nvalues = [1.0]\n"
+TEST(Explorable, SweepsOtherParametersWhereAxesAreMissing) {
+  const Study line = explorable(
+      read_study("[model]\nname = 'duffing'\n[[axes]]\nname = 'omega'\nvalues = [1.0, 2.0]\n"
+                 "[observe]\nquantities = ['poincare']\n",
+                 "test.toml"));
+  EXPECT_EQ(line.axes[0].name, "omega");
+  EXPECT_EQ(line.axes[1].name, "damping");
+  EXPECT_EQ(line.selection.quantities[0].name, "motion_class");
+  EXPECT_THAT(line.notices, Contains(HasSubstr("'damping' is swept, too")));
+
+  const Study model = explorable(read_draft("[model]\nname = 'duffing'\n", "test.toml"));
+  EXPECT_EQ(model.axes[0].name, "damping");
+  EXPECT_EQ(model.axes[1].name, "cubic");
+}
+
+TEST(Explorable, RefusesAListOfPoints) {
+  const Study list = read_study(
+      "[model]\nname = 'duffing'\n[points]\nnames = ['omega']\nnumbers = '''\n1\n2\n'''\n"
       "[observe]\nquantities = ['x_max']\n",
       "test.toml");
-  EXPECT_THAT([&] { explorable(line); }, ThrowsMessage<InputError>(HasSubstr("two axes")));
+  EXPECT_THAT([&] { explorable(list); }, ThrowsMessage<InputError>(HasSubstr("several")));
 }
 
 TEST(ViewStudy, IsAStudyOfTheViewWithTheSameStep) {

@@ -19,8 +19,9 @@
 #include "model/error.hpp"
 #include "opencl/detail/program.hpp"
 #include "opencl/device.hpp"
+#include "study/study.hpp"
 #include "support/bits.hpp"
-#include "support/run.hpp"
+#include "sweep/sweep.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -256,7 +257,7 @@ TEST_F(ProgramCache, AKeptProgramGivesTheSameBits) {
       "[integrate]\nsettle = 31\nrecord = 7\n[observe]\nquantities = ['x1_rms', 'dmf_max']\n";
   const auto maps = [&](const std::string& folder) {
     const Environment environment("GEARSWEEP_CACHE_DIR", folder);
-    return testing::run(study).values;
+    return run_sweep(read_study(study, "test.toml"), {})->values;  // with devices of its own
   };
   const std::vector<std::vector<double>> expected = maps("");
   EXPECT_FALSE(fs::exists(folder_));
