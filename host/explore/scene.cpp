@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "model/error.hpp"
+#include "plan/view_points.hpp"
 #include "point/place.hpp"
 #include "point/point_trace.hpp"
 
@@ -164,10 +165,7 @@ double Scene::value_at(std::size_t axis, std::uint64_t k, std::size_t depth) con
 }
 
 double Scene::value_at(std::size_t axis, double share) const {
-  const double low = study_.axes[axis].values.front(), high = study_.axes[axis].values.back();
-  if (share == 1.0) return high;
-  if (study_.axes[axis].logarithmic) return low * std::pow(high / low, share);
-  return low + (high - low) * share;
+  return value_at_share(study_.axes[axis], share);
 }
 
 Study Scene::at(const std::array<std::vector<double>, 2>& values) const {

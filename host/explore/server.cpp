@@ -146,6 +146,7 @@ class ExploreServer::Impl {
     std::shared_ptr<std::atomic<bool>> stop;
     std::shared_ptr<void> slot;
     std::size_t next = 0;
+    bool has_told = false;  // why a tile is refused, once
   };
 
   void add_guards() {
@@ -305,6 +306,10 @@ class ExploreServer::Impl {
         return true;
       }
       record = tile_record(place, *maps, explorer_->points_per_second());
+      if (!maps->refusal.empty() && !stream->has_told) {
+        stream->has_told = true;
+        record += error_record(maps->refusal);
+      }
       std::call_once(is_prepared_, [&] {
         preparer_ =
             std::jthread([this, scene = stream->scene] { explorer_->prepare_motions(*scene); });

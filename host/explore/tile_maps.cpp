@@ -64,7 +64,8 @@ class Filling {
     return true;
   }
 
-  void refuse() {
+  void refuse(const std::string& why) {
+    out_.refusal = why;
     std::fill_n(out_.numbers.begin(), kPoints, kRefused);
     std::fill(out_.numbers.begin() + kPoints, out_.numbers.end(),
               std::numeric_limits<double>::quiet_NaN());
@@ -107,8 +108,8 @@ std::optional<TileMaps> compute_tile(const Scene& scene, const TilePlace& place,
     for (const Grid& grid : grids_of(parent != nullptr)) {
       if (!tile.compute(grid, options)) return std::nullopt;
     }
-  } catch (const InputError&) {
-    tile.refuse();
+  } catch (const InputError& error) {
+    tile.refuse(error.what());
   }
   return tile.take(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

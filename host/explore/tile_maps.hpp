@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "explore/scene.hpp"
@@ -17,6 +18,7 @@ struct TileMaps {
   std::vector<double> numbers;
   std::size_t computed = 0;  // points; the others are the parent's
   double seconds = 0.0;      // that they took
+  std::string refusal;       // why the tile is refused; empty: it is not
 };
 
 inline constexpr double kRefused = 255.0;

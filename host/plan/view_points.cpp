@@ -12,16 +12,18 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 52;  // of the numbers between 1/2 and 1 a double has 2^52
 
-// The first and the last value are the axis's own.
 double value_at(const Axis& axis, std::uint64_t cell, std::size_t depth) {
+  return value_at_share(axis, std::ldexp(static_cast<double>(cell), -static_cast<int>(depth)));
+}
+
+}  // namespace
+
+double value_at_share(const Axis& axis, double share) {
   const double low = axis.values.front(), high = axis.values.back();
-  const double share = std::ldexp(static_cast<double>(cell), -static_cast<int>(depth));
   if (share == 1.0) return high;
   if (axis.logarithmic) return low * std::pow(high / low, share);
   return low + (high - low) * share;
 }
-
-}  // namespace
 
 ViewPoints::ViewPoints(std::shared_ptr<const Study> study, const View& view, bool is_finer)
     : study_(std::move(study)), view_(view), is_finer_(is_finer) {

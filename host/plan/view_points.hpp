@@ -20,6 +20,10 @@ struct ViewSpan {
   std::size_t count = 0;
 };
 
+// The value of an axis at a share of its way, from 0 to 1. The first and the last value are the
+// axis's own.
+double value_at_share(const Axis& axis, double share);
+
 struct View {
   std::size_t depth = 0;         // up to 52
   std::array<ViewSpan, 2> axes;  // x, y

@@ -130,7 +130,7 @@ TEST_F(ServerTest, RefusesWhatIsWrongAndGoesOn) {
 TEST_F(ServerTest, EndsAPagesStreamWhenItAsksAnew) {
   const std::string scene = key();
   json many = json::array();
-  for (int i = 0; i < 64; ++i) many.push_back({5, i % 8, i / 8});
+  for (int i = 0; i < 512; ++i) many.push_back({6, i % 32, i / 32});
   std::atomic<std::size_t> bytes = 0;
   std::jthread first([&] {
     httplib::Client other("127.0.0.1", port());
@@ -141,7 +141,7 @@ TEST_F(ServerTest, EndsAPagesStreamWhenItAsksAnew) {
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   post({{"scene", scene}, {"page", "a"}, {"tiles", {{0, 0, 0}}}});
   first.join();
-  EXPECT_LT(bytes, std::size_t{64} * (64 + 4 * 1024 * 8));
+  EXPECT_LT(bytes, std::size_t{512} * (64 + 4 * 1024 * 8));
 }
 
 }  // namespace
