@@ -2,21 +2,27 @@
 
 import { Axis, drawAxes } from "./axes.js";
 import { ColorState } from "./colorstate.js";
+import { Contours } from "./contours.js";
 import { Controls } from "./controls.js";
 import { setUpExports } from "./exports.js";
+import { Layers } from "./layers.js";
 import { drawLegend } from "./legend.js";
+import { Diagram } from "./diagram.js";
 import { decode, encode, History } from "./link.js";
 import { Loader } from "./loader.js";
 import { MotionPanel, pinColor } from "./motion.js";
 import { drawMarks, Painter } from "./paint.js";
 import { setUpPointer } from "./pointer.js";
+import { Previewer } from "./preview.js";
 import { pointAt, Readout } from "./readout.js";
 import { SceneKeeper } from "./scene.js";
 import { Sliders } from "./sliders.js";
+import { countsText, Statistics } from "./statistics.js";
 import { statusLine, tellTrouble } from "./status.js";
 import { Strip } from "./strip.js";
 import { setUpTheme, themeStyle } from "./theme.js";
 import { neededTiles, TileCache } from "./tiles.js";
+import { setUpUnits } from "./units.js";
 import { cellShares, View } from "./view.js";
 import { Walker } from "./walker.js";
 
@@ -26,8 +32,11 @@ const tell = (kind, text) => tellTrouble(byId("banner"), kind, text);
 
 const view = new View();
 const cache = new TileCache(256e6);
-const painter = new Painter(mapCanvas, cache);
-const colors = new ColorState(cache, view, painter);
+const layers = new Layers();
+const painter = new Painter(mapCanvas, cache, layers, (wait) => setTimeout(requestFrame, wait));
+const colors = new ColorState(cache, layers, view, painter);
+const statistics = new Statistics(requestFrame);
+const contours = new Contours(byId("lines"), requestFrame);
 const readout = new Readout(byId("readout"), byId("live"));
 const walker = new Walker(view);
 
@@ -43,25 +52,57 @@ const loader = new Loader({
   scene: () => (scene && view.width > 1 ? scene.key : null),
   needed: () => neededTiles(cache, scene.key, view, speed, pointer ? view.toShare(...pointer)
     : [view.x0 + view.sx / 2, view.y0 + view.sy / 2]),
+  wait: () => previewer.ahead() || keeper.dragging,
   onTile(key, d, i, j, data) {
     cache.put(key, d, i, j, data);
+    statistics.forget();
     requestFrame();
   },
   onSpeed(value) { if (value > 0) speed = value; },
-  onChange: requestFrame,
+  onChange() {
+    keeper.pump();
+    requestFrame();
+  },
   onTrouble(text) { tell("tiles", text); },
   onUnknownScene() { keeper.load(0); },
 });
+const previewer = new Previewer({
+  page: loader.page, view, cache, layers,
+  scene: () => scene,
+  // So few points at once are slower than tiles.
+  onSpeed(value) { speed = Math.max(speed, value); },
+  onPicture() { statistics.forget(); },
+  onDone() {
+    loader.refresh();
+    requestFrame();
+  },
+});
 const keeper = new SceneKeeper({
   onScene: takeScene, onTrouble(text) { tell("scene", text); }, onChange: requestFrame,
+  ready: () => !previewer.busy && loader.timer === 0,
+  onRest() {
+    if (scene) motion.setScene(scene);
+    loader.refresh();
+  },
 });
 const sliders = new Sliders(byId("sliders"), byId("filter"), keeper);
 const motion = new MotionPanel(byId("motion"), { onChange: requestFrame, onClose: stateChanged });
-const strip = new Strip(byId("strip"), (hash) => {
-  history.pushState(null, "", hash);
-  goTo(hash);
+const diagram = new Diagram({
+  view, scene: () => scene, axes: () => axes, quantity: () => colors.quantityIndex(scene),
+  motionCell: () => motion.cell, walkerCell: () => walker.cell,
+  pointer: () => (pointer ? view.toShare(...pointer) : null),
+  onFrame: requestFrame, onMoved: viewChanged, onState: stateChanged, onHome: goHome,
+  onOpen(cell) { motion.open(scene, cell); past.changed(); },
+  onAnnounce() { readout.announce(); },
+  onUnknownScene() { keeper.load(0); },
+  onTrouble(text) { tell("diagram", text); },
 });
-const past = new History(() => encode(keeper, view, colors.look, motion.cell), () => {
+const strip = new Strip(byId("strip"), (hash) => {
+  const whole = hash + diagram.linkText();
+  history.pushState(null, "", whole);
+  goTo(whole);
+});
+const past = new History(() => encode(keeper, view, colors.look, motion.cell, diagram.link()), () => {
   if (!painter.old && !keeper.busy) strip.add(mapCanvas, past.hash());
 });
 const controls = new Controls(colors, {
@@ -70,6 +111,15 @@ const controls = new Controls(colors, {
   onHome: goHome,
   onAxes(x, y) { keeper.setAxes(x, y); },
   onReset() { keeper.reset(); },
+  contours: () => contours.name,
+  onContours(name) {
+    contours.choose(name);
+    colors.legendOld = true;
+  },
+});
+const units = setUpUnits(byId("units"), () => {
+  colors.legendOld = true;
+  requestFrame();
 });
 
 // A new scene from the server. The old pixels stay until its first tiles come.
@@ -86,15 +136,18 @@ function takeScene(next, wantedView) {
   if (!sameWorld) {
     walker.cell = null;
     colors.fit();
+    contours.choose(contours.name);
   }
   if (!next.quantities.some((quantity) => quantity.name === colors.look.quantity)) {
     colors.look.quantity = next.quantities[0].name;
     colors.forget(next);
   }
+  if (!next.quantities.some((quantity) => quantity.name === contours.name)) contours.choose("");
   controls.showScene(next);
+  units.show(next);
   sliders.show(next);
   colors.renew(next);
-  motion.setScene(next);
+  if (!keeper.dragging) motion.setScene(next);
   viewChanged();
 }
 
@@ -114,6 +167,7 @@ function goHome() {
 function viewChanged() {
   colors.viewMoved();
   loader.refresh();
+  diagram.refresh();
   stateChanged();
 }
 
@@ -134,17 +188,34 @@ function draw() {
   const k = colors.quantityIndex(scene);
   if (painter.draw(view, scene.key, k, colors.map, style)) requestFrame();
   tickLabels = drawAxes(byId("xticks"), byId("yticks"), axes, view, style, painter.ratio);
+  contours.follow(cache, layers, scene, view, painter.ratio);
+  if (statistics.follow(cache, layers, scene, view, k)) colors.legendOld = true;
   if (colors.legendOld) {
-    drawLegend(byId("legend"), scene.quantities[k], colors.map, view.height, style, painter.ratio);
+    drawLegend(byId("legend"), legendFacts(), view.height, style, painter.ratio);
     colors.legendOld = false;
   }
   drawMarks(byId("marks"), view, marks(), painter.ratio);
+  diagram.draw(style, painter.ratio);
+  diagram.mark(byId("marks"), painter.ratio);
   const at = readoutPlace();
-  const point = at ? pointAt(cache, scene, axes, view, at[0], at[1]) : null;
+  const point = diagram.point() || (at ? pointAt(cache, layers, scene, axes, view, at[0], at[1]) : null);
   readout.show(point, scene, axes, colors.look.quantity);
-  const line = statusLine(axes, view, loader.left, speed, keeper.busy);
+  const line = statusLine(axes, view, loader.left, speed, comesFirst(), countsText(statistics.counts));
   if (byId("status").textContent !== line) byId("status").textContent = line;
   if (settled()) past.quiet();
+}
+
+function legendFacts() {
+  const { counts } = statistics;
+  return { quantity: scene.quantities[colors.quantityIndex(scene)], map: colors.map,
+    error: counts ? counts.error : null, contours: contours.name };
+}
+
+function comesFirst() {
+  if (keeper.dragging) return "Previews, until the slider rests.";
+  if (keeper.busy) return "A new scene is being prepared.";
+  if (previewer.fileScene) return "The numbers of the file come first.";
+  return previewer.busy ? "A quick preview comes first." : "";
 }
 
 function marks() {
@@ -162,7 +233,8 @@ function readoutPlace() {
 }
 
 function settled() {
-  return scene !== null && !loader.busy && !keeper.busy && !motion.busy && !clickPending && !frame &&
+  return scene !== null && !loader.busy && !keeper.busy && !motion.busy && !diagram.busy && !clickPending &&
+    !frame && !previewer.busy && !statistics.old && !contours.timer &&
     loader.left === 0 && !colors.fitting && neededTiles(cache, scene.key, view, speed, [0, 0]).length === 0;
 }
 
@@ -170,8 +242,8 @@ function clickAt(px, py) {
   if (!scene) return;
   const at = view.toShare(px, py);
   if (!view.inWorld(...at)) return;
-  const point = pointAt(cache, scene, axes, view, at[0], at[1]);
-  motion.open(scene, point ? point.cell : view.cellAt(view.targetDepth(), at[0], at[1]));
+  const point = pointAt(cache, layers, scene, axes, view, at[0], at[1]);
+  motion.open(scene, point && point.cell ? point.cell : view.cellAt(view.targetDepth(), at[0], at[1]));
   past.changed();
 }
 
@@ -213,6 +285,7 @@ function goTo(hash) {
   past.arrived();
   strip.mark(hash);
   const done = () => {
+    diagram.restore(wanted.pane);
     if (wanted.cell) motion.open(scene, wanted.cell);
     else motion.close(false);
   };
@@ -243,8 +316,8 @@ setUpExports({
   view, cache, painter, tell,
   get scene() { return scene; },
   get axes() { return axes; },
-  get map() { return colors.map; },
-  quantityIndex: () => colors.quantityIndex(scene),
+  get contours() { return contours.made && contours.made.groups; },
+  legend: legendFacts,
 }, motion);
 
 new ResizeObserver(() => {
@@ -254,10 +327,12 @@ new ResizeObserver(() => {
   view.width = width;
   view.height = height;
   painter.resize(width, height);
-  byId("marks").width = mapCanvas.width;
-  byId("marks").height = mapCanvas.height;
-  for (const id of ["map", "marks", "xticks"]) byId(id).style.width = width + "px";
-  for (const id of ["map", "marks", "yticks", "legend"]) byId(id).style.height = height + "px";
+  for (const id of ["lines", "marks"]) {
+    byId(id).width = mapCanvas.width;
+    byId(id).height = mapCanvas.height;
+  }
+  for (const id of ["map", "lines", "marks", "xticks"]) byId(id).style.width = width + "px";
+  for (const id of ["map", "lines", "marks", "yticks", "legend"]) byId(id).style.height = height + "px";
   if (scene) view.clamp();
   colors.legendOld = true;
   loader.refresh();
@@ -269,8 +344,9 @@ window.gearsweepExplorer = {
   view: () => ({ ...view.copy(), width: view.width, height: view.height, depth: view.targetDepth(),
     scene: scene && scene.key, quantity: colors.look.quantity, ticks: tickLabels, left: loader.left }),
   settled,
-  valueAt: (px, py) => scene && pointAt(cache, scene, axes, view, ...view.toShare(px, py)),
+  valueAt: (px, py) => scene && pointAt(cache, layers, scene, axes, view, ...view.toShare(px, py)),
   click: clickAt,
+  diagram: () => diagram.told(),
   frameMilliseconds: () => painter.lastMilliseconds,
 };
 

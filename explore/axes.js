@@ -1,12 +1,15 @@
 // The two axes of the map: numbers from shares, and the drawing of ticks and names.
 
 import { linearTicks, logTicks } from "./ticks.js";
+import { shownIn } from "./units.js";
 
 export class Axis {
   constructor(told) {
     Object.assign(this, told);
-    this.title = told.unit ? told.name + " [" + told.unit + "]" : told.name;
+    this.ownTitle = told.unit ? told.name + " [" + told.unit + "]" : told.name;
   }
+
+  get title() { return shownIn(this).title; }
 
   value(share) {
     if (this.log) return this.low * (this.high / this.low) ** share;
@@ -18,14 +21,14 @@ export class Axis {
     return (value - this.low) / (this.high - this.low);
   }
 
-
   // Ticks of a view: [{ share from the start of the view in units of the span, label }].
   ticks(share, span, count) {
-    const low = this.value(share);
-    const high = this.value(share + span);
+    const { factor } = shownIn(this);
+    const low = factor * this.value(share);
+    const high = factor * this.value(share + span);
     const found = this.log ? logTicks(low, high, count) : linearTicks(low, high, count);
-    const start = this.value(share);
-    const scale = this.log ? Math.log(this.high / this.low) : this.high - this.low;
+    const start = low;
+    const scale = this.log ? Math.log(this.high / this.low) : factor * (this.high - this.low);
     const places = found.ticks.map((tick) => {
       const away = found.base - start + tick.offset;
       return { at: (this.log ? Math.log1p(away / start) : away) / scale / span, label: tick.label };
@@ -80,7 +83,7 @@ export function paintX(pen, axis, view, style) {
 }
 
 export function paintY(pen, axis, view, style) {
-  const { from, places } = axis.ticks(view.y0, view.sy, Math.max(2, view.height / 60));
+  const { from, places } = axis.ticks(view.y0, view.sy, Math.max(2, view.height / 48));
   pen.strokeStyle = style.text;
   pen.fillStyle = style.text;
   pen.font = style.font;
@@ -103,8 +106,12 @@ export function paintY(pen, axis, view, style) {
   return places.map((tick) => tick.label);
 }
 
+export function drawXTicks(canvas, axis, view, style, ratio) {
+  return paintX(prepare(canvas, view.width, xHeight, ratio), axis, view, style);
+}
+
 export function drawAxes(xCanvas, yCanvas, axes, view, style, ratio) {
-  const x = paintX(prepare(xCanvas, view.width, xHeight, ratio), axes[0], view, style);
+  const x = drawXTicks(xCanvas, axes[0], view, style, ratio);
   const y = paintY(prepare(yCanvas, yWidth, view.height, ratio), axes[1], view, style);
   return { x, y };
 }

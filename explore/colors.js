@@ -2,8 +2,6 @@
 
 import { tileCells } from "./view.js";
 
-const points = tileCells * tileCells;
-
 // Lightness rises evenly along the first three, so they read without hue as well.
 const anchors = {
   dusk: [[8, 29, 82], [42, 62, 110], [82, 92, 120], [122, 124, 124], [164, 156, 112], [208, 188, 90],
@@ -134,21 +132,20 @@ function rank(thresholds, value) {
 // Cells without a value stay clear; a diverged one is a veil that darkens the hatch behind it.
 const veil = 0x70000000;
 
-const image = new ImageData(tileCells, tileCells);
-const cells32 = new Uint32Array(image.data.buffer);
-
-export function colorTile(tile, quantity, map, stamp) {
-  const values = tile.data;
+// Colours rows x columns points. Returns whether some have no value.
+function colorCells(values, columns, rows, quantity, map, cells32) {
   const lut = map.lut;
+  const points = columns * rows;
   const from = (1 + quantity) * points;
   const log = map.kind === "log";
   const low = log ? Math.log(map.low) : map.low;
   const factor = 255.999 / ((log ? Math.log(map.high) : map.high) - low);
   let gaps = false;
-  for (let k = 0; k < points; k++) {
+  // Row 0 is the lowest on the screen.
+  let to = (rows - 1) * columns;
+  for (let k = 0; k < points; k++, to++) {
+    if (k > 0 && k % columns === 0) to -= 2 * columns;
     const value = values[from + k];
-    // Row 0 is the lowest on the screen.
-    const to = (tileCells - 1 - (k >> 5)) * tileCells + (k & 31);
     if (value !== value) {
       gaps = true;
       cells32[to] = values[k] === 1 ? veil : 0;
@@ -161,13 +158,29 @@ export function colorTile(tile, quantity, map, stamp) {
       cells32[to] = lut[scaled > 0 ? (scaled < 255 ? scaled | 0 : 255) : 0];
     }
   }
-  if (!tile.canvas) {
-    tile.canvas = document.createElement("canvas");
-    tile.canvas.width = tileCells;
-    tile.canvas.height = tileCells;
-    tile.pen = tile.canvas.getContext("2d");
+  return gaps;
+}
+
+function colorInto(part, columns, rows, image, quantity, map, stamp) {
+  const cells32 = new Uint32Array(image.data.buffer);
+  part.gaps = colorCells(part.data, columns, rows, quantity, map, cells32);
+  if (!part.canvas) {
+    part.canvas = document.createElement("canvas");
+    part.canvas.width = columns;
+    part.canvas.height = rows;
+    part.pen = part.canvas.getContext("2d");
   }
-  tile.pen.putImageData(image, 0, 0);
-  tile.gaps = gaps;
-  tile.stamp = stamp;
+  part.pen.putImageData(image, 0, 0);
+  part.stamp = stamp;
+}
+
+const tileImage = new ImageData(tileCells, tileCells);
+
+export function colorTile(tile, quantity, map, stamp) {
+  colorInto(tile, tileCells, tileCells, tileImage, quantity, map, stamp);
+}
+
+export function colorGrid(grid, quantity, map, stamp) {
+  const [columns, rows] = [grid.xs.length, grid.ys.length];
+  colorInto(grid, columns, rows, new ImageData(columns, rows), quantity, map, stamp);
 }

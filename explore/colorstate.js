@@ -1,12 +1,13 @@
 // Which colours the map has now, and when they follow the numbers in view.
 
 import { colorMap, rangeOf } from "./colors.js";
-import { valuesInView } from "./paint.js";
+import { valuesInView } from "./inview.js";
 import { missingAt } from "./tiles.js";
 
 export class ColorState {
-  constructor(cache, view, painter) {
+  constructor(cache, layers, view, painter) {
     this.cache = cache;
+    this.layers = layers;
     this.view = view;
     this.painter = painter;
     this.look = { quantity: "", scale: "linear", palette: "auto", low: 0, high: 1 };
@@ -52,7 +53,7 @@ export class ColorState {
     if (this.fitting) {
       const complete = !stillLoading &&
         missingAt(this.cache, scene.key, this.view, this.view.targetDepth()).length === 0;
-      const { values, depth } = valuesInView(this.cache, scene.key, this.view, this.quantityIndex(scene));
+      const { values, depth } = this.values(scene);
       if (depth <= this.fittedDepth && this.range) {
         if (complete) this.fitting = false;
       } else {
@@ -68,6 +69,10 @@ export class ColorState {
     if (!this.map) this.renew(scene);
   }
 
+  values(scene) {
+    return valuesInView(this.cache, this.layers, scene.key, this.view, this.quantityIndex(scene));
+  }
+
   // Fixed ends begin with what is shown, in few digits.
   setEnds(low, high) {
     this.look.low = Number(low.toPrecision(4));
@@ -75,7 +80,7 @@ export class ColorState {
   }
 
   fitEnds(scene) {
-    const found = rangeOf(valuesInView(this.cache, scene.key, this.view, this.quantityIndex(scene)).values);
+    const found = rangeOf(this.values(scene).values);
     if (found) this.setEnds(found.low, found.high);
   }
 }

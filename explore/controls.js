@@ -10,7 +10,7 @@ function options(select, pairs, chosen) {
 }
 
 export class Controls {
-  // job: scene(), onLook(), onHome(), onAxes(x, y), onReset()
+  // job: scene(), onLook(), onHome(), onAxes(x, y), onReset(), contours() -> name, onContours(name)
   constructor(colors, job) {
     this.colors = colors;
     this.job = job;
@@ -43,6 +43,7 @@ export class Controls {
     });
     byId("home").addEventListener("click", () => job.onHome());
     byId("reset-all").addEventListener("click", () => job.onReset());
+    byId("contours").addEventListener("change", (event) => job.onContours(event.target.value));
     byId("xaxis").addEventListener("change", (event) => this.changeAxis(0, event.target.value));
     byId("yaxis").addEventListener("change", (event) => this.changeAxis(1, event.target.value));
   }
@@ -81,10 +82,14 @@ export class Controls {
   showScene(scene) {
     options(byId("quantity"), scene.quantities.map((quantity) => [quantity.name, quantity.name]),
       this.colors.look.quantity);
+    options(byId("contours"), [["", "none"], ...scene.quantities.map((quantity) => (
+      [quantity.name, quantity.classes ? quantity.name + " (borders)" : quantity.name]))],
+      this.job.contours());
     const names = scene.choices.map((choice) => [choice.name, choice.name]);
     options(byId("xaxis"), names, scene.axes[0].name);
     options(byId("yaxis"), names, scene.axes[1].name);
     byId("title").textContent = scene.title || "gearsweep explore";
+    byId("title").title = scene.title;
     document.title = (scene.title || scene.model) + " - gearsweep explore";
     const first = "Model " + scene.model + ", study " + scene.source + ".";
     const texts = [first, scene.step, ...(scene.notices || [])];

@@ -1,11 +1,9 @@
 // What leaves the page: studies, pictures, numbers and commands.
 
-import { paintX, paintY, xHeight, yWidth } from "./axes.js";
 import { commandLine, copyText } from "./copy.js";
-import { legendWidth, paintLegend } from "./legend.js";
+import { picture, pictureSvg } from "./picture.js";
 import { statusText } from "./readout.js";
 import { getText, ServerError } from "./server.js";
-import { themeStyle } from "./theme.js";
 import { eachPlace, tileValue } from "./tiles.js";
 
 const byId = (id) => document.getElementById(id);
@@ -27,31 +25,6 @@ async function saveStudy(app) {
     y0: inside(view.y0), y1: inside(view.y1), nx: 200, ny: 150 });
   const text = await getText("study?" + query);
   save(new Blob([text], { type: "text/plain" }), "view.toml");
-}
-
-// The map with its axes and colours, on a ground of the theme.
-export function picture(app) {
-  const { view, painter, axes, scene } = app;
-  const style = themeStyle();
-  const edge = 10;
-  const canvas = document.createElement("canvas");
-  const ratio = painter.ratio;
-  canvas.width = Math.round((yWidth + view.width + legendWidth + 2 * edge) * ratio);
-  canvas.height = Math.round((view.height + xHeight + 2 * edge) * ratio);
-  const pen = canvas.getContext("2d");
-  const at = (x, y) => pen.setTransform(ratio, 0, 0, ratio, (edge + x) * ratio, (edge + y) * ratio);
-  pen.fillStyle = style.back;
-  pen.fillRect(0, 0, canvas.width, canvas.height);
-  at(0, 0);
-  paintY(pen, axes[1], view, style);
-  at(yWidth, view.height);
-  paintX(pen, axes[0], view, style);
-  at(yWidth + view.width, 0);
-  paintLegend(pen, scene.quantities[app.quantityIndex()], app.map, view.height, style);
-  at(yWidth, 0);
-  pen.imageSmoothingEnabled = false;
-  pen.drawImage(painter.canvas, 0, 0, view.width, view.height);
-  return canvas;
 }
 
 // Each point in view once: a cell of a depth stands only where no finer tile tells it again.
@@ -97,6 +70,7 @@ export function setUpExports(app, motion) {
   });
   on("export-study", () => saveStudy(app));
   on("export-png", () => picture(app).toBlob((blob) => save(blob, "map.png"), "image/png"));
+  on("export-svg", () => save(new Blob([pictureSvg(app)], { type: "image/svg+xml" }), "map.svg"));
   on("export-csv", () => save(new Blob([csvOf(app)], { type: "text/csv" }), "map.csv"));
   on("copy-link", () => copyText(location.href, byId("copy-link")));
   byId("export").addEventListener("toggle", () => {

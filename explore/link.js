@@ -1,6 +1,7 @@
 // The state of the page in the link, and the history of the browser.
 
-export function encode(keeper, view, look, cell) {
+// pane: { along, state } of the diagram, or null.
+export function encode(keeper, view, look, cell, pane) {
   const query = new URLSearchParams();
   const { sets, x, y } = keeper.changes();
   for (const [name, value] of sets) query.append("set", name + "=" + value);
@@ -12,6 +13,8 @@ export function encode(keeper, view, look, cell) {
   if (look.scale === "fixed") query.set("ends", look.low + "," + look.high);
   if (look.palette !== "auto") query.set("palette", look.palette);
   if (cell) query.set("at", [cell.depth, cell.kx, cell.ky].join(","));
+  if (pane) query.set("diagram", pane.along);
+  if (pane && pane.state !== "") query.set("state", pane.state);
   return "#" + query;
 }
 
@@ -38,6 +41,7 @@ export function decode(hash) {
   return {
     changes: { sets, x: query.get("x"), y: query.get("y") },
     view: view && view[2] > 0 && view[3] > 0 ? { x0: view[0], y0: view[1], sx: view[2], sy: view[3] } : null,
+    pane: query.has("diagram") ? { along: query.get("diagram"), state: query.get("state") || "" } : null,
     look, cell: cell && { depth: cell[0], kx: cell[1], ky: cell[2] },
   };
 }

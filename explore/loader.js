@@ -7,8 +7,9 @@ const mostTiles = 512;
 const nameOf = (tile) => tile.join("/");
 
 export class Loader {
-  // job: scene() -> key or null, needed() -> tiles, onTile(scene, d, i, j, data), onSpeed(points a second),
-  // onChange(), onTrouble(sentence or null), onUnknownScene()
+  // job: scene() -> key or null, needed() -> tiles, wait() -> whether something else comes first,
+  // onTile(scene, d, i, j, data), onSpeed(points a second), onChange(),
+  // onTrouble(sentence or null), onUnknownScene()
   constructor(job) {
     this.job = job;
     this.page = crypto.getRandomValues(new Uint32Array(3)).join("-");
@@ -44,6 +45,11 @@ export class Loader {
     this.left = all.length;
     if (all.length === 0) {
       if (scene !== null) this.stop();
+      this.job.onChange();
+      return;
+    }
+    if (this.job.wait()) {
+      this.stop();
       this.job.onChange();
       return;
     }

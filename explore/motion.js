@@ -2,6 +2,7 @@
 
 import { MotionView } from "./motionview.js";
 import { getJson, ServerError } from "./server.js";
+import { SlowAnswers } from "./slowanswers.js";
 
 const lineColors = ["#2f86d6", "#d9770b", "#109b78", "#c25fa8", "#8a63d2", "#a08020", "#d0453c"];
 
@@ -20,10 +21,12 @@ export class MotionPanel {
     this.data = null;
     this.shown = false;
     this.abort = null;
+    this.slow = new SlowAnswers();
     this.view = new MotionView(element, {
       close: () => this.close(true),
       pin: () => this.pin(),
       unpin: (pin) => this.unpin(pin),
+      otherStarts: () => this.askStarts(),
     });
   }
 
@@ -44,6 +47,7 @@ export class MotionPanel {
       ["depth", "kx", "ky"].every((field) => this.cell[field] === cell[field]);
     this.abort = null;
     if (same) return;
+    this.slow.stop();
     const abort = new AbortController();
     this.abort = abort;
     this.cell = cell;
@@ -52,12 +56,12 @@ export class MotionPanel {
     this.element.hidden = false;
     this.view.wait();
     this.job.onChange();
-    const query = new URLSearchParams({ scene: scene.key, depth: cell.depth, kx: cell.kx, ky: cell.ky });
     try {
-      const data = await getJson("motion?" + query, abort.signal);
+      const data = await getJson("motion?" + this.query(), abort.signal);
       if (this.abort !== abort) return;
       this.data = data;
       this.view.show(data, this.layers(), this.pins);
+      if (data.on_orbit && !data.multipliers) this.askMultipliers(data);
     } catch (error) {
       if (this.abort !== abort || abort.signal.aborted) return;
       this.data = null;
@@ -66,6 +70,31 @@ export class MotionPanel {
     }
     this.abort = null;
     this.job.onChange();
+  }
+
+  query() {
+    return new URLSearchParams({ scene: this.scene.key, depth: this.cell.depth, kx: this.cell.kx,
+      ky: this.cell.ky });
+  }
+
+  // The motion is shown meanwhile.
+  askMultipliers(data) {
+    this.slow.ask("multipliers?" + this.query(), true, (answer, trouble) => {
+      if (answer) data.multipliers = answer;
+      else data.multiplierNote = trouble;
+      this.view.plot();
+    });
+  }
+
+  askStarts() {
+    const { data } = this;
+    if (!data || this.abort) return;
+    data.starts = { waiting: true };
+    this.view.plot();
+    this.slow.ask("attractors?" + this.query() + "&starts=16", false, (answer, trouble) => {
+      data.starts = answer || { trouble };
+      this.view.plot();
+    });
   }
 
   layers() {
@@ -96,6 +125,7 @@ export class MotionPanel {
   close(told) {
     if (this.abort) this.abort.abort();
     this.abort = null;
+    this.slow.stop();
     const was = this.shown;
     this.cell = null;
     this.data = null;

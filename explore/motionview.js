@@ -1,39 +1,13 @@
 // What the motion panel looks like: plots, values, notes, commands and the list of pins.
 
+import { contactBands, contactChannels, contactKey, forceChannel } from "./contact.js";
 import { commandLine } from "./copy.js";
+import { button, chooser, fill, make } from "./elements.js";
 import { Plot } from "./plots.js";
-
-function make(tag, text, className) {
-  const element = document.createElement(tag);
-  if (text !== undefined) element.textContent = text;
-  if (className) element.className = className;
-  return element;
-}
-
-function button(text, label, act) {
-  const made = make("button", text);
-  made.type = "button";
-  made.setAttribute("aria-label", label);
-  made.addEventListener("click", act);
-  return made;
-}
-
-function chooser(label, onChange) {
-  const select = document.createElement("select");
-  select.setAttribute("aria-label", label);
-  select.addEventListener("change", onChange);
-  return select;
-}
-
-// Keeps the choice where the new motion has the same channel.
-function fill(select, names, fallback) {
-  const kept = names.includes(select.value) ? select.value : names[Math.min(fallback, names.length - 1)];
-  select.replaceChildren(...names.map((name) => new Option(name, name)));
-  select.value = kept;
-}
+import { Starts } from "./starts.js";
 
 export class MotionView {
-  // act: close(), pin(), unpin(pin)
+  // act: close(), pin(), unpin(pin), otherStarts()
   constructor(element, act) {
     this.element = element;
     this.act = act;
@@ -49,13 +23,17 @@ export class MotionView {
     this.values = make("table");
     const again = () => this.plot();
     this.historyChannel = chooser("channel of the history", again);
+    this.contactChannel = chooser("contact that shades the history", again);
     this.phaseX = chooser("channel across", again);
     this.phaseY = chooser("channel upwards", again);
     this.spectrumChannel = chooser("channel of the spectrum", again);
     element.append(bar, this.message, this.body);
     this.body.append(this.pinList, this.values);
-    this.history = this.section("time history", [this.historyChannel], { height: 150 });
+    this.history = this.section("time history", [this.historyChannel, this.contactChannel], { height: 150 });
+    this.contactKeys = make("div", undefined, "keys");
+    this.history.box.append(this.contactKeys);
     this.phase = this.section("phase portrait", [this.phaseX, this.phaseY], { height: 230, loose: true });
+    this.starts = new Starts(this.phase.box, act.otherStarts);
     this.spectrum = this.section("spectrum", [this.spectrumChannel], { height: 150, logY: true });
     this.multipliers = this.section("multipliers", [], { height: 220, equal: true, circle: true });
     this.multiplierText = make("p", "");
@@ -103,7 +81,8 @@ export class MotionView {
       return line;
     }));
     const names = (data.channels || []).map((channel) => channel.name);
-    fill(this.historyChannel, names, 0);
+    fill(this.historyChannel, names, Math.max(0, forceChannel(names)));
+    fill(this.contactChannel, contactChannels(data), 0);
     fill(this.phaseX, names, 0);
     // A phase portrait is one of a state and its rate, where a state is that.
     const rate = names.indexOf(data.channels?.[0]?.velocity);
@@ -150,8 +129,13 @@ export class MotionView {
     const some = (this.data.series || []).length > 0;
     this.history.box.hidden = !some;
     if (!some) return;
+    const contacts = this.contactChannel.options.length;
+    const contact = this.contactChannel.value;
+    this.contactChannel.hidden = contacts < 2;
+    this.contactKeys.replaceChildren(...(contacts > 0 ? contactKey(this.data, contact) : []));
     this.history.plot.set(lines((layer) => layer.data.tau, (layer) => channel(layer, name)),
-      this.data.time_unit ? "time [" + this.data.time_unit + "]" : "time", this.title(name));
+      this.data.time_unit ? "time [" + this.data.time_unit + "]" : "time", this.title(name),
+      contacts > 0 ? contactBands(this.data, contact) : []);
   }
 
   showPhase(lines, channel) {
@@ -169,6 +153,8 @@ export class MotionView {
       curves.push({ x: section.points.map((point) => point[kx]), y: section.points.map((point) => point[ky]),
         color: layer.color, dots: 3.2, name: layer.name + ", section" });
     }
+    curves.push(...this.starts.curves(this.data.starts, [x, y]));
+    this.starts.show(this.data.starts, [x, y]);
     this.phase.plot.set(curves, this.title(x), this.title(y));
   }
 
@@ -186,10 +172,13 @@ export class MotionView {
   }
 
   showMultipliers() {
-    const told = this.data.multipliers;
-    this.multipliers.box.hidden = !told;
-    if (!told) return;
-    this.multiplierText.textContent = told.text || "";
+    const { multipliers, multiplierNote } = this.data;
+    const comes = this.data.on_orbit && !multiplierNote;
+    this.multipliers.box.hidden = !multipliers && !this.data.on_orbit;
+    this.multipliers.plot.canvas.hidden = !multipliers && !comes;
+    if (this.multipliers.box.hidden) return;
+    this.multiplierText.textContent = multipliers ? multipliers.text || ""
+      : multiplierNote || "computing the multipliers";
     this.multipliers.plot.set(this.layers.filter((layer) => layer.data.multipliers).map((layer) => ({
       x: layer.data.multipliers.values.map((value) => value[0]),
       y: layer.data.multipliers.values.map((value) => value[1]),

@@ -1,11 +1,15 @@
-// Draws the map from the tiles that are there, coarse ones below fine ones.
+// Draws the map from the tiles and grids that are there, coarse ones below fine ones.
 
 import { colorTile } from "./colors.js";
-import { eachPlace, missingAt, tileValue } from "./tiles.js";
+import { drawGrid } from "./gridpaint.js";
+import { tileDepthAbove } from "./layers.js";
+import { eachPlace, missingAt } from "./tiles.js";
 import { cellShares } from "./view.js";
 
 // Colouring may take this much of a frame. What is left keeps its old colours until the next frame.
 const colorMilliseconds = 4;
+// So long the old picture looks as before.
+const dimMilliseconds = 500;
 
 export function hatchPattern(context, style) {
   const canvas = document.createElement("canvas");
@@ -26,8 +30,11 @@ export function hatchPattern(context, style) {
 }
 
 export class Painter {
-  constructor(canvas, cache) {
+  // later(milliseconds): a frame is wanted then
+  constructor(canvas, cache, layers, later) {
     this.canvas = canvas;
+    this.layers = layers;
+    this.later = later;
     this.pen = canvas.getContext("2d", { alpha: false });
     this.cache = cache;
     this.stamp = 0;
@@ -48,7 +55,9 @@ export class Painter {
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
     copy.getContext("2d").drawImage(this.canvas, 0, 0);
-    this.old = { copy, rectangle: sameAxes ? view.copy() : null };
+    // While a slider moves, pictures come one after another: only what stays is dimmed.
+    const dimAt = performance.now() + (sameAxes ? dimMilliseconds : 0);
+    this.old = { copy, rectangle: sameAxes ? view.copy() : null, dimAt };
   }
 
   recolor() { this.stamp++; }
@@ -67,7 +76,9 @@ export class Painter {
     const target = view.targetDepth();
     let first = target;
     while (first > 0 && missingAt(this.cache, scene, view, first).length > 0) first--;
-    if (missingAt(this.cache, scene, view, first).length === 0) this.old = null;
+    const complete = missingAt(this.cache, scene, view, first).length === 0;
+    const grids = this.layers.of(scene).filter((grid) => !complete || tileDepthAbove(grid, target) > first);
+    if (complete || grids.some((grid) => grid.coverage(view) > 0.98)) this.old = null;
     const last = first === target ? target : Math.min(view.maxDepth, target + 1);
     if (this.styled !== style) {
       this.styled = style;
@@ -75,6 +86,10 @@ export class Painter {
     }
     let again = false;
     for (let depth = first; depth <= last; depth++) {
+      for (const grid of grids) {
+        if (Math.max(first, tileDepthAbove(grid, target)) !== depth) continue;
+        drawGrid(pen, grid, view, quantity, map, this.stamp, this.pattern);
+      }
       eachPlace(view, depth, (i, j) => {
         const tile = this.cache.get(scene, depth, i, j);
         if (!tile) return;
@@ -102,7 +117,9 @@ export class Painter {
     if (!this.old) return;
     const { copy, rectangle } = this.old;
     const pen = this.pen;
-    pen.globalAlpha = 0.45;
+    const wait = this.old.dimAt - performance.now();
+    if (wait > 0) this.later(wait);
+    pen.globalAlpha = wait > 0 ? 1 : 0.45;
     if (rectangle) {
       const left = view.toPixelX(rectangle.x0);
       const top = view.toPixelY(rectangle.y0 + rectangle.sy);
@@ -114,29 +131,6 @@ export class Painter {
     pen.globalAlpha = 1;
     pen.fillStyle = style.outside;
   }
-}
-
-// Numbers of the finest tiles in view, at most about 40,000 of them.
-export function valuesInView(cache, scene, view, quantity) {
-  const target = view.targetDepth();
-  let depth = target;
-  while (depth > 0 && missingAt(cache, scene, view, depth).length > 0) depth--;
-  const cells = 2 ** (depth + 5);
-  const stride = Math.max(1, Math.floor(view.tileCount(depth) * 1024 / 40000));
-  const values = [];
-  eachPlace(view, depth, (i, j) => {
-    const tile = cache.get(scene, depth, i, j);
-    if (!tile) return;
-    // A stride that shares no factor with 32 avoids looking at few columns only.
-    for (let k = (i + j) % stride; k < 1024; k += stride | 1) {
-      const value = tileValue(tile, quantity, k);
-      const x = (i * 32 + (k & 31)) / cells;
-      const y = (j * 32 + (k >> 5)) / cells;
-      const inside = x >= view.x0 && x <= view.x1 && y >= view.y0 && y <= view.y1;
-      if (inside && Number.isFinite(value)) values.push(value);
-    }
-  });
-  return { values, depth };
 }
 
 // Marks over the map: the point of the open motion, the pins, and the crosshair of the keyboard.

@@ -10,6 +10,7 @@ export class Plot {
   constructor(parent, about) {
     this.about = about;
     this.series = [];
+    this.bands = [];
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
@@ -24,9 +25,10 @@ export class Plot {
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
-  // series: [{ x, y, color, dots, name }]
-  set(series, xTitle, yTitle) {
+  // series: [{ x, y, color, dots, name }], bands: [{ from, to, color }] that shade the ground
+  set(series, xTitle, yTitle, bands = []) {
     this.series = series;
+    this.bands = bands;
     this.xTitle = xTitle;
     this.yTitle = yTitle;
     this.canvas.setAttribute("aria-label", this.about.label + ": " + yTitle + " over " + xTitle + ". " +
@@ -92,6 +94,11 @@ export class Plot {
     pen.beginPath();
     pen.rect(room.left, room.top, width, height);
     pen.clip();
+    for (const band of this.bands) {
+      const left = this.scale.px(band.from);
+      pen.fillStyle = band.color;
+      pen.fillRect(left, room.top, this.scale.px(band.to) - left, height);
+    }
     if (this.about.circle) this.unitCircle(pen);
     for (const one of this.series) this.line(pen, one);
     pen.restore();

@@ -2,8 +2,12 @@
 
 import { getJson, ServerError } from "./server.js";
 
+// A slider that moves asks for no more than ten scenes a second.
+const dragMilliseconds = 100;
+
 export class SceneKeeper {
-  // job: onScene(scene, view or null), onTrouble(sentence or null), onChange()
+  // job: onScene(scene, view or null), onTrouble(sentence or null), onChange(), onRest(),
+  // ready() -> whether the page has shown the last scene
   constructor(job) {
     this.job = job;
     this.sets = new Map();
@@ -14,9 +18,14 @@ export class SceneKeeper {
     this.failures = 0;
     this.wanted = null;
     this.done = null;
+    // A slider moves; what it has set is not asked for yet.
+    this.dragging = false;
+    this.pending = false;
+    this.restTimer = 0;
+    this.askedAt = 0;
   }
 
-  get busy() { return this.abort !== null || this.timer !== 0; }
+  get busy() { return this.abort !== null || this.timer !== 0 || this.dragging; }
 
   changes() {
     return { sets: [...this.sets], x: this.x, y: this.y };
@@ -43,6 +52,43 @@ export class SceneKeeper {
     this.load(150);
   }
 
+  // A slider that moves asks for one scene after another, each when the one before is on the screen.
+  drag(name, value) {
+    this.sets.set(name, value);
+    this.dragging = true;
+    this.pending = true;
+    this.rest(600);
+    this.pump();
+    this.job.onChange();
+  }
+
+  pump() {
+    if (!this.pending || this.timer || this.abort || !this.job.ready()) return;
+    this.timer = setTimeout(() => {
+      this.timer = 0;
+      this.pending = false;
+      this.ask();
+    }, Math.max(0, this.askedAt + dragMilliseconds - performance.now()));
+  }
+
+  // The slider will rest unless it moves again within the wait.
+  rest(wait) {
+    if (!this.dragging) return;
+    clearTimeout(this.restTimer);
+    this.restTimer = setTimeout(() => {
+      this.dragging = false;
+      if (this.pending) this.load(0);
+      else this.job.onRest();
+      this.job.onChange();
+    }, wait);
+  }
+
+  endDrag() {
+    clearTimeout(this.restTimer);
+    this.dragging = false;
+    this.pending = false;
+  }
+
   setAxes(x, y) {
     this.x = x;
     this.y = y;
@@ -66,6 +112,7 @@ export class SceneKeeper {
   }
 
   cancel() {
+    this.endDrag();
     clearTimeout(this.timer);
     this.timer = 0;
     if (this.abort) this.abort.abort();
@@ -75,6 +122,7 @@ export class SceneKeeper {
   }
 
   load(wait) {
+    this.endDrag();
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       this.timer = 0;
@@ -87,6 +135,7 @@ export class SceneKeeper {
     if (this.abort) this.abort.abort();
     const abort = new AbortController();
     this.abort = abort;
+    this.askedAt = performance.now();
     try {
       const scene = await getJson("scene?" + this.query(), abort.signal);
       if (this.abort !== abort) return;
@@ -112,5 +161,6 @@ export class SceneKeeper {
       }
     }
     this.job.onChange();
+    this.pump();
   }
 }

@@ -66,10 +66,18 @@ export class RecordReader {
   }
 }
 
-export async function readTiles(request, signal, onRecord) {
-  const response = await checked(await fetch("tiles", {
+// Posts a request, and calls with each record of the answer as it comes.
+export async function readRecords(address, request, signal, onRecord) {
+  await recordsOf(await checked(await fetch(address, {
     method: "POST", signal, body: JSON.stringify(request), headers: { "Content-Type": "application/json" },
-  }));
+  })), onRecord);
+}
+
+export async function getRecords(address, onRecord) {
+  await recordsOf(await checked(await fetch(address)), onRecord);
+}
+
+async function recordsOf(response, onRecord) {
   const records = new RecordReader(onRecord);
   const reader = response.body.getReader();
   for (;;) {
@@ -77,6 +85,10 @@ export async function readTiles(request, signal, onRecord) {
     if (done) return;
     records.add(value);
   }
+}
+
+export function readTiles(request, signal, onRecord) {
+  return readRecords("tiles", request, signal, onRecord);
 }
 
 export function textOf(numbers) {

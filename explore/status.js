@@ -1,10 +1,10 @@
 // The lines that tell how far the map is, and what is wrong.
 
-const sentences = { scene: null, tiles: null, export: null };
+const sentences = { scene: null, tiles: null, diagram: null, export: null };
 
 export function tellTrouble(banner, kind, text) {
   sentences[kind] = text;
-  const shown = sentences.export || sentences.scene || sentences.tiles || "";
+  const shown = sentences.export || sentences.scene || sentences.tiles || sentences.diagram || "";
   banner.hidden = shown === "";
   if (banner.textContent !== shown) banner.textContent = shown;
 }
@@ -20,13 +20,14 @@ function digitsText(axes, view, depth) {
     ": deeper shows no more.";
 }
 
-export function statusLine(axes, view, left, speed, sceneComes) {
+// first: a sentence that says what comes before the tiles, or "". counts: about the points in view.
+export function statusLine(axes, view, left, speed, first, counts) {
   let text = "All points are there.";
-  if (sceneComes) {
-    text = "A new scene is being prepared.";
+  if (first !== "") {
+    text = first;
   } else if (left > 0) {
     text = "Computing: " + left + (left === 1 ? " tile" : " tiles") + " to come";
     text += speed > 0 ? ", about " + Math.round(speed).toLocaleString("en") + " points a second." : ".";
   }
-  return text + digitsText(axes, view, view.targetDepth());
+  return text + counts + digitsText(axes, view, view.targetDepth());
 }

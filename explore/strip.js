@@ -9,9 +9,9 @@ export class Strip {
     this.buttons = new Map();
   }
 
-  // The open motion is no part of a view.
+  // The open motion and the diagram are no part of a view.
   plain(hash) {
-    return hash.replace(/&at=[^&]*/, "");
+    return hash.replace(/&(at|diagram|state)=[^&]*/g, "");
   }
 
   add(canvas, whole) {

@@ -8,8 +8,9 @@ export function themeStyle() {
   const color = (name) => read.getPropertyValue(name).trim();
   current = {
     text: color("--text"), faint: color("--faint"), line: color("--line"), outside: color("--outside"),
-    back: color("--back"), accent: color("--accent"), hatchBack: color("--hatch-back"),
-    hatchLine: color("--hatch-line"), font: "12px system-ui, sans-serif", small: "11px system-ui, sans-serif",
+    back: color("--back"), panel: color("--panel"), accent: color("--accent"),
+    hatchBack: color("--hatch-back"), hatchLine: color("--hatch-line"),
+    font: "12px system-ui, sans-serif", small: "11px system-ui, sans-serif",
   };
   return current;
 }

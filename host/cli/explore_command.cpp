@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -11,7 +12,9 @@
 #include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
+#include "explore/result_data.hpp"
 #include "explore/server.hpp"
+#include "model/error.hpp"
 #include "result/result_file.hpp"
 #include "result/study_source.hpp"
 #include "study/builtin_models.hpp"
@@ -58,8 +61,27 @@ std::optional<double> step_of(const ExploreArguments& arguments, const Study& st
   return stepped && stepped->pilot ? std::optional(stepped->pilot->step) : std::nullopt;
 }
 
+// What a link needs to work again with a server that was started anew. Not an option, which other
+// users of the machine could read.
+std::string token_of_environment() {
+  constexpr const char* kVariable = "GEARSWEEP_EXPLORE_TOKEN";
+  constexpr std::size_t kMinLength = 16;
+  const char* given = std::getenv(kVariable);
+  const std::string token = given == nullptr ? "" : given;
+  const bool is_plain = token.find_first_not_of(
+                            "0123456789abcdefghijklmnopqrstuvwxyz"
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+  if (token.empty() || (is_plain && token.size() >= kMinLength)) return token;
+  throw InputError(
+      fmt::format("{} takes {} or more letters and digits, such as those that 'openssl rand -hex "
+                  "16' prints",
+                  kVariable, kMinLength));
+}
+
 int run(const ExploreArguments& arguments, SignalWatch* signals) {
-  const Study study = explorable(load(arguments));
+  const std::string token = token_of_environment();
+  const Study whole = load(arguments);
+  const Study study = explorable(whole);
   ExplorerOptions options;
   options.source = shell_quoted(arguments.study);
   for (const std::string& set : arguments.overrides)
@@ -68,8 +90,13 @@ int run(const ExploreArguments& arguments, SignalWatch* signals) {
   options.max_bytes = arguments.megabytes << 20U;
   SweepOptions sweep;
   sweep.devices = options.devices;
-  Explorer explorer({study, step_of(arguments, study, sweep)}, options);
-  ExploreServer server(&explorer, static_cast<int>(arguments.port));
+  // Other values than the file's have no numbers there.
+  if (is_netcdf(arguments.study) && arguments.overrides.empty()) {
+    options.data = read_result_data(arguments.study, study);
+  }
+  const ExploredStudy base = {study, step_of(arguments, study, sweep), whole.axes.size() == 1};
+  Explorer explorer(base, options);
+  ExploreServer server(&explorer, static_cast<int>(arguments.port), token);
   signals->set(OnSignal::stop);
   answer("{}\n", server.address());
   flush_answers();

@@ -11,8 +11,12 @@
 #include <vector>
 
 #include "engine/device_choice.hpp"
+#include "explore/diagram.hpp"
 #include "explore/motion.hpp"
+#include "explore/preview.hpp"
+#include "explore/result_data.hpp"
 #include "explore/scene.hpp"
+#include "explore/starts.hpp"
 #include "explore/tile_cache.hpp"
 #include "sweep/sweep_options.hpp"
 
@@ -22,6 +26,7 @@ struct ExplorerOptions {
   std::string source;  // what the user called the study, for commands that he can give
   std::vector<DeviceChoice> devices = {};
   std::size_t max_bytes = std::size_t{512} << 20U;  // of tiles that are kept
+  std::optional<ResultData> data = {};              // of the study as it is
 };
 
 // Threads may share one.
@@ -31,6 +36,7 @@ class Explorer {
   Explorer(ExploredStudy base, ExplorerOptions options);
 
   const std::string& source() const { return options_.source; }
+  bool has_one_axis() const { return base_.has_one_axis; }
 
   // Throws InputError.
   std::shared_ptr<const Scene> make_scene(const SceneChanges& changes);
@@ -40,10 +46,22 @@ class Explorer {
   // Kept from before, or computed: nothing when stopped. Throws as compute_tile() does.
   std::shared_ptr<const TileMaps> tile(const Scene& scene, const TilePlace& place,
                                        const std::atomic<bool>& stop);
+  // Nothing when stopped. Throws as compute_preview() does.
+  std::optional<Preview> preview(const Scene& scene, const CellBlock& cells,
+                                 const std::atomic<bool>& stop);
+  // Points a second that previews had, or tiles; 0: there was none yet.
+  double preview_rate() const;
+  // Of the file that explore was started with; null for other scenes.
+  const ResultData* data(const Scene& scene) const;
+  // Nothing when stopped. Throws as compute_strip() does.
+  std::optional<StripMaps> strip(const Scene& scene, const Line& line, const Strip& strip,
+                                 const std::atomic<bool>& stop);
   // The points of all tiles by the time that they took; 0: there is none yet.
   double points_per_second() const;
-  // Tiles wait for it between their rounds. Throws InputError and RunError.
+  // Tiles wait for these three between their rounds. They throw InputError and RunError.
   Motion motion(const Scene& scene, const Cell& cell);
+  MotionOrbit orbit(const Scene& scene, const Cell& cell);
+  ReachedAttractors starts(const Scene& scene, const Cell& cell, std::size_t count);
   // Compiles what a motion takes, beside the tiles; whatever is wrong is left for motion() to say.
   void prepare_motions(const Scene& scene);
 
@@ -52,7 +70,7 @@ class Explorer {
   Scheduler* scheduler() { return scheduler_.get(); }
 
  private:
-  SweepOptions sweep_options(int priority) const;
+  SweepOptions sweep_options(int priority, const std::atomic<bool>* stop = nullptr) const;
 
   const ExploredStudy base_;
   const ExplorerOptions options_;
@@ -61,7 +79,9 @@ class Explorer {
   mutable std::mutex mutex_;
   std::deque<std::shared_ptr<const Scene>> scenes_;  // the last made last
   double points_ = 0.0, seconds_ = 0.0;              // of tiles
-  std::mutex one_motion_;                            // FFTW's planner is no two threads' at once
+  double preview_rate_ = 0.0;                        // points a second of the last preview
+  std::string data_key_;                             // of the scene that options_.data is of
+  std::mutex one_spectrum_;                          // add_spectrum()
 };
 
 }  // namespace gearsweep

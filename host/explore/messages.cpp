@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/error.hpp"
+#include "result/si_units.hpp"
 
 namespace gearsweep {
 namespace {
@@ -20,6 +22,13 @@ static_assert(std::endian::native == std::endian::little, "records are little-en
 // No number in JSON.
 json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
+// {"factor": of one such unit, "unit": "rpm"}
+json si_message(const std::string& unit, const Scales& scales) {
+  const SiUnit si = shown_unit(unit, scales);
+  if (si.scale <= 0.0) return nullptr;
+  return {{"factor", si.scale}, {"unit", si.name}};
+}
+
 json axis_message(const Scene& scene, std::size_t number) {
   const Axis& axis = scene.study().axes[number];
   return {{"name", axis.name},
@@ -30,18 +39,31 @@ json axis_message(const Scene& scene, std::size_t number) {
           {"low", axis.values.front()},
           {"high", axis.values.back()},
           {"from", scene.first_view()[number][0]},
-          {"to", scene.first_view()[number][1]}};
+          {"to", scene.first_view()[number][1]},
+          {"si", si_message(axis.unit, scene.study().scales)}};
 }
 
-json quantity_message(const Quantity& quantity) {
+// The quantity that is the error of another one.
+json error_of(const Quantity& quantity, const Selection& selection) {
+  const std::string name = quantity.name + "_error";
+  const bool is_there =
+      std::ranges::find(selection.quantities, name, &Quantity::name) != selection.quantities.end();
+  return is_there ? json(name) : json(nullptr);
+}
+
+json quantity_message(const Quantity& quantity, const Study& study) {
   return {{"name", quantity.name},
           {"unit", quantity.unit},
           {"meaning", quantity.meaning},
           {"classes", quantity.flags.empty() ? json(nullptr) : json(quantity.flags)},
-          {"is_exponent", quantity.name == "lyapunov_max"}};
+          {"is_exponent", quantity.role == OutputRole::exponent},
+          {"error", error_of(quantity, study.selection)},
+          {"si", si_message(quantity.unit, study.scales)}};
 }
 
-json choices_message(const Study& study) {
+json choices_message(const Scene& scene) {
+  const Study& study = scene.study();
+  const std::vector<double> start = scene.start();
   json choices = json::array();
   const Model& model = *study.model;
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
@@ -53,16 +75,19 @@ json choices_message(const Study& study) {
                        {"is_state", false},
                        {"value", study.setting.parameters[i]},
                        {"min", number_or_null(info.min)},
-                       {"max", number_or_null(info.max)}});
+                       {"max", number_or_null(info.max)},
+                       {"si", si_message(info.unit, study.scales)}});
   }
-  for (const ChannelInfo& state : model.states) {
+  for (std::size_t i = 0; i < model.states.size(); ++i) {
+    const ChannelInfo& state = model.states[i];
     choices.push_back({{"name", state.name},
                        {"unit", state.unit},
                        {"meaning", state.meaning},
                        {"is_state", true},
-                       {"value", nullptr},
+                       {"value", number_or_null(start[i])},
                        {"min", nullptr},
-                       {"max", nullptr}});
+                       {"max", nullptr},
+                       {"si", si_message(state.unit, study.scales)}});
   }
   return choices;
 }
@@ -125,18 +150,8 @@ void add_trace(const Motion& motion, json* message) {
       {"order", std::move(orders)}, {"channels", names}, {"amplitude", motion.spectrum->amplitude}};
 }
 
-json orbit_message(const MotionOrbit& orbit) {
-  json values = json::array();
-  for (const std::complex<double>& multiplier : orbit.multipliers) {
-    values.push_back({number_or_null(multiplier.real()), number_or_null(multiplier.imag())});
-  }
-  const char* stable = orbit.is_stable ? "stable" : "unstable";
-  return {{"values", std::move(values)},
-          {"stable", orbit.is_stable},
-          {"period", orbit.period},
-          {"text", orbit.is_equilibrium
-                       ? fmt::format("{} equilibrium; eigenvalues per unit of time", stable)
-                       : fmt::format("{} orbit of period {}", stable, orbit.period)}};
+std::string dumped(const json& message) {
+  return message.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::string record(const std::array<double, 8>& head, std::string_view numbers) {
@@ -146,13 +161,19 @@ std::string record(const std::array<double, 8>& head, std::string_view numbers) 
   return out;
 }
 
+double count(const std::vector<double>& numbers) { return static_cast<double>(numbers.size()); }
+
+std::string_view bytes(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+
 }  // namespace
 
 std::string scene_message(const Explorer& explorer, const Scene& scene) {
   const Study& study = scene.study();
   json quantities = json::array();
   for (const Quantity& quantity : study.selection.quantities) {
-    quantities.push_back(quantity_message(quantity));
+    quantities.push_back(quantity_message(quantity, study));
   }
   return json({{"key", scene.key()},
                {"title", study.title},
@@ -160,7 +181,10 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
                {"source", explorer.source()},
                {"axes", {axis_message(scene, 0), axis_message(scene, 1)}},
                {"quantities", std::move(quantities)},
-               {"choices", choices_message(study)},
+               {"choices", choices_message(scene)},
+               {"section", study.model->state_names()},
+               {"has_data", explorer.data(scene) != nullptr},
+               {"one_axis", explorer.has_one_axis()},
                {"tile", TilePlace::kCells},
                {"max_depth", TilePlace::kMaxDepth},
                {"points_per_second", explorer.points_per_second()},
@@ -186,26 +210,85 @@ std::string motion_message(const Explorer& explorer, const Motion& motion) {
     message["at"].push_back({{"name", name}, {"value", value}});
   }
   if (motion.trace) add_trace(motion, &message);
-  if (motion.orbit) message["multipliers"] = orbit_message(*motion.orbit);
-  return message.dump(-1, ' ', false, json::error_handler_t::replace);
+  message["on_orbit"] = motion.is_on_orbit;
+  return dumped(message);
 }
 
-std::string error_message(const std::string& text) {
-  return json({{"error", text}}).dump(-1, ' ', false, json::error_handler_t::replace);
+std::string orbit_message(const MotionOrbit& orbit) {
+  json values = json::array();
+  for (const std::complex<double>& multiplier : orbit.multipliers) {
+    values.push_back({number_or_null(multiplier.real()), number_or_null(multiplier.imag())});
+  }
+  const char* stable = orbit.is_stable ? "stable" : "unstable";
+  return json({{"values", std::move(values)},
+               {"stable", orbit.is_stable},
+               {"period", orbit.period},
+               {"text", orbit.is_equilibrium
+                            ? fmt::format("{} equilibrium; eigenvalues per unit of time", stable)
+                            : fmt::format("{} orbit of period {}", stable, orbit.period)}})
+      .dump();
 }
+
+std::string starts_message(const Scene& scene, const ReachedAttractors& reached,
+                           std::size_t starts) {
+  json attractors = json::array();
+  for (const ReachedAttractor& attractor : reached.attractors) {
+    attractors.push_back(
+        {{"share", attractor.share},
+         {"text", attractor.name},
+         {"section",
+          {{"channels", scene.study().model->state_names()}, {"points", attractor.section}}}});
+  }
+  return dumped({{"starts", starts},
+                 {"attractors", std::move(attractors)},
+                 {"undecided", reached.undecided},
+                 {"diverged", reached.diverged}});
+}
+
+std::string error_message(const std::string& text) { return dumped({{"error", text}}); }
 
 std::string tile_record(const TilePlace& place, const TileMaps& maps, double points_per_second) {
-  const auto n = static_cast<double>(maps.numbers.size());
-  return record({0.0, static_cast<double>(place.depth), static_cast<double>(place.at[0]),
-                 static_cast<double>(place.at[1]), n, points_per_second, maps.seconds, 0.0},
-                {reinterpret_cast<const char*>(maps.numbers.data()), bytes_of(maps)});
+  return record(
+      {0.0, static_cast<double>(place.depth), static_cast<double>(place.at[0]),
+       static_cast<double>(place.at[1]), count(maps.numbers), points_per_second, maps.seconds, 0.0},
+      bytes(maps.numbers));
 }
 
 std::string error_record(std::string_view text) {
-  const std::size_t numbers = (text.size() + 7) / 8;
   std::string padded(text);
-  padded.resize(numbers * 8, '\0');
-  return record({1.0, 0.0, 0.0, 0.0, static_cast<double>(numbers), 0.0, 0.0, 0.0}, padded);
+  padded.resize((text.size() + 7) / 8 * 8, '\0');
+  return record({1.0, 0.0, 0.0, 0.0, static_cast<double>(padded.size() / 8), 0.0, 0.0, 0.0},
+                padded);
+}
+
+std::string preview_record(const Preview& preview, double points_per_second) {
+  const CellBlock& cells = preview.cells;
+  return record({2.0, static_cast<double>(cells.depth), static_cast<double>(cells.first[0]),
+                 static_cast<double>(cells.first[1]), count(preview.numbers), points_per_second,
+                 preview.seconds, static_cast<double>(cells.count[0])},
+                bytes(preview.numbers));
+}
+
+std::string strip_record(const Line& line, const Strip& strip, const StripMaps& maps,
+                         double points_per_second) {
+  return record({3.0, static_cast<double>(strip.depth), static_cast<double>(strip.at),
+                 static_cast<double>(line.axis), count(maps.numbers), points_per_second,
+                 maps.seconds, static_cast<double>(maps.samples)},
+                bytes(maps.numbers));
+}
+
+std::string data_record(const Scene& scene, const ResultData& data) {
+  std::vector<double> numbers;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (const double value : data.values[axis]) numbers.push_back(scene.share_of(axis, value));
+  }
+  for (const std::vector<double>& values : data.values) {
+    numbers.insert(numbers.end(), values.begin(), values.end());
+  }
+  numbers.insert(numbers.end(), data.numbers.begin(), data.numbers.end());
+  return record({4.0, 0.0, 0.0, 0.0, count(numbers), static_cast<double>(data.values[0].size()),
+                 static_cast<double>(data.values[1].size()), 0.0},
+                bytes(numbers));
 }
 
 }  // namespace gearsweep

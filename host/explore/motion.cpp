@@ -23,24 +23,18 @@ void add_trace(const SweepOptions& options, Motion* motion) {
   }
   motion->trace = std::move(found.traces.front());
   motion->samples_per_period = kSamplesPerPeriod;
-  MotionSpectrum spectrum;
-  for (std::size_t i = 0; i < motion->trace->channels.size(); ++i) {
-    Spectrum of_channel = amplitude_spectrum(*motion->trace, i, 0);
-    spectrum.order_step = of_channel.order_step;
-    spectrum.amplitude.push_back(std::move(of_channel.amplitude));
-  }
-  motion->spectrum = std::move(spectrum);
 }
 
-void add_orbit(const SweepOptions& options, Motion* motion) {
-  OrbitRequest request;
-  request.place = find_place(motion->study, motion->at, "");
-  const std::optional<OrbitFindings> found = find_point_orbit(motion->study, request, options);
-  if (!found) return;
-  motion->orbit = MotionOrbit{{found->orbit.multipliers.begin(), found->orbit.multipliers.end()},
-                              found->orbit.period,
-                              found->orbit.kind == OrbitKind::equilibrium,
-                              found->orbit.stable()};
+// Of a point alone.
+Study study_at(const Scene& scene, const Cell& cell) {
+  return scene.at(
+      {{{scene.value_at(0, cell.k[0], cell.depth)}, {scene.value_at(1, cell.k[1], cell.depth)}}});
+}
+
+std::vector<NamedValue> place_of(const Study& point) {
+  std::vector<NamedValue> at;
+  for (const Axis& axis : point.axes) at.push_back({axis.name, axis.values.front()});
+  return at;
 }
 
 // A note says what is missing.
@@ -58,13 +52,9 @@ void try_to(const char* what, const Find& find, Motion* motion) {
 }  // namespace
 
 Motion find_motion(const Scene& scene, const Cell& cell, const SweepOptions& options) {
-  const std::array<double, 2> values = {scene.value_at(0, cell.k[0], cell.depth),
-                                        scene.value_at(1, cell.k[1], cell.depth)};
   Motion motion;
-  motion.study = scene.at({{{values[0]}, {values[1]}}});
-  for (std::size_t i = 0; i < 2; ++i) {
-    motion.at.push_back({motion.study.axes[i].name, values[i]});
-  }
+  motion.study = study_at(scene, cell);
+  motion.at = place_of(motion.study);
   const std::optional<SweepResult> result = run_sweep(motion.study, options);
   if (!result) throw RunError("interrupted");
   motion.status = result->status.front();
@@ -75,11 +65,32 @@ Motion find_motion(const Scene& scene, const Cell& cell, const SweepOptions& opt
   }
   try_to(
       "no trace", [&] { add_trace(options, &motion); }, &motion);
-  if (result->on_orbit.front() != 0) {
-    try_to(
-        "no multipliers", [&] { add_orbit(options, &motion); }, &motion);
-  }
+  motion.is_on_orbit = result->on_orbit.front() != 0;
   return motion;
+}
+
+void add_spectrum(Motion* motion) {
+  if (!motion->trace) return;
+  MotionSpectrum spectrum;
+  for (std::size_t i = 0; i < motion->trace->channels.size(); ++i) {
+    Spectrum of_channel = amplitude_spectrum(*motion->trace, i, 0);
+    spectrum.order_step = of_channel.order_step;
+    spectrum.amplitude.push_back(std::move(of_channel.amplitude));
+  }
+  motion->spectrum = std::move(spectrum);
+}
+
+MotionOrbit find_motion_orbit(const Scene& scene, const Cell& cell, const SweepOptions& options) {
+  const Study study = study_at(scene, cell);
+  OrbitRequest request;
+  request.place = find_place(study, place_of(study), "");
+  const std::optional<OrbitFindings> found = find_point_orbit(study, request, options);
+  if (!found) throw RunError("interrupted");
+  const Orbit& orbit = found->orbit;
+  return {{orbit.multipliers.begin(), orbit.multipliers.end()},
+          orbit.period,
+          orbit.kind == OrbitKind::equilibrium,
+          orbit.stable()};
 }
 
 }  // namespace gearsweep

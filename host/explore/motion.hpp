@@ -33,11 +33,19 @@ struct Motion {
   std::optional<Trace> trace;  // nothing of one that diverged
   std::size_t samples_per_period = 0;
   std::optional<MotionSpectrum> spectrum;
-  std::optional<MotionOrbit> orbit;  // of a motion that came to a periodic orbit
-  std::vector<std::string> notes;    // what could not be told, and why
+  bool is_on_orbit = false;  // it came to a periodic orbit, of which find_motion_orbit() tells
+  std::vector<std::string> notes;  // what could not be told, and why
 };
 
-// Throws InputError for what the study refuses, RunError when no device works.
+// Without its spectrum. Throws InputError for what the study refuses, RunError when no device
+// works.
 Motion find_motion(const Scene& scene, const Cell& cell, const SweepOptions& options);
+
+// Adds the spectrum of its trace. No two threads may be at it at once: FFTW's planner cannot be.
+void add_spectrum(Motion* motion);
+
+// The orbit that Newton's method finds from that motion. Throws as find_motion(), and RunError
+// where there is none.
+MotionOrbit find_motion_orbit(const Scene& scene, const Cell& cell, const SweepOptions& options);
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "model/error.hpp"
+#include "plan/study_points.hpp"
 #include "plan/view_points.hpp"
 #include "point/place.hpp"
 #include "point/point_trace.hpp"
@@ -112,6 +113,13 @@ void add_axes(const Study& study, std::vector<SceneAxis>* axes, std::vector<std:
   throw InputError("explore shows maps over two axes, and no other parameter could be swept");
 }
 
+constexpr const char* kExponentError = "lyapunov_max_error";
+
+bool offers(const Model& model, const std::string& quantity) {
+  const std::vector<Quantity> offered = offered_quantities(model);
+  return std::ranges::find(offered, quantity, &Quantity::name) != offered.end();
+}
+
 std::vector<std::string> quantities_of_points(const Study& study,
                                               std::vector<std::string>* notices) {
   std::vector<std::string> kept, left;
@@ -125,7 +133,79 @@ std::vector<std::string> quantities_of_points(const Study& study,
         fmt::format("left out, since a point has none of its own: {}", fmt::join(left, ", ")));
   }
   if (kept.empty()) kept = {"motion_class", "period", "lyapunov_max"};
+  // How far to trust its colours.
+  const auto has = [&](const std::string& name) {
+    return std::ranges::find(kept, name) != kept.end();
+  };
+  if (has("lyapunov_max") && !has(kExponentError) && offers(*study.model, kExponentError)) {
+    kept.emplace_back(kExponentError);
+  }
   return kept;
+}
+
+Study with_values(Study study, const std::array<std::vector<double>, 2>& values) {
+  for (std::size_t i = 0; i < 2; ++i) study.axes[i].values = values[i];
+  return study;
+}
+
+// Reads the text of a scene's study anew, with other things to observe and the same step.
+Study observing(const Study& study, const std::vector<std::string>& overrides) {
+  Study out = read_study(study.toml, "the page", overrides, {}, {}, NamedFiles::refused);
+  out.integrate = study.integrate;
+  out.separate_points();
+  return out;
+}
+
+// Samples of every state, and these quantities.
+Study with_samples(const Study& study, std::vector<std::string> names) {
+  names.emplace_back("poincare");
+  std::vector<std::string> overrides = {
+      fmt::format("observe.quantities=[\"{}\"]", fmt::join(names, "\", \"")),
+      fmt::format("observe.poincare=[\"{}\"]", fmt::join(study.model->state_names(), "\", \""))};
+  // Without forcing there is no phase to sample at.
+  if (study.model->is_clockless && study.selection.section.empty() &&
+      !study.model->sections.empty()) {
+    overrides.push_back(fmt::format("observe.section=\"{}\"", study.model->sections.front().name));
+  }
+  return observing(study, overrides);
+}
+
+// A motion that rests comes to no section.
+void add_place_of_rest(const Model& model, std::vector<std::string>* names) {
+  std::vector<std::string> wanted = {"motion_class"};
+  for (const ChannelInfo& state : model.states) wanted.push_back(state.name + "_mean");
+  for (const std::string& name : wanted) {
+    if (std::ranges::find(*names, name) == names->end()) names->push_back(name);
+  }
+}
+
+// The start of every point where a page has moved one state's: the others keep the study's own.
+std::string start_override(const Study& study, const std::vector<NamedValue>& moved) {
+  std::vector<double> state = start_of_policy(study, study.setting);
+  for (const auto& [name, value] : moved) {
+    state[static_cast<std::size_t>(study.model->find_state(name))] = value;
+  }
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    told.push_back(fmt::format("{} = {}", study.model->states[i].name, state[i]));
+  }
+  return fmt::format("initial={{policy = \"fixed\", state = {{{}}}}}", fmt::join(told, ", "));
+}
+
+std::vector<std::string> overrides_of(const Study& base, const std::vector<NamedValue>& sets) {
+  std::vector<std::string> overrides;
+  std::vector<NamedValue> starts;
+  for (const NamedValue& set : sets) {
+    if (base.model->find_state(set.name) >= 0) {
+      starts.push_back(set);
+      continue;
+    }
+    const std::size_t index = parameter_index(*base.model, set.name, "");
+    require_in_range(base.model->parameters[index], set.value, "");
+    overrides.push_back(fmt::format("parameters.{}={}", set.name, set.value));
+  }
+  if (!starts.empty()) overrides.push_back(start_override(base, starts));
+  return overrides;
 }
 
 // A hash is enough: keys are compared with those of the same server alone.
@@ -140,11 +220,8 @@ Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) {
                                          find_axis(base.study, 1, changes.y)};
   std::vector<std::string> overrides = {fmt::format(
       "axes=[{}, {}]", as_toml(axes[0], axes[0].world), as_toml(axes[1], axes[1].world))};
-  for (const auto& [name, value] : changes.sets) {
-    const std::size_t index = parameter_index(*base.study.model, name, "");
-    require_in_range(base.study.model->parameters[index], value, "");
-    overrides.push_back(fmt::format("parameters.{}={}", name, value));
-  }
+  const std::vector<std::string> sets = overrides_of(base.study, changes.sets);
+  overrides.insert(overrides.end(), sets.begin(), sets.end());
   study_ = read_study(base.study.toml, "the page", overrides, {}, {}, NamedFiles::refused);
   settle_step(base.pilot_step, &study_);
   study_.separate_points();
@@ -168,10 +245,32 @@ double Scene::value_at(std::size_t axis, double share) const {
   return value_at_share(study_.axes[axis], share);
 }
 
+double Scene::share_of(std::size_t axis, double value) const {
+  const Axis& along = study_.axes[axis];
+  const double low = along.values.front(), high = along.values.back();
+  if (along.logarithmic) return std::log(value / low) / std::log(high / low);
+  return (value - low) / (high - low);
+}
+
+std::vector<double> Scene::start() const { return start_of_policy(study_, study_.setting); }
+
 Study Scene::at(const std::array<std::vector<double>, 2>& values) const {
-  Study study = study_;
-  for (std::size_t i = 0; i < 2; ++i) study.axes[i].values = values[i];
-  return study;
+  return with_values(study_, values);
+}
+
+Study Scene::sampled_at(const std::array<std::vector<double>, 2>& values) const {
+  std::call_once(sampled_.is_read, [&] {
+    std::vector<std::string> names;
+    for (const Quantity& quantity : study_.selection.quantities) names.push_back(quantity.name);
+    if (study_.model->is_clockless) add_place_of_rest(*study_.model, &names);
+    sampled_.study = with_samples(study_, names);
+  });
+  return with_values(sampled_.study, values);
+}
+
+Study Scene::census() const {
+  std::call_once(census_.is_read, [&] { census_.study = with_samples(study_, {"attractor"}); });
+  return census_.study;
 }
 
 Study explorable(const Study& study) {

@@ -6,6 +6,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace gearsweep {
 
 // What a page changes of the study that explore was started with.
 struct SceneChanges {
-  std::vector<NamedValue> sets;  // of parameters
+  std::vector<NamedValue> sets;  // of parameters and initial states
   std::string x, y;              // what is swept instead: parameters or states; empty: as it is
 };
 
@@ -47,6 +48,7 @@ struct TilePlace {
 struct ExploredStudy {
   Study study;
   std::optional<double> pilot_step;
+  bool has_one_axis = false;  // the study itself: a diagram tells more of it than a map
 };
 
 class Scene {
@@ -63,13 +65,29 @@ class Scene {
 
   double value_at(std::size_t axis, double share) const;
   double value_at(std::size_t axis, std::uint64_t k, std::size_t depth) const;
+  // Below 0 and above 1 beyond the scene's axis.
+  double share_of(std::size_t axis, double value) const;
+  // [state] where a point starts that the axes leave as it is.
+  std::vector<double> start() const;
   // The study with these values on its axes.
   Study at(const std::array<std::vector<double>, 2>& values) const;
+  // The same with samples of all states (Selection::poincare). Without forcing they are taken at
+  // the model's own section, and behind the scene's quantities are motion_class and the means of
+  // all states, of motions that rest.
+  Study sampled_at(const std::array<std::vector<double>, 2>& values) const;
+  // The same study with nothing but those samples and `attractor`; its axes have their ends.
+  Study census() const;
 
  private:
   Study study_;
   std::string key_;
   std::array<std::array<double, 2>, 2> first_view_ = {};
+  // Read when it is first asked for.
+  struct Late {
+    std::once_flag is_read;
+    Study study;
+  };
+  mutable Late sampled_, census_;
 };
 
 // The study as scenes take it: two axes of one parameter or state each, points that start on their

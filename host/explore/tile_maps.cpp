@@ -4,8 +4,8 @@
 #include <chrono>
 #include <limits>
 
+#include "explore/cell_maps.hpp"
 #include "model/error.hpp"
-#include "sweep/sweep.hpp"
 
 namespace gearsweep {
 namespace {
@@ -48,19 +48,16 @@ class Filling {
 
   // False when stopped.
   bool compute(const Grid& grid, const SweepOptions& options) {
-    const std::optional<SweepResult> result = run_sweep(scene_.at(values_of(grid)), options);
-    if (!result) return false;
-    std::size_t point = 0;
-    for (const std::size_t row : grid[1]) {
-      for (const std::size_t column : grid[0]) {
-        at(0, row, column) = result->status[point];
-        for (std::size_t map = 1; map < maps_; ++map) {
-          at(map, row, column) = result->values[map - 1][point];
-        }
-        ++point;
+    const std::optional<std::vector<double>> numbers =
+        compute_cells(scene_, values_of(grid), options);
+    if (!numbers) return false;
+    auto number = numbers->begin();
+    for (std::size_t map = 0; map < maps_; ++map) {
+      for (const std::size_t row : grid[1]) {
+        for (const std::size_t column : grid[0]) at(map, row, column) = *number++;
       }
     }
-    out_.computed += point;
+    out_.computed += grid[0].size() * grid[1].size();
     return true;
   }
 

@@ -12,10 +12,7 @@ namespace {
 constexpr std::size_t kMaxCount = 4096;  // of values on an axis
 
 std::string as_toml(const Scene& scene, const ViewRange& view, std::size_t number) {
-  const double from = view.from[number], to = view.to[number];
-  if (!(0.0 <= from && from < to && to <= 1.0)) {
-    throw InputError(fmt::format("a view from {} to {} is none: 0 <= from < to <= 1", from, to));
-  }
+  const double from = view.shares.from[number], to = view.shares.to[number];
   const std::size_t count = view.count[number];
   if (count < 2 || count > kMaxCount) {
     throw InputError(fmt::format("{} values on an axis; 2 to {} are possible", count, kMaxCount));
@@ -29,6 +26,7 @@ std::string as_toml(const Scene& scene, const ViewRange& view, std::size_t numbe
 }  // namespace
 
 std::string view_study(const Scene& scene, const ViewRange& view) {
+  require_view(view.shares);
   std::vector<std::string> overrides = {
       fmt::format("axes=[{}, {}]", as_toml(scene, view, 0), as_toml(scene, view, 1))};
   const Integrate& integrate = scene.study().integrate;

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <string>
 
+#include "explore/preview.hpp"
 #include "explore/scene.hpp"
 
 namespace gearsweep {
 
 struct ViewRange {
-  // [axis] as shares of the scene's axes, from 0 to 1.
-  std::array<double, 2> from = {0.0, 0.0}, to = {1.0, 1.0};
+  ShareRange shares;
   std::array<std::size_t, 2> count = {200, 150};  // of values
 };
 

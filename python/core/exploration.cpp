@@ -18,9 +18,10 @@ class Exploration {
  public:
   Exploration(const Study& study, std::optional<double> pilot_step, const std::string& source,
               SweepOptions options, std::size_t megabytes, int port)
-      : explorer_({explorable(study), pilot_step}, {.source = source,
-                                                    .devices = std::move(options.devices),
-                                                    .max_bytes = megabytes << 20U}),
+      : explorer_({explorable(study), pilot_step, study.axes.size() == 1},
+                  {.source = source,
+                   .devices = std::move(options.devices),
+                   .max_bytes = megabytes << 20U}),
         server_(&explorer_, port) {}
 
   const std::string& address() const { return server_.address(); }

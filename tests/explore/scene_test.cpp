@@ -50,6 +50,21 @@ TEST(Scene, TakesOtherAxesAndParameters) {
   EXPECT_EQ(scene.key(), Scene(base, {{{"omega", 1.1}}, "damping", "x"}).key());
 }
 
+// One state moved; the others, and those of other points, start as before.
+TEST(Scene, TakesAnotherStart) {
+  const std::string text = kExplored + "[initial]\nstate = {x = 0.25, v = -0.5}\n";
+  const Scene scene(explored(text), {{{"v", 0.75}}, "", ""});
+  EXPECT_THAT(scene.start(), ElementsAre(0.25, 0.75));
+  EXPECT_THAT(Scene(explored(text), {}).start(), ElementsAre(0.25, -0.5));
+}
+
+TEST(Scene, HasSharesThatAreThoseOfItsValues) {
+  const Scene scene(explored(), {});
+  for (const std::size_t axis : {0U, 1U}) {
+    EXPECT_NEAR(scene.share_of(axis, scene.value_at(axis, 0.3)), 0.3, 1e-14);
+  }
+}
+
 TEST(Scene, SaysWhatIsWrongWithAChange) {
   const ExploredStudy base = explored();
   const auto expect = [&](const SceneChanges& changes, const std::string& part) {
@@ -68,6 +83,15 @@ TEST(Explorable, LeavesOutWhatAPointHasNotAlone) {
   ASSERT_EQ(study.selection.quantities.size(), 1U);
   EXPECT_THAT(study.notices, Contains(HasSubstr("poincare")));
   EXPECT_THAT(Scene({study, std::nullopt}, {}).study().notices, Contains(HasSubstr("poincare")));
+}
+
+// What an exponent's colours are worth.
+TEST(Explorable, AddsTheErrorOfAnExponent) {
+  const std::string text =
+      kExplored.substr(0, kExplored.find("quantities")) + "quantities = ['lyapunov_max']\n";
+  const Study study = explorable(read_study(text, "test.toml"));
+  ASSERT_EQ(study.selection.quantities.size(), 2U);
+  EXPECT_EQ(study.selection.quantities[1].name, "lyapunov_max_error");
 }
 
 TEST(Explorable, SweepsOtherParametersWhereAxesAreMissing) {
@@ -96,14 +120,14 @@ TEST(Explorable, RefusesAListOfPoints) {
 TEST(ViewStudy, IsAStudyOfTheViewWithTheSameStep) {
   const Scene scene(explored(), {});
   const Study study =
-      read_study(view_study(scene, {{0.25, 0.5}, {0.5, 0.75}, {7, 5}}), "view.toml");
+      read_study(view_study(scene, {{{0.25, 0.5}, {0.5, 0.75}}, {7, 5}}), "view.toml");
   EXPECT_EQ(study.axes[0].values.size(), 7U);
   EXPECT_EQ(study.axes[0].values.front(), scene.value_at(0, 0.25));
   EXPECT_EQ(study.axes[1].values.back(), scene.value_at(1, 0.75));
   EXPECT_EQ(study.integrate.max_step, scene.study().integrate.max_step);
   EXPECT_EQ(study.integrate.tolerance, 0.0);
-  EXPECT_THROW(view_study(scene, {{0.5, 0.5}, {0.5, 0.75}, {7, 5}}), InputError);
-  EXPECT_THROW(view_study(scene, {{0.0, 0.0}, {1.0, 1.0}, {1, 1 << 20}}), InputError);
+  EXPECT_THROW(view_study(scene, {{{0.5, 0.5}, {0.5, 0.75}}, {7, 5}}), InputError);
+  EXPECT_THROW(view_study(scene, {{{0.0, 0.0}, {1.0, 1.0}}, {1, 1 << 20}}), InputError);
 }
 
 }  // namespace

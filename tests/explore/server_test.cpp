@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 #include <httplib.h>
 
+#include <array>
 #include <atomic>
-#include <bit>
+#include <chrono>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <vector>
 
 #include "explore/explored.hpp"
 
@@ -18,6 +21,25 @@ namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+
+struct Record {
+  std::array<double, 8> head{};
+  std::vector<double> numbers;
+};
+
+std::vector<Record> read_records(const std::string& bytes) {
+  std::vector<Record> records;
+  for (std::size_t at = 0; at < bytes.size();) {
+    Record record;
+    std::memcpy(record.head.data(), bytes.data() + at, sizeof(record.head));
+    record.numbers.resize(static_cast<std::size_t>(record.head[4]));
+    at += sizeof(record.head);
+    std::memcpy(record.numbers.data(), bytes.data() + at, record.numbers.size() * sizeof(double));
+    at += record.numbers.size() * sizeof(double);
+    records.push_back(std::move(record));
+  }
+  return records;
+}
 
 class ServerTest : public ::testing::Test {
  protected:
@@ -60,17 +82,14 @@ TEST_F(ServerTest, TellsWhatASceneHas) {
 }
 
 TEST_F(ServerTest, SendsTilesInTheOrderAskedFor) {
-  const std::string body =
-      post({{"scene", key()}, {"page", "a"}, {"tiles", {{0, 0, 0}, {1, 1, 0}}}})->body;
-  constexpr std::size_t kRecord = 64 + 4 * 1024 * 8;
-  ASSERT_EQ(body.size(), 2 * kRecord);
-  std::array<double, 8> head{};
-  std::memcpy(head.data(), body.data() + kRecord, sizeof(head));
-  EXPECT_EQ(head[0], 0.0);
-  EXPECT_EQ(head[1], 1.0);
-  EXPECT_EQ(head[2], 1.0);
-  EXPECT_EQ(head[3], 0.0);
-  EXPECT_EQ(head[4], 4.0 * 1024);
+  const std::vector<Record> records = read_records(
+      post({{"scene", key()}, {"page", "a"}, {"tiles", {{0, 0, 0}, {1, 1, 0}}}})->body);
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[1].head[0], 0.0);
+  EXPECT_EQ(records[1].head[1], 1.0);
+  EXPECT_EQ(records[1].head[2], 1.0);
+  EXPECT_EQ(records[1].head[3], 0.0);
+  EXPECT_EQ(records[1].head[4], 4.0 * 1024);
 }
 
 TEST_F(ServerTest, TellsTheMotionAtACellAndTheStudyOfAView) {
@@ -82,6 +101,87 @@ TEST_F(ServerTest, TellsTheMotionAtACellAndTheStudyOfAView) {
   EXPECT_EQ(motion.at("series").size(), motion.at("channels").size());
   EXPECT_THAT(client_.Get(path("study?x0=0.2&x1=0.3&nx=9&scene=" + scene))->body,
               HasSubstr("count = 9"));
+}
+
+// It would take a browser's click seconds.
+TEST_F(ServerTest, CompressesNothing) {
+  const httplib::Headers browser = {{"Accept-Encoding", "gzip, deflate, br"}};
+  const auto motion = client_.Get(path("motion?depth=6&kx=20&ky=20&scene=" + key()), browser);
+  EXPECT_FALSE(motion->has_header("Content-Encoding"));
+  EXPECT_GT(json::parse(motion->body).at("series").size(), 0U);
+  EXPECT_FALSE(client_.Get(path("app.js"), browser)->has_header("Content-Encoding"));
+}
+
+TEST_F(ServerTest, SendsAPreviewAndStrips) {
+  const std::string scene = key();
+  const auto records = [&](const std::string& name, json body) {
+    body["scene"] = scene;
+    body["page"] = "a";
+    return read_records(client_.Post(path(name), body.dump(), "application/json")->body);
+  };
+  const auto preview = records("preview", {{"view", {0.25, 0.25, 0.5, 0.5}}});
+  // The first, whose time is that of its compiler, and a finer one.
+  ASSERT_GE(preview.size(), 2U);
+  EXPECT_EQ(preview[0].head[0], 2.0);
+  EXPECT_EQ(std::fmod(preview[0].head[4], 4.0 * preview[0].head[7]), 0.0);
+  EXPECT_EQ(preview[1].head[1], preview[0].head[1] + 1);
+  const auto strips =
+      records("diagram", {{"axis", 1}, {"at", {6, 30}}, {"strips", {{0, 0}, {2, 1}}}});
+  ASSERT_EQ(strips.size(), 2U);
+  EXPECT_EQ(strips[1].head[0], 3.0);
+  EXPECT_EQ(strips[1].head[1], 2.0);
+  EXPECT_EQ(strips[1].head[2], 1.0);
+  EXPECT_EQ(strips[1].head[3], 1.0);
+  EXPECT_EQ(strips[1].head[4], 128 * (4 + 2 * strips[1].head[7]));
+}
+
+TEST_F(ServerTest, TellsTheOrbitAndWhereOtherStartsLead) {
+  const std::string at = "?depth=6&kx=20&ky=20&scene=" + key();
+  const json orbit = json::parse(client_.Get(path("multipliers" + at))->body);
+  EXPECT_EQ(orbit.at("values").size(), 2U);
+  const json starts = json::parse(client_.Get(path("attractors" + at + "&starts=8"))->body);
+  EXPECT_EQ(starts.at("starts"), 8);
+  double share = starts.at("undecided").get<double>() + starts.at("diverged").get<double>();
+  for (const json& attractor : starts.at("attractors"))
+    share += attractor.at("share").get<double>();
+  EXPECT_NEAR(share, 1.0, 1e-12);
+}
+
+TEST_F(ServerTest, RefusesAFloodAndGoesOn) {
+  const std::string scene = key();
+  json many = json::array();
+  for (int i = 0; i < 512; ++i) many.push_back({6, i % 32, i / 32});
+  constexpr int kRequests = 40;
+  std::atomic<int> refused = 0;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+  {
+    std::vector<std::jthread> flood;
+    for (int i = 0; i < kRequests; ++i) {
+      // So few connections may wait to be taken that more at one moment are reset.
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      flood.emplace_back([&, i] {
+        httplib::Client other("127.0.0.1", port());
+        other.set_read_timeout(60);
+        httplib::Request request;
+        request.method = "POST";
+        request.path = path("tiles");
+        request.body =
+            json({{"scene", scene}, {"page", std::to_string(i)}, {"tiles", many}}).dump();
+        // Those that are served go on until all have asked.
+        request.content_receiver = [&](const char*, std::size_t, std::uint64_t, std::uint64_t) {
+          std::this_thread::sleep_until(end);
+          return false;
+        };
+        request.response_handler = [&](const httplib::Response& response) {
+          if (response.status == 429) ++refused;
+          return true;
+        };
+        static_cast<void>(other.send(request));
+      });
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(client_.Get(path("scene"))->status, 200);
 }
 
 TEST_F(ServerTest, AnswersNobodyWithoutItsToken) {
@@ -124,6 +224,22 @@ TEST_F(ServerTest, RefusesWhatIsWrongAndGoesOn) {
       post({{"scene", scene}, {"page", "a"}, {"tiles", json(std::vector(513, json({0, 0, 0})))}})
           ->status,
       400);
+  const auto refused = [&](const std::string& name, const json& body) {
+    return client_.Post(path(name), body.dump(), "application/json")->status;
+  };
+  const json whole = {{"scene", scene}, {"page", "a"}};
+  const auto with = [&](json more) {
+    more.update(whole);
+    return more;
+  };
+  EXPECT_EQ(refused("preview", with({{"view", {0.5, 0.0, 0.5}}})), 400);
+  EXPECT_EQ(refused("preview", with({{"view", "all"}})), 400);
+  EXPECT_EQ(refused("diagram", with({{"axis", 2}, {"at", {1, 1}}, {"strips", {{0, 0}}}})), 400);
+  EXPECT_EQ(refused("diagram", with({{"axis", 0}, {"at", {1, 3}}, {"strips", {{0, 0}}}})), 400);
+  EXPECT_EQ(refused("diagram", with({{"axis", 0}, {"at", {1, 1}}, {"strips", {{1, 1}}}})), 400);
+  EXPECT_EQ(status("attractors?starts=1&scene=" + scene), 400);
+  EXPECT_EQ(status("attractors?starts=1000000&scene=" + scene), 400);
+  EXPECT_EQ(status("data?scene=" + scene), 404);
   EXPECT_EQ(status("scene"), 200);
 }
 

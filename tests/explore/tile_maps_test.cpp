@@ -81,32 +81,5 @@ TEST(Explorer, StopsATileThatNobodyWantsAnyMore) {
   EXPECT_EQ(explorer.tile(*explorer.make_scene({}), {1, {0, 0}}, stop), nullptr);
 }
 
-TEST(Motion, IsWhatARunAndATraceShowAtTheCell) {
-  // So much damping, and so long, that it comes to its orbit.
-  std::string text = kExplored + "[parameters]\ndamping = 0.4\n";
-  text.replace(text.find("settle = 30"), 11, "settle = 300");
-  Explorer explorer(explored(text), {.source = "test", .devices = {}});
-  const auto scene = explorer.make_scene({});
-  const Motion motion = explorer.motion(*scene, {7, {40, 64}});
-  const double x = scene->value_at(0, 40, 7), y = scene->value_at(1, 64, 7);
-  EXPECT_EQ(motion.at[0].value, x);
-  const SweepResult alone = run(scene->at({{{x}, {y}}}));
-  for (std::size_t i = 0; i < alone.values.size(); ++i) {
-    EXPECT_TRUE(same_bits(motion.values[i], alone.values[i][0]));
-  }
-  ASSERT_TRUE(motion.trace);
-  EXPECT_NEAR(*std::ranges::max_element(motion.trace->values[0]), motion.values[0], 1e-3);
-  ASSERT_TRUE(motion.spectrum);
-  // Multipliers of a damped oscillator: their product is exp(-damping T).
-  ASSERT_TRUE(motion.orbit) << ::testing::PrintToString(motion.notes);
-  double product = 1.0;
-  for (const std::complex<double>& multiplier : motion.orbit->multipliers) {
-    product *= std::abs(multiplier);
-  }
-  const double damping = scene->study().setting.parameters[0];
-  EXPECT_NEAR(std::log(product),
-              -damping * motion.trace->period * static_cast<double>(motion.orbit->period), 1e-6);
-}
-
 }  // namespace
 }  // namespace gearsweep::testing

@@ -33,7 +33,8 @@ TEST_P(CorpusTest, IsReadOrRefused) {
 
 INSTANTIATE_TEST_SUITE_P(All, CorpusTest,
                          ::testing::Values(Target{"study", read_hostile_study},
-                                           Target{"result", read_hostile_result}),
+                                           Target{"result", read_hostile_result},
+                                           Target{"request", read_hostile_request}),
                          [](const auto& target) { return target.param.corpus; });
 
 }  // namespace

@@ -15,4 +15,8 @@ void read_hostile_study(const std::string& bytes);
 // sound NetCDF file, but maybe not one of ours. Reads, exports and draws all that is in it.
 void read_hostile_result(const std::string& bytes);
 
+// A request to the explorer: the line of its query (x=omega&set=mu%3D0.1), then its body. Makes the
+// scene, the cells and the study that it asks for, and computes none.
+void read_hostile_request(const std::string& bytes);
+
 }  // namespace gearsweep::testing

@@ -1,0 +1,32 @@
+// Where other starts lead at one point of a scene.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "explore/scene.hpp"
+#include "sweep/sweep_options.hpp"
+
+namespace gearsweep {
+
+struct ReachedAttractor {
+  double share = 0.0;  // of the starts
+  std::string name;    // "periodic, period 2, rms of x1 0.4123"
+  // [sample][state] of one of its motions, as Scene::sampled_at() takes them.
+  std::vector<std::vector<double>> section;
+};
+
+struct ReachedAttractors {
+  std::vector<ReachedAttractor> attractors;  // the one that most starts come to first
+  double undecided = 0.0, diverged = 0.0;    // shares of the starts
+};
+
+// Follows the study's own start at the cell and seeded random ones around it (initial.ensemble),
+// and tells the attractors apart that they come to (attractors/). starts: 2 or more. Nothing when
+// stopped. Throws InputError and RunError.
+std::optional<ReachedAttractors> look_at_starts(const Scene& scene, const Cell& cell,
+                                                std::size_t starts, const SweepOptions& options);
+
+}  // namespace gearsweep
