@@ -4,16 +4,17 @@
 
 namespace gearsweep {
 
-std::optional<std::vector<double>> compute_cells(const Scene& scene,
-                                                 const std::array<std::vector<double>, 2>& values,
-                                                 const SweepOptions& options) {
+std::optional<CellMaps> compute_cells(const Scene& scene,
+                                      const std::array<std::vector<double>, 2>& values,
+                                      const SweepOptions& options) {
   const std::optional<SweepResult> result = run_sweep(scene.at(values), options);
   if (!result) return std::nullopt;
-  std::vector<double> numbers(result->status.begin(), result->status.end());
+  CellMaps maps = {
+      {result->status.begin(), result->status.end()}, result->engine, result->integrated};
   for (const std::vector<double>& map : result->values) {
-    numbers.insert(numbers.end(), map.begin(), map.end());
+    maps.numbers.insert(maps.numbers.end(), map.begin(), map.end());
   }
-  return numbers;
+  return maps;
 }
 
 }  // namespace gearsweep

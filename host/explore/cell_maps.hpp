@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "explore/scene.hpp"
@@ -10,11 +11,19 @@
 
 namespace gearsweep {
 
-// [map][y][x]: the status of each point, then each quantity of the scene's study, NaN where there
-// is no value. What run_sweep() computes at these values of the axes; nothing when stopped. Throws
-// as run_sweep() does.
-std::optional<std::vector<double>> compute_cells(const Scene& scene,
-                                                 const std::array<std::vector<double>, 2>& values,
-                                                 const SweepOptions& options);
+struct CellMaps {
+  // [map][y][x]: the status of each point, then each quantity of the scene's study, NaN where there
+  // is no value.
+  std::vector<double> numbers;
+  // What computed them, and which states were integrated, as SweepResult has it.
+  EngineInfo engine;
+  std::vector<std::string> integrated;
+};
+
+// What run_sweep() computes at these values of the axes; nothing when stopped. Throws as
+// run_sweep() does.
+std::optional<CellMaps> compute_cells(const Scene& scene,
+                                      const std::array<std::vector<double>, 2>& values,
+                                      const SweepOptions& options);
 
 }  // namespace gearsweep

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "explore/view_result.hpp"
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -84,6 +85,13 @@ const ResultData* Explorer::data(const Scene& scene) const {
 std::optional<StripMaps> Explorer::strip(const Scene& scene, const Line& line, const Strip& strip,
                                          const std::atomic<bool>& stop) {
   return compute_strip(scene, line, strip, sweep_options(kOfTiles, &stop));
+}
+
+std::string Explorer::result_file(const Scene& scene, const ShareRange& view, std::size_t depth,
+                                  const std::atomic<bool>& stop) {
+  const std::lock_guard lock(one_file_);
+  const auto find_tile = [&](const TilePlace& place) { return tile(scene, place, stop); };
+  return view_result(scene, view, depth, find_tile, "gearsweep explore " + options_.source);
 }
 
 double Explorer::points_per_second() const {

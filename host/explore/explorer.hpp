@@ -56,6 +56,9 @@ class Explorer {
   // Nothing when stopped. Throws as compute_strip() does.
   std::optional<StripMaps> strip(const Scene& scene, const Line& line, const Strip& strip,
                                  const std::atomic<bool>& stop);
+  // view_result() of these tiles. Throws as that does.
+  std::string result_file(const Scene& scene, const ShareRange& view, std::size_t depth,
+                          const std::atomic<bool>& stop);
   // The points of all tiles by the time that they took; 0: there is none yet.
   double points_per_second() const;
   // Tiles wait for these three between their rounds. They throw InputError and RunError.
@@ -82,6 +85,7 @@ class Explorer {
   double preview_rate_ = 0.0;                        // points a second of the last preview
   std::string data_key_;                             // of the scene that options_.data is of
   std::mutex one_spectrum_;                          // add_spectrum()
+  std::mutex one_file_;                              // view_result()
 };
 
 }  // namespace gearsweep

@@ -37,6 +37,17 @@ std::vector<NamedValue> place_of(const Study& point) {
   return at;
 }
 
+// By the study's own quantities. A motion that repeats need not have stopped on its orbit.
+bool is_told_periodic(const Motion& motion) {
+  for (std::size_t i = 0; i < motion.values.size(); ++i) {
+    const Quantity& quantity = motion.study.selection.quantities[i];
+    const double value = motion.values[i];
+    if (quantity.name == "period" && value > 0.0) return true;
+    if (quantity.role == OutputRole::motion && value == double{MOTION_periodic}) return true;
+  }
+  return false;
+}
+
 // A note says what is missing.
 template <typename Find>
 void try_to(const char* what, const Find& find, Motion* motion) {
@@ -65,7 +76,7 @@ Motion find_motion(const Scene& scene, const Cell& cell, const SweepOptions& opt
   }
   try_to(
       "no trace", [&] { add_trace(options, &motion); }, &motion);
-  motion.is_on_orbit = result->on_orbit.front() != 0;
+  motion.is_on_orbit = result->on_orbit.front() != 0 || is_told_periodic(motion);
   return motion;
 }
 

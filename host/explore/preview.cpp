@@ -61,10 +61,10 @@ std::optional<Preview> compute_preview(const Scene& scene, const CellBlock& cell
       values[axis].push_back(scene.value_at(axis, cells.first[axis] + i, cells.depth));
     }
   }
-  std::optional<std::vector<double>> numbers = compute_cells(scene, values, options);
-  if (!numbers) return std::nullopt;
+  std::optional<CellMaps> maps = compute_cells(scene, values, options);
+  if (!maps) return std::nullopt;
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return Preview{cells, *std::move(numbers), taken.count()};
+  return Preview{cells, std::move(maps->numbers), taken.count()};
 }
 
 }  // namespace gearsweep

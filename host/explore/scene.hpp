@@ -34,6 +34,7 @@ struct Cell {
 // A square of cells. At depth d each axis has 2^d tiles; a cell's depth is 5 more.
 struct TilePlace {
   static constexpr std::size_t kCells = 32;  // along either axis
+  static constexpr std::size_t kPoints = kCells * kCells;
   static constexpr std::size_t kMaxDepth = Cell::kMaxDepth - 5;
 
   std::size_t depth = 0;

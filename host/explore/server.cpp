@@ -45,8 +45,12 @@ class ExploreServer::Impl {
  public:
   Impl(Explorer* explorer, int port, const std::string& token)
       : answers_(explorer), token_(token.empty() ? random_token() : token) {
-    // Another program of the same user must not be able to share the port.
-    server_.set_socket_options([](socket_t) {});
+    // No other program may share the port (SO_REUSEPORT), but one that was stopped may have it
+    // again.
+    server_.set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    });
     server_.set_tcp_nodelay(true);
     server_.set_payload_max_length(kMaxBody);
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
@@ -60,6 +64,7 @@ class ExploreServer::Impl {
     add_page();
     add("Get", "scene", &Answers::scene);
     add("Get", "study", &Answers::study);
+    add("Get", "result", &Answers::result);
     add("Get", "data", &Answers::data);
     add("Get", "motion", &Answers::motion);
     add("Get", "multipliers", &Answers::multipliers);

@@ -15,6 +15,7 @@
 //   GET  TOKEN/multipliers?...         of the orbit at a cell (orbit_message())
 //   GET  TOKEN/attractors?...&starts=16   that other starts come to (starts_message())
 //   GET  TOKEN/study?scene=KEY&x0=0.2&x1=0.4&y0=0&y1=1&nx=200&ny=150   the view as a study
+//   GET  TOKEN/result?...&depth=6       the points of a view at a depth of tiles as a result file
 // What is wrong is told as {"error": TEXT} with a status of 400, too much at once with one of 429.
 #pragma once
 

@@ -10,7 +10,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::size_t kCells = TilePlace::kCells, kPoints = kCells * kCells;
+constexpr std::size_t kCells = TilePlace::kCells, kPoints = TilePlace::kPoints;
 
 // The columns and rows of a tile that are computed together.
 using Grid = std::array<std::vector<std::size_t>, 2>;
@@ -48,15 +48,16 @@ class Filling {
 
   // False when stopped.
   bool compute(const Grid& grid, const SweepOptions& options) {
-    const std::optional<std::vector<double>> numbers =
-        compute_cells(scene_, values_of(grid), options);
-    if (!numbers) return false;
-    auto number = numbers->begin();
+    std::optional<CellMaps> cells = compute_cells(scene_, values_of(grid), options);
+    if (!cells) return false;
+    auto number = cells->numbers.begin();
     for (std::size_t map = 0; map < maps_; ++map) {
       for (const std::size_t row : grid[1]) {
         for (const std::size_t column : grid[0]) at(map, row, column) = *number++;
       }
     }
+    out_.engine = std::move(cells->engine);
+    out_.integrated = std::move(cells->integrated);
     out_.computed += grid[0].size() * grid[1].size();
     return true;
   }

@@ -19,6 +19,8 @@ struct TileMaps {
   std::size_t computed = 0;  // points; the others are the parent's
   double seconds = 0.0;      // that they took
   std::string refusal;       // why the tile is refused; empty: it is not
+  EngineInfo engine;         // as CellMaps has these two
+  std::vector<std::string> integrated;
 };
 
 inline constexpr double kRefused = 255.0;

@@ -1,8 +1,7 @@
 #include "explore/view_study.hpp"
 
 #include <fmt/format.h>
-
-#include <vector>
+#include <fmt/ranges.h>
 
 #include "model/error.hpp"
 
@@ -25,15 +24,18 @@ std::string as_toml(const Scene& scene, const ViewRange& view, std::size_t numbe
 
 }  // namespace
 
-std::string view_study(const Scene& scene, const ViewRange& view) {
-  require_view(view.shares);
-  std::vector<std::string> overrides = {
-      fmt::format("axes=[{}, {}]", as_toml(scene, view, 0), as_toml(scene, view, 1))};
+Study study_with_axes(const Scene& scene, const std::vector<std::string>& axes) {
+  std::vector<std::string> overrides = {fmt::format("axes=[{}]", fmt::join(axes, ", "))};
   const Integrate& integrate = scene.study().integrate;
   if (integrate.steps_per_period == 0) {
     overrides.push_back(fmt::format("integrate.max_step={}", integrate.max_step));
   }
-  return read_study(scene.study().toml, "the view", overrides, {}, {}, NamedFiles::refused).toml;
+  return read_study(scene.study().toml, "the view", overrides, {}, {}, NamedFiles::refused);
+}
+
+std::string view_study(const Scene& scene, const ViewRange& view) {
+  require_view(view.shares);
+  return study_with_axes(scene, {as_toml(scene, view, 0), as_toml(scene, view, 1)}).toml;
 }
 
 }  // namespace gearsweep

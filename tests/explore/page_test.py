@@ -6,6 +6,7 @@ page_test.py GEARSWEEP [FOLDER]   FOLDER: where screenshots are left
 
 import csv
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -21,6 +22,8 @@ from selenium.webdriver.support.ui import Select
 STUDY = """
 [model]
 name = "duffing"
+[parameters]
+damping = 0.4
 [[axes]]
 name = "omega"
 from = 0.8
@@ -32,7 +35,7 @@ from = 0.1
 to = 0.4
 count = 10
 [integrate]
-settle = 40
+settle = 60
 record = 8
 [observe]
 quantities = ["x_max", "motion_class", "period"]
@@ -90,14 +93,41 @@ def run_at(gearsweep, folder, coordinates):
     result = folder / "point.nc"
     subprocess.run([gearsweep, "run", folder / "study.toml", "--set", f"axes=[{axes}]", "--restart",
                     "--quiet", "-o", result], check=True)
-    table = folder / "point.csv"
+    return rows_of(gearsweep, result)[0]
+
+
+def rows_of(gearsweep, result):
+    """The points of a result file, by name, all digits."""
+    table = result.with_suffix(".csv")
     subprocess.run([gearsweep, "export", result, "-o", table], check=True)
     with table.open() as lines:
-        row = next(csv.DictReader(line for line in lines if not line.startswith("#")))
-    return {name.split(" ")[0]: value for name, value in row.items()}
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    return [{name.split(" ")[0]: value for name, value in row.items()} for row in rows]
 
 
-def check(gearsweep, server, address, folder, pictures):
+TOKEN = "0123456789abcdef0123456789abcdef"  # so that a server started anew is found again
+
+
+def serve(gearsweep, folder, port=None):
+    command = [gearsweep, "explore", folder / "study.toml", "--no-browser", "--quiet"]
+    if port is not None:
+        command += ["--port", str(port)]
+    server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
+                              env={**os.environ, "GEARSWEEP_EXPLORE_TOKEN": TOKEN})
+    return server, server.stdout.readline().strip()
+
+
+def check_diagram(page, gearsweep, folder, pictures):
+    """Its samples are those of the point, which is periodic there: the value at phase 0."""
+    page.find("diagram-button").click()
+    page.settle("the diagram")
+    line = page.ask("gearsweepExplorer.diagram()")
+    assert line["columns"] > 100, line
+    page.driver.save_screenshot(str(pictures / "diagram.png"))
+    page.find("diagram-button").click()
+
+
+def check(gearsweep, servers, address, folder, pictures):
     page = Page(address)
     try:
         page.settle("the first view")
@@ -130,7 +160,12 @@ def check(gearsweep, server, address, folder, pictures):
         wait_for(lambda: f"{seen['values']['x_max']:.5g}" in panel.text, "the motion's numbers")
         assert "gearsweep trace" in panel.text, panel.text
         page.driver.save_screenshot(str(pictures / "motion.png"))
+        wait_for(lambda: "orbit of period" in panel.text, "the multipliers")
+        panel.find_element(By.XPATH, ".//button[text()='other starts']").click()
+        wait_for(lambda: "starts:" in panel.text, "motions from other starts")
         ActionChains(page.driver).send_keys(Keys.ESCAPE).perform()
+
+        check_diagram(page, gearsweep, folder, pictures)
 
         # The view as a study runs.
         study = page.driver.execute_async_script(
@@ -141,6 +176,20 @@ def check(gearsweep, server, address, folder, pictures):
         (folder / "view.toml").write_text(study)
         subprocess.run([gearsweep, "run", folder / "view.toml", "--quiet", "-o", folder / "view.nc"],
                        check=True)
+
+        # The points in view as a result file, which has the numbers of the readout.
+        page.driver.set_script_timeout(60)
+        bytes_of_file = page.driver.execute_async_script(
+            "const done = arguments[0]; const v = gearsweepExplorer.view();"
+            "fetch(`result?scene=${v.scene}&x0=${v.x0}&x1=${v.x0 + v.sx}&y0=${v.y0}&y1=${v.y0 + v.sy}"
+            "&depth=${v.depth}`).then(answer => answer.arrayBuffer())"
+            ".then(bytes => done(Array.from(new Uint8Array(bytes))))")
+        (folder / "points.nc").write_bytes(bytes(bytes_of_file))
+        seen = page.ask("gearsweepExplorer.valueAt(220, 160)")
+        axes = list(seen["coordinates"])
+        rows = rows_of(gearsweep, folder / "points.nc")
+        same = [row for row in rows if all(float(row[name]) == seen["coordinates"][name] for name in axes)]
+        assert len(same) == 1 and float(same[0]["x_max"]) == seen["values"]["x_max"], (same, seen)
 
         # The link has the whole state.
         link = page.driver.current_url
@@ -154,11 +203,16 @@ def check(gearsweep, server, address, folder, pictures):
         assert not page.complaints(), page.complaints()
 
         # Without its server the page says so, and keeps what it has.
-        server.terminate()
-        server.wait(30)
+        servers[-1].terminate()
+        servers[-1].wait(30)
         page.turn_wheel(-800)
         wait_for(lambda: page.find("banner").is_displayed(), "the banner")
         page.driver.save_screenshot(str(pictures / "lost.png"))
+
+        # It goes on once there is one again.
+        servers.append(serve(gearsweep, folder, address.split(":")[2].split("/")[0])[0])
+        page.settle("the server that is back")
+        assert not page.find("banner").is_displayed(), page.find("banner").text
     finally:
         page.driver.quit()
 
@@ -170,13 +224,13 @@ def main():
         pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else folder
         pictures.mkdir(exist_ok=True)
         (folder / "study.toml").write_text(STUDY)
-        server = subprocess.Popen([gearsweep, "explore", folder / "study.toml", "--no-browser", "--quiet"],
-                                  stdout=subprocess.PIPE, text=True)
+        server, address = serve(gearsweep, folder)
+        servers = [server]
         try:
-            check(gearsweep, server, server.stdout.readline().strip(), folder, pictures)
+            check(gearsweep, servers, address, folder, pictures)
         finally:
-            server.terminate()
-            server.wait(30)
+            servers[-1].terminate()
+            servers[-1].wait(30)
 
 
 main()

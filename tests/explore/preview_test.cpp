@@ -7,13 +7,9 @@
 #include <cmath>
 
 #include "explore/explored.hpp"
-#include "explore/explorer.hpp"
 #include "explore/tile_maps.hpp"
 #include "model/error.hpp"
-#include "result/result_file.hpp"
 #include "support/bits.hpp"
-#include "support/folder.hpp"
-#include "support/run.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -57,28 +53,6 @@ TEST(Preview, HasTheBitsOfATile) {
                               tile.numbers[(map * 32 + 8 * row) * 32 + 8 * column]));
       }
     }
-  }
-}
-
-TEST(ResultData, IsThatOfTheFileWhereTheSceneIsItsOwn) {
-  const Folder folder;
-  const std::string path = folder / "map.nc";
-  const SweepResult result = run(read_study(kExplored, "test.toml"));
-  write_result(result, path, {});
-  const ExploredStudy base = explored();
-  Explorer explorer(base,
-                    {.source = "test", .devices = {}, .data = read_result_data(path, base.study)});
-  const auto own = explorer.make_scene({}),
-             other = explorer.make_scene({{{"damping", 0.3}}, "", ""});
-  EXPECT_EQ(explorer.data(*other), nullptr);
-  const ResultData* data = explorer.data(*own);
-  ASSERT_NE(data, nullptr);
-  EXPECT_EQ(data->values[0], result.study.axes[0].values);
-  EXPECT_EQ(data->values[1], result.study.axes[1].values);
-  const std::size_t points = result.status.size();
-  ASSERT_EQ(data->numbers.size(), 4 * points);
-  for (std::size_t i = 0; i < points; ++i) {
-    EXPECT_TRUE(same_bits(data->numbers[points + i], result.values[0][i]));
   }
 }
 

@@ -50,8 +50,7 @@ void read_hostile_request(const std::string& bytes) {
     own.value_at(0, cell.k[0], cell.depth);
   });
   answer([&] {
-    view_study(own, {{{number_of(request, "x0", 0.0), number_of(request, "y0", 0.0)},
-                      {number_of(request, "x1", 1.0), number_of(request, "y1", 1.0)}},
+    view_study(own, {shares_of(request),
                      {number_of<std::size_t>(request, "nx", 2),
                       number_of<std::size_t>(request, "ny", 2)}});
   });

@@ -96,11 +96,20 @@ void Answers::scene(const Request& request, Response* response) {
   answer_text(scene_message(*explorer_, *scene), kJson, response);
 }
 
+void Answers::result(const Request& request, Response* response) {
+  const std::shared_ptr<void> slot = take_slot();
+  const auto scene = scene_of(request.get_param_value("scene"));
+  const auto depth = number_of<std::size_t>(request, "depth", 0);
+  if (depth > TilePlace::kMaxDepth) throw Refusal{400, "a depth that is not there"};
+  const Stop stop = begin_stream("the result files");
+  answer_text(explorer_->result_file(*scene, shares_of(request), depth, *stop),
+              "application/x-netcdf", response);
+}
+
 void Answers::study(const Request& request, Response* response) const {
   const auto scene = scene_of(request.get_param_value("scene"));
   const ViewRange view = {
-      {{number_of(request, "x0", 0.0), number_of(request, "y0", 0.0)},
-       {number_of(request, "x1", 1.0), number_of(request, "y1", 1.0)}},
+      shares_of(request),
       {number_of<std::size_t>(request, "nx", 200), number_of<std::size_t>(request, "ny", 150)}};
   answer_text(view_study(*scene, view), "text/plain; charset=utf-8", response);
 }

@@ -28,6 +28,7 @@ class Answers {
 
   void scene(const Request& request, Response* response);
   void study(const Request& request, Response* response) const;
+  void result(const Request& request, Response* response);
   void data(const Request& request, Response* response) const;
   void motion(const Request& request, Response* response);
   void multipliers(const Request& request, Response* response);

@@ -42,6 +42,11 @@ SceneChanges changes_of(const httplib::Request& request) {
   return changes;
 }
 
+ShareRange shares_of(const httplib::Request& request) {
+  return {{number_of(request, "x0", 0.0), number_of(request, "y0", 0.0)},
+          {number_of(request, "x1", 1.0), number_of(request, "y1", 1.0)}};
+}
+
 Cell cell_of(const httplib::Request& request) {
   const Cell cell = {
       number_of<std::size_t>(request, "depth", 0),

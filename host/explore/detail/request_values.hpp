@@ -42,6 +42,9 @@ Number number_of(const httplib::Request& request, const std::string& name, Numbe
 // x, y and each set=NAME%3DNUMBER.
 SceneChanges changes_of(const httplib::Request& request);
 
+// x0, x1, y0, y1: the whole axes where they lack.
+ShareRange shares_of(const httplib::Request& request);
+
 // depth, kx, ky
 Cell cell_of(const httplib::Request& request);
 
