@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "gear/detail/bases.hpp"
+#include "gear/detail/bodies.hpp"
 #include "gear/detail/contact_path.hpp"
 #include "gear/detail/doubts.hpp"
 #include "gear/detail/dynamic_factor_input.hpp"
 #include "gear/detail/faults.hpp"
 #include "gear/detail/mesh_stiffness.hpp"
+#include "gear/detail/missing_keys.hpp"
 #include "gear/detail/transmission_error.hpp"
 
 namespace gearsweep {
@@ -50,7 +52,7 @@ void add_geometry(const GearDrawing& drawing, const GearGeometry& geometry, Gear
               fmt::format("working pressure angle at a = {:.6g} mm", geometry.centre));
 }
 
-void add_masses(const GearDrawing& drawing, const GearBases& bases, GearTarget* target) {
+void add_masses(const GearBodies& bodies, const GearBases& bases, GearTarget* target) {
   const double sum = bases.pinion_mesh_mass + bases.gear_mesh_mass;
   target->add(
       "rho_p", bases.gear_mesh_mass / sum, kInertia,
@@ -58,19 +60,36 @@ void add_masses(const GearDrawing& drawing, const GearBases& bases, GearTarget* 
   target->add("rho_g", bases.pinion_mesh_mass / sum, kInertia,
               fmt::format("me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.gear_mesh_mass));
   if (!target->takes(kMass)) return;
-  const std::vector<double>& mass = drawing.list(kMass);
+  const std::vector<double>& mass = bodies.mass;
   target->add("m1", bases.me / mass[0], kMass,
               fmt::format("me/mp = {:.6g} kg / {:.6g} kg", bases.me, mass[0]));
   target->add("m2", bases.me / mass[1], kMass,
               fmt::format("me/mg = {:.6g} kg / {:.6g} kg", bases.me, mass[1]));
 }
 
-void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
-                             GearTarget* target) {
-  const double cm = target->takes(kMeshDamping) ? drawing.required(kMeshDamping) * 1e3 : 0.0;
-  target->add("zeta", cm / (2.0 * bases.varpi * bases.me), kMeshDamping,
+// Returns it in N s/m.
+double add_mesh_damping(const GearDrawing& drawing, const GearBases& bases, GearTarget* target) {
+  const double critical = 2.0 * bases.varpi * bases.me;
+  if (const std::optional<double> ratio = drawing.number(kDampingRatio)) {
+    if (drawing.has(kMeshDamping)) {
+      throw DrawingError(kDampingRatio,
+                         "mesh_damping_ratio and mesh_damping_N_s_per_mm are two numbers for one "
+                         "thing; give one of them");
+    }
+    target->add("zeta", *ratio, kDampingRatio,
+                fmt::format("as given: cm = {:.6g} N s/m", *ratio * critical));
+    return *ratio * critical;
+  }
+  const double cm = drawing.required(kMeshDamping) * 1e3;
+  target->add("zeta", cm / critical, kMeshDamping,
               fmt::format("cm/(2 varpi me) = {:.6g} N s/m / (2 {:.6g} rad/s {:.6g} kg)", cm,
                           bases.varpi, bases.me));
+  return cm;
+}
+
+void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
+                             GearTarget* target) {
+  const double cm = target->takes(kMeshDamping) ? add_mesh_damping(drawing, bases, target) : 0.0;
   for (std::size_t i = 0; target->takes(kBearingStiffness) && i < kBearingStiffness.count(); ++i) {
     const double spring = drawing.list(kBearingStiffness)[i] * 1e3;
     target->add(fmt::format("k{}", i + 1), spring / bases.k0, kBearingStiffness,
@@ -122,14 +141,16 @@ void add_speed(const GearDrawing& drawing, double rpm_per_omega, GearTarget* tar
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
                             const std::string& suffix) {
   GearTarget target(drawing, model, suffix);
+  require_keys(drawing, target);
   const GearGeometry geometry = geometry_of(drawing);
   add_geometry(drawing, geometry, &target);
   const ContactPath path = add_contact_path(drawing, geometry, &target);
   const std::optional<MeasuredCurve> stiffness = measured_stiffness(drawing);
-  const GearBases bases =
-      bases_of(drawing, geometry, path.contact_ratio(), stiffness ? stiffness->mean : 0.0, &target);
+  const GearBodies bodies = bodies_of(drawing, geometry, &target);
+  const GearBases bases = bases_of(drawing, geometry, bodies, path.contact_ratio(),
+                                   stiffness ? stiffness->mean : 0.0, &target);
   add_bases(bases, &target);
-  add_masses(drawing, bases, &target);
+  add_masses(bodies, bases, &target);
   add_springs_and_dampers(drawing, bases, &target);
   add_lengths_and_loads(drawing, geometry, bases, &target);
   const bool is_sine = add_transmission_error(drawing, geometry, path, bases.b_n, &target);

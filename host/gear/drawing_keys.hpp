@@ -37,6 +37,7 @@ struct GearKey {
   GivenNames gives = {};
   std::string_view choices = "";          // of a word, with blanks between
   std::span<const ValueUnit> units = {};  // of what is measured, that its source may name
+  std::string_view advice = "";           // where to get what a drawing needs and does not have
 
   constexpr bool is_measured() const { return form >= KeyForm::mesh_curve; }
   // Whether it may be a number that differs from point to point. Those of teeth are whole, and come
@@ -53,8 +54,9 @@ struct GearKey {
 
 constexpr GearKey number_key(std::string_view name, double min, double max,
                              std::string_view meaning, KeyForm form = KeyForm::number,
-                             std::string_view fallback = "required", const GivenNames& gives = {}) {
-  return {name, min, max, meaning, form, fallback, gives};
+                             std::string_view fallback = "required", const GivenNames& gives = {},
+                             std::string_view advice = "") {
+  return {name, min, max, meaning, form, fallback, gives, "", {}, advice};
 }
 constexpr GearKey measured_key(std::string_view name, KeyForm form, const GivenNames& gives,
                                std::string_view meaning, std::span<const ValueUnit> units = {}) {
@@ -76,34 +78,62 @@ inline constexpr GearKey kContactRatio =
     number_key("contact_ratio", 0.0, 10.0, "contact ratio", KeyForm::number, "from the geometry");
 inline constexpr GearKey kAddendum =
     number_key("addendum_mm", 0.0, 1e4, "addendum", KeyForm::pair, "one module");
-inline constexpr GearKey kInertia =
-    number_key("inertia_kg_mm2", 1e-9, 1e15, "moment of inertia", KeyForm::pair);
+inline constexpr GearKey kInertia = number_key(
+    "inertia_kg_mm2", 1e-9, 1e15, "moment of inertia", KeyForm::pair, "needed without body", {},
+    "from CAD, or body = \"solid\" with face_width_mm: that of a steel disc");
 inline constexpr GearKey kMass =
-    number_key("mass_kg", 1e-9, 1e9, "mass", KeyForm::pair, "required", {"m1", "m2"});
+    number_key("mass_kg", 1e-9, 1e9, "mass", KeyForm::pair, "needed without body", {"m1", "m2"},
+               "from CAD, or body = \"solid\" with face_width_mm: that of a steel disc");
+inline constexpr GearKey kBody = word_key(
+    "body", "given solid", "\"given\"",
+    "solid: a mass or an inertia that is not given is that of a steel disc of the reference "
+    "diameter, face_width_mm wide, with a bore of bore_mm");
+inline constexpr GearKey kBore =
+    number_key("bore_mm", 0.0, 1e6, "bore of these discs", KeyForm::pair, "0");
+// Palmgren's deflections, 0.00044 (Q^2/D)^(1/3) mm of a ball and 0.000077 Q^0.9/l^0.8 mm of a
+// roller, with Q = 4.37 and 4.08 F/Z (NSK, Technical Report E728g, 5.1); bearings 6204, 6210, N 204
+// and N 210 under 1 kN.
 inline constexpr GearKey kBearingStiffness = number_key(
     "bearing_stiffness_N_per_mm", 1e-6, 1e15, "bearing stiffness, y along the line of action",
-    KeyForm::bearings, "required", {"k1", "k2", "k3", "k4"});
+    KeyForm::bearings, "required", {"k1", "k2", "k3", "k4"},
+    "radial, of both bearings of the shaft together, from their maker's program; under 1 kN a "
+    "deep-groove ball bearing has about 1e5 at a bore of 20 mm and 1.5e5 at 50 mm, a cylindrical "
+    "roller bearing 3e5 and 6e5, and the shaft and the housing take a part of it");
+// Kraemer, Dynamics of Rotors and Foundations (1993): 0.25e-5 to 2.5e-5 s times the stiffness.
 inline constexpr GearKey kBearingDamping =
     number_key("bearing_damping_N_s_per_mm", 0.0, 1e12, "bearing damping", KeyForm::bearings,
-               "required", {"c1", "c2", "c3", "c4"});
+               "required", {"c1", "c2", "c3", "c4"},
+               "of rolling bearings 0.25e-5 to 2.5e-5 times bearing_stiffness_N_per_mm");
 inline constexpr GearKey kMeshDamping = number_key(
-    "mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping", KeyForm::number, "required", {"zeta"});
-inline constexpr GearKey kHalfBacklash =
-    number_key("half_backlash_mm", 1e-9, 1e3, "half backlash, the unit of length");
+    "mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping", KeyForm::number,
+    "needed without mesh_damping_ratio", {"zeta"},
+    "measured, or mesh_damping_ratio = 0.07: gears have 0.03 to 0.17 of the critical damping");
+inline constexpr GearKey kDampingRatio =
+    number_key("mesh_damping_ratio", 0.0, 10.0,
+               "instead of it: mesh damping over its critical value "
+               "2 sqrt(k0 me)",
+               KeyForm::number, "from mesh_damping_N_s_per_mm", {"zeta"});
+inline constexpr GearKey kHalfBacklash = number_key(
+    "half_backlash_mm", 1e-9, 1e3, "half backlash, the unit of length", KeyForm::number, "required",
+    {}, "half of the play along the line of action; it is often 0.03 to 0.1 modules");
 inline constexpr GearKey kMeshStiffness =
     number_key("mesh_stiffness_N_per_m", 1e-3, 1e15, "mean mesh stiffness", KeyForm::number,
                "by ISO 6336-1 method B from face_width_mm");
 inline constexpr GearKey kFaceWidth =
     number_key("face_width_mm", 1e-3, 1e5, "face width", KeyForm::number,
-               "needed without mesh_stiffness_N_per_m");
+               "needed without mesh_stiffness_N_per_m", {},
+               "from the drawing; or mesh_stiffness_N_per_m, of steel about 14e9 to 20e9 times the "
+               "width in m");
 inline constexpr GearKey kDedendum = number_key(
     "dedendum_mm", 0.0, 1e4, "dedendum of the basic rack, for the stiffness by face_width_mm",
     KeyForm::number, "1.25 modules");
-inline constexpr GearKey kTorque = number_key("torque_N_m", 0.0, 1e12, "torque on the pinion",
-                                              KeyForm::number, "required", {"F1"});
+inline constexpr GearKey kTorque =
+    number_key("torque_N_m", 0.0, 1e12, "torque on the pinion", KeyForm::number, "required", {"F1"},
+               "9549 times the power in kW over the pinion's speed in rpm");
 inline constexpr GearKey kTransmissionError =
     number_key("transmission_error_um", 0.0, 1e9, "amplitudes of the transmission error",
-               KeyForm::harmonics, "needed without transmission_error_file", {"e0"});
+               KeyForm::harmonics, "needed without transmission_error_file", {"e0"},
+               "measured without load; ground gears have a few um, hobbed ones 10 to 30; 0: none");
 inline constexpr GearKey kErrorPhase =
     number_key("transmission_error_phase_deg", -3600.0, 3600.0, "their phases where a pair enters",
                KeyForm::harmonics, "0", {"e0_phase"});
@@ -170,43 +200,17 @@ inline constexpr GearKey kTipRelief = number_key(
     "tip_relief_um", 0.0, 1e4, "with both: tip relief C_a, of accuracy grade 5 and better",
     KeyForm::number, "B_k = 1");
 
-inline constexpr GearKey kGearKeys[] = {kTeeth,
-                                        kModule,
-                                        kPressureAngle,
-                                        kCentreDistance,
-                                        kContactRatio,
-                                        kAddendum,
-                                        kInertia,
-                                        kMass,
-                                        kBearingStiffness,
-                                        kBearingDamping,
-                                        kMeshDamping,
-                                        kHalfBacklash,
-                                        kMeshStiffness,
-                                        kFaceWidth,
-                                        kDedendum,
-                                        kTorque,
-                                        kTransmissionError,
-                                        kErrorPhase,
-                                        kRunout,
-                                        kRunoutPhase,
-                                        kDamage,
-                                        kPinionDamage,
-                                        kGearDamage,
-                                        kErrorFile,
-                                        kProfileFile,
-                                        kPinionPitch,
-                                        kGearPitch,
-                                        kStiffnessFile,
-                                        kLoadShareFile,
-                                        kStiffnessMean,
-                                        kInterpolation,
-                                        kProfileShift,
-                                        kTipDiameter,
-                                        kHelix,
-                                        kSpeed,
-                                        kPitchDeviation,
-                                        kProfileDeviation,
-                                        kTipRelief};
+inline constexpr GearKey kGearKeys[] = {
+    kTeeth,         kModule,        kPressureAngle,    kCentreDistance,
+    kContactRatio,  kAddendum,      kInertia,          kMass,
+    kBody,          kBore,          kBearingStiffness, kBearingDamping,
+    kMeshDamping,   kDampingRatio,  kHalfBacklash,     kMeshStiffness,
+    kFaceWidth,     kDedendum,      kTorque,           kTransmissionError,
+    kErrorPhase,    kRunout,        kRunoutPhase,      kDamage,
+    kPinionDamage,  kGearDamage,    kErrorFile,        kProfileFile,
+    kPinionPitch,   kGearPitch,     kStiffnessFile,    kLoadShareFile,
+    kStiffnessMean, kInterpolation, kProfileShift,     kTipDiameter,
+    kHelix,         kSpeed,         kPitchDeviation,   kProfileDeviation,
+    kTipRelief};
 
 }  // namespace gearsweep

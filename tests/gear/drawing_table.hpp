@@ -54,8 +54,13 @@ inline Table without(Table table, const GearKey& key) {
   return table;
 }
 
-inline GearConversion convert(const Table& table) {
+// words: of keys that take one, "body": "solid".
+inline GearConversion convert(const Table& table,
+                              const std::map<std::string_view, std::string>& words = {}) {
   GearDrawing drawing("[gear]");
+  for (const GearKey& key : kGearKeys) {
+    if (words.contains(key.name)) drawing.set_word(key, words.at(key.name));
+  }
   for (const GearKey& key : kGearKeys) {
     const auto given = table.find(key.name);
     if (given == table.end()) continue;
@@ -69,9 +74,10 @@ inline GearConversion convert(const Table& table) {
 }
 
 // "key: message"
-inline std::string message_of(const Table& table) {
+inline std::string message_of(const Table& table,
+                              const std::map<std::string_view, std::string>& words = {}) {
   try {
-    convert(table);
+    convert(table, words);
   } catch (const DrawingError& error) {
     return std::string(error.key()) + ": " + error.what();
   }

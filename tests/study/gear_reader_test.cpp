@@ -73,8 +73,7 @@ std::string message_of(const Table& table) {
 TEST(GearReader, AMissingKeyIsNamedWithItsMeaning) {
   for (const auto& [key, value] : table_1()) {
     const std::string message = message_of(without(table_1(), key));
-    EXPECT_THAT(message,
-                AllOf(HasSubstr("study.toml:1: [gear] needs"), HasSubstr("'" + key + "'")));
+    EXPECT_THAT(message, AllOf(HasSubstr("study.toml:1: [gear] needs"), HasSubstr(key)));
   }
 }
 

@@ -123,7 +123,8 @@ TEST(TwoMeshes, RefuseWhatTheModelDoesNotHave) {
        "K_v is of the drawing in whose units model 'train' is: its [model] has to say which"},
       {drawings() + "[gear.third]\n" + kFirst, "unknown key 'third' in [gear]"},
       {kModel + ("[gear]\n" + kFirst), "unknown key 'half_backlash_mm' in [gear]"},
-      {kModel + std::string("[gear.first]\nmodule_mm = 4\n"), "[gear.first] needs 'teeth'"}};
+      {kModel + std::string("[gear.first]\nmodule_mm = 4\n"),
+       "[gear.first] needs 8 more keys:\n  'teeth'"}};
   for (const auto& [study, message] : mistakes) {
     EXPECT_THAT(refusal(study + kOmega), HasSubstr(message)) << study;
   }

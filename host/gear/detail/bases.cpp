@@ -8,9 +8,10 @@
 
 namespace gearsweep {
 
-GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry, double contact_ratio,
-                   double measured_stiffness, GearTarget* target) {
-  const std::vector<double>& inertia = drawing.list(kInertia);
+GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry,
+                   const GearBodies& bodies, double contact_ratio, double measured_stiffness,
+                   GearTarget* target) {
+  const std::vector<double>& inertia = bodies.inertia;
   GearBases out{};
   out.pinion_mesh_mass = inertia[0] / (geometry.pinion_base * geometry.pinion_base);
   out.gear_mesh_mass = inertia[1] / (geometry.gear_base * geometry.gear_base);

@@ -1,6 +1,7 @@
 // What the equations of motion are scaled by.
 #pragma once
 
+#include "gear/detail/bodies.hpp"
 #include "gear/detail/geometry.hpp"
 #include "gear/detail/target.hpp"
 
@@ -17,7 +18,8 @@ struct GearBases {
 };
 
 // measured_stiffness: the mean of it; 0 where there is none. Throws DrawingError.
-GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry, double contact_ratio,
-                   double measured_stiffness, GearTarget* target);
+GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry,
+                   const GearBodies& bodies, double contact_ratio, double measured_stiffness,
+                   GearTarget* target);
 
 }  // namespace gearsweep

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "gear/detail/bodies.hpp"
+
 namespace gearsweep {
 namespace {
-
-constexpr std::array kWhose = {"pinion", "gear"};
 
 // A wider gear does not carry over its width: textbooks end at 1.2 to 2 pinion diameters.
 constexpr double kWidest = 2.0;
@@ -34,7 +33,7 @@ class Doubts {
     for (std::size_t gear = 0; drawing_.has(kMass) && gear < kMass.count(); ++gear) {
       const double mass = drawing_.list(kMass)[gear];
       compare_mass(gear, mass, width, width.value_or(widest));
-      compare_inertia(gear, drawing_.list(kInertia)[gear], mass);
+      if (drawing_.has(kInertia)) compare_inertia(gear, drawing_.list(kInertia)[gear], mass);
     }
     const double backlash = 2.0 * drawing_.required(kHalfBacklash);
     if (backlash > 0.5 * geometry_.module) {
@@ -55,7 +54,6 @@ class Doubts {
   // Without a face width only what no width explains is told.
   void compare_mass(std::size_t gear, double mass, const std::optional<double>& width,
                     double widest) {
-    constexpr double kSteel = 7.85e-6;  // kg/mm^3
     const double radius = reference(gear);
     const double disc = kSteel * std::numbers::pi * radius * radius * widest;
     if (mass <= kFactor * disc && (!width || mass >= disc / kFactor)) return;

@@ -34,7 +34,8 @@ std::optional<MeasuredCurve> measured_stiffness(const GearDrawing& drawing) {
 
 double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geometry,
                            double contact_ratio, double measured, GearTarget* target) {
-  const bool needs_width = geometry.helix > 0.0 || drawing.has(kPitchDeviation);
+  const bool needs_width =
+      geometry.helix > 0.0 || drawing.has(kPitchDeviation) || drawing.choice(kBody) == "solid";
   if (drawing.has(kMeshStiffness) && drawing.has(kFaceWidth) && !needs_width) {
     throw DrawingError(
         kFaceWidth,
