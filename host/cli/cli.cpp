@@ -57,6 +57,7 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
   add_reproduce_command(app, signals, status);
   add_studies_command(app);
   add_model_command(app);
+  add_gear_command(app);
   add_devices_command(app);
   add_kernels_command(app);
   add_verify_command(app, signals, status);

@@ -37,6 +37,7 @@ void add_devices_command(CLI::App* app);
 void add_kernels_command(CLI::App* app);
 void add_studies_command(CLI::App* app);
 void add_model_command(CLI::App* app);
+void add_gear_command(CLI::App* app);
 void add_verify_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_bench_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_completion_command(CLI::App* app);

@@ -67,18 +67,21 @@ void add_masses(const GearBodies& bodies, const GearBases& bases, GearTarget* ta
               fmt::format("me/mg = {:.6g} kg / {:.6g} kg", bases.me, mass[1]));
 }
 
-// Returns it in N s/m.
+// Returns cm in N s/m.
 double add_mesh_damping(const GearDrawing& drawing, const GearBases& bases, GearTarget* target) {
   const double critical = 2.0 * bases.varpi * bases.me;
+  const int dampers = target->mesh_dampers();
   if (const std::optional<double> ratio = drawing.number(kDampingRatio)) {
     if (drawing.has(kMeshDamping)) {
       throw DrawingError(kDampingRatio,
                          "mesh_damping_ratio and mesh_damping_N_s_per_mm are two numbers for one "
                          "thing; give one of them");
     }
-    target->add("zeta", *ratio, kDampingRatio,
-                fmt::format("as given: cm = {:.6g} N s/m", *ratio * critical));
-    return *ratio * critical;
+    const double zeta = *ratio / dampers;
+    target->add("zeta", zeta, kDampingRatio,
+                fmt::format("ratio/{} = {:.6g}/{}: cm = {:.6g} N s/m{}", dampers, *ratio, dampers,
+                            zeta * critical, dampers == 1 ? "" : " in each pair of teeth"));
+    return zeta * critical;
   }
   const double cm = drawing.required(kMeshDamping) * 1e3;
   target->add("zeta", cm / critical, kMeshDamping,

@@ -105,12 +105,13 @@ inline constexpr GearKey kBearingDamping =
                "required", {"c1", "c2", "c3", "c4"},
                "of rolling bearings 0.25e-5 to 2.5e-5 times bearing_stiffness_N_per_mm");
 inline constexpr GearKey kMeshDamping = number_key(
-    "mesh_damping_N_s_per_mm", 0.0, 1e12, "mesh damping", KeyForm::number,
+    "mesh_damping_N_s_per_mm", 0.0, 1e12,
+    "mesh damping, of each of the two pairs that gear5 has at all times", KeyForm::number,
     "needed without mesh_damping_ratio", {"zeta"},
     "measured, or mesh_damping_ratio = 0.07: gears have 0.03 to 0.17 of the critical damping");
 inline constexpr GearKey kDampingRatio =
     number_key("mesh_damping_ratio", 0.0, 10.0,
-               "instead of it: mesh damping over its critical value "
+               "instead of it: damping of the whole mesh over its critical value "
                "2 sqrt(k0 me)",
                KeyForm::number, "from mesh_damping_N_s_per_mm", {"zeta"});
 inline constexpr GearKey kHalfBacklash = number_key(

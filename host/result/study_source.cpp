@@ -12,6 +12,7 @@
 #include "result/broken_file.hpp"
 #include "result/result_file.hpp"
 #include "study/builtin_studies.hpp"
+#include "study/draft.hpp"
 
 namespace gearsweep {
 namespace {
@@ -29,6 +30,23 @@ std::string read_text(const std::string& path) {
   text << in.rdbuf();
   if (!in) throw InputError(fmt::format("{}: cannot be read", path));
   return text.str();
+}
+
+// A file of results, which is whole.
+bool is_result(const std::string& path) {
+  if (!has_regular_file(path, "a study")) return false;
+  ensure_not_broken(path);
+  return is_netcdf(path);
+}
+
+// Of a file of TOML or a built-in study.
+std::string text_of_study(const std::string& name_or_path) {
+  if (has_regular_file(name_or_path, "a study")) return read_text(name_or_path);
+  const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;
+  if (!is_builtin && name_or_path.find_first_of("./") != std::string::npos) {
+    throw InputError(fmt::format("{}: there is no such file", name_or_path));
+  }
+  return builtin_study_text(name_or_path);
 }
 
 }  // namespace
@@ -58,16 +76,18 @@ Study read_result_study(const std::string& path, const std::vector<std::string>&
 
 Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms) {
-  if (has_regular_file(name_or_path, "a study")) {
-    ensure_not_broken(name_or_path);
-    if (is_netcdf(name_or_path)) return read_result_study(name_or_path, overrides, zooms);
-    return read_study(read_text(name_or_path), name_or_path, overrides, zooms);
+  if (is_result(name_or_path)) return read_result_study(name_or_path, overrides, zooms);
+  return read_study(text_of_study(name_or_path), name_or_path, overrides, zooms);
+}
+
+Study find_draft(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+  if (is_result(name_or_path)) return read_result_study(name_or_path, overrides);
+  const std::string text = text_of_study(name_or_path);
+  std::vector<std::string> all = overrides;
+  if (("\n" + text).find("\n[model]") == std::string::npos) {
+    all.emplace(all.begin(), "model.name=gear5");
   }
-  const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;
-  if (!is_builtin && name_or_path.find_first_of("./") != std::string::npos) {
-    throw InputError(fmt::format("{}: there is no such file", name_or_path));
-  }
-  return read_study(builtin_study_text(name_or_path), name_or_path, overrides, zooms);
+  return read_draft(text, name_or_path, all);
 }
 
 }  // namespace gearsweep

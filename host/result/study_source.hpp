@@ -24,4 +24,8 @@ Study read_result_study(const std::string& path, const std::vector<std::string>&
 Study find_study(const std::string& name_or_path, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& zooms = {});
 
+// The same of a study that may still lack its axes (study/draft.hpp), or may be a drawing alone:
+// its tables [gear] and [gear.NAME], for the model gear5.
+Study find_draft(const std::string& name_or_path, const std::vector<std::string>& overrides);
+
 }  // namespace gearsweep

@@ -175,7 +175,7 @@ TEST(Documentation, CommandsAndOptionsAreThere) {
     std::map<std::string, std::string> texts;
     for (const std::string command :
          {"run", "merge", "status", "trace", "plot", "export", "top", "floquet", "reproduce",
-          "studies", "model", "explore", "orders", "report", "devices", "verify", "bench",
+          "studies", "model", "gear", "explore", "orders", "report", "devices", "verify", "bench",
           "completion", "manual"}) {
       texts[command] = gearsweep(folder, command + " --help").out;
     }

@@ -59,13 +59,13 @@ TEST(GearBodies, RefuseWhatMakesNoSense) {
   EXPECT_EQ(message_of(with(stiff, kFaceWidth, {25}), kSolid), "accepted");
 }
 
-// zeta is the ratio of the damping to its critical value, whatever the gears are.
+// gear5 damps in two pairs of teeth, so each has half of the mesh's damping.
 TEST(MeshDamping, IsARatio) {
   const GearConversion ratio =
       convert(with(without(unequal_pair(), kMeshDamping), kDampingRatio, {0.07}));
-  EXPECT_EQ(value_of(ratio, "zeta"), 0.07);
+  EXPECT_EQ(value_of(ratio, "zeta"), 0.035);
   const double critical = 0.5e3 / value_of(convert(unequal_pair()), "zeta");  // N s/m
-  EXPECT_NEAR(value_of(ratio, "c2"), 2.0e3 / (0.07 * critical), 1e-12);
+  EXPECT_NEAR(value_of(ratio, "c2"), 2.0e3 / (0.035 * critical), 1e-12);
   EXPECT_THAT(message_of(with(unequal_pair(), kDampingRatio, {0.07})), HasSubstr("give one"));
 }
 
@@ -76,7 +76,9 @@ TEST(MissingKeys, AreToldAtOnceWithWhereToGetThem) {
                     HasSubstr("\n  'mass_kg' (mass): from CAD, or body = \"solid\""),
                     HasSubstr("\n  'bearing_stiffness_N_per_mm'"),
                     HasSubstr("\n  'bearing_damping_N_s_per_mm'"),
-                    HasSubstr("\n  'mesh_damping_N_s_per_mm' (mesh damping): measured, or "
+                    HasSubstr("\n  'mesh_damping_N_s_per_mm' (mesh damping, of each of the two "
+                              "pairs that gear5 has "
+                              "at all times): measured, or "
                               "mesh_damping_ratio = 0.07"),
                     HasSubstr("\n  'half_backlash_mm'"), HasSubstr("\n  'face_width_mm'"),
                     HasSubstr("\n  'torque_N_m'"), HasSubstr("\n  'transmission_error_um'")));

@@ -23,20 +23,23 @@ bool parse(const std::string& text, Number* value) {
   return error == std::errc() && stopped == end;
 }
 
-// The command that the arguments name; the whole tool when there is none.
+// The command that the arguments name, which may be one of another; the whole tool when there is
+// none.
 const CLI::App& parsed_command(const CLI::App& app) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
-  return parsed.empty() ? app : *parsed.front();
+  return parsed.empty() ? app : parsed_command(*parsed.front());
 }
 
-std::string call_of(const CLI::App& app, const CLI::App& command) {
-  return &app == &command ? app.get_name() : app.get_name() + " " + command.get_name();
+// "gearsweep gear new"
+std::string call_of(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : call_of(*parent) + " " + command.get_name();
 }
 
-std::string describe_extra(const CLI::App& app, const CLI::App& command) {
+std::string describe_extra(const CLI::App& command) {
   const std::string extra = command.remaining().front();
   if (extra[0] != '-') {
-    return fmt::format("'{}' does not know what to do with '{}'", call_of(app, command), extra);
+    return fmt::format("'{}' does not know what to do with '{}'", call_of(command), extra);
   }
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options()) {
@@ -44,7 +47,7 @@ std::string describe_extra(const CLI::App& app, const CLI::App& command) {
     for (const std::string& name : option->get_snames()) known.push_back("-" + name);
   }
   const std::string name = extra.substr(0, extra.find('='));
-  return fmt::format("'{}' has no option '{}'{}", call_of(app, command), name,
+  return fmt::format("'{}' has no option '{}'{}", call_of(command), name,
                      suggest_name(name, known));
 }
 
@@ -56,7 +59,7 @@ std::string describe_missing(const CLI::App& app, const CLI::App& command) {
   }
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
-    return fmt::format("'{}' needs {} {}: {}", call_of(app, command), option->get_name(),
+    return fmt::format("'{}' needs {} {}: {}", call_of(command), option->get_name(),
                        option->get_type_name(), option->get_description());
   }
   return "something is missing";
@@ -83,9 +86,9 @@ std::string describe_mismatch(const CLI::Option& option) {
 
 std::string describe(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = parsed_command(app);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return describe_extra(app, command);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return describe_extra(command);
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    return &app == &command && !app.remaining().empty() ? describe_extra(app, command)
+    return &app == &command && !app.remaining().empty() ? describe_extra(command)
                                                         : describe_missing(app, command);
   }
   const CLI::Option* option = option_of(command, error.what());
@@ -229,7 +232,7 @@ std::string shell_quoted(const std::string& text) {
 
 std::string describe_parse_error(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("{}\n'{} --help' shows examples", describe(app, error),
-                     call_of(app, parsed_command(app)));
+                     call_of(parsed_command(app)));
 }
 
 }  // namespace gearsweep

@@ -19,6 +19,10 @@ class GearTarget {
   // Whether the model has what the key alone gives.
   bool takes(const GearKey& key) const;
 
+  // How often the model has the mesh damping cm at any time. gear5 has it in each of two pairs of
+  // teeth, as the paper does; models of several drawings once.
+  int mesh_dampers() const { return suffix_.empty() ? 2 : 1; }
+
   // A parameter; i: its place in a list. `origin`: the key that a message about this number is
   // about. Throws DrawingError for a number out of the range that the model gives it, and where the
   // model has no such parameter, but for a 0 and for what follows from other keys, too.

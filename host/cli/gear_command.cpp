@@ -1,0 +1,187 @@
+// gearsweep gear: what follows from the drawing of a gear pair, and the study of a new one.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/commands.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/json_text.hpp"
+#include "cli/detail/study_source.hpp"
+#include "cli/detail/text_table.hpp"
+#include "cli/standard_streams.hpp"
+#include "model/error.hpp"
+#include "orders/natural_modes.hpp"
+#include "result/output_file.hpp"
+#include "result/study_source.hpp"
+#include "study/new_gear.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr std::array kOrders = {1, 2, 3};  // of the mesh frequency
+
+struct GearArguments {
+  std::string study, teeth, output;
+  std::vector<std::string> overrides;
+  NewGear gear;
+  bool as_json = false;
+};
+
+// A speed of the pinion at which an order of the mesh frequency meets a natural frequency.
+double critical_rpm(const NaturalMode& mode, int order, const Scales& scales) {
+  return mode.frequency / order * scales.rpm_per_omega;
+}
+
+double hertz(const NaturalMode& mode, const Scales& scales) {
+  return mode.frequency * scales.varpi / (2.0 * std::numbers::pi);
+}
+
+void print(const std::string& name, const Study& study, const std::vector<NaturalMode>& modes) {
+  answer("from the drawing\n");
+  for (const std::string& note : study.gear_notes) answer("  {}\n", note);
+  answer(
+      "\nnatural frequencies of small motions with all teeth in contact, and the pinion's speed "
+      "(rpm) at\nwhich an order of the mesh frequency meets them\n");
+  TextTable rows;
+  rows.add({"Hz", "damping", "order 1", "order 2", "order 3"});
+  for (const NaturalMode& mode : modes) {
+    std::vector<std::string> row = {fmt::format("{:.5g}", hertz(mode, study.scales)),
+                                    fmt::format("{:.3g} %", 100.0 * mode.damping)};
+    for (const int order : kOrders) {
+      row.push_back(fmt::format("{:.5g}", critical_rpm(mode, order, study.scales)));
+    }
+    rows.add(std::move(row));
+  }
+  answer("{}", rows.text());
+  answer("\nEach parameter of the model, and how it came about:\n  gearsweep model --study {}\n",
+         shell_quoted(name));
+}
+
+void print_json(const Study& study, const std::vector<NaturalMode>& modes) {
+  nlohmann::json told = {{"notes", study.gear_notes},
+                         {"varpi_rad_per_s", study.scales.varpi},
+                         {"b_n_m", study.scales.b_n},
+                         {"k0_N_per_m", study.scales.k0},
+                         {"rpm_per_omega", study.scales.rpm_per_omega},
+                         {"modes", nlohmann::json::array()}};
+  for (const NaturalMode& mode : modes) {
+    nlohmann::json critical;
+    for (const int order : kOrders) critical.push_back(critical_rpm(mode, order, study.scales));
+    told["modes"].push_back({{"frequency_Hz", hertz(mode, study.scales)},
+                             {"damping", mode.damping},
+                             {"critical_rpm", critical}});
+  }
+  answer("{}", json_text(told));
+}
+
+void show(const GearArguments& arguments) {
+  const Study study = find_draft(arguments.study, arguments.overrides);
+  if (!study.scales.known()) {
+    throw InputError(
+        fmt::format("'{}' has no [gear] table; 'gearsweep gear new 19/61 --module 2.5' begins one",
+                    arguments.study));
+  }
+  tell_notices(study);
+  const std::vector<NaturalMode> modes = natural_modes(*study.model, study.setting);
+  if (arguments.as_json) {
+    print_json(study, modes);
+  } else {
+    print(arguments.study, study, modes);
+  }
+}
+
+// "19/61"
+std::array<int, 2> read_teeth(const std::string& text) {
+  std::array<int, 2> teeth = {};
+  const std::size_t slash = text.find('/');
+  const auto read = [&](std::string_view part, int* value) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), *value);
+    return error == std::errc() && end == part.data() + part.size();
+  };
+  const std::string_view whole = text;
+  if (slash == std::string::npos || !read(whole.substr(0, slash), &teeth[0]) ||
+      !read(whole.substr(slash + 1), &teeth[1])) {
+    throw InputError(
+        fmt::format("'{}' is no pair of numbers of teeth; 19/61 is one, the pinion first", text));
+  }
+  return teeth;
+}
+
+void begin(GearArguments arguments) {
+  arguments.gear.teeth = read_teeth(arguments.teeth);
+  const std::string text = new_gear_study(arguments.gear);
+  if (arguments.output.empty()) {
+    answer("{}", text);
+    return;
+  }
+  if (std::filesystem::exists(arguments.output)) {
+    throw InputError(fmt::format("'{}' is there; give another name", arguments.output));
+  }
+  write_file(arguments.output, text);
+  tell(
+      "{} is a study: put your own numbers at ESTIMATE, then\n"
+      "  gearsweep gear {}\n  gearsweep run {} -o result.nc --plot result.png\n",
+      arguments.output, shell_quoted(arguments.output), shell_quoted(arguments.output));
+}
+
+void add_new_command(CLI::App* gear, const std::shared_ptr<GearArguments>& arguments) {
+  CLI::App* command = gear->add_subcommand("new", "Begin the study of a gear pair");
+  command->add_option("TEETH", arguments->teeth, "Numbers of teeth, the pinion first: 19/61")
+      ->required();
+  command->add_option("--module", arguments->gear.module_mm, "Module in mm")
+      ->required()
+      ->type_name("MM")
+      ->check(positive_number());
+  command->add_option("--width", arguments->gear.face_width_mm, "Face width in mm")
+      ->type_name("MM")
+      ->check(positive_number());
+  command->add_option("--torque", arguments->gear.torque_N_m, "Torque on the pinion in N m")
+      ->type_name("NM")
+      ->check(positive_number());
+  command->add_option("--helix", arguments->gear.helix_angle_deg, "Helix angle in degrees")
+      ->type_name("DEG")
+      ->check(number_between(0.0, 45.0));
+  command->add_option("-o,--output", arguments->output, "A file to write (default: to the screen)")
+      ->type_name(kFileValue);
+  command->footer(
+      "The study runs as it is. What is not given is estimated, and marked as that.\n\n"
+      "Example:\n  gearsweep gear new 19/61 --module 2.5 --width 25 --torque 60 -o mine.toml");
+  command->callback([arguments] { begin(*arguments); });
+}
+
+}  // namespace
+
+void add_gear_command(CLI::App* app) {
+  CLI::App* command =
+      app->add_subcommand("gear", "Show what follows from a drawing, or begin a study of one");
+  const auto arguments = std::make_shared<GearArguments>();
+  add_new_command(command, arguments);
+  command
+      ->add_option("STUDY", arguments->study,
+                   "A study with a [gear] table, or that table alone; its axes may be missing")
+      ->type_name(kStudyValue);
+  command->add_flag("--json", arguments->as_json, "Print JSON");
+  add_set_option(command, &arguments->overrides);
+  command->footer(
+      "Examples:\n"
+      "  gearsweep gear new 19/61 --module 2.5 -o mine.toml    a study, whose estimates are "
+      "marked\n"
+      "  gearsweep gear mine.toml                              contact ratio, stiffness, critical "
+      "speeds\n"
+      "  gearsweep gear mine.toml --set gear.torque_N_m=80");
+  command->callback([command, arguments] {
+    if (!command->get_subcommands().empty()) return;
+    if (arguments->study.empty()) {
+      throw InputError(
+          "give a study with a [gear] table, or begin one: gearsweep gear new 19/61 "
+          "--module 2.5");
+    }
+    show(*arguments);
+  });
+}
+
+}  // namespace gearsweep

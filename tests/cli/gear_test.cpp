@@ -1,0 +1,66 @@
+// gearsweep gear: what follows from a drawing, and the study of a new one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/page.hpp"
+#include "support/folder.hpp"
+#include "support/process.hpp"
+
+namespace gearsweep::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(GearCommand, BeginsAStudyThatRuns) {
+  const Folder folder;
+  const Outcome begun = gearsweep(folder, "gear new 19/61 --module 2.5 --torque 60 -o mine.toml");
+  ASSERT_EQ(begun.status, 0) << begun.err;
+  EXPECT_THAT(begun.err, HasSubstr("put your own numbers at ESTIMATE"));
+  EXPECT_EQ(gearsweep(folder, "run mine.toml --dry-run").status, 0);
+  const Outcome again = gearsweep(folder, "gear new 19/61 --module 2.5 -o mine.toml");
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, HasSubstr("is there"));
+}
+
+// Two discs on very stiff bearings that roll on each other through one spring: its frequency is
+// sqrt(k0/me), and at the critical speed the teeth meet so often.
+TEST(GearCommand, TellsCriticalSpeeds) {
+  const Folder folder;
+  folder.write("pair.toml",
+               "[gear]\nteeth = [20, 40]\nmodule_mm = 3\ninertia_kg_mm2 = [300, 5000]\n"
+               "mass_kg = 1.0\nbearing_stiffness_N_per_mm = 1e11\nbearing_damping_N_s_per_mm = 0\n"
+               "mesh_damping_ratio = 0.01\nhalf_backlash_mm = 0.05\n"
+               "mesh_stiffness_N_per_m = 3e8\ntorque_N_m = 50\ntransmission_error_um = 5\n");
+  const Outcome told = gearsweep(folder, "gear pair.toml --json");
+  ASSERT_EQ(told.status, 0) << told.err;
+  const auto json = nlohmann::json::parse(told.out);
+  const double pinion = 30.0 * std::cos(20.0 * std::numbers::pi / 180.0), gear = 2.0 * pinion;
+  const double me = 1.0 / (pinion * pinion / 300.0 + gear * gear / 5000.0);
+  const double hertz = std::sqrt(3e8 / me) / (2.0 * std::numbers::pi);
+  const auto& mode = json.at("modes")[0];
+  EXPECT_NEAR(mode.at("frequency_Hz").get<double>() / hertz, 1.0, 3e-3);
+  EXPECT_NEAR(mode.at("damping").get<double>(), 0.01, 1e-4);
+  EXPECT_NEAR(mode.at("critical_rpm")[1].get<double>() / (60.0 * hertz / 20.0 / 2.0), 1.0, 3e-3);
+  EXPECT_THAT(gearsweep(folder, "gear pair.toml").out, HasSubstr("contact ratio"));
+}
+
+TEST(GearCommand, SaysWhatIsWrong) {
+  const Folder folder;
+  const auto refusal = [&](const std::string& command) {
+    const Outcome refused = gearsweep(folder, command);
+    EXPECT_EQ(refused.status, 2) << command;
+    return refused.err;
+  };
+  EXPECT_THAT(refusal("gear"), HasSubstr("gearsweep gear new 19/61"));
+  EXPECT_THAT(refusal("gear coarse-map"), HasSubstr("has no [gear] table"));
+  EXPECT_THAT(refusal("gear new 19-61 --module 2"), HasSubstr("no pair of numbers of teeth"));
+  EXPECT_THAT(refusal("gear new 19/61"), HasSubstr("--module"));
+  EXPECT_THAT(refusal("gear new 2/61 --module 2"), HasSubstr("teeth"));
+}
+
+}  // namespace
+}  // namespace gearsweep::testing
