@@ -8,9 +8,9 @@ import { setUpExports } from "./exports.js";
 import { Layers } from "./layers.js";
 import { drawLegend } from "./legend.js";
 import { Diagram } from "./diagram.js";
-import { decode, encode, History } from "./link.js";
+import { decode, drawnText, encode, History } from "./link.js";
 import { Loader } from "./loader.js";
-import { MotionPanel, pinColor } from "./motion.js";
+import { MotionPanel } from "./motion.js";
 import { drawMarks, Painter } from "./paint.js";
 import { setUpPointer } from "./pointer.js";
 import { Previewer } from "./preview.js";
@@ -46,6 +46,7 @@ let frame = 0;
 let pointer = null;
 let clickPending = false;
 let speed = 0;
+let refusedTimer = 0;
 let tickLabels = { x: [], y: [] };
 
 const loader = new Loader({
@@ -78,7 +79,8 @@ const previewer = new Previewer({
   },
 });
 const keeper = new SceneKeeper({
-  onScene: takeScene, onTrouble(text) { tell("scene", text); }, onChange: requestFrame,
+  onScene: takeScene, onTrouble(text) { tell("scene", text); }, onRefused: tellRefused,
+  onChange: requestFrame,
   ready: () => !previewer.busy && loader.timer === 0,
   onRest() {
     if (scene) motion.setScene(scene);
@@ -98,35 +100,46 @@ const diagram = new Diagram({
   onTrouble(text) { tell("diagram", text); },
 });
 const strip = new Strip(byId("strip"), (hash) => {
-  const whole = hash + diagram.linkText();
+  const whole = hash + diagram.linkText() + drawnText(drawn());
   history.pushState(null, "", whole);
   goTo(whole);
 });
-const past = new History(() => encode(keeper, view, colors.look, motion.cell, diagram.link()), () => {
+const hashNow = () => encode(keeper, view, colors.look, motion.cell, diagram.link(), drawn());
+const past = new History(hashNow, () => {
   if (!painter.old && !keeper.busy) strip.add(mapCanvas, past.hash());
 });
 const controls = new Controls(colors, {
   scene: () => scene,
   onLook: stateChanged,
   onHome: goHome,
-  onAxes(x, y) { keeper.setAxes(x, y); },
+  onAxes(x, y) { keeper.setAxes(x, y, openPlace()); },
   onReset() { keeper.reset(); },
   contours: () => contours.name,
   onContours(name) {
     contours.choose(name);
     colors.legendOld = true;
+    stateChanged();
   },
 });
 const units = setUpUnits(byId("units"), () => {
+  controls.showLook();
   colors.legendOld = true;
-  requestFrame();
+  stateChanged();
 });
+const drawn = () => ({ contours: contours.name, si: units.si });
+
+// The values of the axes at the open motion, or at the crosshair: other axes begin there.
+function openPlace() {
+  const cell = motion.cell || walker.cell;
+  return cell && scene ? cellShares(cell).map((share, n) => [axes[n].name, axes[n].value(share)]) : [];
+}
 
 // A new scene from the server. The old pixels stay until its first tiles come.
 function takeScene(next, wantedView) {
   const sameWorld = scene !== null && [0, 1].every((n) => ["name", "low", "high", "log"].every((field) =>
     scene.axes[n][field] === next.axes[n][field]));
   if (scene !== null && scene.key !== next.key) painter.keep(view, sameWorld);
+  if (scene !== null) tell("refused", null);
   scene = next;
   axes = next.axes.map((told) => new Axis(told));
   view.maxDepth = next.max_depth;
@@ -149,6 +162,22 @@ function takeScene(next, wantedView) {
   colors.renew(next);
   if (!keeper.dragging) motion.setScene(next);
   viewChanged();
+}
+
+// The scene stays, and the choices show again what it has. Without one, the link itself was refused.
+function tellRefused(text) {
+  tell("refused", text);
+  clearTimeout(refusedTimer);
+  refusedTimer = setTimeout(() => tell("refused", null), 8000);
+  if (!scene) {
+    if (location.hash === "") return;
+    history.replaceState(null, "", location.pathname);
+    goTo("");
+    return;
+  }
+  controls.showScene(scene);
+  sliders.show(scene);
+  stateChanged();
 }
 
 function firstView() {
@@ -208,7 +237,7 @@ function draw() {
 function legendFacts() {
   const { counts } = statistics;
   return { quantity: scene.quantities[colors.quantityIndex(scene)], map: colors.map,
-    error: counts ? counts.error : null, contours: contours.name };
+    error: counts ? counts.error : null, contours: contours.title(scene) };
 }
 
 function comesFirst() {
@@ -221,7 +250,7 @@ function comesFirst() {
 function marks() {
   const list = motion.pins.filter((pin) => pin.scene === scene.key).map((pin) => (
     { cell: pin.cell, kind: "ring", color: pin.color }));
-  if (motion.cell) list.push({ cell: motion.cell, kind: "ring", color: pinColor(0) });
+  if (motion.cell) list.push({ cell: motion.cell, kind: "ring", color: motion.color });
   if (walker.cell) list.push({ cell: walker.cell, kind: "cross", color: "#fff" });
   return list;
 }
@@ -271,7 +300,11 @@ setUpPointer(mapCanvas, {
   },
   panKey(dx, dy) { view.pan(-dx * view.width / 8, dy * view.height / 8); viewChanged(); },
   home: goHome,
-  leave() { walker.cell = null; requestFrame(); },
+  leave() {
+    if (!walker.cell) motion.close(true);
+    walker.cell = null;
+    requestFrame();
+  },
 });
 
 // Takes the state from a link. The scene is asked for only when it is another one.
@@ -281,6 +314,9 @@ function goTo(hash) {
   const has = (name) => scene.quantities.some((one) => one.name === name);
   if (scene && wanted.look.quantity && !has(wanted.look.quantity)) delete wanted.look.quantity;
   Object.assign(colors.look, wanted.look);
+  if (contours.name !== wanted.drawn.contours) contours.choose(wanted.drawn.contours);
+  units.choose(wanted.drawn.si);
+  colors.legendOld = true;
   controls.showLook();
   past.arrived();
   strip.mark(hash);
@@ -305,6 +341,9 @@ function goTo(hash) {
 }
 
 window.addEventListener("popstate", () => goTo(location.hash));
+
+// There are many sliders before the map for those who go by keys.
+byId("skip").addEventListener("click", () => mapCanvas.focus());
 
 setUpTheme(byId("theme"), () => {
   colors.legendOld = true;

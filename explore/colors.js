@@ -79,8 +79,8 @@ export function colorMap(quantity, choice, range) {
   const map = { kind: choice.scale, palette, lut: table(palette), low: 0, high: 1 };
   if (choice.scale === "fixed") {
     map.kind = "linear";
-    map.low = choice.low;
-    map.high = choice.high;
+    map.low = Math.min(choice.low, choice.high);
+    map.high = Math.max(choice.low, choice.high);
   } else if (range) {
     const log = choice.scale === "log";
     map.low = log ? range.positiveLow : range.low;
@@ -97,6 +97,9 @@ export function colorMap(quantity, choice, range) {
     map.kind = "linear";
   }
   if (!(map.low < map.high)) {
+    // All in view have one number.
+    map.flat = map.low;
+    if (map.kind === "quantiles") map.kind = "linear";
     const half = Math.abs(map.low) * 1e-9 || 1e-9;
     map.low = map.kind === "log" ? map.low * 0.999 : map.low - half;
     map.high = map.kind === "log" ? map.low * 1.002 : map.low + 2 * half;

@@ -72,6 +72,12 @@ export class Contours {
 
   quantity(scene) { return scene.quantities.find((one) => one.name === this.name) || null; }
 
+  // What the lines are of, for the legend.
+  title(scene) {
+    const quantity = this.quantity(scene);
+    return quantity ? shownIn(quantity).title : "";
+  }
+
   // Makes the lines when the view has rested and there are new points; draws them.
   follow(cache, layers, scene, view, ratio) {
     const now = measure(view);

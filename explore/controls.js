@@ -1,6 +1,7 @@
 // The choices in the head of the page and of the axes. None of the colours asks the server.
 
 import { paletteNames, scaleNames } from "./colors.js";
+import { shownIn } from "./units.js";
 
 const byId = (id) => document.getElementById(id);
 
@@ -31,7 +32,7 @@ export class Controls {
       byId(id).addEventListener("input", () => {
         const value = byId(id).valueAsNumber;
         if (Number.isNaN(value)) return;
-        look[id] = value;
+        look[id] = value / this.factor;
         this.renew();
       });
     }
@@ -56,6 +57,12 @@ export class Controls {
     });
   }
 
+  // The ends of the colours are in the units of the legend.
+  get factor() {
+    const scene = this.job.scene();
+    return scene ? shownIn(scene.quantities[this.colors.quantityIndex(scene)]).factor : 1;
+  }
+
   renew() {
     this.colors.renew(this.job.scene());
     this.job.onLook();
@@ -74,9 +81,9 @@ export class Controls {
     byId("scale").value = look.scale;
     byId("palette").value = look.palette;
     byId("ends").hidden = look.scale !== "fixed";
-    byId("low").value = look.low;
-    byId("high").value = look.high;
+    for (const id of ["low", "high"]) byId(id).value = Number((look[id] * this.factor).toPrecision(6));
     byId("quantity").value = look.quantity;
+    byId("contours").value = this.job.contours();
   }
 
   showScene(scene) {
@@ -85,6 +92,7 @@ export class Controls {
     options(byId("contours"), [["", "none"], ...scene.quantities.map((quantity) => (
       [quantity.name, quantity.classes ? quantity.name + " (borders)" : quantity.name]))],
       this.job.contours());
+    this.showLook();
     const names = scene.choices.map((choice) => [choice.name, choice.name]);
     options(byId("xaxis"), names, scene.axes[0].name);
     options(byId("yaxis"), names, scene.axes[1].name);

@@ -82,6 +82,8 @@ export function drawLeft(canvas, width, height, parts, style, ratio) {
     const shown = classes ? range : range.map((value) => value * factor);
     const { from, places } = ticksOf(shown, box.height, classes);
     const py = placeIn(box, shown);
+    const counted = from === "" ? "" : title ? ", counted from " + from : "from " + from;
+    const beside = (title || "") + counted;
     pen.textAlign = "right";
     pen.textBaseline = "middle";
     pen.beginPath();
@@ -95,15 +97,15 @@ export function drawLeft(canvas, width, height, parts, style, ratio) {
       // Labels that would touch are left out.
       if (Math.abs(least - at) < 11) continue;
       least = at;
-      pen.fillText(tick.label, width - 8, at, title ? width - 28 : width - 10);
+      pen.fillText(tick.label, width - 8, at, beside ? width - 28 : width - 10);
     }
     pen.stroke();
-    if (!title) continue;
+    if (!beside) continue;
     pen.save();
     pen.translate(9, box.top + box.height / 2);
     pen.rotate(-Math.PI / 2);
     pen.textAlign = "center";
-    pen.fillText(from === "" ? title : title + ", counted from " + from, 0, 0, box.height);
+    pen.fillText(beside, 0, 0, box.height);
     pen.restore();
   }
 }

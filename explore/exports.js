@@ -3,8 +3,8 @@
 import { commandLine, copyText } from "./copy.js";
 import { picture, pictureSvg } from "./picture.js";
 import { statusText } from "./readout.js";
-import { getText, ServerError } from "./server.js";
-import { eachPlace, tileValue } from "./tiles.js";
+import { getBlob, getText, ServerError } from "./server.js";
+import { eachPlace, missingAt, tileValue } from "./tiles.js";
 
 const byId = (id) => document.getElementById(id);
 
@@ -18,13 +18,36 @@ function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 30000);
 }
 
-async function saveStudy(app) {
+function viewQuery(app, more) {
   const { view, scene } = app;
   const inside = (share) => Math.min(1, Math.max(0, share));
-  const query = new URLSearchParams({ scene: scene.key, x0: inside(view.x0), x1: inside(view.x1),
-    y0: inside(view.y0), y1: inside(view.y1), nx: 200, ny: 150 });
-  const text = await getText("study?" + query);
+  return new URLSearchParams({ scene: scene.key, x0: inside(view.x0), x1: inside(view.x1),
+    y0: inside(view.y0), y1: inside(view.y1), ...more });
+}
+
+async function saveStudy(app) {
+  const text = await getText("study?" + viewQuery(app, { nx: 200, ny: 150 }));
   save(new Blob([text], { type: "text/plain" }), "view.toml");
+}
+
+// The points of the deepest depth of which all tiles are there.
+async function saveResult(app) {
+  const { view, scene, cache } = app;
+  let depth = view.targetDepth();
+  while (depth > 0 && missingAt(cache, scene.key, view, depth).length > 0) depth--;
+  save(await getBlob("result?" + viewQuery(app, { depth })), "view.nc");
+}
+
+// What computes the view: from the study itself, or of a model from the study that is saved here.
+function runCommand(app) {
+  const { view, scene, axes } = app;
+  if (!scene.command) return "gearsweep run view.toml -o view.nc";
+  const ends = [[view.x0, view.x1], [view.y0, view.y1]];
+  const tables = axes.map((axis, n) => {
+    const [from, to] = ends[n].map((share) => axis.value(Math.min(1, Math.max(0, share))));
+    return `{name="${axis.name}",from=${from},to=${to},count=200,scale="${axis.log ? "log" : "linear"}"}`;
+  });
+  return scene.command + " --set 'axes=[" + tables.join(",") + "]' -o view.nc";
 }
 
 // Each point in view once: a cell of a depth stands only where no finer tile tells it again.
@@ -71,11 +94,12 @@ export function setUpExports(app, motion) {
   on("export-study", () => saveStudy(app));
   on("export-png", () => picture(app).toBlob((blob) => save(blob, "map.png"), "image/png"));
   on("export-svg", () => save(new Blob([pictureSvg(app)], { type: "image/svg+xml" }), "map.svg"));
+  on("export-result", () => saveResult(app));
   on("export-csv", () => save(new Blob([csvOf(app)], { type: "text/csv" }), "map.csv"));
   on("copy-link", () => copyText(location.href, byId("copy-link")));
   byId("export").addEventListener("toggle", () => {
     if (!byId("export").open || !app.scene) return;
-    const lines = [app.scene.command, ...(motion.data ? motion.data.commands || [] : [])];
+    const lines = [runCommand(app), ...(motion.data ? motion.data.commands || [] : [])];
     byId("export-commands").replaceChildren(...lines.filter(Boolean).map(commandLine));
   });
   // A menu closes when something else is used.

@@ -37,7 +37,8 @@ export class Grid {
     this.yEdges = edgesOf(ys, width);
     const perShare = (edges) => (edges.length - 1) / (edges[edges.length - 1] - edges[0]);
     // As the depth of a cell: the mean of both axes.
-    this.depth = Math.log2(perShare(this.xEdges) * perShare(this.yEdges)) / 2;
+    this.perShare = [perShare(this.xEdges), perShare(this.yEdges)];
+    this.depth = Math.log2(this.perShare[0] * this.perShare[1]) / 2;
     this.first = null;
     this.values = null;  // of a file's columns and rows, as it has them
     this.canvas = null;

@@ -32,6 +32,7 @@ function notes(about, factor) {
 }
 
 function barTicks(map, height, factor) {
+  if (map.flat !== undefined) return [{ share: 0.5, label: short(map.flat * factor, 6) }];
   const count = Math.max(2, height / 45);
   if (map.kind === "quantiles") {
     return [0, 0.25, 0.5, 0.75, 1].map((share) => (
@@ -41,14 +42,15 @@ function barTicks(map, height, factor) {
   const found = find(map.low * factor, map.high * factor, count);
   const ticks = found.ticks.map((tick) => ({ share: shareOnBar(map, (found.base + tick.offset) / factor),
     label: found.from === "" ? tick.label : short(found.base + tick.offset, 10) }));
-  // A short logarithmic bar may hit no round number.
-  if (ticks.length < 2) {
+  // A short bar may hit no round number, or too many to write.
+  if (ticks.length < 2 || ticks.length * 12 > height) {
+    if (ticks.length > 1) ticks.length = 0;
     for (const share of [0, 1]) ticks.push({ share, label: short(valueOnBar(map, share) * factor, 4) });
   }
   return ticks;
 }
 
-// about: quantity, map, error (of a point, or null), contours (a name, or "").
+// about: quantity, map, error (of a point, or null), contours (a title, or "").
 // Returns the legend in words, for those who do not see it.
 export function paintLegend(pen, about, height, style) {
   const { quantity, map } = about;

@@ -1,7 +1,13 @@
 // The state of the page in the link, and the history of the browser.
 
+// What is drawn beside the colours: { contours, si }.
+export function drawnText(drawn) {
+  return (drawn.contours ? "&" + new URLSearchParams({ contours: drawn.contours }) : "") +
+    (drawn.si ? "&si=1" : "");
+}
+
 // pane: { along, state } of the diagram, or null.
-export function encode(keeper, view, look, cell, pane) {
+export function encode(keeper, view, look, cell, pane, drawn) {
   const query = new URLSearchParams();
   const { sets, x, y } = keeper.changes();
   for (const [name, value] of sets) query.append("set", name + "=" + value);
@@ -15,7 +21,7 @@ export function encode(keeper, view, look, cell, pane) {
   if (cell) query.set("at", [cell.depth, cell.kx, cell.ky].join(","));
   if (pane) query.set("diagram", pane.along);
   if (pane && pane.state !== "") query.set("state", pane.state);
-  return "#" + query;
+  return "#" + query + drawnText(drawn);
 }
 
 function numbers(text, count) {
@@ -42,6 +48,7 @@ export function decode(hash) {
     changes: { sets, x: query.get("x"), y: query.get("y") },
     view: view && view[2] > 0 && view[3] > 0 ? { x0: view[0], y0: view[1], sx: view[2], sy: view[3] } : null,
     pane: query.has("diagram") ? { along: query.get("diagram"), state: query.get("state") || "" } : null,
+    drawn: { contours: query.get("contours") || "", si: query.get("si") === "1" },
     look, cell: cell && { depth: cell[0], kx: cell[1], ky: cell[2] },
   };
 }

@@ -54,13 +54,15 @@ export class MotionPanel {
     this.scene = scene;
     this.shown = true;
     this.element.hidden = false;
+    // On a narrow page it stands below the map.
+    if (window.innerWidth <= 1000) this.element.scrollIntoView({ block: "nearest" });
     this.view.wait();
     this.job.onChange();
     try {
       const data = await getJson("motion?" + this.query(), abort.signal);
       if (this.abort !== abort) return;
       this.data = data;
-      this.view.show(data, this.layers(), this.pins);
+      this.view.show(data, this.layers(), this.pins, scene);
       if (data.on_orbit && !data.multipliers) this.askMultipliers(data);
     } catch (error) {
       if (this.abort !== abort || abort.signal.aborted) return;
@@ -97,8 +99,14 @@ export class MotionPanel {
     });
   }
 
+  // An open motion that is pinned has the colour of its pin, as the list tells.
+  get color() {
+    const pin = this.pins.find((one) => one.data === this.data);
+    return pin ? pin.color : pinColor(0);
+  }
+
   layers() {
-    const now = this.data ? [{ data: this.data, color: pinColor(0), name: this.data.label }] : [];
+    const now = this.data ? [{ data: this.data, color: this.color, name: this.data.label }] : [];
     const others = this.pins.filter((pin) => pin.data !== this.data);
     // The newest is drawn last, above the pins.
     return [...others.map((pin) => ({ data: pin.data, color: pin.color, name: pin.data.label })), ...now];
@@ -118,7 +126,7 @@ export class MotionPanel {
   }
 
   redraw() {
-    if (this.data) this.view.show(this.data, this.layers(), this.pins);
+    if (this.data) this.view.show(this.data, this.layers(), this.pins, this.scene);
     this.job.onChange();
   }
 

@@ -5,6 +5,24 @@ import { commandLine } from "./copy.js";
 import { button, chooser, fill, make } from "./elements.js";
 import { Plot } from "./plots.js";
 import { Starts } from "./starts.js";
+import { siText, unitText } from "./units.js";
+
+// A value with its unit, where the scene knows more of it than its name.
+function withUnit(list, one) {
+  const text = one.text || String(one.value);
+  const told = list.find((each) => each.name === one.name);
+  if (!told || told.classes || !Number.isFinite(one.value)) return text;
+  return text + unitText(told) + siText(told, one.value);
+}
+
+const historyPeriods = 24;
+
+// The moments of the first periods: more are a black bar.
+function momentsShown(data) {
+  const end = historyPeriods * data.period;
+  const after = data.tau.findIndex((tau) => tau > end * (1 + 1e-9));
+  return after < 0 ? data.tau.length : after;
+}
 
 export class MotionView {
   // act: close(), pin(), unpin(pin), otherStarts()
@@ -65,7 +83,7 @@ export class MotionView {
     this.body.hidden = true;
   }
 
-  show(data, layers, pins) {
+  show(data, layers, pins, scene) {
     this.element.classList.remove("waiting");
     this.body.hidden = false;
     this.data = data;
@@ -73,8 +91,8 @@ export class MotionView {
     this.heading.textContent = data.label;
     this.message.textContent = data.status === "ok" ? "" : data.status;
     this.showPins(pins);
-    const rows = [...data.at.map((one) => [one.name, String(one.value)]), ...data.values.map((one) => (
-      [one.name, one.text || String(one.value)]))];
+    const rows = [...data.at.map((one) => [one.name, withUnit(scene.axes, one)]),
+      ...data.values.map((one) => [one.name, withUnit(scene.quantities, one)])];
     this.values.replaceChildren(...rows.map((row) => {
       const line = make("tr");
       line.append(make("td", row[0]), make("td", row[1]));
@@ -133,7 +151,9 @@ export class MotionView {
     const contact = this.contactChannel.value;
     this.contactChannel.hidden = contacts < 2;
     this.contactKeys.replaceChildren(...(contacts > 0 ? contactKey(this.data, contact) : []));
-    this.history.plot.set(lines((layer) => layer.data.tau, (layer) => channel(layer, name)),
+    const begin = (layer, list) => list && list.slice(0, momentsShown(layer.data));
+    this.history.plot.set(
+      lines((layer) => begin(layer, layer.data.tau), (layer) => begin(layer, channel(layer, name))),
       this.data.time_unit ? "time [" + this.data.time_unit + "]" : "time", this.title(name),
       contacts > 0 ? contactBands(this.data, contact) : []);
   }
@@ -168,7 +188,7 @@ export class MotionView {
     };
     const order = (layer) => (layer.data.spectrum ? layer.data.spectrum.order : null);
     this.spectrum.plot.set(lines(order, amplitude),
-      this.data.clockless ? "frequency" : "order", "amplitude of " + this.title(name));
+      this.data.clockless ? "frequency" : "order", "amplitude of " + this.title(name) + ", Hann window");
   }
 
   showMultipliers() {

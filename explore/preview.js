@@ -96,8 +96,9 @@ export class Previewer {
     }
     if (this.abort !== abort) return;
     this.abort = null;
-    // What is wrong is told by the tiles, which come next.
-    if (!grid) this.refused = this.asked;
+    // What is wrong is told by the tiles, which come next. A view thinner than a cell has no points of the
+    // preview, and would have none of another one.
+    if (!grid || !this.hasPicture(scene.key)) this.refused = this.asked;
     this.job.onDone();
   }
 

@@ -4,7 +4,7 @@ import { tileDepthAbove } from "./layers.js";
 import { nearestPoint, tileValue } from "./tiles.js";
 import { cellShares } from "./view.js";
 import { short } from "./ticks.js";
-import { siText } from "./units.js";
+import { siText, unitText } from "./units.js";
 
 export function statusText(status) {
   return { 0: "ok", 1: "diverged", 255: "refused" }[status] || "status " + status;
@@ -44,7 +44,7 @@ const origins = { preview: "from the preview", file: "from the file" };
 export function valueText(quantity, value) {
   if (Number.isNaN(value)) return "no value";
   if (quantity.classes) return quantity.classes[value] || "class " + value;
-  return short(value, 7) + (quantity.unit ? " " + quantity.unit : "") + siText(quantity, value);
+  return short(value, 7) + unitText(quantity) + siText(quantity, value);
 }
 
 export class Readout {

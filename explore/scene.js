@@ -6,8 +6,8 @@ import { getJson, ServerError } from "./server.js";
 const dragMilliseconds = 100;
 
 export class SceneKeeper {
-  // job: onScene(scene, view or null), onTrouble(sentence or null), onChange(), onRest(),
-  // ready() -> whether the page has shown the last scene
+  // job: onScene(scene, view or null), onTrouble(sentence or null), onRefused(sentence), onChange(),
+  // onRest(), ready() -> whether the page has shown the last scene
   constructor(job) {
     this.job = job;
     this.sets = new Map();
@@ -16,6 +16,8 @@ export class SceneKeeper {
     this.abort = null;
     this.timer = 0;
     this.failures = 0;
+    // The changes of the scene that is shown.
+    this.shown = null;
     this.wanted = null;
     this.done = null;
     // A slider moves; what it has set is not asked for yet.
@@ -89,9 +91,11 @@ export class SceneKeeper {
     this.pending = false;
   }
 
-  setAxes(x, y) {
+  // place: [name, value] of what was on the axes, which keeps its value where it leaves them.
+  setAxes(x, y, place) {
     this.x = x;
     this.y = y;
+    for (const [name, value] of place) if (name !== x && name !== y) this.sets.set(name, value);
     this.load(0);
   }
 
@@ -121,6 +125,14 @@ export class SceneKeeper {
     this.done = null;
   }
 
+  // What the server refuses is not kept: links and later requests have what is shown.
+  goBack() {
+    if (!this.shown || this.timer || this.pending) return;
+    this.sets = new Map(this.shown.sets);
+    this.x = this.shown.x;
+    this.y = this.shown.y;
+  }
+
   load(wait) {
     this.endDrag();
     clearTimeout(this.timer);
@@ -136,11 +148,13 @@ export class SceneKeeper {
     const abort = new AbortController();
     this.abort = abort;
     this.askedAt = performance.now();
+    const asked = this.changes();
     try {
       const scene = await getJson("scene?" + this.query(), abort.signal);
       if (this.abort !== abort) return;
       this.abort = null;
       this.failures = 0;
+      this.shown = asked;
       this.job.onTrouble(null);
       const view = this.wanted;
       const done = this.done;
@@ -154,7 +168,9 @@ export class SceneKeeper {
       if (error instanceof ServerError) {
         this.wanted = null;
         this.done = null;
-        this.job.onTrouble(error.message);
+        this.job.onTrouble(null);
+        this.goBack();
+        this.job.onRefused(error.message);
       } else {
         this.job.onTrouble("the server does not answer; trying again");
         this.load(Math.min(8000, 500 * 2 ** this.failures++));

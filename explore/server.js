@@ -21,6 +21,10 @@ export async function getJson(address, signal) {
   return (await checked(await fetch(address, { signal }))).json();
 }
 
+export async function getBlob(address, signal) {
+  return (await checked(await fetch(address, { signal }))).blob();
+}
+
 export async function getText(address, signal) {
   return (await checked(await fetch(address, { signal }))).text();
 }

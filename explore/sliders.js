@@ -13,6 +13,9 @@ function limits(choice) {
   return [low, high];
 }
 
+// The last digits of a quotient say nothing, and a field that cuts 0.5999999999999999 off shows 0.59999.
+const shortest = (value) => Number(value.toPrecision(12));
+
 export class Sliders {
   constructor(element, filter, keeper) {
     this.filter = filter;
@@ -79,12 +82,14 @@ export class Sliders {
     field.addEventListener("change", () => {
       const value = field.valueAsNumber;
       if (Number.isNaN(value)) return;
-      slide.min = Math.min(slide.min, value);
-      slide.max = Math.max(slide.max, value);
       slide.value = value;
       si.textContent = siText(choice, value);
       box.classList.add("changed");
       this.keeper.set(choice.name, value);
+    });
+    // What is no number, or was refused, does not stay.
+    field.addEventListener("blur", () => {
+      if (!this.keeper.busy) field.value = shortest(this.rows.get(choice.name).value);
     });
     reset.addEventListener("click", () => this.keeper.set(choice.name, null));
     box.append(label, field, reset, slide, si);
@@ -94,11 +99,12 @@ export class Sliders {
   // The value that a scene has for a row.
   update(row, choice) {
     row.box.classList.toggle("changed", this.keeper.sets.has(choice.name));
+    row.value = choice.value;
     row.words = (choice.name + " " + choice.meaning).toLowerCase();
     // A slider that moves is ahead of the scenes.
     if (document.activeElement === row.slide && this.keeper.busy) return;
     // A field that is being edited keeps what is typed.
-    if (document.activeElement !== row.field) row.field.value = choice.value;
+    if (document.activeElement !== row.field) row.field.value = shortest(choice.value);
     row.si.textContent = siText(choice, choice.value);
     if (document.activeElement === row.slide) return;
     row.slide.min = Math.min(row.slide.min, choice.value);

@@ -1,10 +1,10 @@
 // The lines that tell how far the map is, and what is wrong.
 
-const sentences = { scene: null, tiles: null, diagram: null, export: null };
+const sentences = { export: null, refused: null, scene: null, tiles: null, diagram: null };
 
 export function tellTrouble(banner, kind, text) {
   sentences[kind] = text;
-  const shown = sentences.export || sentences.scene || sentences.tiles || sentences.diagram || "";
+  const shown = Object.values(sentences).find(Boolean) || "";
   banner.hidden = shown === "";
   if (banner.textContent !== shown) banner.textContent = shown;
 }
@@ -20,6 +20,14 @@ function digitsText(axes, view, depth) {
     ": deeper shows no more.";
 }
 
+// Cells are as fine on both axes. Where one axis is zoomed far more, a cell is wider than the view.
+function thinText(axes, view, depth) {
+  const cells = 2 ** (depth + 5);
+  const thin = axes.filter((axis, n) => [view.sx, view.sy][n] * cells < 1).map((axis) => axis.name);
+  return thin.length === 0 ? ""
+    : " Along " + thin.join(" and ") + " the view is thinner than a cell: the map shows points beside it.";
+}
+
 // first: a sentence that says what comes before the tiles, or "". counts: about the points in view.
 export function statusLine(axes, view, left, speed, first, counts) {
   let text = "All points are there.";
@@ -29,5 +37,6 @@ export function statusLine(axes, view, left, speed, first, counts) {
     text = "Computing: " + left + (left === 1 ? " tile" : " tiles") + " to come";
     text += speed > 0 ? ", about " + Math.round(speed).toLocaleString("en") + " points a second." : ".";
   }
-  return text + counts + digitsText(axes, view, view.targetDepth());
+  const depth = view.targetDepth();
+  return text + thinText(axes, view, depth) + counts + digitsText(axes, view, depth);
 }

@@ -9,9 +9,9 @@ export class Strip {
     this.buttons = new Map();
   }
 
-  // The open motion and the diagram are no part of a view.
+  // The open motion, the diagram and the contours are no part of a view.
   plain(hash) {
-    return hash.replace(/&(at|diagram|state)=[^&]*/g, "");
+    return hash.replace(/&(at|diagram|state|contours|si)=[^&]*/g, "");
   }
 
   add(canvas, whole) {

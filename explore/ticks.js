@@ -47,6 +47,8 @@ export function linearTicks(low, high, count) {
     if (far) label = n === 0 ? "+0" : (n > 0 ? "+" : "") + n * lead + "e" + exponent;
     ticks.push({ offset, label });
   }
+  // One number is no scale.
+  if (ticks.length < 2 && count < 8) return linearTicks(low, high, 2 * count);
   return { base, ticks, from: far ? String(base) : "" };
 }
 

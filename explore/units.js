@@ -10,7 +10,13 @@ export function showSi(on) { chosen = on; }
 export function shownIn(told) {
   const si = chosen ? told.si : null;
   const unit = si ? si.unit : told.unit;
-  return { factor: si ? si.factor : 1, title: unit ? told.name + " [" + unit + "]" : told.name };
+  const name = si && si.meaning ? si.meaning : told.name;
+  return { factor: si ? si.factor : 1, title: unit ? name + " [" + unit + "]" : name };
+}
+
+// A number without a dimension has the unit 1, which reads as a digit behind another number.
+export function unitText(told) {
+  return told.unit && told.unit !== "1" ? " " + told.unit : "";
 }
 
 // " (12.3 um)" to stand beside a number, or nothing.
@@ -25,11 +31,17 @@ export function hasSi(scene) {
 
 // The switch is there only where there is something to switch.
 export function setUpUnits(box, onChange) {
-  box.querySelector("input").addEventListener("change", (event) => {
-    showSi(event.target.checked);
+  const check = box.querySelector("input");
+  check.addEventListener("change", () => {
+    showSi(check.checked);
     onChange();
   });
   return {
+    get si() { return check.checked; },
+    choose(on) {
+      check.checked = on;
+      showSi(on);
+    },
     show(scene) { box.hidden = !hasSi(scene); },
   };
 }

@@ -84,6 +84,7 @@ int run(const ExploreArguments& arguments, SignalWatch* signals) {
   const Study study = explorable(whole);
   ExplorerOptions options;
   options.source = shell_quoted(arguments.study);
+  options.is_model = names_model(arguments.study);
   for (const std::string& set : arguments.overrides)
     options.source += " --set " + shell_quoted(set);
   options.devices = chosen_devices(arguments.device);

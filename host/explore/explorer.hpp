@@ -23,7 +23,8 @@
 namespace gearsweep {
 
 struct ExplorerOptions {
-  std::string source;  // what the user called the study, for commands that he can give
+  std::string source;     // what the user called the study, for commands that he can give
+  bool is_model = false;  // that is a model, of which no command makes a map
   std::vector<DeviceChoice> devices = {};
   std::size_t max_bytes = std::size_t{512} << 20U;  // of tiles that are kept
   std::optional<ResultData> data = {};              // of the study as it is
@@ -36,6 +37,8 @@ class Explorer {
   Explorer(ExploredStudy base, ExplorerOptions options);
 
   const std::string& source() const { return options_.source; }
+  bool is_model() const { return options_.is_model; }
+  const Study& study() const { return base_.study; }
   bool has_one_axis() const { return base_.has_one_axis; }
 
   // Throws InputError.

@@ -22,11 +22,11 @@ static_assert(std::endian::native == std::endian::little, "records are little-en
 // No number in JSON.
 json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
-// {"factor": of one such unit, "unit": "rpm"}
+// {"factor": of one such unit, "unit": "rpm", "meaning": "pinion speed", where it is another}
 json si_message(const std::string& unit, const Scales& scales) {
   const SiUnit si = shown_unit(unit, scales);
   if (si.scale <= 0.0) return nullptr;
-  return {{"factor", si.scale}, {"unit", si.name}};
+  return {{"factor", si.scale}, {"unit", si.name}, {"meaning", si.axis_meaning}};
 }
 
 json axis_message(const Scene& scene, std::size_t number) {
@@ -92,11 +92,28 @@ json choices_message(const Scene& scene) {
   return choices;
 }
 
-// "omega=0.7,b=1", with all digits.
-std::string at_text(const Motion& motion) {
+// " --set parameters.mu=0.1", for what a page has changed.
+std::string sets_text(const Explorer& explorer, const Scene& scene) {
   std::string text;
-  for (const auto& [name, value] : motion.at) {
+  for (const std::string& set : overrides_of(explorer.study(), scene.changes().sets)) {
+    text += " --set '" + set + "'";
+  }
+  return text;
+}
+
+// "omega=0.7,b=1", with all digits: where a point of the scene is, also on axes that the study has
+// and the scene does not.
+std::string at_text(const Explorer& explorer, const Scene& scene, const Motion& motion) {
+  std::string text;
+  const auto add = [&](const std::string& name, double value) {
     text += fmt::format("{}{}={}", text.empty() ? "" : ",", name, value);
+  };
+  for (const auto& [name, value] : motion.at) add(name, value);
+  const Study& study = scene.study();
+  for (const Axis& axis : explorer.study().axes) {
+    if (std::ranges::find(motion.at, axis.name, &NamedValue::name) != motion.at.end()) continue;
+    add(axis.name,
+        axis.is_state ? scene.start()[axis.index] : study.setting.parameters[axis.index]);
   }
   return text;
 }
@@ -193,19 +210,24 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
                     ? fmt::format("{} steps in each period", study.integrate.steps_per_period)
                     : fmt::format("steps of at most {:.6g}", study.integrate.max_step)},
                {"notices", study.notices},
-               {"command", "gearsweep run " + explorer.source()}})
+               {"command", explorer.is_model() ? json(nullptr)
+                                               : json("gearsweep run " + explorer.source() +
+                                                      sets_text(explorer, scene))}})
       .dump();
 }
 
-std::string motion_message(const Explorer& explorer, const Motion& motion) {
-  const std::string at = at_text(motion);
+std::string motion_message(const Explorer& explorer, const Scene& scene, const Motion& motion) {
+  const std::string at = at_text(explorer, scene, motion);
   json message = {{"label", label_of(*motion.study.model, find_place(motion.study, motion.at, ""))},
                   {"status", has_values(motion.status) ? "ok" : "diverged"},
                   {"values", values_message(motion)},
                   {"notes", motion.notes},
-                  {"commands",
-                   {fmt::format("gearsweep trace {} --at {} -o trace.nc", explorer.source(), at),
-                    fmt::format("gearsweep floquet {} --at {}", explorer.source(), at)}}};
+                  {"commands", json::array()}};
+  if (!explorer.is_model()) {
+    const std::string what = explorer.source() + sets_text(explorer, scene) + " --at " + at;
+    message["commands"] = {fmt::format("gearsweep trace {} -o trace.nc", what),
+                           fmt::format("gearsweep floquet {}", what)};
+  }
   for (const auto& [name, value] : motion.at) {
     message["at"].push_back({{"name", name}, {"value", value}});
   }

@@ -9,7 +9,7 @@
 namespace gearsweep {
 
 std::string scene_message(const Explorer& explorer, const Scene& scene);
-std::string motion_message(const Explorer& explorer, const Motion& motion);
+std::string motion_message(const Explorer& explorer, const Scene& scene, const Motion& motion);
 std::string orbit_message(const MotionOrbit& orbit);
 std::string starts_message(const Scene& scene, const ReachedAttractors& reached,
                            std::size_t starts);

@@ -10,8 +10,9 @@
 namespace gearsweep {
 namespace {
 
-// Enough to see a motion and its section, and no more than a page draws at once.
-constexpr std::size_t kPeriods = 64, kSamplesPerPeriod = 64;
+// Enough to see a motion and its section, and no more than a page draws at once. Subharmonics of 2,
+// 3, 4, 5, 6, 8, 10 and 12 periods are whole bins of the spectrum.
+constexpr std::size_t kPeriods = 120, kSamplesPerPeriod = 40;
 
 void add_trace(const SweepOptions& options, Motion* motion) {
   PointTraces found;

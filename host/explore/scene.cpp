@@ -192,6 +192,13 @@ std::string start_override(const Study& study, const std::vector<NamedValue>& mo
   return fmt::format("initial={{policy = \"fixed\", state = {{{}}}}}", fmt::join(told, ", "));
 }
 
+// A hash is enough: keys are compared with those of the same server alone.
+std::string short_text(const std::string& text) {
+  return fmt::format("{:016x}", std::hash<std::string>{}(text));
+}
+
+}  // namespace
+
 std::vector<std::string> overrides_of(const Study& base, const std::vector<NamedValue>& sets) {
   std::vector<std::string> overrides;
   std::vector<NamedValue> starts;
@@ -208,14 +215,7 @@ std::vector<std::string> overrides_of(const Study& base, const std::vector<Named
   return overrides;
 }
 
-// A hash is enough: keys are compared with those of the same server alone.
-std::string short_text(const std::string& text) {
-  return fmt::format("{:016x}", std::hash<std::string>{}(text));
-}
-
-}  // namespace
-
-Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) {
+Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) : changes_(changes) {
   const std::array<SceneAxis, 2> axes = {find_axis(base.study, 0, changes.x),
                                          find_axis(base.study, 1, changes.y)};
   std::vector<std::string> overrides = {fmt::format(
@@ -229,6 +229,13 @@ Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) {
     if (std::ranges::find(study_.notices, notice) == study_.notices.end()) {
       study_.notices.push_back(notice);
     }
+  }
+  const auto is_start = [&](const NamedValue& set) {
+    return base.study.model->find_state(set.name) >= 0;
+  };
+  if (std::ranges::any_of(changes.sets, is_start)) {
+    study_.notices.emplace_back(
+        "every point starts from the same state, since one of an initial state was moved");
   }
   key_ = short_text(study_.toml);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -297,6 +304,10 @@ Study explorable(const Study& study) {
         "each point starts on its own, and once: the study's chain, ensemble or tolerances are "
         "left out");
   }
+  // What tells how samples are taken is for the diagram, which has them.
+  std::erase_if(alone.notices, [](const std::string& notice) {
+    return notice.find("says how 'poincare' is sampled") != std::string::npos;
+  });
   alone.notices.insert(alone.notices.end(), notices.begin(), notices.end());
   return alone;
 }

@@ -52,11 +52,16 @@ struct ExploredStudy {
   bool has_one_axis = false;  // the study itself: a diagram tells more of it than a map
 };
 
+// What a command of gearsweep takes behind --set, for the same changes of the study but its axes.
+// Throws InputError for what the model does not allow.
+std::vector<std::string> overrides_of(const Study& base, const std::vector<NamedValue>& sets);
+
 class Scene {
  public:
   // base: see explorable(). Throws InputError for changes that the model does not allow.
   Scene(const ExploredStudy& base, const SceneChanges& changes);
 
+  const SceneChanges& changes() const { return changes_; }
   // Two scenes of one base with the same key are the same. A short text of letters and digits.
   const std::string& key() const { return key_; }
   // Its axes have their ends alone.
@@ -80,6 +85,7 @@ class Scene {
   Study census() const;
 
  private:
+  SceneChanges changes_;
   Study study_;
   std::string key_;
   std::array<std::array<double, 2>, 2> first_view_ = {};

@@ -20,6 +20,7 @@ class Exploration {
               SweepOptions options, std::size_t megabytes, int port)
       : explorer_({explorable(study), pilot_step, study.axes.size() == 1},
                   {.source = source,
+                   .is_model = false,
                    .devices = std::move(options.devices),
                    .max_bytes = megabytes << 20U}),
         server_(&explorer_, port) {}

@@ -19,7 +19,7 @@ TEST(Motion, IsWhatARunAndATraceShowAtTheCell) {
   // So much damping, and so long, that it comes to its orbit.
   std::string text = kExplored + "[parameters]\ndamping = 0.4\n";
   text.replace(text.find("settle = 30"), 11, "settle = 300");
-  Explorer explorer(explored(text), {.source = "test", .devices = {}});
+  Explorer explorer(explored(text), {.source = "test", .is_model = false, .devices = {}});
   const auto scene = explorer.make_scene({});
   const Motion motion = explorer.motion(*scene, {7, {40, 64}});
   const double x = scene->value_at(0, 40, 7), y = scene->value_at(1, 64, 7);
@@ -51,7 +51,7 @@ TEST(Starts, LeadToBothWells) {
                "[[axes]]\nname = 'damping'\nfrom = 0.2\nto = 0.4\ncount = 3\n"
                "[[axes]]\nname = 'omega'\nfrom = 1.0\nto = 1.4\ncount = 3\n"
                "[integrate]\nsettle = 100\nrecord = 16\n[observe]\nquantities = ['x_max']\n"),
-      {.source = "test", .devices = {}});
+      {.source = "test", .is_model = false, .devices = {}});
   for (const double unit : {1.0, 1e3}) {
     const auto scene = explorer.make_scene(
         {{{"cubic", 1.0 / (unit * unit)}, {"amplitude", 0.02 * unit}, {"x", 1e-3 * unit}}, "", ""});

@@ -22,8 +22,10 @@ TEST(ResultData, IsThatOfTheFileWhereTheSceneIsItsOwn) {
   const SweepResult result = run(read_study(kExplored, "test.toml"));
   write_result(result, path, {});
   const ExploredStudy base = explored();
-  Explorer explorer(base,
-                    {.source = "test", .devices = {}, .data = read_result_data(path, base.study)});
+  Explorer explorer(base, {.source = "test",
+                           .is_model = false,
+                           .devices = {},
+                           .data = read_result_data(path, base.study)});
   const auto own = explorer.make_scene({}),
              other = explorer.make_scene({{{"damping", 0.3}}, "", ""});
   EXPECT_EQ(explorer.data(*other), nullptr);
@@ -42,7 +44,7 @@ TEST(ResultData, IsThatOfTheFileWhereTheSceneIsItsOwn) {
 TEST(ViewResult, HasTheNumbersOfItsOwnStudy) {
   const Folder folder;
   const std::string path = folder / "view.nc";
-  Explorer explorer(explored(), {.source = "test", .devices = {}});
+  Explorer explorer(explored(), {.source = "test", .is_model = false, .devices = {}});
   const auto scene = explorer.make_scene({});
   const ShareRange view = {{0.45, 0.3}, {0.55, 0.36}};
   std::ofstream(path, std::ios::binary) << explorer.result_file(*scene, view, 2, false);

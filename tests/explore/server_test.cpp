@@ -60,7 +60,7 @@ class ServerTest : public ::testing::Test {
     return client_.Post(path("tiles"), body.dump(), "application/json");
   }
 
-  Explorer explorer_{explored(), {.source = "test", .devices = {}}};
+  Explorer explorer_{explored(), {.source = "test", .is_model = false, .devices = {}}};
   ExploreServer server_{&explorer_, 0};
   std::atomic<bool> stop_ = false;
   std::jthread thread_{[this] { server_.serve(stop_); }};
@@ -68,7 +68,7 @@ class ServerTest : public ::testing::Test {
 };
 
 TEST(Server, IsStoppedBeforeItHasBegun) {
-  Explorer explorer(explored(), {.source = "test", .devices = {}});
+  Explorer explorer(explored(), {.source = "test", .is_model = false, .devices = {}});
   ExploreServer(&explorer, 0).serve(std::atomic<bool>(true));
 }
 
@@ -110,6 +110,24 @@ TEST_F(ServerTest, CompressesNothing) {
   EXPECT_FALSE(motion->has_header("Content-Encoding"));
   EXPECT_GT(json::parse(motion->body).at("series").size(), 0U);
   EXPECT_FALSE(client_.Get(path("app.js"), browser)->has_header("Content-Encoding"));
+}
+
+// What a page shows can be had by a command: with what was set, and with a value for an axis of the
+// study that the page has replaced.
+TEST_F(ServerTest, GivesCommandsForWhatItShows) {
+  const json scene =
+      json::parse(client_.Get(path("scene?x=damping&set=cubic%3D0.9&set=v%3D0.5"))->body);
+  EXPECT_THAT(scene.at("command").get<std::string>(),
+              HasSubstr("gearsweep run test --set 'parameters.cubic=0.9' --set "
+                        "'initial={policy = \"fixed\", state = {x = 0, v = 0.5}}'"));
+  const json motion = json::parse(
+      client_.Get(path("motion?depth=6&kx=20&ky=20&scene=") + scene.at("key").get<std::string>())
+          ->body);
+  const std::string trace = motion.at("commands")[0];
+  EXPECT_THAT(trace, HasSubstr("--set 'parameters.cubic=0.9'"));
+  EXPECT_THAT(trace, HasSubstr("--at damping="));
+  EXPECT_THAT(trace, HasSubstr(",omega=1"));
+  EXPECT_THAT(scene.at("notices").dump(), HasSubstr("every point starts from the same state"));
 }
 
 TEST_F(ServerTest, SendsAPreviewAndStrips) {

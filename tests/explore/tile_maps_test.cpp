@@ -64,7 +64,8 @@ TEST(TileMaps, OfPointsThatAreRefusedAreRefused) {
 }
 
 TEST(Explorer, KeepsTilesAndForgetsThoseThatWereNotUsedForLong) {
-  Explorer explorer(explored(), {.source = "test", .devices = {}, .max_bytes = 3 * 4 * 8192});
+  Explorer explorer(
+      explored(), {.source = "test", .is_model = false, .devices = {}, .max_bytes = 3 * 4 * 8192});
   const auto scene = explorer.make_scene({});
   const std::atomic<bool> never = false;
   const auto first = explorer.tile(*scene, {1, {0, 0}}, never);
@@ -76,7 +77,7 @@ TEST(Explorer, KeepsTilesAndForgetsThoseThatWereNotUsedForLong) {
 }
 
 TEST(Explorer, StopsATileThatNobodyWantsAnyMore) {
-  Explorer explorer(explored(), {.source = "test", .devices = {}});
+  Explorer explorer(explored(), {.source = "test", .is_model = false, .devices = {}});
   const std::atomic<bool> stop = true;
   EXPECT_EQ(explorer.tile(*explorer.make_scene({}), {1, {0, 0}}, stop), nullptr);
 }

@@ -125,7 +125,7 @@ void Answers::motion(const Request& request, Response* response) {
   const std::shared_ptr<void> slot = take_slot();
   const auto scene = scene_of(request.get_param_value("scene"));
   const Motion motion = explorer_->motion(*scene, cell_of(request));
-  answer_text(motion_message(*explorer_, motion), kJson, response);
+  answer_text(motion_message(*explorer_, *scene, motion), kJson, response);
 }
 
 void Answers::multipliers(const Request& request, Response* response) {
