@@ -106,7 +106,7 @@ const strip = new Strip(byId("strip"), (hash) => {
 });
 const hashNow = () => encode(keeper, view, colors.look, motion.cell, diagram.link(), drawn());
 const past = new History(hashNow, () => {
-  if (!painter.old && !keeper.busy) strip.add(mapCanvas, past.hash());
+  if (!painter.old && !keeper.busy && painter.hasPicture(view, scene.key)) strip.add(mapCanvas, past.hash());
 });
 const controls = new Controls(colors, {
   scene: () => scene,

@@ -70,9 +70,10 @@ export class Controls {
 
   // The same name on both axes means that they change places.
   changeAxis(n, name) {
-    const names = this.job.scene().axes.map((axis) => axis.name);
-    if (names[1 - n] === name) names[1 - n] = names[n];
-    names[n] = name;
+    // Another choice may be on its way already: the other field has it.
+    const shown = this.job.scene().axes.map((axis) => axis.name);
+    const names = [byId("xaxis").value, byId("yaxis").value];
+    if (names[1 - n] === name) names[1 - n] = shown[n];
     this.job.onAxes(names[0], names[1]);
   }
 

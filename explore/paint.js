@@ -62,6 +62,16 @@ export class Painter {
 
   recolor() { this.stamp++; }
 
+  // Whether there is more to see than the ground.
+  hasPicture(view, scene) {
+    for (let depth = view.targetDepth(); depth >= 0; depth--) {
+      let some = false;
+      eachPlace(view, depth, (i, j) => { some = some || this.cache.has(scene, depth, i, j); });
+      if (some) return true;
+    }
+    return this.layers.of(scene).length > 0;
+  }
+
   // Returns whether another frame is needed.
   draw(view, scene, quantity, map, style) {
     const begun = performance.now();

@@ -3,11 +3,12 @@
 import { siText } from "./units.js";
 
 // A model allows far more than one looks at: a slider goes from 0 to twice the first value seen, or
-// 1 to either side of 0; of a state 1 to either side of its value. The field takes all that is allowed.
+// 1 to either side of 0; of a state as far as motions go. The field takes all that is allowed.
 function limits(choice) {
   const { value } = choice;
   let [low, high] = [Math.min(0, 2 * value), Math.max(0, 2 * value)];
-  if (value === 0 || choice.is_state) [low, high] = [value - 1, value + 1];
+  if (value === 0) [low, high] = [value - 1, value + 1];
+  if (choice.is_state) [low, high] = [Math.min(value, choice.low), Math.max(value, choice.high)];
   if (choice.min !== null) low = Math.max(low, choice.min);
   if (choice.max !== null) high = Math.min(high, choice.max);
   return [low, high];

@@ -49,7 +49,8 @@ Study load(const ExploreArguments& arguments) {
   const std::string text = fmt::format(
       "[model]\n{}\n[observe]\nquantities = ['motion_class', 'period', 'lyapunov_max', '{}_max']\n",
       named.key, named.model->states.front().name);
-  return read_draft(text, arguments.study, arguments.overrides);
+  // Its path is from here, not from the folder of a study.
+  return read_draft(text, "explore", arguments.overrides);
 }
 
 // The step that the map had, or that a tolerance asks for; nothing: the model's or the study's own.

@@ -87,6 +87,8 @@ json choices_message(const Scene& scene) {
                        {"value", number_or_null(start[i])},
                        {"min", nullptr},
                        {"max", nullptr},
+                       {"low", scene.state_ranges()[i].low},
+                       {"high", scene.state_ranges()[i].high},
                        {"si", si_message(state.unit, study.scales)}});
   }
   return choices;

@@ -60,12 +60,16 @@ SceneAxis as_it_is(const Axis& axis, const Model& model) {
   return out;
 }
 
-// From half of what the study has of a parameter to half as much again; of a state one unit to
-// either side of 0.
-SceneAxis another(const Study& study, const std::string& name) {
+// From half of what the study has of a parameter to half as much again; of a state where motions
+// go.
+SceneAxis another(const ExploredStudy& base, const std::string& name) {
+  const Study& study = base.study;
   const Model& model = *study.model;
-  SceneAxis out = {name, false, {-1.0, 1.0}, {}};
-  if (model.find_state(name) < 0) {
+  SceneAxis out = {name, false, {}, {}};
+  if (const int state = model.find_state(name); state >= 0) {
+    const StateRange range = base.state_ranges->of(study)[static_cast<std::size_t>(state)];
+    out.view = {range.low, range.high};
+  } else {
     const Range allowed = allowed_of(model, name);
     const int index = model.find_parameter(name);
     if (index < 0) {
@@ -84,13 +88,13 @@ SceneAxis another(const Study& study, const std::string& name) {
   return out;
 }
 
-SceneAxis find_axis(const Study& study, std::size_t number, const std::string& name) {
-  for (const Axis& axis : study.axes) {
-    if (axis.name == (name.empty() ? study.axes[number].name : name)) {
-      return as_it_is(axis, *study.model);
+SceneAxis find_axis(const ExploredStudy& base, std::size_t number, const std::string& name) {
+  for (const Axis& axis : base.study.axes) {
+    if (axis.name == (name.empty() ? base.study.axes[number].name : name)) {
+      return as_it_is(axis, *base.study.model);
     }
   }
-  return another(study, name);
+  return another(base, name);
 }
 
 std::string as_toml(const SceneAxis& axis, const Range& range) {
@@ -98,19 +102,24 @@ std::string as_toml(const SceneAxis& axis, const Range& range) {
                      range.low, range.high, axis.logarithmic ? "log" : "linear");
 }
 
-// Up to two: parameters that are not 0, in the model's order.
-void add_axes(const Study& study, std::vector<SceneAxis>* axes, std::vector<std::string>* notices) {
-  const Model& model = *study.model;
-  for (std::size_t i = 0; i < model.parameters.size() && axes->size() < 2; ++i) {
-    const std::string& name = model.parameters[i].name;
-    const bool is_free = study.setting.parameters[i] != 0.0 && model.find_derived(i) == nullptr &&
-                         std::ranges::find(*axes, name, &SceneAxis::name) == axes->end();
-    if (!is_free) continue;
-    axes->push_back(another(study, name));
+// Up to two: parameters that are not 0, in the model's order, then states.
+void add_axes(const ExploredStudy& base, std::vector<SceneAxis>* axes,
+              std::vector<std::string>* notices) {
+  const Model& model = *base.study.model;
+  const auto add = [&](const std::string& name) {
+    const bool is_there = std::ranges::find(*axes, name, &SceneAxis::name) != axes->end();
+    if (is_there || axes->size() == 2) return;
+    axes->push_back(another(base, name));
     notices->push_back(fmt::format("'{}' is swept, too: a map has two axes", name));
+  };
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    if (base.study.setting.parameters[i] != 0.0 && model.find_derived(i) == nullptr) {
+      add(model.parameters[i].name);
+    }
   }
+  for (const ChannelInfo& state : model.states) add(state.name);
   if (axes->size() == 2) return;
-  throw InputError("explore shows maps over two axes, and no other parameter could be swept");
+  throw InputError("explore shows maps over two axes, and nothing else could be swept");
 }
 
 constexpr const char* kExponentError = "lyapunov_max_error";
@@ -215,9 +224,13 @@ std::vector<std::string> overrides_of(const Study& base, const std::vector<Named
   return overrides;
 }
 
-Scene::Scene(const ExploredStudy& base, const SceneChanges& changes) : changes_(changes) {
-  const std::array<SceneAxis, 2> axes = {find_axis(base.study, 0, changes.x),
-                                         find_axis(base.study, 1, changes.y)};
+Scene::Scene(const ExploredStudy& base, const SceneChanges& changes)
+    : changes_(changes), state_ranges_(base.state_ranges->of(base.study)) {
+  const std::array<SceneAxis, 2> axes = {find_axis(base, 0, changes.x),
+                                         find_axis(base, 1, changes.y)};
+  if (axes[0].name == axes[1].name) {
+    throw InputError(fmt::format("'{}' is on both axes; give the other one, too", axes[0].name));
+  }
   std::vector<std::string> overrides = {fmt::format(
       "axes=[{}, {}]", as_toml(axes[0], axes[0].world), as_toml(axes[1], axes[1].world))};
   const std::vector<std::string> sets = overrides_of(base.study, changes.sets);
@@ -290,7 +303,7 @@ Study explorable(const Study& study) {
     axes.push_back(as_it_is(axis, *study.model));
   }
   std::vector<std::string> notices;
-  add_axes(study, &axes, &notices);
+  add_axes({study, std::nullopt}, &axes, &notices);
   const std::vector<std::string> quantities = quantities_of_points(study, &notices);
   std::vector<std::string> overrides = {
       fmt::format("observe.quantities=[\"{}\"]", fmt::join(quantities, "\", \""))};

@@ -6,11 +6,13 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "explore/state_ranges.hpp"
 #include "point/place.hpp"
 #include "study/study.hpp"
 
@@ -50,6 +52,8 @@ struct ExploredStudy {
   Study study;
   std::optional<double> pilot_step;
   bool has_one_axis = false;  // the study itself: a diagram tells more of it than a map
+  // Of the study.
+  std::shared_ptr<LateStateRanges> state_ranges = std::make_shared<LateStateRanges>();
 };
 
 // What a command of gearsweep takes behind --set, for the same changes of the study but its axes.
@@ -73,6 +77,8 @@ class Scene {
   double value_at(std::size_t axis, std::uint64_t k, std::size_t depth) const;
   // Below 0 and above 1 beyond the scene's axis.
   double share_of(std::size_t axis, double value) const;
+  // [state] how far motions go (state_ranges()).
+  const std::vector<StateRange>& state_ranges() const { return state_ranges_; }
   // [state] where a point starts that the axes leave as it is.
   std::vector<double> start() const;
   // The study with these values on its axes.
@@ -86,6 +92,7 @@ class Scene {
 
  private:
   SceneChanges changes_;
+  std::vector<StateRange> state_ranges_;
   Study study_;
   std::string key_;
   std::array<std::array<double, 2>, 2> first_view_ = {};

@@ -8,42 +8,29 @@
 #include <map>
 #include <memory>
 
-#include "model/error.hpp"
+#include "explore/state_ranges.hpp"
 #include "plan/study_points.hpp"
-#include "point/point_trace.hpp"
 #include "sweep/sweep.hpp"
 
 namespace gearsweep {
 namespace {
 
-// Of the motion whose size is looked at.
-constexpr std::size_t kPeriods = 32, kSamplesPerPeriod = 32;
-
-// How far each state goes in the motion from the study's own start; nothing where it diverges.
-std::optional<std::vector<double>> size_of_motion(const Study& study,
-                                                  const std::vector<NamedValue>& at,
-                                                  const SweepOptions& options) {
-  const TraceWindows windows = {std::nullopt, kPeriods};
-  PointTraces found;
-  try {
-    if (!add_point_trace(with_windows(study, windows), find_place(study, at, ""), windows,
-                         kSamplesPerPeriod, options, &found)) {
-      return std::nullopt;
-    }
-  } catch (const RunError&) {
-    return std::nullopt;
+// To either side of the point's own start: as far as the motion from there goes from end to end.
+std::vector<double> spread_of(const Study& point) {
+  std::vector<double> spread;
+  for (const StateRange& range : state_ranges(point)) {
+    spread.push_back(0.5 * (range.high - range.low));
   }
-  std::vector<double> size;
-  for (std::size_t state = 0; state < study.model->states.size(); ++state) {
-    const auto [low, high] = std::ranges::minmax(found.traces.front().values[state]);
-    size.push_back(high - low);
-  }
-  return size;
+  return spread;
 }
 
-// The starts of an ensemble of the study, which has one point: [start][state].
+// The starts of an ensemble at the study's one point, whose own may be on its axes: [start][state].
 std::vector<std::vector<double>> starts_of(Study study, std::size_t count,
                                            const std::vector<double>& spread) {
+  study.initial.state = StudyPoints(std::make_shared<const Study>(study)).start(0);
+  study.initial.policy = InitialPolicy::fixed;
+  std::erase_if(study.axes, [](const Axis& axis) { return axis.is_state; });
+  if (study.axes.empty()) study.axes.push_back(resting_axis(study));
   study.initial.ensemble = count;
   study.initial.spread = spread;
   const StudyPoints points(std::make_shared<const Study>(std::move(study)));
@@ -76,13 +63,19 @@ Axis list_of(const Study& study, const std::vector<std::vector<double>>& starts)
   return list;
 }
 
-// Two of one kind differ in their size.
-std::string name_of(const Attractor& attractor, const Model& model) {
+// Two of one kind differ in their size, or in their place.
+std::string name_of(const Attractor& attractor, const std::vector<std::vector<double>>& section,
+                    const Model& model) {
   const std::string kind = motion_names().at(attractor.motion);
   const std::string period =
       attractor.period == 0.0 ? "" : fmt::format(", period {}", attractor.period);
-  return fmt::format("{}{}, rms of {} {:.4g}", kind, period, model.states.front().name,
-                     attractor.rms);
+  const std::string& state = model.states.front().name;
+  std::string text = fmt::format("{}{}, rms of {} {:.4g}", kind, period, state, attractor.rms);
+  if (section.empty()) return text;
+  double sum = 0.0;
+  for (const std::vector<double>& sample : section) sum += sample.front();
+  return text + fmt::format(", at its section {:.4g} on average",
+                            sum / static_cast<double>(section.size()));
 }
 
 std::vector<std::vector<double>> section_of(const SweepResult& result, std::size_t point) {
@@ -112,9 +105,9 @@ ReachedAttractors reached(const SweepResult& result) {
       ReachedAttractor& attractor = by_number[number[point]];
       attractor.share += share;
       if (!attractor.section.empty()) continue;
-      attractor.name = name_of(result.attractors.at(static_cast<std::size_t>(number[point]) - 1),
-                               *result.study.model);
       attractor.section = section_of(result, point);
+      attractor.name = name_of(result.attractors.at(static_cast<std::size_t>(number[point]) - 1),
+                               attractor.section, *result.study.model);
     }
   }
   for (auto& [its_number, attractor] : by_number) out.attractors.push_back(std::move(attractor));
@@ -127,14 +120,10 @@ ReachedAttractors reached(const SweepResult& result) {
 std::optional<ReachedAttractors> look_at_starts(const Scene& scene, const Cell& cell,
                                                 std::size_t starts, const SweepOptions& options) {
   Study study = scene.census();
-  std::vector<NamedValue> at;
   for (std::size_t i = 0; i < 2; ++i) {
     study.axes[i].values = {scene.value_at(i, cell.k[i], cell.depth)};
-    at.push_back({study.axes[i].name, study.axes[i].values.front()});
   }
-  const std::optional<std::vector<double>> size = size_of_motion(study, at, options);
-  // In a box that reaches as far to either side as the motion goes from end to end.
-  study.axes = {list_of(study, starts_of(study, starts, size.value_or(study.initial.spread)))};
+  study.axes = {list_of(study, starts_of(study, starts, spread_of(study)))};
   const std::optional<SweepResult> result = run_sweep(study, options);
   if (!result) return std::nullopt;
   return reached(*result);

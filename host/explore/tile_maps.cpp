@@ -1,19 +1,15 @@
 #include "explore/tile_maps.hpp"
 
-#include <array>
 #include <chrono>
 #include <limits>
 
 #include "explore/cell_maps.hpp"
-#include "model/error.hpp"
+#include "explore/detail/pieces.hpp"
 
 namespace gearsweep {
 namespace {
 
 constexpr std::size_t kCells = TilePlace::kCells, kPoints = TilePlace::kPoints;
-
-// The columns and rows of a tile that are computed together.
-using Grid = std::array<std::vector<std::size_t>, 2>;
 
 std::vector<std::size_t> every(std::size_t first, std::size_t step) {
   std::vector<std::size_t> cells;
@@ -22,7 +18,7 @@ std::vector<std::size_t> every(std::size_t first, std::size_t step) {
 }
 
 // All cells, or those of which the parent has none: its cells are the even ones of both axes.
-std::vector<Grid> grids_of(bool has_parent) {
+std::vector<CellGrid> grids_of(bool has_parent) {
   if (!has_parent) return {{every(0, 1), every(0, 1)}};
   return {{every(1, 2), every(0, 1)}, {every(0, 2), every(1, 2)}};
 }
@@ -47,7 +43,7 @@ class Filling {
   }
 
   // False when stopped.
-  bool compute(const Grid& grid, const SweepOptions& options) {
+  bool compute(const CellGrid& grid, const SweepOptions& options) {
     std::optional<CellMaps> cells = compute_cells(scene_, values_of(grid), options);
     if (!cells) return false;
     auto number = cells->numbers.begin();
@@ -62,11 +58,16 @@ class Filling {
     return true;
   }
 
-  void refuse(const std::string& why) {
-    out_.refusal = why;
-    std::fill_n(out_.numbers.begin(), kPoints, kRefused);
-    std::fill(out_.numbers.begin() + kPoints, out_.numbers.end(),
-              std::numeric_limits<double>::quiet_NaN());
+  void refuse(const CellGrid& grid, const std::string& why) {
+    if (out_.refusal.empty()) out_.refusal = why;
+    for (const std::size_t row : grid[1]) {
+      for (const std::size_t column : grid[0]) {
+        at(0, row, column) = kRefused;
+        for (std::size_t map = 1; map < maps_; ++map) {
+          at(map, row, column) = std::numeric_limits<double>::quiet_NaN();
+        }
+      }
+    }
   }
 
   TileMaps take(double seconds) {
@@ -78,7 +79,7 @@ class Filling {
   double& at(std::size_t map, std::size_t row, std::size_t column) {
     return out_.numbers[map * kPoints + row * kCells + column];
   }
-  std::array<std::vector<double>, 2> values_of(const Grid& grid) const {
+  std::array<std::vector<double>, 2> values_of(const CellGrid& grid) const {
     std::array<std::vector<double>, 2> values;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       for (const std::size_t cell : grid[axis]) {
@@ -100,14 +101,14 @@ class Filling {
 std::optional<TileMaps> compute_tile(const Scene& scene, const TilePlace& place,
                                      const TileMaps* parent, const SweepOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  // What a parent has of refused points may be a guess.
+  if (parent != nullptr && !parent->refusal.empty()) parent = nullptr;
   Filling tile(scene, place);
   if (parent != nullptr) tile.take_from(*parent);
-  try {
-    for (const Grid& grid : grids_of(parent != nullptr)) {
-      if (!tile.compute(grid, options)) return std::nullopt;
-    }
-  } catch (const InputError& error) {
-    tile.refuse(error.what());
+  const auto compute = [&](const CellGrid& grid) { return tile.compute(grid, options); };
+  const auto refuse = [&](const CellGrid& grid, const std::string& why) { tile.refuse(grid, why); };
+  for (const CellGrid& grid : grids_of(parent != nullptr)) {
+    if (!compute_in_pieces(grid, compute, refuse)) return std::nullopt;
   }
   return tile.take(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

@@ -18,7 +18,7 @@ struct TileMaps {
   std::vector<double> numbers;
   std::size_t computed = 0;  // points; the others are the parent's
   double seconds = 0.0;      // that they took
-  std::string refusal;       // why the tile is refused; empty: it is not
+  std::string refusal;       // why the first refused point is; empty: none is
   EngineInfo engine;         // as CellMaps has these two
   std::vector<std::string> integrated;
 };
@@ -26,9 +26,8 @@ struct TileMaps {
 inline constexpr double kRefused = 255.0;
 
 // Runs the scene's study at the points of a tile (run_sweep()), but for those that its parent has,
-// if that is given. Nothing when stopped. A tile with a point that the study refuses, such as one
-// whose period would need too many steps, is refused as a whole: that is no error. Throws RunError
-// when no device works.
+// if that is given. Nothing when stopped. A point that the study refuses, such as one whose period
+// would need too many steps, is no error. Throws RunError when no device works.
 std::optional<TileMaps> compute_tile(const Scene& scene, const TilePlace& place,
                                      const TileMaps* parent, const SweepOptions& options);
 

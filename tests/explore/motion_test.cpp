@@ -67,5 +67,19 @@ TEST(Starts, LeadToBothWells) {
   }
 }
 
+// Where states are on the axes the click says where to begin, and the others begin around it.
+TEST(Starts, LeadToBothWellsWhereStatesAreOnTheAxes) {
+  Explorer explorer(
+      explored("[model]\nname = 'duffing'\n[parameters]\nlinear = -1.0\ncubic = 1.0\n"
+               "damping = 0.3\namplitude = 0.02\nomega = 1.2\n"
+               "[[axes]]\nname = 'x'\nfrom = -1.0\nto = 1.0\ncount = 3\n"
+               "[[axes]]\nname = 'v'\nfrom = -1.0\nto = 1.0\ncount = 3\n"
+               "[integrate]\nsettle = 100\nrecord = 16\n[observe]\nquantities = ['x_max']\n"),
+      {.source = "test", .is_model = false, .devices = {}});
+  const ReachedAttractors reached = explorer.starts(*explorer.make_scene({}), {6, {33, 32}}, 32);
+  ASSERT_EQ(reached.attractors.size(), 2U);
+  EXPECT_NE(reached.attractors[0].name, reached.attractors[1].name);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

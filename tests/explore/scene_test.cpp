@@ -1,6 +1,7 @@
 // What a page shows: a world around the first view, cells that are the same at every depth.
 #include "explore/scene.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,6 +49,26 @@ TEST(Scene, TakesOtherAxesAndParameters) {
   EXPECT_EQ(scene.study().setting.parameters[static_cast<std::size_t>(omega)], 1.1);
   EXPECT_NE(scene.key(), Scene(base, {}).key());
   EXPECT_EQ(scene.key(), Scene(base, {{{"omega", 1.1}}, "damping", "x"}).key());
+}
+
+// The first view of a state is as large as motions are, in any unit.
+TEST(Scene, ShowsAStateWhereMotionsGo) {
+  const auto view_of_x = [](double unit) {
+    const Scene scene(
+        explored(fmt::format("[model]\nname = 'duffing'\n[parameters]\nlinear = 1.0\ncubic = {}\n"
+                             "[[axes]]\nname = 'omega'\nfrom = 0.8\nto = 1.6\ncount = 3\n"
+                             "[[axes]]\nname = 'amplitude'\nfrom = {}\nto = {}\ncount = 3\n"
+                             "[observe]\nquantities = ['x_max']\n",
+                             1.0 / (unit * unit), 0.1 * unit, 0.4 * unit)),
+        {{}, "x", "v"});
+    return scene.first_view()[0];
+  };
+  const auto one = view_of_x(1.0), thousand = view_of_x(1e3);
+  EXPECT_LT(one[0], -0.2);
+  EXPECT_GT(one[1], 0.2);
+  EXPECT_LT(one[1] - one[0], 20.0);
+  EXPECT_NEAR(thousand[0] / one[0], 1e3, 1.0);
+  EXPECT_NEAR(thousand[1] / one[1], 1e3, 1.0);
 }
 
 // One state moved; the others, and those of other points, start as before.
@@ -103,6 +124,11 @@ TEST(Explorable, SweepsOtherParametersWhereAxesAreMissing) {
   EXPECT_EQ(line.axes[1].name, "damping");
   EXPECT_EQ(line.selection.quantities[0].name, "motion_class");
   EXPECT_THAT(line.notices, Contains(HasSubstr("'damping' is swept, too")));
+
+  // Of a model with one parameter a state is the second axis.
+  const Study lone = explorable(read_draft("[model]\nname = 'relay'\n", "test.toml"));
+  EXPECT_EQ(lone.axes[0].name, "zeta");
+  EXPECT_TRUE(lone.axes[1].is_state);
 
   const Study model = explorable(read_draft("[model]\nname = 'duffing'\n", "test.toml"));
   EXPECT_EQ(model.axes[0].name, "damping");

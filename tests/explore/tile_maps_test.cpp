@@ -63,6 +63,37 @@ TEST(TileMaps, OfPointsThatAreRefusedAreRefused) {
   EXPECT_NE(maps.refusal.find("steps"), std::string::npos) << maps.refusal;
 }
 
+// A model that refuses half of the plane: its other half has its numbers, in the tile and in those
+// below it.
+TEST(TileMaps, HaveTheNumbersBesideRefusedPoints) {
+  const std::string text =
+      "[model]\ntext = \"\"\"\n[model]\nname = 'half'\n[states]\nx = {}\nv = {}\n[parameters]\n"
+      "F = { value = 1.0, min = 0, max = 10 }\nmu = { value = 0.1, min = 0, max = 10 }\n"
+      "[equations]\nx = 'v'\nv = '-x - 0.2*v - mu + F*sin(phase)'\n"
+      "[forcing]\nperiod = '2*pi'\n[checks]\n'mu {mu} must be below F {F}' = 'mu < F'\n\"\"\"\n"
+      "[[axes]]\nname = 'mu'\nfrom = 0.5\nto = 0.6\ncount = 3\n"
+      "[[axes]]\nname = 'F'\nfrom = 0.7\nto = 0.8\ncount = 3\n"
+      "[integrate]\nmax_step = 0.1\nsettle = 4\nrecord = 2\n[observe]\nquantities = ['x_max']\n";
+  const Scene scene(explored(text), {});
+  const TileMaps parent = *compute_tile(scene, {0, {0, 0}}, nullptr, {});
+  const TileMaps child = *compute_tile(scene, {1, {1, 0}}, &parent, {});
+  std::size_t refused = 0;
+  for (const auto& [maps, place] :
+       {std::pair{&parent, TilePlace{0, {0, 0}}}, {&child, TilePlace{1, {1, 0}}}}) {
+    for (std::size_t row = 0; row < kCells; ++row) {
+      for (std::size_t column = 0; column < kCells; ++column) {
+        const double mu = scene.value_at(0, place.at[0] * kCells + column, place.depth + 5);
+        const double force = scene.value_at(1, place.at[1] * kCells + row, place.depth + 5);
+        EXPECT_EQ(number_at(*maps, 0, row, column), mu < force ? 0.0 : kRefused)
+            << mu << " " << force;
+        if (mu >= force) ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, 100U);
+  EXPECT_THAT(parent.refusal, ::testing::HasSubstr("must be below F"));
+}
+
 TEST(Explorer, KeepsTilesAndForgetsThoseThatWereNotUsedForLong) {
   Explorer explorer(
       explored(), {.source = "test", .is_model = false, .devices = {}, .max_bytes = 3 * 4 * 8192});

@@ -131,7 +131,12 @@ void Answers::motion(const Request& request, Response* response) {
 void Answers::multipliers(const Request& request, Response* response) {
   const std::shared_ptr<void> slot = take_slot();
   const auto scene = scene_of(request.get_param_value("scene"));
-  answer_text(orbit_message(explorer_->orbit(*scene, cell_of(request))), kJson, response);
+  const Cell cell = cell_of(request);
+  try {
+    answer_text(orbit_message(explorer_->orbit(*scene, cell)), kJson, response);
+  } catch (const RunError& error) {  // there is no orbit, which is no fault of the server
+    throw Refusal{422, error.what()};
+  }
 }
 
 void Answers::attractors(const Request& request, Response* response) {

@@ -26,6 +26,12 @@ void refuse_too_many(const nlohmann::json& list, std::size_t max, const char* wh
   throw Refusal{400, fmt::format("{} {}; at most {} at once", list.size(), what, max)};
 }
 
+// A double would be cast, which is undefined beyond the type's ends.
+std::uint64_t whole(const nlohmann::json& number) {
+  if (!number.is_number_unsigned()) throw Refusal{400, "a place is told by whole numbers"};
+  return number.get<std::uint64_t>();
+}
+
 bool is_cell(std::uint64_t k, std::size_t depth) {
   return depth <= Cell::kMaxDepth && k <= std::uint64_t{1} << depth;
 }
@@ -61,8 +67,7 @@ std::vector<TilePlace> read_places(const nlohmann::json& list) {
   refuse_too_many(list, kMaxTiles, "tiles");
   std::vector<TilePlace> places;
   for (const nlohmann::json& one : list) {
-    const TilePlace place = {one.at(0).get<std::size_t>(),
-                             {one.at(1).get<std::uint64_t>(), one.at(2).get<std::uint64_t>()}};
+    const TilePlace place = {whole(one.at(0)), {whole(one.at(1)), whole(one.at(2))}};
     const bool is_there = place.depth <= TilePlace::kMaxDepth && place.at[0] >> place.depth == 0 &&
                           place.at[1] >> place.depth == 0;
     if (!is_there) throw Refusal{400, "a tile that is not there"};
@@ -77,8 +82,8 @@ ShareRange read_view(const nlohmann::json& list) {
 }
 
 Line read_line(const nlohmann::json& body) {
-  const Line line = {body.at("axis").get<std::size_t>(), body.at("at").at(0).get<std::size_t>(),
-                     body.at("at").at(1).get<std::uint64_t>()};
+  const Line line = {whole(body.at("axis")), whole(body.at("at").at(0)),
+                     whole(body.at("at").at(1))};
   if (line.axis > 1 || !is_cell(line.k, line.depth)) {
     throw Refusal{400, "a line that is not there"};
   }
@@ -89,7 +94,7 @@ std::vector<Strip> read_strips(const nlohmann::json& list) {
   refuse_too_many(list, kMaxStrips, "strips");
   std::vector<Strip> strips;
   for (const nlohmann::json& one : list) {
-    const Strip strip = {one.at(0).get<std::size_t>(), one.at(1).get<std::uint64_t>()};
+    const Strip strip = {whole(one.at(0)), whole(one.at(1))};
     if (!strip.is_there()) throw Refusal{400, "a strip that is not there"};
     strips.push_back(strip);
   }

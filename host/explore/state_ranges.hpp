@@ -1,0 +1,32 @@
+// How large the states of a study's motions are, whatever its units.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace gearsweep {
+
+struct StateRange {
+  double low = 0.0, high = 0.0;
+};
+
+// [state] Where the motion goes that starts as the study's points do, in the middle of its axes,
+// and half as far again to either side. A state that stays where it is has its own size about it,
+// or 1 about 0. The motion is followed on the host, for a while; where it diverges or cannot be
+// followed, the start is all that is known of it. study: with or without axes.
+std::vector<StateRange> state_ranges(const Study& study);
+
+// Those of one study, found when they are first asked for. Threads may share one.
+class LateStateRanges {
+ public:
+  const std::vector<StateRange>& of(const Study& study);
+
+ private:
+  std::once_flag is_found_;
+  std::vector<StateRange> ranges_;
+};
+
+}  // namespace gearsweep
