@@ -279,10 +279,10 @@ std::string tile_record(const TilePlace& place, const TileMaps& maps, double poi
 }
 
 std::string error_record(std::string_view text) {
+  const std::size_t numbers = (text.size() + 7) / 8;
   std::string padded(text);
-  padded.resize((text.size() + 7) / 8 * 8, '\0');
-  return record({1.0, 0.0, 0.0, 0.0, static_cast<double>(padded.size() / 8), 0.0, 0.0, 0.0},
-                padded);
+  padded.resize(8 * numbers, '\0');
+  return record({1.0, 0.0, 0.0, 0.0, static_cast<double>(numbers), 0.0, 0.0, 0.0}, padded);
 }
 
 std::string preview_record(const Preview& preview, double points_per_second) {
