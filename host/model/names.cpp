@@ -43,6 +43,21 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+// Names that have all words of this one beside each other: of "speed_rpm" "pinion_speed_rpm".
+std::vector<std::string> longer_names(std::string_view name,
+                                      const std::vector<std::string>& known) {
+  constexpr std::size_t kShortest = 3;
+  std::vector<std::string> found;
+  if (name.size() < kShortest || name.size() > kLongest) return found;
+  const std::string words = fmt::format("_{}_", lowered(name));
+  for (const std::string& candidate : known) {
+    if (fmt::format("_{}_", lowered(candidate)).find(words) != std::string::npos) {
+      found.push_back(candidate);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known) {
@@ -55,6 +70,11 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
   const std::string& found = known[static_cast<std::size_t>(nearest - distances.begin())];
   const std::size_t tolerated = std::max<std::size_t>(1, std::min(kLongest, name.size()) / 3);
   if (*nearest <= tolerated && found.size() > 1) return fmt::format("; did you mean '{}'?", found);
+  constexpr std::size_t kFew = 3;
+  const std::vector<std::string> longer = longer_names(name, known);
+  if (!longer.empty() && longer.size() <= kFew) {
+    return fmt::format("; did you mean '{}'?", fmt::join(longer, "' or '"));
+  }
   constexpr std::size_t kListed = 12;
   const auto end = known.begin() + static_cast<std::ptrdiff_t>(std::min(kListed, known.size()));
   return fmt::format("; known: {}{}", fmt::join(known.begin(), end, ", "),

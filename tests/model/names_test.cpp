@@ -20,6 +20,16 @@ TEST(SuggestName, FindsTheNearest) {
   EXPECT_EQ(suggest_name("teeth-ratio", kKnown), "; did you mean 'teeth_ratio'?");
 }
 
+// Whoever leaves out a unit, or what a speed is of.
+TEST(SuggestName, FindsLongerNamesOfTheSameWords) {
+  const std::vector<std::string> known = {"mass_kg", "pinion_speed_rpm", "bearing_stiffness",
+                                          "bearing_damping", "massive"};
+  EXPECT_EQ(suggest_name("mass", known), "; did you mean 'mass_kg'?");
+  EXPECT_EQ(suggest_name("Speed_rpm", known), "; did you mean 'pinion_speed_rpm'?");
+  EXPECT_EQ(suggest_name("bearing", known),
+            "; did you mean 'bearing_stiffness' or 'bearing_damping'?");
+}
+
 TEST(SuggestName, ListsWhatIsKnownWhenNothingIsNear) {
   EXPECT_EQ(suggest_name("friction", kKnown), "; known: omega, zeta, teeth_ratio, b, mu");
 }

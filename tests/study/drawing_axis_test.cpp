@@ -77,6 +77,9 @@ TEST(DrawingAxis, IsRefusedWhereTheResultWouldChangeItsUnits) {
   for (const char* key : {"half_backlash_mm", "module_mm", "inertia_kg_mm2"}) {
     EXPECT_THAT(refusal(kDrawing + axis_over(key, "4.0, 4.1")), HasSubstr("measured in")) << key;
   }
+  // There is a parameter that does it.
+  EXPECT_THAT(refusal(kDrawing + axis_over("half_backlash_mm", "0.04, 0.05")),
+              HasSubstr("sweep b, the half backlash"));
   EXPECT_THAT(refusal(kDrawing + axis_over("teeth", "20, 21")), HasSubstr("axis 'teeth'"));
 }
 

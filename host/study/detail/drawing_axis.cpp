@@ -10,6 +10,15 @@
 namespace gearsweep {
 namespace {
 
+// What to do where a key changes the scales.
+std::string instead_of(const GearKey& key, const Model& model) {
+  const char* const backlash = "b";
+  if (key.name == kHalfBacklash.name && model.find_parameter(backlash) >= 0) {
+    return "sweep b, the half backlash in terms of that of the drawing: 1.2 is 20 % more";
+  }
+  return "sweep it in a study for each value";
+}
+
 std::vector<GearConversion> conversions_of(const SweptKey& swept, const GearValues& others,
                                            const Model& model, const toml::node& place,
                                            const Axis& axis) {
@@ -23,11 +32,9 @@ std::vector<GearConversion> conversions_of(const SweptKey& swept, const GearValu
       fail_at(place, fmt::format("{} = {}: {}", axis.name, value, error.what()));
     }
     if (conversions.back().scales == conversions.front().scales) continue;
-    fail_at(place,
-            fmt::format("{} changes what the result is measured in: its lengths are in half "
-                        "backlashes, its forces in k0 b_n, its times in 1/varpi; sweep it in a "
-                        "study for each value",
-                        axis.name));
+    fail_at(place, fmt::format("{} changes what the result is measured in: its lengths are in half "
+                               "backlashes, its forces in k0 b_n, its times in 1/varpi; {}",
+                               axis.name, instead_of(*swept.key, model)));
   }
   return conversions;
 }
