@@ -47,19 +47,24 @@ let pointer = null;
 let clickPending = false;
 let speed = 0;
 let refusedTimer = 0;
+let rangesTimer = 0;
 let tickLabels = { x: [], y: [] };
 
-const loader = new Loader({
-  scene: () => (scene && view.width > 1 ? scene.key : null),
-  needed: () => neededTiles(cache, scene.key, view, speed, pointer ? view.toShare(...pointer)
-    : [view.x0 + view.sx / 2, view.y0 + view.sy / 2]),
+const loader = new Loader("tiles", 0, 512, {
+  wanted() {
+    if (!scene || view.width <= 1) return null;
+    const focus = pointer ? view.toShare(...pointer) : [view.x0 + view.sx / 2, view.y0 + view.sy / 2];
+    const { key } = scene;
+    return { name: key, places: neededTiles(cache, key, view, speed, focus),
+      request: (tiles) => ({ scene: key, tiles }) };
+  },
   wait: () => previewer.ahead() || keeper.dragging,
-  onTile(key, d, i, j, data) {
-    cache.put(key, d, i, j, data);
+  onRecord(head, numbers, wanted) {
+    if (head[5] > 0) speed = head[5];
+    cache.put(wanted.name, head[1], head[2], head[3], numbers);
     statistics.forget();
     requestFrame();
   },
-  onSpeed(value) { if (value > 0) speed = value; },
   onChange() {
     keeper.pump();
     requestFrame();
@@ -159,9 +164,20 @@ function takeScene(next, wantedView) {
   controls.showScene(next);
   units.show(next);
   sliders.show(next);
+  askForRanges(next);
   colors.renew(next);
   if (!keeper.dragging) motion.setScene(next);
   viewChanged();
+}
+
+// How far states go is found beside the first tiles: later the same scene tells it.
+function askForRanges(next) {
+  clearTimeout(rangesTimer);
+  if (next.choices.every((choice) => choice.low !== null)) return;
+  rangesTimer = setTimeout(() => {
+    if (!keeper.busy) keeper.load(0);
+    else askForRanges(scene);
+  }, 4000);
 }
 
 // The scene stays, and the choices show again what it has. Without one, the link itself was refused.

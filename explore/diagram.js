@@ -4,7 +4,7 @@ import { findLine, markLine } from "./diagramline.js";
 import { DiagramPicture } from "./diagrampicture.js";
 import { DiagramReading } from "./diagramreading.js";
 import { DiagramSide } from "./diagramside.js";
-import { StripLoader } from "./striploader.js";
+import { Loader } from "./loader.js";
 import { columnsInView, nearestColumn, neededStrips, StripCache, targetDepth } from "./strips.js";
 import { shownIn } from "./units.js";
 
@@ -24,11 +24,11 @@ export class Diagram {
     this.picture = new DiagramPicture();
     this.reading = new DiagramReading(this);
     this.cache = new StripCache(128e6);
-    this.loader = new StripLoader({
-      line: () => this.line,
-      needed: () => neededStrips(this.cache, this.line, this.span(), this.focus()),
-      onStrip: (line, d, i, data, samples) => {
-        this.cache.put(line.name, d, i, data, samples);
+    this.loader = new Loader("diagram", 3, 128, {
+      wanted: () => this.lacking(),
+      wait: () => false,
+      onRecord: (head, numbers, wanted) => {
+        this.cache.put(wanted.name, head[1], head[2], numbers, head[7]);
         app.onFrame();
       },
       onChange: () => app.onFrame(),
@@ -43,6 +43,14 @@ export class Diagram {
     this.button = byId("diagram-button");
     this.button.addEventListener("click", () => this.toggle());
     new ResizeObserver(() => app.onFrame()).observe(byId("diagram-box"));
+  }
+
+  // What the loader is to ask for.
+  lacking() {
+    const { line } = this;
+    if (!line) return null;
+    return { name: line.name, places: neededStrips(this.cache, line, this.span(), this.focus()),
+      request: (strips) => ({ scene: line.scene.key, axis: line.axis, at: [line.depth, line.k], strips }) };
   }
 
   get busy() { return this.along !== null && this.loader.busy; }

@@ -1,21 +1,20 @@
-// Keeps one stream of tiles open for what the view lacks, and tries again when the server is away.
+// Keeps one stream of records open for what a picture lacks, and tries again when the server is away.
 
-import { readTiles, ServerError, textOf } from "./server.js";
-
-const mostTiles = 512;
-
-const nameOf = (tile) => tile.join("/");
+import { readRecords, ServerError, textOf } from "./server.js";
 
 export class Loader {
-  // job: scene() -> key or null, needed() -> tiles, wait() -> whether something else comes first,
-  // onTile(scene, d, i, j, data), onSpeed(points a second), onChange(),
+  // address: of the request; kind: of its records; most: places that one request may list.
+  // job: wanted() -> null or { name, places, request(places) }: what lacks, of which scene or line,
+  // wait() -> whether something else comes first, onRecord(head, numbers, wanted), onChange(),
   // onTrouble(sentence or null), onUnknownScene()
-  constructor(job) {
+  constructor(address, kind, most, job) {
+    this.address = address;
+    this.kind = kind;
+    this.most = most;
     this.job = job;
     this.page = crypto.getRandomValues(new Uint32Array(3)).join("-");
     this.abort = null;
-    this.open = new Set();
-    this.openScene = null;
+    this.open = null;
     this.timer = 0;
     this.retryTimer = 0;
     this.failures = 0;
@@ -24,7 +23,7 @@ export class Loader {
 
   get busy() { return this.abort !== null || this.timer !== 0 || this.retryTimer !== 0; }
 
-  // The view has changed. Many changes in a row are one request.
+  // Many changes in a row are one request.
   refresh() {
     if (this.timer) return;
     this.timer = setTimeout(() => {
@@ -36,54 +35,51 @@ export class Loader {
   stop() {
     if (this.abort) this.abort.abort();
     this.abort = null;
-    this.open.clear();
+    this.open = null;
   }
 
   start() {
-    const scene = this.job.scene();
-    const all = scene === null ? [] : this.job.needed();
-    this.left = all.length;
-    if (all.length === 0) {
-      if (scene !== null) this.stop();
-      this.job.onChange();
-      return;
-    }
-    if (this.job.wait()) {
+    const wanted = this.job.wanted();
+    this.left = wanted ? wanted.places.length : 0;
+    if (this.left === 0 || this.job.wait()) {
       this.stop();
+      if (!wanted) this.job.onTrouble(null);
       this.job.onChange();
       return;
     }
-    const list = all.slice(0, mostTiles);
-    const same = this.abort !== null && this.openScene === scene && this.open.size === list.length &&
-      list.every((tile) => this.open.has(nameOf(tile)));
+    const places = wanted.places.slice(0, this.most);
+    const same = this.open !== null && this.open.name === wanted.name &&
+      this.open.places.size === places.length &&
+      places.every((place) => this.open.places.has(place.join("/")));
     if (same || this.retryTimer) return;
     this.stop();
-    this.run(scene, list);
+    this.run(wanted, places);
   }
 
-  async run(scene, list) {
+  async run(wanted, places) {
     const abort = new AbortController();
+    const open = { name: wanted.name, places: new Set(places.map((place) => place.join("/"))) };
     this.abort = abort;
-    this.openScene = scene;
-    this.open = new Set(list.map(nameOf));
+    this.open = open;
     this.job.onChange();
+    const numbersOfPlace = places[0].length;
     let got = 0;
     let trouble = null;
     try {
-      await readTiles({ scene, page: this.page, tiles: list }, abort.signal, (head, numbers) => {
+      const request = { page: this.page, ...wanted.request(places) };
+      await readRecords(this.address, request, abort.signal, (head, numbers) => {
         if (this.abort !== abort) return;
-        this.job.onSpeed(head[5]);
-        if (head[0] === 0) {
+        if (head[0] === this.kind) {
           got++;
           this.left = Math.max(0, this.left - 1);
-          this.open.delete([head[1], head[2], head[3]].join("/"));
-          this.job.onTile(scene, head[1], head[2], head[3], numbers);
+          open.places.delete(head.slice(1, 1 + numbersOfPlace).join("/"));
+          this.job.onRecord(head, numbers, wanted);
           this.working();
         } else if (head[0] === 1) {
           trouble = textOf(numbers);
         }
       });
-      if (trouble === null && got === 0) trouble = "the server sent no tiles; trying again";
+      if (trouble === null && got === 0) trouble = "the server sent nothing; trying again";
     } catch (error) {
       if (this.abort !== abort || abort.signal.aborted) return;
       if (error instanceof ServerError) {
@@ -94,8 +90,7 @@ export class Loader {
       }
     }
     if (this.abort !== abort) return;
-    this.abort = null;
-    this.open.clear();
+    this.stop();
     if (trouble === null) this.start();
     else this.later(trouble);
     this.job.onChange();

@@ -91,10 +91,6 @@ async function recordsOf(response, onRecord) {
   }
 }
 
-export function readTiles(request, signal, onRecord) {
-  return readRecords("tiles", request, signal, onRecord);
-}
-
 export function textOf(numbers) {
   return new TextDecoder().decode(new Uint8Array(numbers.buffer)).replace(/\0+$/, "");
 }

@@ -8,7 +8,9 @@ function limits(choice) {
   const { value } = choice;
   let [low, high] = [Math.min(0, 2 * value), Math.max(0, 2 * value)];
   if (value === 0) [low, high] = [value - 1, value + 1];
-  if (choice.is_state) [low, high] = [Math.min(value, choice.low), Math.max(value, choice.high)];
+  if (choice.is_state && choice.low !== null) {
+    [low, high] = [Math.min(value, choice.low), Math.max(value, choice.high)];
+  }
   if (choice.min !== null) low = Math.max(low, choice.min);
   if (choice.max !== null) high = Math.min(high, choice.max);
   return [low, high];
@@ -94,7 +96,7 @@ export class Sliders {
     });
     reset.addEventListener("click", () => this.keeper.set(choice.name, null));
     box.append(label, field, reset, slide, si);
-    return { box, field, slide, si };
+    return { box, field, slide, si, isRough: choice.low === null };
   }
 
   // The value that a scene has for a row.
@@ -108,6 +110,10 @@ export class Sliders {
     if (document.activeElement !== row.field) row.field.value = shortest(choice.value);
     row.si.textContent = siText(choice, choice.value);
     if (document.activeElement === row.slide) return;
+    if (row.isRough && choice.low !== null) {
+      row.isRough = false;
+      [row.slide.min, row.slide.max] = limits(choice);
+    }
     row.slide.min = Math.min(row.slide.min, choice.value);
     row.slide.max = Math.max(row.slide.max, choice.value);
     row.slide.value = choice.value;

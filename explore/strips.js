@@ -2,42 +2,22 @@
 // Strip (0, 0) has the 128 cells of depth 7. Strip (d, i) has the odd cells 2 (128 i + j) + 1 of depth
 // d + 7, so that no strip tells again what a coarser one has.
 
+import { AgedCache } from "./aged.js";
+
 export const stripCells = 128;
 
-export class StripCache {
+export class StripCache extends AgedCache {
   constructor(limitBytes) {
-    this.limit = limitBytes;
-    this.bytes = 0;
-    this.strips = new Map();
-    this.clock = 0;
+    super(limitBytes);
     this.stamp = 0;
   }
 
   // line: the name of a line, see nameOfLine().
-  get(line, depth, i) {
-    const strip = this.strips.get(line + "/" + depth + "/" + i);
-    if (strip) strip.used = this.clock;
-    return strip;
-  }
+  get(line, depth, i) { return super.get(line + "/" + depth + "/" + i); }
 
   put(line, depth, i, data, samples) {
-    const key = line + "/" + depth + "/" + i;
-    const old = this.strips.get(key);
-    if (old) this.bytes -= old.data.byteLength;
-    this.strips.set(key, { depth, i, data, samples, used: this.clock });
-    this.bytes += data.byteLength;
+    super.put(line + "/" + depth + "/" + i, { depth, i, data, samples }, data.byteLength);
     this.stamp++;
-    if (this.bytes > this.limit) this.shrink();
-  }
-
-  // Many go at once, so that the sorting is rare. What the last pictures showed stays.
-  shrink() {
-    const byAge = [...this.strips.entries()].sort((a, b) => a[1].used - b[1].used);
-    for (const [key, strip] of byAge) {
-      if (this.bytes <= 0.8 * this.limit || strip.used >= this.clock - 1) break;
-      this.strips.delete(key);
-      this.bytes -= strip.data.byteLength;
-    }
   }
 }
 

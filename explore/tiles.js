@@ -1,47 +1,21 @@
 // The cache of tiles, and the list of tiles that a view still needs.
 
+import { AgedCache } from "./aged.js";
 import { tileCells } from "./view.js";
 
 const pointsOfTile = tileCells * tileCells;
 
-export class TileCache {
-  constructor(limitBytes) {
-    this.limit = limitBytes;
-    this.bytes = 0;
-    this.tiles = new Map();
-    this.clock = 0;
-  }
+const keyOf = (scene, depth, i, j) => scene + "/" + depth + "/" + i + "/" + j;
 
-  get(scene, depth, i, j) {
-    const tile = this.tiles.get(scene + "/" + depth + "/" + i + "/" + j);
-    if (tile) tile.used = this.clock;
-    return tile;
-  }
+export class TileCache extends AgedCache {
+  get(scene, depth, i, j) { return super.get(keyOf(scene, depth, i, j)); }
 
-  has(scene, depth, i, j) {
-    return this.tiles.has(scene + "/" + depth + "/" + i + "/" + j);
-  }
+  has(scene, depth, i, j) { return super.has(keyOf(scene, depth, i, j)); }
 
   put(scene, depth, i, j, data) {
-    const key = scene + "/" + depth + "/" + i + "/" + j;
-    const old = this.tiles.get(key);
-    if (old) this.bytes -= old.size;
     // A picture of the tile and its bookkeeping take about 6 KB.
-    const tile = { depth, i, j, data, canvas: null, stamp: -1, gaps: false, used: this.clock,
-      size: data.byteLength + 6144 };
-    this.tiles.set(key, tile);
-    this.bytes += tile.size;
-    if (this.bytes > this.limit) this.shrink();
-  }
-
-  // Many go at once, so that the sorting is rare.
-  shrink() {
-    const byAge = [...this.tiles.entries()].sort((a, b) => a[1].used - b[1].used);
-    for (const [key, tile] of byAge) {
-      if (this.bytes <= 0.8 * this.limit || tile.used >= this.clock - 1) break;
-      this.tiles.delete(key);
-      this.bytes -= tile.size;
-    }
+    super.put(keyOf(scene, depth, i, j), { depth, i, j, data, canvas: null, stamp: -1, gaps: false },
+      data.byteLength + 6144);
   }
 }
 

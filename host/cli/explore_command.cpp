@@ -43,8 +43,8 @@ bool names_model(const std::string& name_or_path) {
          ("\n" + model_file_text(name_or_path)).find("\n[equations]") != std::string::npos;
 }
 
-Study load(const ExploreArguments& arguments) {
-  if (!names_model(arguments.study)) return load_study(arguments.study, arguments.overrides);
+Study load(const ExploreArguments& arguments, bool is_model) {
+  if (!is_model) return load_study(arguments.study, arguments.overrides);
   const NamedModel named = named_model(arguments.study);
   const std::string text = fmt::format(
       "[model]\n{}\n[observe]\nquantities = ['motion_class', 'period', 'lyapunov_max', '{}_max']\n",
@@ -81,11 +81,12 @@ std::string token_of_environment() {
 
 int run(const ExploreArguments& arguments, SignalWatch* signals) {
   const std::string token = token_of_environment();
-  const Study whole = load(arguments);
+  const bool is_model = names_model(arguments.study);
+  const Study whole = load(arguments, is_model);
   const Study study = explorable(whole);
   ExplorerOptions options;
   options.source = shell_quoted(arguments.study);
-  options.is_model = names_model(arguments.study);
+  options.is_model = is_model;
   for (const std::string& set : arguments.overrides)
     options.source += " --set " + shell_quoted(set);
   options.devices = chosen_devices(arguments.device);

@@ -12,16 +12,20 @@
 namespace gearsweep {
 
 struct CellMaps {
-  // [map][y][x]: the status of each point, then each quantity of the scene's study, NaN where there
-  // is no value.
+  // [map][y][x]: the status of each point (kRefused: the study refuses it), then each quantity of
+  // the scene's study, NaN where there is no value.
   std::vector<double> numbers;
+  std::string refusal;  // why the first refused point is; empty: none is
   // What computed them, and which states were integrated, as SweepResult has it.
   EngineInfo engine;
   std::vector<std::string> integrated;
 };
 
-// What run_sweep() computes at these values of the axes; nothing when stopped. Throws as
-// run_sweep() does.
+inline constexpr double kRefused = 255.0;
+
+// What run_sweep() computes at these values of the axes; nothing when stopped. A point that the
+// study refuses, such as one whose period would need too many steps, is no error. Throws RunError
+// when no device works.
 std::optional<CellMaps> compute_cells(const Scene& scene,
                                       const std::array<std::vector<double>, 2>& values,
                                       const SweepOptions& options);

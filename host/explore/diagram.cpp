@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "explore/cell_maps.hpp"
 #include "explore/detail/pieces.hpp"
-#include "explore/tile_maps.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep_types.h"
 

@@ -119,6 +119,7 @@ ReachedAttractors Explorer::starts(const Scene& scene, const Cell& cell, std::si
 
 void Explorer::prepare_motions(const Scene& scene) {
   const Cell middle = {1, {1, 1}};
+  base_.state_ranges->of(base_.study);
   try {
     find_motion(scene, middle, sweep_options(kOfTiles));
     find_motion_orbit(scene, middle, sweep_options(kOfTiles));

@@ -68,7 +68,8 @@ class Explorer {
   Motion motion(const Scene& scene, const Cell& cell);
   MotionOrbit orbit(const Scene& scene, const Cell& cell);
   ReachedAttractors starts(const Scene& scene, const Cell& cell, std::size_t count);
-  // Compiles what a motion takes, beside the tiles; whatever is wrong is left for motion() to say.
+  // Compiles what a motion takes and finds how far states go, beside the tiles; whatever is wrong
+  // is left for motion() to say.
   void prepare_motions(const Scene& scene);
 
   // The memory of all tiles that are kept.

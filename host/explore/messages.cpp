@@ -64,6 +64,7 @@ json quantity_message(const Quantity& quantity, const Study& study) {
 json choices_message(const Scene& scene) {
   const Study& study = scene.study();
   const std::vector<double> start = scene.start();
+  const std::vector<StateRange>* const ranges = scene.state_ranges();
   json choices = json::array();
   const Model& model = *study.model;
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
@@ -87,8 +88,8 @@ json choices_message(const Scene& scene) {
                        {"value", number_or_null(start[i])},
                        {"min", nullptr},
                        {"max", nullptr},
-                       {"low", scene.state_ranges()[i].low},
-                       {"high", scene.state_ranges()[i].high},
+                       {"low", ranges == nullptr ? json(nullptr) : json((*ranges)[i].low)},
+                       {"high", ranges == nullptr ? json(nullptr) : json((*ranges)[i].high)},
                        {"si", si_message(state.unit, study.scales)}});
   }
   return choices;

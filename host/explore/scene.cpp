@@ -225,7 +225,7 @@ std::vector<std::string> overrides_of(const Study& base, const std::vector<Named
 }
 
 Scene::Scene(const ExploredStudy& base, const SceneChanges& changes)
-    : changes_(changes), state_ranges_(base.state_ranges->of(base.study)) {
+    : changes_(changes), state_ranges_(base.state_ranges) {
   const std::array<SceneAxis, 2> axes = {find_axis(base, 0, changes.x),
                                          find_axis(base, 1, changes.y)};
   if (axes[0].name == axes[1].name) {
@@ -248,7 +248,7 @@ Scene::Scene(const ExploredStudy& base, const SceneChanges& changes)
   };
   if (std::ranges::any_of(changes.sets, is_start)) {
     study_.notices.emplace_back(
-        "every point starts from the same state, since one of an initial state was moved");
+        "every point starts from the same state, since an initial state was moved");
   }
   key_ = short_text(study_.toml);
   for (std::size_t i = 0; i < 2; ++i) {

@@ -77,8 +77,8 @@ class Scene {
   double value_at(std::size_t axis, std::uint64_t k, std::size_t depth) const;
   // Below 0 and above 1 beyond the scene's axis.
   double share_of(std::size_t axis, double value) const;
-  // [state] how far motions go (state_ranges()).
-  const std::vector<StateRange>& state_ranges() const { return state_ranges_; }
+  // [state] how far motions go (state_ranges()); null while that is not known.
+  const std::vector<StateRange>* state_ranges() const { return state_ranges_->if_known(); }
   // [state] where a point starts that the axes leave as it is.
   std::vector<double> start() const;
   // The study with these values on its axes.
@@ -92,7 +92,7 @@ class Scene {
 
  private:
   SceneChanges changes_;
-  std::vector<StateRange> state_ranges_;
+  std::shared_ptr<const LateStateRanges> state_ranges_;
   Study study_;
   std::string key_;
   std::array<std::array<double, 2>, 2> first_view_ = {};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "model/error.hpp"
 #include "plan/study_points.hpp"
@@ -30,11 +31,11 @@ StateRange widened(double low, double high) {
   return {low - size, high + size};
 }
 
-std::vector<StateRange> ranges_of(const Trace& trace, std::size_t states) {
+std::vector<StateRange> ranges_of(const Trace& trace, const std::vector<double>& start) {
   std::vector<StateRange> ranges;
-  for (std::size_t i = 0; i < states; ++i) {
+  for (std::size_t i = 0; i < start.size(); ++i) {
     const auto [low, high] = std::ranges::minmax(trace.values[i]);
-    ranges.push_back(widened(low, high));
+    ranges.push_back(widened(std::min(low, start[i]), std::max(high, start[i])));
   }
   return ranges;
 }
@@ -50,7 +51,8 @@ std::vector<StateRange> state_ranges(const Study& study) {
     PointTraces found;
     if (add_point_trace(with_windows(middle, windows), find_place(middle, at, ""), windows,
                         kLookedSamples, {}, &found)) {
-      return ranges_of(found.traces.front(), study.model->states.size());
+      const StudyPoints points(std::make_shared<const Study>(middle));
+      return ranges_of(found.traces.front(), points.start(0));
     }
   } catch (const std::runtime_error&) {
     at.clear();
@@ -63,7 +65,10 @@ std::vector<StateRange> state_ranges(const Study& study) {
 }
 
 const std::vector<StateRange>& LateStateRanges::of(const Study& study) {
-  std::call_once(is_found_, [&] { ranges_ = state_ranges(study); });
+  std::call_once(is_found_, [&] {
+    ranges_ = state_ranges(study);
+    is_known_ = true;
+  });
   return ranges_;
 }
 

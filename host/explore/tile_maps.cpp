@@ -52,22 +52,11 @@ class Filling {
         for (const std::size_t column : grid[0]) at(map, row, column) = *number++;
       }
     }
+    if (out_.refusal.empty()) out_.refusal = cells->refusal;
     out_.engine = std::move(cells->engine);
     out_.integrated = std::move(cells->integrated);
     out_.computed += grid[0].size() * grid[1].size();
     return true;
-  }
-
-  void refuse(const CellGrid& grid, const std::string& why) {
-    if (out_.refusal.empty()) out_.refusal = why;
-    for (const std::size_t row : grid[1]) {
-      for (const std::size_t column : grid[0]) {
-        at(0, row, column) = kRefused;
-        for (std::size_t map = 1; map < maps_; ++map) {
-          at(map, row, column) = std::numeric_limits<double>::quiet_NaN();
-        }
-      }
-    }
   }
 
   TileMaps take(double seconds) {
@@ -105,10 +94,8 @@ std::optional<TileMaps> compute_tile(const Scene& scene, const TilePlace& place,
   if (parent != nullptr && !parent->refusal.empty()) parent = nullptr;
   Filling tile(scene, place);
   if (parent != nullptr) tile.take_from(*parent);
-  const auto compute = [&](const CellGrid& grid) { return tile.compute(grid, options); };
-  const auto refuse = [&](const CellGrid& grid, const std::string& why) { tile.refuse(grid, why); };
   for (const CellGrid& grid : grids_of(parent != nullptr)) {
-    if (!compute_in_pieces(grid, compute, refuse)) return std::nullopt;
+    if (!tile.compute(grid, options)) return std::nullopt;
   }
   return tile.take(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

@@ -7,23 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "explore/cell_maps.hpp"
 #include "explore/scene.hpp"
 #include "sweep/sweep_options.hpp"
 
 namespace gearsweep {
 
 struct TileMaps {
-  // The status of each point (kRefused: its study is refused), then each quantity of the scene's
-  // study. [map][row][column], NaN where there is no value.
+  // As CellMaps has them: [map][row][column].
   std::vector<double> numbers;
   std::size_t computed = 0;  // points; the others are the parent's
   double seconds = 0.0;      // that they took
   std::string refusal;       // why the first refused point is; empty: none is
-  EngineInfo engine;         // as CellMaps has these two
+  EngineInfo engine;         // as CellMaps has these, too
   std::vector<std::string> integrated;
 };
-
-inline constexpr double kRefused = 255.0;
 
 // Runs the scene's study at the points of a tile (run_sweep()), but for those that its parent has,
 // if that is given. Nothing when stopped. A point that the study refuses, such as one whose period

@@ -53,9 +53,6 @@ Study study_of(const Scene& scene, const CellBlock& cells) {
 // Puts the numbers of a tile where its cells are in the result.
 void take_tile(const TilePlace& place, const TileMaps& maps, const CellBlock& cells,
                SweepResult* result) {
-  if (!maps.refusal.empty()) {
-    throw InputError("a part of the view is refused: " + maps.refusal);
-  }
   for (std::size_t i = 0; i < TilePlace::kPoints; ++i) {
     // Cells before the view's first one wrap to numbers beyond all counts.
     const std::uint64_t x =
@@ -63,6 +60,9 @@ void take_tile(const TilePlace& place, const TileMaps& maps, const CellBlock& ce
     const std::uint64_t y =
         place.at[1] * TilePlace::kCells + i / TilePlace::kCells - cells.first[1];
     if (x >= cells.count[0] || y >= cells.count[1]) continue;
+    if (maps.numbers[i] == kRefused) {
+      throw InputError("a part of the view is refused: " + maps.refusal);
+    }
     const std::size_t point = y * cells.count[0] + x;
     result->status[point] = static_cast<std::uint8_t>(maps.numbers[i]);
     for (std::size_t map = 0; map < result->values.size(); ++map) {

@@ -118,8 +118,8 @@ def serve(gearsweep, folder, port=None):
     return server, server.stdout.readline().strip()
 
 
-def check_diagram(page, gearsweep, folder, pictures):
-    """Its samples are those of the point, which is periodic there: the value at phase 0."""
+def check_diagram(page, pictures):
+    """It opens below the map, with about a column a pixel; diagram_test.cpp looks at its numbers."""
     page.find("diagram-button").click()
     page.settle("the diagram")
     line = page.ask("gearsweepExplorer.diagram()")
@@ -166,7 +166,7 @@ def check(gearsweep, servers, address, folder, pictures):
         wait_for(lambda: "starts:" in panel.text, "motions from other starts")
         ActionChains(page.driver).send_keys(Keys.ESCAPE).perform()
 
-        check_diagram(page, gearsweep, folder, pictures)
+        check_diagram(page, pictures)
 
         # The view as a study runs.
         study = page.driver.execute_async_script(

@@ -71,6 +71,17 @@ TEST(Scene, ShowsAStateWhereMotionsGo) {
   EXPECT_NEAR(thousand[1] / one[1], 1e3, 1.0);
 }
 
+// Also where points start far from where motions go: a neuron at rest begins to fire.
+TEST(Scene, ShowsAStateFromWhereItStarts) {
+  const Study study = explorable(read_draft("[model]\nname = 'izhikevich'\n", "test.toml"));
+  const Scene scene({study, std::nullopt}, {{}, "v", "u"});
+  const std::vector<double> start = scene.start();
+  for (const std::size_t axis : {0U, 1U}) {
+    EXPECT_LT(scene.first_view()[axis][0], start[axis]);
+    EXPECT_GT(scene.first_view()[axis][1], start[axis]);
+  }
+}
+
 // One state moved; the others, and those of other points, start as before.
 TEST(Scene, TakesAnotherStart) {
   const std::string text = kExplored + "[initial]\nstate = {x = 0.25, v = -0.5}\n";

@@ -172,12 +172,14 @@ def warm(page):
     """Has the kernels compiled: how long a click takes tells when they are there."""
     for act in (page.look, page.slide, page.click):
         act()
+    quick = 0  # in a row: the multipliers of an orbit have kernels of their own
     for _ in range(60):
         begun = time.monotonic()
         page.click()
-        if time.monotonic() - begun < 0.5:
+        quick = quick + 1 if time.monotonic() - begun < 0.5 else 0
+        if quick == 4:
             return
-        time.sleep(0.5)
+        time.sleep(0.2)
 
 
 def summary(pages):

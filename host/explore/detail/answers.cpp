@@ -185,7 +185,7 @@ void Answers::tiles(const Request& request, Response* response) {
     if (maps == nullptr) return std::nullopt;
     prepare(scene);
     std::string record = tile_record(place, *maps, explorer_->points_per_second());
-    // Why a tile is refused is told once.
+    // Why points are refused is told once.
     if (!maps->refusal.empty() && !std::exchange(has_told, true)) {
       record += error_record(maps->refusal);
     }
