@@ -7,7 +7,10 @@ import { short } from "./ticks.js";
 import { siText, unitText } from "./units.js";
 
 export function statusText(status) {
-  return { 0: "ok", 1: "diverged", 255: "refused" }[status] || "status " + status;
+  return {
+    0: "ok", 1: "diverged", 2: "starts at an unstable equilibrium",
+    3: "its steps are too long to follow the motion", 255: "refused",
+  }[status] || "status " + status;
 }
 
 // The point, its coordinates and its values, or null where nothing is there yet.

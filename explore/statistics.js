@@ -16,12 +16,13 @@ export function statistics(cache, layers, scene, view, shown) {
   const among = undecidedOf(quantity) >= 0 ? shown
     : scene.quantities.findIndex((one) => undecidedOf(one) >= 0);
   const undecided = among >= 0 ? undecidedOf(scene.quantities[among]) : -1;
-  const counts = { points: 0, diverged: 0, refused: 0, undecided: 0, error: null };
+  const counts = { points: 0, diverged: 0, tooLong: 0, refused: 0, undecided: 0, error: null };
   const errors = [];
   eachInView(cache, layers, scene.key, view, Infinity, (data, points, k) => {
     counts.points++;
     if (data[k] === 1) counts.diverged++;
-    else if (data[k] !== 0) counts.refused++;
+    else if (data[k] === 3) counts.tooLong++;
+    else if (data[k] === 255) counts.refused++;
     if (among >= 0 && data[(1 + among) * points + k] === undecided) counts.undecided++;
     // Few of many are enough for a median, and a prime number of them avoids stripes.
     if (error < 0 || counts.points > mostErrors && counts.points % 37 !== 0) return;
@@ -34,11 +35,12 @@ export function statistics(cache, layers, scene, view, shown) {
 
 export function countsText(counts) {
   if (!counts || counts.points === 0) return "";
-  const missing = counts.diverged + counts.refused;
+  const missing = counts.diverged + counts.tooLong + counts.refused;
   const parts = [];
   const number = (n) => n.toLocaleString("en");
   if (missing > 0) {
-    const why = [[counts.diverged, "diverged"], [counts.refused, "refused"]].filter(([n]) => n > 0);
+    const why = [[counts.diverged, "diverged"], [counts.tooLong, "steps too long"],
+      [counts.refused, "refused"]].filter(([n]) => n > 0);
     parts.push(number(missing) + " without a value (" +
       (why.length === 1 ? why[0][1] : why.map(([n, word]) => number(n) + " " + word).join(", ")) + ")");
   }

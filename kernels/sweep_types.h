@@ -10,10 +10,11 @@ typedef std::uint32_t sweep_uint;
 #endif
 
 // Why a point ended: X(NAME, code, meaning).
-#define SWEEP_STATUSES(X)                                                           \
-  X(ok, 0, "integrated and recorded to the end")                                    \
-  X(diverged, 1, "left the range of meaningful numbers, or its steps are too long") \
-  X(unstable_start, 2, "starts at an unstable equilibrium: rounding decides what follows")
+#define SWEEP_STATUSES(X)                                                                  \
+  X(ok, 0, "integrated and recorded to the end")                                           \
+  X(diverged, 1, "left the range of meaningful numbers, or its steps are too long")        \
+  X(unstable_start, 2, "starts at an unstable equilibrium: rounding decides what follows") \
+  X(step_too_long, 3, "ends where its steps are too long to follow the motion")
 #define SWEEP_STATUS_CODE(name, code, meaning) STATUS_##name = code,
 enum { SWEEP_STATUSES(SWEEP_STATUS_CODE) };
 

@@ -49,7 +49,9 @@ struct PilotFindings {
 
 // Whether a point that ended so has values, a code of kernels/sweep_types.h; otherwise it has NaN
 // in every map.
-inline bool has_values(std::uint8_t status) { return status != STATUS_diverged; }
+inline bool has_values(std::uint8_t status) {
+  return status != STATUS_diverged && status != STATUS_step_too_long;
+}
 
 // Point (ix, iy) has index iy * nx + ix.
 struct SweepResult {

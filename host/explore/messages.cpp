@@ -222,7 +222,9 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
 std::string motion_message(const Explorer& explorer, const Scene& scene, const Motion& motion) {
   const std::string at = at_text(explorer, scene, motion);
   json message = {{"label", label_of(*motion.study.model, find_place(motion.study, motion.at, ""))},
-                  {"status", has_values(motion.status) ? "ok" : "diverged"},
+                  {"status", has_values(motion.status)          ? "ok"
+                             : motion.status == STATUS_diverged ? "diverged"
+                                                                : "step_too_long"},
                   {"values", values_message(motion)},
                   {"notes", motion.notes},
                   {"commands", json::array()}};

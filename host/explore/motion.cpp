@@ -72,7 +72,10 @@ Motion find_motion(const Scene& scene, const Cell& cell, const SweepOptions& opt
   motion.status = result->status.front();
   for (const std::vector<double>& map : result->values) motion.values.push_back(map.front());
   if (!has_values(motion.status)) {
-    motion.notes.emplace_back("the motion goes to infinity, so there is no trace of it");
+    motion.notes.emplace_back(motion.status == STATUS_diverged
+                                  ? "the motion goes to infinity, so there is no trace of it"
+                                  : "the steps are too long to follow the motion: give the study a "
+                                    "shorter integrate.max_step");
     return motion;
   }
   try_to(

@@ -13,6 +13,7 @@
 #include "gear/detail/contact_path.hpp"
 #include "gear/detail/doubts.hpp"
 #include "gear/detail/dynamic_factor_input.hpp"
+#include "gear/detail/engagement.hpp"
 #include "gear/detail/faults.hpp"
 #include "gear/detail/mesh_stiffness.hpp"
 #include "gear/detail/missing_keys.hpp"
@@ -156,6 +157,7 @@ GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
   add_masses(bodies, bases, &target);
   add_springs_and_dampers(drawing, bases, &target);
   add_lengths_and_loads(drawing, geometry, bases, &target);
+  add_engagement(drawing, geometry, path, bases, &target);
   const bool is_sine = add_transmission_error(drawing, geometry, path, bases.b_n, &target);
   const bool has_runout = add_faults(drawing, geometry, bases.b_n, &target);
   add_stiffness(drawing, stiffness, bases.k0, &target);

@@ -189,6 +189,13 @@ inline constexpr GearKey kTipDiameter =
 inline constexpr GearKey kHelix =
     number_key("helix_angle_deg", 0.0, 45.0, "helix angle, with face_width_mm", KeyForm::number,
                "0", {"overlap"});
+inline constexpr GearKey kEngagement = number_key(
+    "engagement", 0.0, 0.5,
+    "share of a base pitch over which a pair of spur teeth takes up its load, and gives it back",
+    KeyForm::number, "0", {"engagement"});
+inline constexpr GearKey kToothEntry = word_key(
+    "tooth_entry", "sudden gradual", "\"sudden\"",
+    "gradual: engagement is estimated from the deflection of a pair of teeth under torque_N_m");
 inline constexpr GearKey kSpeed = number_key("pinion_speed_rpm", 1e-6, 1e9, "speed of the pinion",
                                              KeyForm::number, "omega stays as it is", {"omega"});
 inline constexpr GearKey kPitchDeviation =
@@ -201,17 +208,48 @@ inline constexpr GearKey kTipRelief = number_key(
     "tip_relief_um", 0.0, 1e4, "with both: tip relief C_a, of accuracy grade 5 and better",
     KeyForm::number, "B_k = 1");
 
-inline constexpr GearKey kGearKeys[] = {
-    kTeeth,         kModule,        kPressureAngle,    kCentreDistance,
-    kContactRatio,  kAddendum,      kInertia,          kMass,
-    kBody,          kBore,          kBearingStiffness, kBearingDamping,
-    kMeshDamping,   kDampingRatio,  kHalfBacklash,     kMeshStiffness,
-    kFaceWidth,     kDedendum,      kTorque,           kTransmissionError,
-    kErrorPhase,    kRunout,        kRunoutPhase,      kDamage,
-    kPinionDamage,  kGearDamage,    kErrorFile,        kProfileFile,
-    kPinionPitch,   kGearPitch,     kStiffnessFile,    kLoadShareFile,
-    kStiffnessMean, kInterpolation, kProfileShift,     kTipDiameter,
-    kHelix,         kSpeed,         kPitchDeviation,   kProfileDeviation,
-    kTipRelief};
+inline constexpr GearKey kGearKeys[] = {kTeeth,
+                                        kModule,
+                                        kPressureAngle,
+                                        kCentreDistance,
+                                        kContactRatio,
+                                        kAddendum,
+                                        kInertia,
+                                        kMass,
+                                        kBody,
+                                        kBore,
+                                        kBearingStiffness,
+                                        kBearingDamping,
+                                        kMeshDamping,
+                                        kDampingRatio,
+                                        kHalfBacklash,
+                                        kMeshStiffness,
+                                        kFaceWidth,
+                                        kDedendum,
+                                        kTorque,
+                                        kTransmissionError,
+                                        kErrorPhase,
+                                        kRunout,
+                                        kRunoutPhase,
+                                        kDamage,
+                                        kPinionDamage,
+                                        kGearDamage,
+                                        kErrorFile,
+                                        kProfileFile,
+                                        kPinionPitch,
+                                        kGearPitch,
+                                        kStiffnessFile,
+                                        kLoadShareFile,
+                                        kStiffnessMean,
+                                        kInterpolation,
+                                        kProfileShift,
+                                        kTipDiameter,
+                                        kHelix,
+                                        kEngagement,
+                                        kToothEntry,
+                                        kSpeed,
+                                        kPitchDeviation,
+                                        kProfileDeviation,
+                                        kTipRelief};
 
 }  // namespace gearsweep

@@ -52,6 +52,9 @@ GivenKeys keys_of(const NewGear& gear) {
   keys[kTorque.name] = {
       fmt::format("{}", gear.torque_N_m.value_or(rounded(kLoad * width * radius * 1e-3))),
       gear.torque_N_m ? "" : "100 N for each mm of the face width"};
+  if (!gear.helix_angle_deg) {
+    keys[kToothEntry.name] = {"\"gradual\"", "of involute tips without relief"};
+  }
   keys[kTransmissionError.name] = {"5", "of ground teeth"};
   return keys;
 }

@@ -24,6 +24,7 @@ constexpr double kRate = 0.3, kRateOfTransient = 2.0;  // times the step
 // a level goes there and back within a step, both crossings are missed.
 constexpr double kLevelWay = 0.15;
 constexpr std::size_t kSteps = 1000;  // of either half of a motion
+constexpr std::size_t kStepsOfLook = 200;  // of a motion that has settled
 
 // The shortest of the steps that are asked for, and who asks.
 struct Shortest {
@@ -37,9 +38,34 @@ struct Shortest {
   }
 };
 
-void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest) {
+void widen(const ProbeMotion::Stretch& stretch, MotionReach* reach) {
+  if (reach->low.empty()) {
+    reach->low = stretch.low;
+    reach->high = stretch.high;
+  }
+  for (std::size_t i = 0; i < reach->low.size(); ++i) {
+    reach->low[i] = std::min(reach->low[i], stretch.low[i]);
+    reach->high[i] = std::max(reach->high[i], stretch.high[i]);
+  }
+  reach->rate = std::max(reach->rate, stretch.rate);
+}
+
+// What a motion that has settled asks for.
+void ask_settled(const Model& model, const ProbeMotion::Stretch& later, Shortest* shortest) {
+  const double local_error = model.surfaces.empty() ? kLocalError : kLocalErrorOfCuts;
+  shortest->take(later.step_of(local_error),
+                 fmt::format("the error of a step is {} of each state's range", local_error));
+  shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
+  const double level_time = later.level_time(model);
+  shortest->take(kLevelWay * level_time,
+                 fmt::format("a jump or a surface is passed in a time of {:.3g}", level_time));
+}
+
+void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest,
+                MotionReach* reach) {
   ProbeMotion motion(*study.model, start.setting, start.state);
   const ProbeMotion::Stretch transient = motion.go_on(kSteps);
+  widen(transient, reach);
   if (!study.model->is_autonomous) {
     shortest->take(motion.period() / ProbeMotion::kForcedSteps,
                    "16 steps for each period of the forcing");
@@ -50,17 +76,13 @@ void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest)
     return shortest->take(kRate / transient.first_rate,
                           fmt::format("the start has a rate of {:.3g}", transient.first_rate));
   }
-  const double local_error = study.model->surfaces.empty() ? kLocalError : kLocalErrorOfCuts;
-  const std::string error =
-      fmt::format("the error of a step is {} of each state's range", local_error);
-  shortest->take(transient.step_of(kLocalErrorOfTransient), error);
+  widen(later, reach);
+  shortest->take(
+      transient.step_of(kLocalErrorOfTransient),
+      fmt::format("the error of a step is {} of each state's range", kLocalErrorOfTransient));
   shortest->take(kRateOfTransient / transient.rate,
                  fmt::format("the transient has a rate of {:.3g}", transient.rate));
-  shortest->take(later.step_of(local_error), error);
-  shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
-  const double level_time = later.level_time(*study.model);
-  shortest->take(kLevelWay * level_time,
-                 fmt::format("a jump or a surface is passed in a time of {:.3g}", level_time));
+  ask_settled(*study.model, later, shortest);
 }
 
 // The longest that is no longer than `step` and divides the period into a number of the ladder.
@@ -76,8 +98,9 @@ double rounded_up(double steps) {
 OwnStep find_own_step(const Study& study) {
   const std::vector<ProbeStart> starts = probe_starts(study);
   Shortest shortest;
-  for (const ProbeStart& start : starts) ask_motion(study, start, &shortest);
-  if (starts.empty()) return {1.0, 1.0, "no point can be computed"};
+  MotionReach reach;
+  for (const ProbeStart& start : starts) ask_motion(study, start, &shortest, &reach);
+  if (starts.empty()) return {1.0, 1.0, "no point can be computed", {}};
   const double period = study.model->period(starts.front().setting);
   if (!std::isfinite(shortest.step)) {
     const bool is_defined = std::ranges::all_of(starts, [&](const ProbeStart& start) {
@@ -86,9 +109,20 @@ OwnStep find_own_step(const Study& study) {
     const double step = period / ProbeMotion::kForcedSteps;
     return {step, step,
             is_defined ? "nothing in the motion limits it"
-                       : "the equations are not finite at the start"};
+                       : "the equations are not finite at the start",
+            reach};
   }
-  return {rounded_down(shortest.step, period), shortest.step, shortest.reason};
+  return {rounded_down(shortest.step, period), shortest.step, shortest.reason, reach};
+}
+
+double step_wanted_at(const Model& model, const ModelSetting& setting,
+                      const std::vector<double>& state) {
+  ProbeMotion motion(model, setting, state);
+  const ProbeMotion::Stretch stretch = motion.go_on(kStepsOfLook);
+  if (motion.escapes()) return 0.0;
+  Shortest shortest;
+  ask_settled(model, stretch, &shortest);
+  return shortest.step;
 }
 
 std::map<std::string, double> motion_ranges(const Study& study) {

@@ -30,6 +30,7 @@ struct OwnStep {
   double step = 0.0;     // in the model's time
   double longest = 0.0;  // before it was rounded
   std::string reason;    // "the fastest rate of the motion is 21.7", for the summary
+  MotionReach reach;     // of those motions
 };
 
 // Of a study whose axes, setting and start are known. The same study has the same step: it depends
@@ -37,6 +38,11 @@ struct OwnStep {
 // 2^(k/4), so that a unit of time does not change how it is rounded. Takes some milliseconds for
 // each of up to nine points.
 OwnStep find_own_step(const Study& study);
+
+// The longest step that is as short as a motion wants that is in such a state at phase 0; 0 where it
+// goes to infinity. state: of the whole model. Takes about a millisecond.
+double step_wanted_at(const Model& model, const ModelSetting& setting,
+                      const std::vector<double>& state);
 
 // To the next number of that ladder.
 double rounded_up(double steps);

@@ -110,6 +110,12 @@ struct Integrate {
   bool contract = true;        // fused multiply-add allowed: other rounding
 };
 
+// Where some motions have been.
+struct MotionReach {
+  std::vector<double> low, high;  // [state]
+  double rate = 0.0;  // the fastest of theirs: the largest modulus of the Jacobian's eigenvalues
+};
+
 struct Study {
   std::string title;
   const Model* model = nullptr;
@@ -130,6 +136,7 @@ struct Study {
   Uncertain uncertain;
   Integrate integrate;
   std::string step_reason;   // of a max_step that the study found; empty: it was given
+  MotionReach step_reach;    // where the motions were that it was found by; empty: it was given
   std::string clock_reason;  // what a period is, of a model without a clock
   Selection selection;
   std::string toml;  // the whole study as TOML, overrides included: reading it gives this study

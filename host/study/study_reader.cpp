@@ -229,6 +229,7 @@ void find_steps(Study* study) {
   if (!needs_step) return;
   study->integrate.max_step = needs_clock ? own->longest : own->step;  // that divides the clock
   study->step_reason = own->reason;
+  study->step_reach = own->reach;
 }
 
 // A study as TOML, with all that lies in files taken in.

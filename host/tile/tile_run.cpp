@@ -6,11 +6,13 @@
 #include <span>
 #include <tuple>
 
+#include "plan/step_check.hpp"
 #include "plan/unstable_start.hpp"
 #include "sweep_types.h"
 #include "tile/detail/exponent_error.hpp"
 #include "tile/detail/largest_exponent.hpp"
 #include "tile/detail/longer_window.hpp"
+#include "tile/detail/on_all_cores.hpp"
 #include "tile/detail/orbit_search.hpp"
 #include "tile/subset.hpp"
 
@@ -52,6 +54,7 @@ class TileRun {
     if (!finished) return std::nullopt;
     complete_largest_exponents(plan_, tile_, &result_);
     mark_unstable_starts(initial);
+    refuse_long_steps();
     result_.cost.stopped =
         static_cast<double>(std::count(has_stopped_.begin(), has_stopped_.end(), 1));
     result_.on_orbit = std::move(has_stopped_);
@@ -67,6 +70,23 @@ class TileRun {
       const std::vector<double> x(start, start + static_cast<std::ptrdiff_t>(states));
       if (result_.status[i] != STATUS_ok || !starts_unstable(plan_, tile_.points[i], x)) continue;
       result_.status[i] = STATUS_unstable_start;
+    }
+  }
+
+  // The numbers of such points are those of the method.
+  void refuse_long_steps() {
+    if (study_.step_reach.low.empty()) return;
+    const std::size_t points = tile_.points.size();
+    std::vector<std::uint8_t> is_too_long(points);
+    for_each_on_all_cores(points, [&](std::size_t i) {
+      const std::span<const double> end = result_.state_table()[i];
+      is_too_long[i] = result_.status[i] == STATUS_ok &&
+                       has_outgrown_step(plan_, tile_.points[i], {end.begin(), end.end()});
+    });
+    for (std::size_t i = 0; i < points; ++i) {
+      if (is_too_long[i] == 0) continue;
+      result_.status[i] = STATUS_step_too_long;
+      blank_point(i, &result_);
     }
   }
 

@@ -77,6 +77,14 @@ TEST(Convergence, KernelIsOfFourthOrder) {
   expect_fourth_order(errors(kStudy, "opencl", "true", 0.0));
 }
 
+// Pairs take up their load over a quarter of a base pitch: that bends the stiffness at 1/4 again,
+// and at 1/4 before they leave.
+TEST(Convergence, KernelIsOfFourthOrderWhereTeethTakeUpTheirLoad) {
+  std::string gradual = kStudy;
+  gradual.insert(gradual.find("e0 = "), "engagement = 0.25\n");
+  expect_fourth_order(errors(gradual, "opencl", "true", 0.0));
+}
+
 TEST(Convergence, ReferenceEngineIsOfFourthOrder) {
   expect_fourth_order(errors(kStudy, "reference", "true", 0.0));
 }

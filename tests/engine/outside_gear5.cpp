@@ -27,6 +27,7 @@ OutsideGear::OutsideGear(const ModelSetting& setting) {
   k_ = {value("k1"), value("k2"), value("k3"), value("k4")};
   c_ = {value("c1"), value("c2"), value("c3"), value("c4")};
   eps_ = value("eps");
+  engagement_ = value("engagement");
   pitch_point_ = value("approach") * eps_;
   alpha_ = value("alpha") * std::numbers::pi / 180.0;
   A_ = value("A");
@@ -55,11 +56,22 @@ OutsideGear::OutsideGear(const ModelSetting& setting) {
   damage_g_ = value("damage_g");
   breaks_ = {1.0};
   for (double begin = 0.0; begin < cycle_; ++begin) {
-    for (const double phase : {0.0, eps_ - 1.0, std::fmod(pitch_point_, 1.0)}) {
+    for (const double phase : {0.0, eps_ - 1.0, std::fmod(pitch_point_, 1.0), engagement_,
+                               std::fmod(eps_ - engagement_, 1.0)}) {
       breaks_.push_back((begin + phase) / cycle_);
     }
   }
   std::sort(breaks_.begin(), breaks_.end());
+  // The mean of all pairs is that over one pair's positions, by Gauss's three points, which are
+  // exact for these polynomials.
+  gripped_ = 0.0;
+  const std::array<double, 4> bounds = {0.0, engagement_, eps_ - engagement_, eps_};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double half = 0.5 * (bounds[i + 1] - bounds[i]), middle = bounds[i] + half;
+    const double aside = half * std::sqrt(0.6);
+    gripped_ += half / 9.0 *
+                (5.0 * shape(middle - aside) + 8.0 * shape(middle) + 5.0 * shape(middle + aside));
+  }
 }
 
 double OutsideGear::period() const { return cycle_ * kTurn / omega_; }
@@ -97,11 +109,19 @@ OutsideGear::Error OutsideGear::error(double psi) const {
 double OutsideGear::pair_stiffness(std::size_t pair, double psi, bool in_contact) const {
   if (stiffness_ == "fourier") return (1.0 + kappa_ * std::cos(kTurn * psi + phase_)) / 2.0;
   if (!in_contact) return 0.0;
-  if (stiffness_ == "rectangular") return 1.0 / eps_;
-  const double position = psi + static_cast<double>(pair);
+  return shape(psi + static_cast<double>(pair)) / gripped_;
+}
+
+double OutsideGear::shape(double position) const {
   const double middle = eps_ / 2.0;
-  const double A0 = 1.0 / (eps_ * (1.0 - q_ / 3.0));
-  return A0 * (1.0 - q_ * std::pow((position - middle) / middle, 2));
+  const double fall = stiffness_ == "rectangular" ? 0.0 : q_;
+  const double from_end = std::max(std::min(position, eps_ - position), 0.0);
+  double grip = 1.0;
+  if (from_end < engagement_) {
+    const double u = from_end / engagement_;
+    grip = u * u * (3.0 - 2.0 * u);
+  }
+  return grip * (1.0 - fall * std::pow((position - middle) / middle, 2));
 }
 
 MeshSums OutsideGear::sums(double phase, double phase_inside) const {

@@ -56,6 +56,8 @@ class OutsideGear {
   void watch(const OutsideState& before, const OutsideState& after, double h,
              OutsideRange* range) const;
   double pair_stiffness(std::size_t pair, double psi, bool in_contact) const;
+  // The stiffness of a pair at its position, where its mean over all positions is not yet known.
+  double shape(double position) const;
   // What is left of it, at a place, of the pair that entered with a mesh period, by the numbers of
   // its teeth.
   double left_by_damage(long entered, double place) const;
@@ -67,7 +69,8 @@ class OutsideGear {
 
   double omega_, b_, mu_, F1_, e0_, zeta_, m1_, m2_;
   std::array<double, 4> k_, c_;
-  double eps_, pitch_point_, alpha_, A_, rho_p_, rho_g_, zp_, ratio_, q_, kappa_, phase_;
+  double eps_, engagement_, gripped_, pitch_point_, alpha_, A_, rho_p_, rho_g_, zp_, ratio_, q_,
+      kappa_, phase_;
   std::string formulation_, stiffness_;
   bool dynamic_;
   double cycle_;

@@ -269,6 +269,7 @@ class FaultyGears : public ::testing::Test {
     for (const char* name : {"runout_phase_p", "runout_phase_g"}) value(name) = 6.0 * share();
     if (coin()) value("overlap") = 2.5 * share();
     const bool is_helical = value("overlap") > 0.0;
+    if (!is_helical && option("stiffness") < 2 && coin()) value("engagement") = 0.5 * share();
     if (option("stiffness") == 3) {
       curves_["measured_stiffness"] = curve(0.8, 1.2, 7, Interpolation::cubic);
       if (!is_helical && coin()) curves_["load_share"] = curve(0.2, 0.8, 6, Interpolation::linear);

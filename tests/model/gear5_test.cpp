@@ -1,10 +1,12 @@
 // gear5's parameters, presets and phase coefficients.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include "support/mesh.hpp"
 #include "support/settings.hpp"
@@ -58,10 +60,14 @@ Mesh at(const ModelSetting& setting, double psi) { return mesh_at(gear5(), setti
 // with 200 parts, good to 1e-11 for the fourth harmonic.
 double mean_stiffness(const ModelSetting& setting) {
   const double leaves = parameter_of(setting, "eps") - 1.0;
+  const double grown = parameter_of(setting, "engagement");
+  std::vector<double> bounds = {0.0, leaves, grown, std::fmod(leaves + 1.0 - grown, 1.0), 1.0};
+  std::sort(bounds.begin(), bounds.end());
   const MeshReader mesh(gear5(), setting);
   const auto stiffness = [&](double psi) { return mesh.at(psi, psi).stiffness; };
   double sum = 0.0;
-  for (const auto& [from, to] : {std::pair(0.0, leaves), std::pair(leaves, 1.0)}) {
+  for (std::size_t segment = 0; segment + 1 < bounds.size(); ++segment) {
+    const double from = bounds[segment], to = bounds[segment + 1];
     constexpr int kParts = 200;
     const double h = (to - from) / kParts;
     for (int i = 0; i < kParts; ++i) {
@@ -85,8 +91,29 @@ TEST(Gear5, StiffnessHasMeanOne) {
       set_parameter(&setting, "kappa_3", 0.1);
       set_parameter(&setting, "phase_3", 1.0);
       EXPECT_NEAR(mean_stiffness(setting), 1.0, 1e-9) << shape << ", " << eps;
+      if (shape == "fourier") continue;
+      for (const double engagement : {0.05, 0.3, 0.5}) {
+        set_parameter(&setting, "engagement", engagement);
+        EXPECT_NEAR(mean_stiffness(setting), 1.0, 1e-9)
+            << shape << ", " << eps << ", " << engagement;
+      }
     }
   }
+}
+
+// Half-way into the engagement a pair has half of its stiffness; where it enters and leaves, none.
+TEST(Gear5, EngagementIsGradual) {
+  ModelSetting setting = gear5().default_setting();
+  set_option(&setting, "stiffness", "rectangular");
+  set_parameter(&setting, "eps", 1.5);
+  set_parameter(&setting, "engagement", 0.2);
+  const double pair = 1.0 / (1.5 - 0.2);
+  EXPECT_NEAR(at(setting, 1e-12).stiffness, pair, 1e-9);
+  EXPECT_NEAR(at(setting, 0.1).stiffness, 1.5 * pair, 1e-12);
+  EXPECT_NEAR(at(setting, 0.25).stiffness, 2.0 * pair, 1e-12);
+  EXPECT_NEAR(at(setting, 0.4).stiffness, 1.5 * pair, 1e-12);
+  EXPECT_NEAR(at(setting, 0.5 - 1e-12).stiffness, pair, 1e-9);
+  EXPECT_NEAR(at(setting, 0.7).stiffness, pair, 1e-12);
 }
 
 TEST(Gear5, FourierStiffnessIsTheSumOfItsHarmonics) {

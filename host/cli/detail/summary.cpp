@@ -196,6 +196,15 @@ std::string describe_diverged(const SweepResult& result) {
       count, result.status.size());
 }
 
+std::string describe_long_steps(const SweepResult& result) {
+  const auto count = std::ranges::count(result.status, std::uint8_t{STATUS_step_too_long});
+  if (count == 0) return "";
+  return fmt::format(
+      "{} of {} points end where their steps are too long to follow the motion (integrate.max_step "
+      "= {:.3g} in effect): either the motion grows without bounds, or shorter steps are needed\n",
+      count, result.status.size(), result.study.integrate.max_step);
+}
+
 // Counts, for each quantity of a signal, the points that are ok at which it is infinite or no
 // number. The motion is all right there, but what the signal is made of is not, such as 1/x at x =
 // 0.
@@ -254,6 +263,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
                         result.stopped, result.study.trajectories());
   }
   text += describe_diverged(result);
+  text += describe_long_steps(result);
   text += describe_undecided(result);
   text += describe_unstable_starts(result);
   if (!result.study.accuracy.empty()) text += result.study.accuracy + "\n";

@@ -56,6 +56,8 @@
   X(zp, "1", 40.0, 3.0, 1000.0, 1, "teeth of the pinion")                                         \
   X(teeth_ratio, "1", 1.0, 0.01, 100.0, 1, "teeth of the gear / teeth of the pinion")             \
   X(q, "1", 0.35, 0.0, 1.0, 1, "fall of the parabolic pair stiffness towards its ends")           \
+  X(engagement, "1", 0.0, 0.0, 0.5, 1,                                                            \
+    "share of a base pitch over which a pair of spur teeth takes up its load, and gives it back") \
   X(kappa, "1", 0.03518, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 1")              \
   X(kappa_2, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 2")                \
   X(kappa_3, "1", 0.0, -1.0, 1.0, 1, "fourier stiffness, amplitude of harmonic 3")                \
@@ -544,6 +546,9 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
     return "the load of helical teeth is shared slice by slice: overlap and load_share_file do not "
            "go together";
   }
+  if (p.engagement > 0.0 && (p.overlap > 0.0 || options.stiffness > STIFFNESS_RECTANGULAR)) {
+    return "engagement is for spur gears with the stiffness 'parabolic' or 'rectangular'";
+  }
   const bool has_pitch = curves.pitch_p.at || curves.pitch_g.at;
   if (options.error != ERROR_SERIES && has_pitch) {
     return "pitch errors need the option error = 'series'";
@@ -575,6 +580,11 @@ inline std::vector<double> model_break_phases(const ModelParameters& p, const Mo
   std::vector<double> breaks = {0.0, p.eps - 1.0, pitch < 1.0 ? pitch : pitch - 1.0};
   if (p.overlap > 0.0) {
     for (const double end : {p.overlap, p.eps + p.overlap, pitch + p.overlap}) {
+      breaks.push_back(end - std::floor(end));
+    }
+  }
+  if (p.engagement > 0.0) {
+    for (const double end : {p.engagement, p.eps - p.engagement}) {
       breaks.push_back(end - std::floor(end));
     }
   }
@@ -629,9 +639,15 @@ inline double gear5_sound_share_at(const ModelParameters& p, const ModelCurves& 
 
 // Stiffness kappa_i of a pair in contact at position s (in base pitches from its entry).
 inline double gear5_pair_stiffness(const ModelParameters& p, int shape, double s) {
-  if (shape == STIFFNESS_RECTANGULAR) return 1.0 / p.eps;
+  // What the swelling over g base pitches at either end takes from the mean: the integrals of
+  // 1 - u^2 (3 - 2 u) and of its first two moments are 1/2, 3/20 and 1/15.
+  const double g = p.engagement, q = shape == STIFFNESS_RECTANGULAR ? 0.0 : p.q;
+  const double r = 2.0 * g / p.eps;  // offset = r u - 1
+  const double lost = 2.0 * g * ((1.0 - q) / 2.0 + q * (2.0 * r * 3.0 / 20.0 - r * r / 15.0));
   const double offset = (s - p.eps / 2.0) / (p.eps / 2.0);
-  return (1.0 - p.q * offset * offset) / (p.eps * (1.0 - p.q / 3.0));
+  const double to_end = std::fmin(s, p.eps - s);
+  const double u = to_end < g ? to_end / g : 1.0;
+  return u * u * (3.0 - 2.0 * u) * (1.0 - q * offset * offset) / (p.eps * (1.0 - q / 3.0) - lost);
 }
 
 // Eq. (7): half of the Fourier series of the total stiffness, carried by each pair at all times.
