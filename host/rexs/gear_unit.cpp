@@ -78,6 +78,7 @@ class UnitReader {
       }
     }
     gear.teeth = lookup_.number(component, "number_of_teeth", RexsQuantity::number);
+    if (gear.teeth && *gear.teeth == 0.0) gear.teeth.reset();
     if (gear.teeth && *gear.teeth < 0.0) {
       gear.is_ring = true;
       gear.teeth = -*gear.teeth;
