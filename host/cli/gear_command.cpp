@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
+#include "cli/detail/gear_import.hpp"
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
@@ -160,6 +161,7 @@ void add_gear_command(CLI::App* app) {
       app->add_subcommand("gear", "Show what follows from a drawing, or begin a study of one");
   const auto arguments = std::make_shared<GearArguments>();
   add_new_command(command, arguments);
+  add_gear_import_command(command);
   command
       ->add_option("STUDY", arguments->study,
                    "A study with a [gear] table, or that table alone; its axes may be missing")
@@ -170,6 +172,7 @@ void add_gear_command(CLI::App* app) {
       "Examples:\n"
       "  gearsweep gear new 19/61 --module 2.5 -o mine.toml    a study, whose estimates are "
       "marked\n"
+      "  gearsweep gear import unit.rexs --stage 1 -o mine.toml    a stage of a gear unit in REXS\n"
       "  gearsweep gear mine.toml                              contact ratio, stiffness, critical "
       "speeds\n"
       "  gearsweep gear mine.toml --set gear.torque_N_m=80");

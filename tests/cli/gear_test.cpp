@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cli/page.hpp"
+#include "rexs/units.hpp"
 #include "support/folder.hpp"
 #include "support/process.hpp"
 
@@ -24,6 +25,22 @@ TEST(GearCommand, BeginsAStudyThatRuns) {
   const Outcome again = gearsweep(folder, "gear new 19/61 --module 2.5 -o mine.toml");
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("is there"));
+}
+
+TEST(GearCommand, ImportsAStageThatRuns) {
+  const Folder folder;
+  folder.write("unit.rexs", two_stage_xml());
+  const Outcome made = gearsweep(folder, "gear import unit.rexs --stage 2 -o second.toml");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("note: "));
+  EXPECT_EQ(gearsweep(folder, "gear second.toml").status, 0);
+  EXPECT_EQ(gearsweep(folder, "run second.toml --dry-run").status, 0);
+  const Outcome asked = gearsweep(folder, "gear import unit.rexs");
+  EXPECT_EQ(asked.status, 2);
+  EXPECT_THAT(asked.err, HasSubstr("choose a stage"));
+  const auto json = nlohmann::json::parse(gearsweep(folder, "gear import unit.rexs --json").out);
+  EXPECT_EQ(json.at("stages")[1].at("gears")[0].at("teeth"), 25.0);
+  EXPECT_EQ(json.at("load_cases")[0].at("first_gear_torque_N_m")[1], 120.0);
 }
 
 // Two discs on very stiff bearings that roll on each other through one spring: its frequency is

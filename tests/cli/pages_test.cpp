@@ -179,6 +179,9 @@ TEST(Documentation, CommandsAndOptionsAreThere) {
           "report",  "devices",   "verify",  "bench", "completion", "manual"}) {
       texts[command] = gearsweep(folder, command + " --help").out;
     }
+    for (const std::string part : {"new", "import"}) {
+      texts["gear"] += gearsweep(folder, "gear " + part + " --help").out;
+    }
     return texts;
   }();
   std::string all;

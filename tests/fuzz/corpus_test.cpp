@@ -34,7 +34,8 @@ TEST_P(CorpusTest, IsReadOrRefused) {
 INSTANTIATE_TEST_SUITE_P(All, CorpusTest,
                          ::testing::Values(Target{"study", read_hostile_study},
                                            Target{"result", read_hostile_result},
-                                           Target{"request", read_hostile_request}),
+                                           Target{"request", read_hostile_request},
+                                           Target{"rexs", read_hostile_rexs}),
                          [](const auto& target) { return target.param.corpus; });
 
 }  // namespace

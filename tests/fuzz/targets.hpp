@@ -19,4 +19,7 @@ void read_hostile_result(const std::string& bytes);
 // scene, the cells and the study that it asks for, and computes none.
 void read_hostile_request(const std::string& bytes);
 
+// A gear unit in REXS, XML or JSON: reads it and makes the studies of its first stages.
+void read_hostile_rexs(const std::string& bytes);
+
 }  // namespace gearsweep::testing

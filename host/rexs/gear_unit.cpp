@@ -1,0 +1,331 @@
+#include "rexs/gear_unit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "rexs/detail/loads.hpp"
+#include "rexs/detail/lookup.hpp"
+#include "rexs/detail/shaft_bodies.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kRigid = 1e9;  // N/mm; programs write more for what does not give
+
+class UnitReader {
+ public:
+  explicit UnitReader(const RexsDocument& document) : document_(document), lookup_(document) {}
+
+  GearUnit run() {
+    out_.source = document_.source;
+    out_.version = document_.version;
+    out_.application = document_.application;
+    for (const RexsComponent* one : lookup_.of_type("shaft")) {
+      shafts_[one->id] = out_.shafts.size();
+      out_.shafts.push_back({one->id, one->name, 0.0, 0.0, {}, {}});
+      out_.shafts.back().speed = lookup_.number(*one, "rotational_speed", RexsQuantity::speed);
+    }
+    for (const RexsComponent& one : document_.components) {
+      if (is_gear(one)) read_gear(one);
+      if (one.type.ends_with("_bearing") || one.type.starts_with("rolling_bearing_with")) {
+        read_bearing(one);
+      }
+    }
+    for (const RexsComponent& one : document_.components) {
+      if (one.type.ends_with("_stage")) read_stage(one);
+    }
+    for (UnitShaft& shaft : out_.shafts) weigh(&shaft);
+    read_cases(&lookup_, &out_);
+    note_what_is_left();
+    out_.notes = document_.notices;
+    for (std::string& note : lookup_.take_notes()) out_.notes.push_back(std::move(note));
+    return std::move(out_);
+  }
+
+ private:
+  static bool is_gear(const RexsComponent& one) {
+    return one.type == "cylindrical_gear" || one.type == "ring_gear" || one.type == "bevel_gear" ||
+           one.type == "worm_gear" || one.type == "worm_wheel";
+  }
+
+  // Of the component, or the first of the others that has it.
+  std::optional<double> first_of(const std::vector<const RexsComponent*>& components,
+                                 std::string_view name, RexsQuantity quantity) {
+    for (const RexsComponent* one : components) {
+      if (const auto found = lookup_.number(*one, name, quantity)) return found;
+    }
+    return std::nullopt;
+  }
+
+  void read_gear(const RexsComponent& component) {
+    UnitGear gear;
+    gear.id = component.id;
+    gear.name = component.name.empty() ? component.type + " " + component.id : component.name;
+    gear.is_ring = component.type == "ring_gear";
+    std::vector<const RexsComponent*> flanks = {&component};
+    for (const char* side : {"left", "right"}) {
+      for (const RexsComponent* one : lookup_.related(component, "flank", "gear", side)) {
+        flanks.push_back(one);
+      }
+    }
+    std::vector<const RexsComponent*> tools;
+    for (const char* type : {"ordered_reference", "reference", "manufacturing_step"}) {
+      for (const RexsComponent* one : lookup_.related(component, type, "origin", "referenced")) {
+        if (one->type.ends_with("_tool")) tools.push_back(one);
+      }
+    }
+    gear.teeth = lookup_.number(component, "number_of_teeth", RexsQuantity::number);
+    if (gear.teeth && *gear.teeth == 0.0) gear.teeth.reset();
+    if (gear.teeth && *gear.teeth < 0.0) {
+      gear.is_ring = true;
+      gear.teeth = -*gear.teeth;
+    }
+    read_sizes(component, flanks, tools, &gear);
+    gear.shaft = shaft_under(component, 0);
+    gears_[component.id] = out_.gears.size();
+    out_.gears.push_back(std::move(gear));
+  }
+
+  void read_sizes(const RexsComponent& component, const std::vector<const RexsComponent*>& flanks,
+                  const std::vector<const RexsComponent*>& tools, UnitGear* gear) {
+    using enum RexsQuantity;
+    gear->helix = lookup_.number(component, "helix_angle_reference_diameter", angle);
+    gear->module = lookup_.number(component, "normal_module", length);
+    const double slope = std::cos(gear->helix.value_or(0.0) * kRad);
+    if (const auto transverse = lookup_.number(component, "transverse_module", length);
+        transverse && !gear->module) {
+      gear->module = *transverse * slope;
+    }
+    if (!gear->module) gear->module = first_of(tools, "normal_module", length);
+    gear->pressure_angle = first_of(flanks, "normal_pressure_angle", angle);
+    if (!gear->pressure_angle)
+      gear->pressure_angle = first_of(tools, "normal_pressure_angle", angle);
+    for (const RexsComponent* flank : flanks) {
+      const auto other = lookup_.number(*flank, "normal_pressure_angle", angle);
+      if (!other || std::fabs(*other - *gear->pressure_angle) < 1e-6) continue;
+      lookup_.note(
+          fmt::format("{}: its flanks have two pressure angles, {:g} and {:g} degrees; a "
+                      "study has the first for both",
+                      lookup_.place(component), *gear->pressure_angle, *other));
+    }
+    gear->shift = first_of(flanks, "addendum_modification_coefficient", number);
+    if (!gear->shift && gear->module) {
+      gear->shift = first_of(flanks, "addendum_modification", length);
+      if (gear->shift) *gear->shift /= *gear->module;
+    }
+    gear->face_width = lookup_.number(component, "face_width", length);
+    gear->addendum = lookup_.number(component, "addendum_basic_profile", length);
+    if (gear->module && !gear->addendum) {
+      gear->addendum = first_of(flanks, "addendum_coefficient_basic_profile", number);
+      if (gear->addendum) *gear->addendum *= *gear->module;
+    }
+    gear->dedendum = first_of(tools, "addendum_reference_profile", length);
+    if (gear->module && !gear->dedendum) {
+      gear->dedendum = first_of(tools, "addendum_coefficient_reference_profile", number);
+      if (gear->dedendum) *gear->dedendum *= *gear->module;
+    }
+    read_tip(component, slope, gear);
+  }
+
+  void read_tip(const RexsComponent& component, double slope, UnitGear* gear) {
+    const auto tip = lookup_.number(component, "tip_diameter", RexsQuantity::length);
+    if (!tip || gear->is_ring || !gear->teeth || !gear->module) return;
+    const double reference = *gear->module / slope * *gear->teeth;
+    const double shift = 2.0 * gear->shift.value_or(0.0) * *gear->module;
+    if (std::fabs(*tip - reference - shift) < 4.0 * *gear->module && *tip > reference + shift) {
+      gear->tip_diameter = tip;
+      return;
+    }
+    lookup_.note(
+        fmt::format("{}: its tip_diameter, {:g} mm, fits no gear of the reference diameter "
+                    "{:.6g} mm; not taken",
+                    lookup_.place(component), *tip, reference));
+  }
+
+  // The shaft that the component is a part of, be it by groups in between.
+  std::optional<std::size_t> shaft_under(const RexsComponent& component, int depth) const {
+    constexpr int kDeepestGroup = 8;
+    if (depth > kDeepestGroup) return std::nullopt;
+    for (const RexsComponent* owner : lookup_.related(component, "assembly", "part", "assembly")) {
+      const auto found = shafts_.find(owner->id);
+      if (found != shafts_.end()) return found->second;
+      if (owner->type != "assembly_group") continue;
+      if (const auto above = shaft_under(*owner, depth + 1)) return above;
+    }
+    return std::nullopt;
+  }
+
+  void read_bearing(const RexsComponent& component) {
+    UnitBearing bearing;
+    bearing.id = component.id;
+    bearing.name = component.name;
+    bearing.kind = lookup_.text(component, "bearing_type");
+    if (bearing.kind.empty()) bearing.kind = component.type;
+    bearing.designation = lookup_.text(component, "catalogue_designation");
+    for (const RexsRelation* relation : lookup_.relations_of(component)) {
+      if (relation->type != "side") continue;
+      for (const RexsReference& reference : relation->references) {
+        const auto shaft = shafts_.find(reference.component);
+        if (shaft != shafts_.end()) bearing.shafts.push_back(shaft->second);
+      }
+    }
+    const auto stiffness = lookup_.number(component, "radial_stiffness", RexsQuantity::stiffness);
+    if (stiffness && *stiffness > 0.0 && *stiffness < kRigid) bearing.radial_stiffness = stiffness;
+    if (stiffness && *stiffness >= kRigid) {
+      lookup_.note(
+          fmt::format("{}: its radial_stiffness, {:g} N/mm, stands for a rigid bearing; "
+                      "not taken",
+                      lookup_.place(component), *stiffness));
+    }
+    out_.bearings.push_back(std::move(bearing));
+  }
+
+  static StageKind kind_of(const RexsComponent& component) {
+    if (component.type == "cylindrical_stage") return StageKind::external;
+    if (component.type == "bevel_stage") return StageKind::bevel;
+    return component.type == "worm_stage" ? StageKind::worm : StageKind::other;
+  }
+
+  void read_stage(const RexsComponent& component) {
+    if (component.type == "planetary_stage") return;  // its meshes are stages of their own
+    UnitStage stage;
+    stage.id = component.id;
+    stage.name = component.name.empty() ? component.type + " " + component.id : component.name;
+    stage.kind = kind_of(component);
+    for (const RexsComponent* owner : lookup_.related(component, "assembly", "part", "assembly")) {
+      if (owner->type == "planetary_stage") stage.planetary = owner->id;
+    }
+    find_gears(component, &stage);
+    using enum RexsQuantity;
+    stage.centre_distance = lookup_.number(component, "center_distance", length);
+    if (stage.centre_distance) *stage.centre_distance = std::fabs(*stage.centre_distance);
+    stage.contact_ratio = lookup_.number(component, "radial_contact_ratio", number);
+    stage.face_width = lookup_.number(component, "common_face_width", length);
+    const auto least = lookup_.number(component, "minimum_normal_backlash", length);
+    const auto most = lookup_.number(component, "maximum_normal_backlash", length);
+    if (least && most) stage.backlash = 0.5 * (*least + *most);
+    stage.refusal = refusal_of(stage);
+    out_.stages.push_back(std::move(stage));
+  }
+
+  // gear_1 and gear_2 of a stage's relations; where roles are missing, gears in their order.
+  void find_gears(const RexsComponent& component, UnitStage* stage) {
+    std::vector<std::size_t> found;
+    const auto add = [&](std::string_view id) {
+      const auto gear = gears_.find(id);
+      if (gear == gears_.end()) return;
+      if (std::find(found.begin(), found.end(), gear->second) == found.end()) {
+        found.push_back(gear->second);
+      }
+    };
+    for (const char* role : {"gear_1", "gear_2"}) {
+      for (const RexsComponent* one : lookup_.related(component, "stage", "stage", role)) {
+        add(one->id);
+      }
+    }
+    for (const RexsRelation* relation : lookup_.relations_of(component)) {
+      for (const RexsReference& reference : relation->references) add(reference.component);
+    }
+    if (found.size() > 2) {
+      lookup_.note(fmt::format("{}: {} gears are related to it; the first two are taken",
+                               lookup_.place(component), found.size()));
+    }
+    for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 2); ++i) {
+      stage->gears[i] = found[i];
+      if (out_.gears[found[i]].is_ring && stage->kind == StageKind::external) {
+        stage->kind = StageKind::internal;
+      }
+    }
+  }
+
+  std::string refusal_of(const UnitStage& stage) const {
+    if (stage.kind == StageKind::internal) {
+      return "a ring gear meshes inside; a drawing is of two gears with outer teeth";
+    }
+    if (stage.kind != StageKind::external) return "it has no cylindrical gears";
+    if (!stage.gears[0] || !stage.gears[1]) {
+      return "no relation of type 'stage' names its two gears";
+    }
+    const UnitGear& a = out_.gears[*stage.gears[0]];
+    const UnitGear& b = out_.gears[*stage.gears[1]];
+    for (const UnitGear* one : {&a, &b}) {
+      if (!one->teeth) return fmt::format("{} has no number_of_teeth", one->name);
+    }
+    if (!a.module && !b.module) return "its gears have no normal_module";
+    if (a.module && b.module && std::fabs(*a.module - *b.module) > 1e-6 * *a.module) {
+      return fmt::format("its gears have two modules, {:g} and {:g} mm", *a.module, *b.module);
+    }
+    const double helix = std::fabs(a.helix.value_or(0.0));
+    if (a.helix && b.helix && std::fabs(helix - std::fabs(*b.helix)) > 1e-4) {
+      return fmt::format("its gears have two helix angles, {:g} and {:g} degrees", *a.helix,
+                         *b.helix);
+    }
+    if (a.helix && b.helix && *a.helix * *b.helix > 0.0) {
+      return fmt::format(
+          "both gears have the same hand of helix, {:g} degrees; outer teeth need "
+          "opposite hands",
+          *a.helix);
+    }
+    return "";
+  }
+
+  void weigh(UnitShaft* shaft) {
+    std::vector<std::pair<const UnitGear*, const RexsComponent*>> gears;
+    for (const UnitGear& gear : out_.gears) {
+      const RexsComponent* component = lookup_.component(gear.id);
+      const bool is_there = gear.shaft && &out_.shafts[*gear.shaft] == shaft;
+      if (is_there) gears.emplace_back(&gear, component);
+    }
+    weigh_shaft(*lookup_.component(shaft->id), gears, &lookup_, shaft);
+  }
+
+  // Kinds of components that nothing is read of.
+  void note_what_is_left() {
+    static const std::set<std::string_view> kRead = {"gear_unit",
+                                                     "gear_casing",
+                                                     "shaft",
+                                                     "shaft_section",
+                                                     "cylindrical_gear",
+                                                     "ring_gear",
+                                                     "cylindrical_gear_flank",
+                                                     "flank_geometry",
+                                                     "cylindrical_stage",
+                                                     "planetary_stage",
+                                                     "material",
+                                                     "external_load",
+                                                     "concept_bearing",
+                                                     "rack_shaped_tool",
+                                                     "cutter_wheel_tool",
+                                                     "rolling_bearing_with_catalog_geometry",
+                                                     "rolling_bearing_with_detailed_geometry",
+                                                     "slide_bearing",
+                                                     "additional_mass",
+                                                     "coupling",
+                                                     "switchable_coupling"};
+    std::map<std::string_view, int> counts;
+    for (const RexsComponent& one : document_.components) {
+      if (!kRead.contains(one.type)) ++counts[one.type];
+    }
+    if (counts.empty()) return;
+    std::string text;
+    for (const auto& [type, count] : counts) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, type);
+    }
+    lookup_.note(fmt::format("{}: nothing is taken of {}", document_.source, text));
+  }
+
+  static constexpr double kRad = 3.14159265358979323846 / 180.0;
+  const RexsDocument& document_;
+  RexsLookup lookup_;
+  std::map<std::string_view, std::size_t> shafts_, gears_;
+  GearUnit out_;
+};
+
+}  // namespace
+
+GearUnit gear_unit_of(const RexsDocument& document) { return UnitReader(document).run(); }
+
+}  // namespace gearsweep

@@ -1,0 +1,357 @@
+#include "rexs/stage_drawing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gear/drawing_keys.hpp"
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kFromFile = "from the file";
+
+double inv(double angle) { return std::tan(angle) - angle; }
+
+class StageDrawer {
+ public:
+  StageDrawer(const GearUnit& unit, std::size_t stage, std::size_t load_case)
+      : unit_(unit), index_(stage), stage_(unit.stages[stage]), case_(unit.cases[load_case]) {
+    if (!stage_.refusal.empty()) {
+      throw InputError(fmt::format("{}: no study can be made of stage {} ({}): {}", unit.source,
+                                   stage + 1, stage_.name, stage_.refusal));
+    }
+    gears_[0] = &unit.gears[*stage_.gears[0]];
+    gears_[1] = &unit.gears[*stage_.gears[1]];
+    is_swapped_ = *gears_[0]->teeth > *gears_[1]->teeth;
+    if (is_swapped_) std::swap(gears_[0], gears_[1]);
+  }
+
+  StageDrawing run() {
+    read_teeth();
+    read_shifts();
+    read_tips();
+    read_width();
+    read_bodies();
+    read_bearings();
+    read_backlash();
+    read_load();
+    out_.contact_ratio = stage_.contact_ratio;
+    out_.about = about();
+    return std::move(out_);
+  }
+
+ private:
+  void set(const GearKey& key, std::string value, std::string origin) {
+    out_.keys[key.name] = {std::move(value), std::move(origin)};
+  }
+  void note(const std::string& text) { out_.notes.push_back(text); }
+
+  static std::string pair(double a, double b) { return fmt::format("[{:.10g}, {:.10g}]", a, b); }
+
+  void read_teeth() {
+    for (int i = 0; i < 2; ++i) {
+      const double teeth = *gears_[i]->teeth;
+      if (teeth < kTeeth.min || teeth > kTeeth.max || teeth != std::floor(teeth)) {
+        throw InputError(
+            fmt::format("{}: {} has {:g} teeth; a whole number from {:g} to {:g} is "
+                        "possible",
+                        unit_.source, gears_[i]->name, teeth, kTeeth.min, kTeeth.max));
+      }
+      out_.teeth[i] = static_cast<int>(teeth);
+    }
+    set(kTeeth, fmt::format("[{}, {}]", out_.teeth[0], out_.teeth[1]),
+        fmt::format("{}: {} and {}", kFromFile, gears_[0]->name, gears_[1]->name));
+    out_.module = gears_[0]->module ? *gears_[0]->module : *gears_[1]->module;
+    set(kModule, fmt::format("{:.10g}", out_.module), kFromFile);
+    const auto helix = gears_[0]->helix ? gears_[0]->helix : gears_[1]->helix;
+    helix_ = std::fabs(helix.value_or(0.0)) * kRad;
+    if (helix_ > 0.0) set(kHelix, fmt::format("{:.10g}", helix_ / kRad), kFromFile);
+    if (!helix) note("no helix_angle_reference_diameter: the teeth are taken as spur");
+    const auto alpha =
+        gears_[0]->pressure_angle ? gears_[0]->pressure_angle : gears_[1]->pressure_angle;
+    if (alpha) set(kPressureAngle, fmt::format("{:.10g}", *alpha), kFromFile);
+    if (gears_[0]->pressure_angle && gears_[1]->pressure_angle &&
+        std::fabs(*gears_[0]->pressure_angle - *gears_[1]->pressure_angle) > 1e-6) {
+      throw InputError(fmt::format(
+          "{}: the gears of stage {} have two pressure angles, {:g} and "
+          "{:g} degrees",
+          unit_.source, index_ + 1, *gears_[0]->pressure_angle, *gears_[1]->pressure_angle));
+    }
+    if (!alpha) note("no normal_pressure_angle: pressure_angle_deg is 20 by default");
+    alpha_ = alpha.value_or(20.0) * kRad;
+  }
+
+  // The sum of the shifts at which the teeth stand without play at this distance.
+  std::optional<double> shifts_at(double centre) const {
+    const double teeth = out_.teeth[0] + out_.teeth[1];
+    const double transverse = std::atan(std::tan(alpha_) / std::cos(helix_));
+    const double cosine =
+        out_.module / std::cos(helix_) * teeth * std::cos(transverse) / (2.0 * centre);
+    if (!(cosine < 1.0)) return std::nullopt;
+    return (inv(std::acos(cosine)) - inv(transverse)) * teeth / (2.0 * std::tan(alpha_));
+  }
+
+  void read_shifts() {
+    const auto centre = stage_.centre_distance;
+    if (centre) set(kCentreDistance, fmt::format("{:.10g}", *centre), kFromFile);
+    auto a = gears_[0]->shift, b = gears_[1]->shift;
+    std::optional<double> sum;
+    if (centre) {
+      sum = shifts_at(*centre);
+      if (!sum) {
+        throw InputError(
+            fmt::format("{}: center_distance of stage {}, {:g} mm, is smaller than its "
+                        "base circles; is one of its numbers in another unit?",
+                        unit_.source, index_ + 1, *centre));
+      }
+    }
+    if (a && b) {
+      set(kProfileShift, pair(*a, *b), kFromFile);
+      const double apart = sum ? *a + *b - *sum : 0.0;
+      if (std::fabs(apart) > 0.02) {
+        note(
+            fmt::format("center_distance {:g} mm and the shifts disagree: without play it takes a "
+                        "sum of {:.4f}, and they have {:.4f}",
+                        *centre, *sum, *a + *b));
+      }
+      return;
+    }
+    if (!sum) {
+      if (a || b)
+        set(kProfileShift, pair(a.value_or(0.0), b.value_or(0.0)),
+            "ESTIMATE: one of them is not in the file, and has no shift here");
+      if (!centre)
+        note("neither center_distance nor both shifts: without play of the tool's profile");
+      return;
+    }
+    const double total = std::fabs(*sum) < 1e-9 ? 0.0 : *sum;
+    if (!a && !b) {
+      set(kProfileShift, pair(0.5 * total, 0.5 * total),
+          "ESTIMATE: their sum follows from the centre distance, and is split evenly");
+    } else {
+      set(kProfileShift, a ? pair(*a, total - *a) : pair(total - *b, *b),
+          "computed: one from the file, the other from the centre distance");
+    }
+    note("addendum_modification_coefficient of a flank is missing; see profile_shift");
+  }
+
+  void read_tips() {
+    if (gears_[0]->tip_diameter && gears_[1]->tip_diameter) {
+      set(kTipDiameter, pair(*gears_[0]->tip_diameter, *gears_[1]->tip_diameter), kFromFile);
+    } else if (gears_[0]->addendum && gears_[1]->addendum) {
+      set(kAddendum, pair(*gears_[0]->addendum, *gears_[1]->addendum), kFromFile);
+    } else {
+      note("no tip_diameter of both gears: the addendum is one module by default");
+    }
+    const auto a = gears_[0]->dedendum, b = gears_[1]->dedendum;
+    if (a && b && std::fabs(*a - *b) < 1e-6) {
+      set(kDedendum, fmt::format("{:.10g}", *a), "from the file: the addendum of the tool");
+    }
+  }
+
+  void read_width() {
+    auto width = stage_.face_width;
+    std::string origin = "from the file: common_face_width";
+    if (!width && gears_[0]->face_width && gears_[1]->face_width) {
+      width = std::min(*gears_[0]->face_width, *gears_[1]->face_width);
+      origin = "from the file: the narrower gear";
+    }
+    if (!width || *width <= 0.0) return note("no face_width of both gears; ten modules are taken");
+    out_.face_width = width;
+    set(kFaceWidth, fmt::format("{:.10g}", *width), origin);
+  }
+
+  void read_bodies() {
+    const UnitShaft* shafts[2] = {};
+    for (int i = 0; i < 2; ++i) {
+      if (gears_[i]->shaft) shafts[i] = &unit_.shafts[*gears_[i]->shaft];
+      if (shafts[i] == nullptr || !(shafts[i]->mass > 0.0)) {
+        return note(
+            fmt::format("{} is on no shaft of which the file has a body: discs stand for "
+                        "both gears",
+                        gears_[i]->name));
+      }
+    }
+    std::string bodies;
+    for (const UnitShaft* shaft : shafts) {
+      bodies += fmt::format("{}{}: {}", bodies.empty() ? "" : "; ", shaft->name,
+                            fmt::join(shaft->bodies, ", "));
+    }
+    set(kMass, fmt::format("[{:.6g}, {:.6g}]", shafts[0]->mass, shafts[1]->mass),
+        "ESTIMATE: of whole shafts with their gears. " + bodies);
+    set(kInertia, fmt::format("[{:.6g}, {:.6g}]", shafts[0]->inertia, shafts[1]->inertia),
+        "ESTIMATE: of the same bodies");
+  }
+
+  void read_bearings() {
+    std::array<double, 2> sums = {};
+    bool are_known = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::string names;
+      for (const UnitBearing& one : unit_.bearings) {
+        const bool is_here = gears_[i]->shaft && std::find(one.shafts.begin(), one.shafts.end(),
+                                                           *gears_[i]->shaft) != one.shafts.end();
+        if (!is_here) continue;
+        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", one.name, one.kind);
+        are_known = are_known && one.radial_stiffness.has_value();
+        sums[i] += one.radial_stiffness.value_or(0.0);
+      }
+      are_known = are_known && sums[i] > 0.0;
+      if (sums[i] == 0.0) {
+        note(fmt::format("bearings of the {}, without a stiffness that can be used: {}",
+                         i == 0 ? "pinion" : "gear", names.empty() ? "none" : names));
+      }
+    }
+    if (!are_known) return;
+    set(kBearingStiffness, fmt::format("[{0:.6g}, {0:.6g}, {1:.6g}, {1:.6g}]", sums[0], sums[1]),
+        "from the file: the sum of radial_stiffness of each shaft's bearings");
+  }
+
+  // The normal play is that along the line of action of the transverse section times cos(beta_b).
+  void read_backlash() {
+    if (!stage_.backlash || *stage_.backlash <= 0.0) return;
+    const double base = std::asin(std::sin(helix_) * std::cos(alpha_));
+    set(kHalfBacklash, fmt::format("{:.6g}", 0.5 * *stage_.backlash / std::cos(base)),
+        "from the file: half the mean of its normal backlash, in the transverse section");
+  }
+
+  // Of the first gear turned to the pinion.
+  std::optional<double> torque_of(const UnitCase& one) const {
+    const auto torque = one.torques[index_];
+    if (!torque || !is_swapped_) return torque;
+    return *torque * out_.teeth[0] / out_.teeth[1];
+  }
+  std::optional<double> speed_of(const UnitCase& one) const {
+    const auto speed = one.speeds[index_];
+    if (!speed || !is_swapped_) return speed;
+    return *speed * out_.teeth[1] / out_.teeth[0];
+  }
+
+  void read_load() {
+    const char* share = stage_.planetary.empty() ? "" : ", shared evenly by the planets";
+    if (const auto torque = torque_of(case_)) {
+      set(kTorque, fmt::format("{:.6g}", *torque),
+          case_.id.empty()
+              ? fmt::format("from the file's loads{}", share)
+              : fmt::format("from the file: load case {}{}, without losses", case_.id, share));
+    } else {
+      note("the torque on this mesh follows from no external_load of the file");
+    }
+    for (const UnitCase& one : unit_.cases) {
+      out_.fastest = std::max(out_.fastest, speed_of(one).value_or(0.0));
+    }
+  }
+
+  std::string about() const {
+    std::string text = fmt::format("Stage {} of {}: {}.\n", index_ + 1, unit_.source, stage_.name);
+    if (!stage_.planetary.empty()) {
+      text +=
+          "Of a planetary stage: one mesh of sun and planet alone. Speeds are relative to the "
+          "carrier.\n";
+    }
+    if (is_swapped_) text += "The pinion is the second gear of the stage, which has fewer teeth.\n";
+    if (stage_.contact_ratio) {
+      text +=
+          fmt::format("The file has the transverse contact ratio {:.4g}.\n", *stage_.contact_ratio);
+    }
+    for (const UnitCase& one : unit_.cases) {
+      const auto torque = torque_of(one), speed = speed_of(one);
+      if (!torque && !speed) continue;
+      text += fmt::format(
+          "{}:{}{}{}\n", one.id.empty() ? "Its loads" : fmt::format("Load case {}", one.id),
+          torque ? fmt::format(" torque_N_m = {:.6g}", *torque) : "",
+          speed ? fmt::format(" at pinion_speed_rpm = {:.6g}", *speed) : "",
+          one.share ? fmt::format(", {:.4g} % of the time", 100.0 * *one.share) : "");
+    }
+    return text;
+  }
+
+  static constexpr double kRad = std::numbers::pi / 180.0;
+  const GearUnit& unit_;
+  std::size_t index_;
+  const UnitStage& stage_;
+  const UnitCase& case_;
+  std::array<const UnitGear*, 2> gears_ = {};
+  bool is_swapped_ = false;
+  double helix_ = 0.0, alpha_ = 0.0;  // rad
+  StageDrawing out_;
+};
+
+// Whether two stages are meshes of one sun with planets that are alike.
+bool are_alike(const GearUnit& unit, const UnitStage& a, const UnitStage& b) {
+  if (a.planetary.empty() || a.planetary != b.planetary) return false;
+  const auto same = [](const UnitGear& one, const UnitGear& other) {
+    return one.teeth == other.teeth && one.module == other.module && one.shift == other.shift &&
+           one.face_width == other.face_width && one.helix == other.helix;
+  };
+  return a.centre_distance == b.centre_distance &&
+         same(unit.gears[*a.gears[0]], unit.gears[*b.gears[0]]) &&
+         same(unit.gears[*a.gears[1]], unit.gears[*b.gears[1]]);
+}
+
+}  // namespace
+
+StageDrawing stage_drawing(const GearUnit& unit, std::size_t stage, std::size_t load_case) {
+  return StageDrawer(unit, stage, load_case).run();
+}
+
+std::string list_of_stages(const GearUnit& unit) {
+  std::string text;
+  for (std::size_t i = 0; i < unit.stages.size(); ++i) {
+    const UnitStage& stage = unit.stages[i];
+    std::string teeth;
+    if (stage.gears[0] && stage.gears[1]) {
+      const auto a = unit.gears[*stage.gears[0]].teeth, b = unit.gears[*stage.gears[1]].teeth;
+      if (a && b) teeth = fmt::format(", {:g}/{:g} teeth", *a, *b);
+    }
+    text += fmt::format("  {}: {}{}{}{}\n", i + 1, stage.name, teeth,
+                        stage.refusal.empty() ? "" : "; no study: ", stage.refusal);
+  }
+  return text.empty() ? "  none\n" : text;
+}
+
+std::size_t chosen_stage(const GearUnit& unit, const std::string& text) {
+  for (std::size_t i = 0; i < unit.stages.size() && !text.empty(); ++i) {
+    if (text == std::to_string(i + 1) || text == unit.stages[i].name) return i;
+  }
+  if (!text.empty()) {
+    throw InputError(fmt::format("{}: no stage '{}'; its stages, by number or name, are\n{}",
+                                 unit.source, text, list_of_stages(unit)));
+  }
+  std::vector<std::size_t> usable;
+  for (std::size_t i = 0; i < unit.stages.size(); ++i) {
+    if (unit.stages[i].refusal.empty()) usable.push_back(i);
+  }
+  const bool is_one =
+      !usable.empty() && std::all_of(usable.begin() + 1, usable.end(), [&](std::size_t i) {
+        return are_alike(unit, unit.stages[usable.front()], unit.stages[i]);
+      });
+  if (is_one) return usable.front();
+  throw InputError(fmt::format(
+      "{}: {}; its stages are\n{}", unit.source,
+      usable.empty() ? "no study can be made of any stage" : "choose a stage, as in --stage 1",
+      list_of_stages(unit)));
+}
+
+std::size_t chosen_case(const GearUnit& unit, std::size_t stage, const std::string& id) {
+  std::vector<std::string> ids;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < unit.cases.size(); ++i) {
+    if (!id.empty() && unit.cases[i].id == id) return i;
+    ids.push_back(unit.cases[i].id);
+    if (unit.cases[i].torques[stage].value_or(0.0) >
+        unit.cases[best].torques[stage].value_or(0.0)) {
+      best = i;
+    }
+  }
+  if (id.empty()) return best;
+  throw InputError(
+      fmt::format("{}: no load case '{}'; there are: {}", unit.source, id, fmt::join(ids, ", ")));
+}
+
+}  // namespace gearsweep

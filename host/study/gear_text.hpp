@@ -1,0 +1,34 @@
+// The text of a study that is begun for somebody: its [gear] table, with every key explained.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gearsweep {
+
+struct GearTextKey {
+  std::string value;   // as TOML has it
+  std::string origin;  // for its comment: "ESTIMATE: ten modules"; empty: somebody gave it
+};
+using GearTextKeys = std::map<std::string_view, GearTextKey>;
+
+struct GearText {
+  std::string title;
+  std::string about;  // lines, which become a comment at the top
+  GearTextKeys keys;  // by the names of drawing_keys.hpp
+  std::array<int, 2> teeth = {};
+  double module_mm = 0.0;
+  std::optional<double> face_width_mm;
+  double fastest_rpm = 0.0;  // of the pinion, that the axis has to reach
+};
+
+// TOML that 'gearsweep run' takes, over speeds up to the resonance of the teeth or a pitch-line
+// velocity of 50 m/s. What the keys do not have and a study needs is an estimate, and its comment
+// says so; every other key of [gear] stands there as a comment. Throws InputError for gears that
+// there cannot be. source: what messages call the text.
+std::string gear_text(GearText text, const std::string& source);
+
+}  // namespace gearsweep
