@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
@@ -32,9 +33,25 @@ struct GearArguments {
   bool as_json = false;
 };
 
-// A speed of the pinion at which an order of the mesh frequency meets a natural frequency.
-double critical_rpm(const NaturalMode& mode, int order, const Scales& scales) {
-  return mode.frequency / order * scales.rpm_per_omega;
+// A mesh that excites: its frequency over that of the phase, whose orders are those of the pinion.
+struct ExcitingMesh {
+  std::string name;  // of its drawing; empty where there is one mesh
+  double order = 1.0;
+};
+
+std::vector<ExcitingMesh> exciting_meshes(const Study& study) {
+  const Model& model = *study.model;
+  const std::optional<std::size_t> other = model.parameter_of(Role::mesh_order);
+  if (!other) return {{}};
+  const std::string& name = model.parameters[*other].name;
+  return {{model.unit_drawing, 1.0},
+          {name.substr(name.rfind('_') + 1), study.setting.parameters[*other]}};
+}
+
+// A speed of the pinion at which an order of the mesh meets a natural frequency.
+double critical_rpm(const NaturalMode& mode, int order, const ExcitingMesh& mesh,
+                    const Scales& scales) {
+  return mode.frequency / (order * mesh.order) * scales.rpm_per_omega;
 }
 
 double hertz(const NaturalMode& mode, const Scales& scales) {
@@ -48,12 +65,22 @@ void print(const std::string& name, const Study& study, const std::vector<Natura
       "\nnatural frequencies of small motions with all teeth in contact, and the pinion's speed "
       "(rpm) at\nwhich an order of the mesh frequency meets them\n");
   TextTable rows;
-  rows.add({"Hz", "damping", "order 1", "order 2", "order 3"});
+  const std::vector<ExcitingMesh> meshes = exciting_meshes(study);
+  std::vector<std::string> head = {"Hz", "damping"};
+  for (const ExcitingMesh& mesh : meshes) {
+    for (const int order : kOrders) {
+      head.push_back(mesh.name.empty() ? fmt::format("order {}", order)
+                                       : fmt::format("{} of {}", order, mesh.name));
+    }
+  }
+  rows.add(std::move(head));
   for (const NaturalMode& mode : modes) {
     std::vector<std::string> row = {fmt::format("{:.5g}", hertz(mode, study.scales)),
                                     fmt::format("{:.3g} %", 100.0 * mode.damping)};
-    for (const int order : kOrders) {
-      row.push_back(fmt::format("{:.5g}", critical_rpm(mode, order, study.scales)));
+    for (const ExcitingMesh& mesh : meshes) {
+      for (const int order : kOrders) {
+        row.push_back(fmt::format("{:.5g}", critical_rpm(mode, order, mesh, study.scales)));
+      }
     }
     rows.add(std::move(row));
   }
@@ -70,11 +97,15 @@ void print_json(const Study& study, const std::vector<NaturalMode>& modes) {
                          {"rpm_per_omega", study.scales.rpm_per_omega},
                          {"modes", nlohmann::json::array()}};
   for (const NaturalMode& mode : modes) {
-    nlohmann::json critical;
-    for (const int order : kOrders) critical.push_back(critical_rpm(mode, order, study.scales));
-    told["modes"].push_back({{"frequency_Hz", hertz(mode, study.scales)},
-                             {"damping", mode.damping},
-                             {"critical_rpm", critical}});
+    nlohmann::json& one = told["modes"].emplace_back();
+    one = {{"frequency_Hz", hertz(mode, study.scales)}, {"damping", mode.damping}};
+    for (const ExcitingMesh& mesh : exciting_meshes(study)) {
+      const bool is_first = mesh.name == study.model->unit_drawing || mesh.name.empty();
+      nlohmann::json& critical = one[is_first ? "critical_rpm" : "critical_rpm_" + mesh.name];
+      for (const int order : kOrders) {
+        critical.push_back(critical_rpm(mode, order, mesh, study.scales));
+      }
+    }
   }
   answer("{}", json_text(told));
 }

@@ -7,11 +7,12 @@
 namespace gearsweep {
 namespace {
 
-constexpr std::array<std::pair<Role, const char*>, 7> kRoleNames = {
+constexpr std::array<std::pair<Role, const char*>, 8> kRoleNames = {
     {{Role::load, "load"},
      {Role::mesh_damping, "mesh_damping"},
      {Role::pinion_teeth, "pinion_teeth"},
      {Role::teeth_ratio, "teeth_ratio"},
+     {Role::mesh_order, "mesh_order"},
      {Role::mesh_force, "mesh_force"},
      {Role::transmission_error, "transmission_error"},
      {Role::bearing_force, "bearing_force"}}};
@@ -30,7 +31,7 @@ Role role_of(std::string_view name) {
 
 const std::vector<Role>& roles_of_parameters() {
   static const std::vector<Role> kRoles = {Role::load, Role::mesh_damping, Role::pinion_teeth,
-                                           Role::teeth_ratio};
+                                           Role::teeth_ratio, Role::mesh_order};
   return kRoles;
 }
 

@@ -14,6 +14,7 @@ enum class Role {
   mesh_damping,  // damping ratio cm/(2 varpi me) of the mesh, from which the unit cm follows
   pinion_teeth,
   teeth_ratio,  // teeth of the gear over those of the pinion
+  mesh_order,   // frequency of the mesh whose drawing its name ends in, over that of the phase
   // Roles of signals.
   mesh_force,  // a force between teeth; a train of gears has several
   transmission_error,

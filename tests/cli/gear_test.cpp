@@ -14,6 +14,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(GearCommand, BeginsAStudyThatRuns) {
@@ -77,6 +78,30 @@ TEST(GearCommand, SaysWhatIsWrong) {
   EXPECT_THAT(refusal("gear new 19-61 --module 2"), HasSubstr("no pair of numbers of teeth"));
   EXPECT_THAT(refusal("gear new 19/61"), HasSubstr("--module"));
   EXPECT_THAT(refusal("gear new 2/61 --module 2"), HasSubstr("teeth"));
+}
+
+// The second pinion has 18 teeth on the shaft of a gear of 41: its mesh meets a natural frequency
+// at a speed of the first pinion that is higher by 41/18.
+TEST(GearCommand, CountsTheOrdersOfBothMeshes) {
+  const Folder folder;
+  const std::string pair =
+      "module_mm = 3\ninertia_kg_mm2 = [400, 5000]\nhalf_backlash_mm = 0.05\n"
+      "mesh_stiffness_N_per_m = 2e8\nmesh_damping_ratio = 0.05\ntransmission_error_um = 5\n";
+  folder.write("stages.toml", "[model]\nname = 'two_stages'\n[gear.first]\nteeth = [20, 41]\n" +
+                                  pair + "torque_N_m = 40\n[gear.second]\nteeth = [18, 45]\n" +
+                                  pair);
+  const Outcome told = gearsweep(folder, "gear stages.toml --json");
+  ASSERT_EQ(told.status, 0) << told.err;
+  const nlohmann::json modes = nlohmann::json::parse(told.out)["modes"];
+  ASSERT_EQ(modes.size(), 2U);
+  for (const nlohmann::json& mode : modes) {
+    for (std::size_t order : {0, 1, 2}) {
+      EXPECT_NEAR(mode["critical_rpm_second"][order].get<double>(),
+                  mode["critical_rpm"][order].get<double>() * 41.0 / 18.0, 1e-6);
+    }
+  }
+  EXPECT_THAT(gearsweep(folder, "gear stages.toml").out,
+              AllOf(HasSubstr("1 of first"), HasSubstr("3 of second")));
 }
 
 }  // namespace

@@ -23,12 +23,18 @@ std::string any_study(const Model& model, std::mt19937* random) {
   std::uniform_real_distribution<double> factor(0.7, 1.4);
   const std::string first = model.states.front().name;
   std::string toml = "[model]\nname = '" + model.name + "'\n[parameters]\n";
-  for (const ParameterInfo& info : model.parameters) {
-    const double value = info.default_value * factor(*random);
-    // Shares add up, teeth and cycles are whole.
+  ModelSetting setting = model.default_setting();
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const ParameterInfo& info = model.parameters[i];
+    const double value = std::clamp(info.default_value * factor(*random), info.min, info.max);
     const bool is_bound = info.name.starts_with("rho_") || info.name == "cycle";
     if (info.shapes_phase || value == 0.0 || is_bound) continue;
-    toml += info.name + " = " + digits(std::clamp(value, info.min, info.max)) + "\n";
+    // Teeth are whole, and one gear of two drawings has one inertia.
+    ModelSetting changed = setting;
+    changed.parameters[i] = value;
+    if (model.check && !model.check(changed).empty()) continue;
+    setting = changed;
+    toml += info.name + " = " + digits(value) + "\n";
   }
   toml += "[[axes]]\nname = '" + first +
           "'\nfrom = -1.9\nto = 2.1\ncount = 16\n[integrate]\nsettle = 1\nrecord = 1\n"

@@ -139,7 +139,7 @@ TEST(Orders, AgreeWithTheReferenceEngine) {
 TEST(Orders, AndImpactsAgreeWithTheReferenceEngineWhateverTheModel) {
   std::mt19937 random(20261125);
   std::uniform_real_distribution<double> factor(0.7, 1.4);
-  for (const char* const name : {"gear1", "idler", "shaw_holmes", "pendulum"}) {
+  for (const char* const name : {"gear1", "two_flanks", "shaw_holmes", "pendulum"}) {
     const Model& model = *find_model(name);
     const std::string first = model.states.front().name;
     std::string study = "[model]\nname = '" + model.name + "'\n[parameters]\n";
