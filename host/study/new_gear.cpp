@@ -1,6 +1,7 @@
 #include "study/new_gear.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 #include "gear/drawing_keys.hpp"
 #include "study/draft.hpp"
@@ -97,8 +99,15 @@ std::string line_of(const GearKey& key, const GivenKeys& given) {
 std::string drawing_of(const NewGear& gear) {
   const GivenKeys given = keys_of(gear);
   std::string text = "[gear]\n";
-  for (const GearKey& key : kGearKeys) text += line_of(key, given);
-  return text;
+  std::vector<std::string> guesses;
+  for (const GearKey& key : kGearKeys) {
+    text += line_of(key, given);
+    const auto found = given.find(key.name);
+    const bool is_guess = found != given.end() && !found->second.estimate.empty();
+    if (is_guess && key.name != kBody.name) guesses.push_back(fmt::format("  \"{}\"", key.name));
+  }
+  return text + comment("what is estimated, for reports: take out what you put your number at") +
+         fmt::format("estimated = [\n{},\n]\n", fmt::join(guesses, ",\n"));
 }
 
 }  // namespace

@@ -93,10 +93,11 @@
   X(overlap, "1", 0.0, 0.0, 10.0, 1, "overlap ratio of helical teeth")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
-#define MODEL_OPTIONS(X)                                                              \
-  X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")   \
-  X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)") \
-  X(stiffness, "parabolic rectangular fourier table", "shape of the pair stiffness")  \
+#define MODEL_OPTIONS(X)                                                             \
+  X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")  \
+  X(backlash, "constant dynamic",                                                    \
+    "whether the backlash follows the shafts (Chen et al. 2011, Eq. 20)")            \
+  X(stiffness, "parabolic rectangular fourier table", "shape of the pair stiffness") \
   X(error, "sine series", "transmission error: one sine, or more than that")
 enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
@@ -127,7 +128,7 @@ enum { ERROR_SINE, ERROR_SERIES };
 #define MODEL_SIGNALS(X)                                                                 \
   X(deflection, "b_n", "mesh deflection D along the line of action")                     \
   X(backlash, "b_n", "half backlash b' at work")                                         \
-  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                 \
+  X(dmf, "k0 b_n", "dynamic meshing force Q f (Chen et al. 2011, Eq. 22)")               \
   X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                     \
   X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs")  \
   X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")     \
