@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "result/result_file.hpp"
 
@@ -18,6 +19,10 @@ std::string quantity_mathtext(const std::string& name, const std::string& unit);
 
 // The same without its unit.
 std::string quantity_html(const std::string& name);
+
+// A key of a drawing as words and a unit: {"mesh stiffness", "N/m"} of "mesh_stiffness_N_per_m".
+// Text; other names have no unit.
+std::pair<std::string, std::string> words_and_unit(const std::string& key);
 
 // Exactly this text; and the same with its symbols as in print.
 std::string literal_mathtext(std::string_view text);

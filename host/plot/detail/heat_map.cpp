@@ -1,9 +1,11 @@
 // Two axes: the map and its colour bar as images, so that no seam shows between cells or colours.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "model/names.hpp"
 #include "plot/colours.hpp"
 #include "plot/detail/contours.hpp"
 #include "plot/detail/picture.hpp"
@@ -95,6 +97,7 @@ std::string add_image(const Raster& raster, PlotScript* script) {
 struct Colours {
   std::optional<ClassScale> classes;
   ValueRange range;
+  Beyond beyond_range;
   bool is_log = false;
 
   Colours(const Page& page, const ResultMap& map) : classes(class_scale(map)) {
@@ -105,9 +108,11 @@ struct Colours {
       return;
     }
     is_log = style.is_log;
-    range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
-    name_ =
-        !style.colormap.empty() ? style.colormap : usual_colormap(map.name, range.min, range.max);
+    name_ = style.colormap.empty() ? usual_colormap(map.name) : style.colormap;
+    const ValueRange own =
+        is_log ? colour_range(map.values) : with_middle(name_, map.name, colour_range(map.values));
+    range = scale_range(own, map.values, style.range, is_log, "--range");
+    beyond_range = beyond(range, map.values);
   }
 
   std::string palette() const {
@@ -154,9 +159,11 @@ std::string bar_label(const Page& page, const Picture& picture) {
   return quantity_label(map.name, map.unit);
 }
 
-// Pointed ends of a bar: there are values beyond it.
+// A pointed end of a bar where there are values beyond it.
 std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar, double length,
                      double height) {
+  const Beyond& beyond = colours.beyond_range;
+  if (!beyond.below && !beyond.above) return "";
   const auto [below, above] = colours.ends();
   const auto triangle = [&](double foot, double tip, const std::string& colour) {
     const auto at = [&](double x, double y) {
@@ -167,22 +174,24 @@ std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar,
         "'#000000' fillcolor rgb '{3}'\n",
         at(bar.left, foot), at(bar.right, foot), at(0.5 * (bar.left + bar.right), tip), colour);
   };
-  return triangle(bar.bottom, bar.bottom - length, below) +
-         triangle(bar.top, bar.top + length, above);
+  return (beyond.below ? triangle(bar.bottom, bar.bottom - length, below) : "") +
+         (beyond.above ? triangle(bar.top, bar.top + length, above) : "");
 }
 
 // The bar is a plot of its own; its axes x1 and y1 go from 0 to 1.
 std::string plot_bar(const Page& page, const Colours& colours, const Frame& whole, double height,
                      const std::vector<std::string>& label, PlotScript* script) {
-  const double pointed = colours.range.clipped ? 0.8 * page.em() : 0.0;
-  const Frame frame{whole.left, whole.right, whole.bottom + pointed, whole.top - pointed};
+  const double pointed = 0.8 * page.em();
+  const Beyond& beyond = colours.beyond_range;
+  const Frame frame{whole.left, whole.right, whole.bottom + (beyond.below ? pointed : 0.0),
+                    whole.top - (beyond.above ? pointed : 0.0)};
   const Tics tics = colours.tics(page, frame.height());
   std::string text = "reset\nunset key\nunset colorbox\nset border linewidth 1\n" +
                      page.margins(frame, height) +
                      "set x2range [0:1]\nset xrange [0:1]\nset yrange [0:1]\nunset xtics\n"
                      "unset ytics\n" +
                      tics.lines + colours.palette();
-  if (colours.range.clipped) text += bar_ends(page, colours, frame, pointed, height);
+  text += bar_ends(page, colours, frame, pointed, height);
   const double em = page.em();
   double beside = frame.right + tics.widest + em * (colours.classes ? 1.45 : 1.75);
   for (const std::string& line : label) {
@@ -203,24 +212,14 @@ std::string missing_ground(const Colours& colours) {
       colours.classes ? kMissingClassColour : kMissingColour);
 }
 
-std::string add_contours(const Page& page, const Colours& colours, const ResultMap& map,
-                         PlotScript* script) {
-  const Contours& contours = page.style().contours;
-  if (!contours.any() || colours.classes) return "";
-  std::vector<ContourPiece> pieces;
-  for (const double level : contour_levels(contours, colours.range, colours.is_log)) {
-    const std::vector<ContourPiece> own = contour_pieces(map, level);
-    pieces.insert(pieces.end(), own.begin(), own.end());
+std::vector<Contour> contours_of(const Page& page, const Colours& colours, const ResultMap& map) {
+  std::vector<Contour> contours;
+  const Contours& asked = page.style().contours;
+  if (!asked.any() || colours.classes) return contours;
+  for (const double level : contour_levels(asked, colours.range, colours.is_log)) {
+    contours.push_back({level, contour_pieces(map, level)});
   }
-  if (pieces.empty()) return "";
-  const std::string text = fmt::format(
-      ", \\\n     {} using 1:2:($3-$1):($4-$2) with vectors nohead linewidth 1 "
-      "linecolor rgb '#000000' notitle",
-      next_records(*script, pieces.size(), 4));
-  for (const ContourPiece& piece : pieces) {
-    append_numbers({piece.x1, piece.y1, piece.x2, piece.y2}, &script->data);
-  }
-  return text;
+  return contours;
 }
 
 // The label of a line stands where it leaves the picture, at the right or at the top.
@@ -256,21 +255,48 @@ std::vector<std::string> one_line(const std::optional<std::string>& given,
   return markup.empty() ? std::vector<std::string>{} : std::vector<std::string>{markup};
 }
 
+// Without the explanations "wedged: ..." of classes that the map does not show.
+std::string meaning_of_shown(const std::string& meaning, const ResultMap& map,
+                             const ClassScale& classes) {
+  std::vector<std::string> kept;
+  for (const std::string& clause : split(meaning, ';')) {
+    const std::string name = clause.substr(0, clause.find(": "));
+    const std::string word = name.substr(std::min(name.find_first_not_of(' '), name.size()));
+    const auto flag = std::ranges::find(map.flags, word);
+    const bool is_number = !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+    double value = std::nan("");
+    if (flag != map.flags.end()) value = static_cast<double>(flag - map.flags.begin());
+    if (is_number) value = std::stod(word);
+    const bool is_of_class = name.size() < clause.size() && !std::isnan(value);
+    if (is_of_class && std::ranges::count(classes.values, value) == 0) continue;
+    kept.push_back(clause);
+  }
+  return fmt::format("{}", fmt::join(kept, ";"));
+}
+
 std::vector<std::string> map_heading(const Page& page, const Picture& picture,
-                                     const Colours& colours) {
-  std::string meaning = meaning_of(picture);
+                                     const Colours& colours, bool has_bar) {
+  std::string meaning = colours.classes
+                            ? meaning_of_shown(meaning_of(picture), picture.map, *colours.classes)
+                            : meaning_of(picture);
   if (!colours.classes && colours.range.clipped) {
     meaning += "; the colours cover 99.8 % of the points";
   }
-  return heading_lines(page, picture.title, meaning, picture.remark);
+  std::string remark = picture.remark;
+  // The subtitle, which a picture for print does not have, says the same.
+  if (!has_bar && page.is_for_print()) {
+    remark = bar_label(page, picture) + (remark.empty() ? "" : ", " + remark);
+  }
+  return heading_lines(page, picture.title, meaning, remark);
 }
 
-// Long names of a few classes leave more room to the map when they stand below it.
+// A bar of classes whose names, with the label beside them, are long leaves the map too little of
+// the page's width: they stand below it.
 bool needs_bar(const Page& page, const Colours& colours) {
-  constexpr std::size_t kFewClasses = 6;
-  constexpr double kWide = 0.2;  // of the page
-  return !colours.classes || colours.classes->names.size() > kFewClasses ||
-         colours.classes->widest(page) < kWide * page.width();
+  constexpr double kWide = 0.2;    // of the page
+  constexpr double kBeside = 3.0;  // em of bar and label
+  return !colours.classes ||
+         colours.classes->widest(page) + kBeside * page.em() < kWide * page.width();
 }
 
 // The classes, where no bar shows them; the picture's own entries; the points that are missing.
@@ -295,8 +321,8 @@ PlotScript plot_heat_map(const Page& page, const Picture& picture) {
   const PlotStyle& style = page.style();
   const Colours colours(page, map);
   const double em = page.em();
-  const std::vector<std::string> heading = map_heading(page, picture, colours);
   const bool has_bar = needs_bar(page, colours);
+  const std::vector<std::string> heading = map_heading(page, picture, colours, has_bar);
   const std::vector<KeyEntry> key = map_key(picture, colours, has_bar);
   PanelAxis x{one_line(style.xlabel, axis_label(map.axes[0])),
               axis_range(map.axes[0], style.xrange, "--xrange")};
@@ -330,10 +356,12 @@ PlotScript plot_heat_map(const Page& page, const Picture& picture) {
   for (const MapLine& line : picture.lines) {
     script.text += line_label(page, line, x.range, y.range);
   }
+  const std::vector<Contour> contours = contours_of(page, colours, map);
+  script.text += contour_labels(page, contours, x.range, y.range);
   std::vector<double> shades;
   for (const double value : map.values) shades.push_back(colours.shade(value));
   script.text += "plot " + add_image(raster_of(page, map, shades, x.range, y.range), &script);
-  script.text += add_contours(page, colours, map, &script) + add_lines(picture, &script) + "\n";
+  script.text += add_contours(contours, &script) + add_lines(picture, &script) + "\n";
   if (has_bar) {
     const Frame bar{frame.right + gap, frame.right + gap + bar_width, frame.bottom, frame.top};
     script.text += plot_bar(page, colours, bar, script.height, label, &script);

@@ -9,6 +9,7 @@
 
 #include "gear/drawing_keys.hpp"
 #include "model/names.hpp"
+#include "plot/labels.hpp"
 #include "report/detail/html.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/sections.hpp"

@@ -26,6 +26,7 @@ PlotRequest plot_request(const ReportFindings& findings, const FigureRequest& re
   for (const std::string& file : request.files) plot.paths.push_back(findings.file(file));
   plot.quantity = request.quantity;
   plot.output_path = findings.file(request.name + ".svg");
+  plot.style.has_units = true;
   plot.style.is_si = findings.is_si();
   plot.style.title = "";
   plot.style.legend = request.legend;

@@ -4,35 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "plot/labels.hpp"
 #include "report/detail/html.hpp"
 
 namespace gearsweep {
-
-std::pair<std::string, std::string> words_and_unit(const std::string& key) {
-  static const std::vector<std::pair<std::string, std::string>> kUnits = {{"_N_s_per_mm", "N s/mm"},
-                                                                          {"_N_per_mm", "N/mm"},
-                                                                          {"_N_per_m", "N/m"},
-                                                                          {"_kg_mm2", "kg mm²"},
-                                                                          {"_N_m", "N m"},
-                                                                          {"_kg", "kg"},
-                                                                          {"_mm", "mm"},
-                                                                          {"_um", "µm"},
-                                                                          {"_deg", "°"},
-                                                                          {"_rpm", "rpm"},
-                                                                          {"_N", "N"}};
-  std::string words = key, unit;
-  for (const auto& [ending, name] : kUnits) {
-    if (!key.ends_with(ending)) continue;
-    words = key.substr(0, key.size() - ending.size());
-    unit = name;
-    break;
-  }
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return {words, unit};
-}
 
 std::string quantity_cell(const ResultMap& map) {
   const std::string unit = html_unit(map.unit);

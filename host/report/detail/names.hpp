@@ -2,15 +2,10 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include "report/detail/findings.hpp"
 
 namespace gearsweep {
-
-// A key of a drawing as words and a unit: {"mesh stiffness", "N/m"} of "mesh_stiffness_N_per_m".
-// Text.
-std::pair<std::string, std::string> words_and_unit(const std::string& key);
 
 // "largest meshing force (N) dmf_max". HTML.
 std::string quantity_cell(const ResultMap& map);
