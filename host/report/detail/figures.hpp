@@ -15,11 +15,11 @@ struct FigureRequest {
   std::string quantity;
   bool is_map = false;                   // over both axes
   std::vector<std::string> legend = {};  // what several files are called
-  double height = 53.0;                  // mm, the same for all that stand beside each other
+  double height = 51.0;                  // mm, the same for all that stand beside each other
 };
 
 // Of a picture with a key below it.
-inline constexpr double kFigureHeightWithKey = 60.0;  // mm
+inline constexpr double kFigureHeightWithKey = 57.0;  // mm
 
 // One for each study. caption: HTML.
 std::vector<HtmlFigure> figures_of(const Sides& sides, const FigureRequest& request,

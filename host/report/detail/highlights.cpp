@@ -117,6 +117,19 @@ std::string range_of_loss_html(const ReportFindings& findings) {
       html_percent(most));
 }
 
+// A larger force than at the worst speed, where that is the one of the strongest vibration.
+std::string larger_force_html(const ReportFindings& findings, const WorstSpeed& worst) {
+  constexpr double kClearly = 1.05;
+  const std::string& quantity =
+      findings.load_factor.empty() ? findings.force : findings.load_factor;
+  const double own = findings.over_speed(worst.file, quantity).values[worst.point];
+  const ResultMap map = findings.over_speed("line.nc", quantity);
+  const std::optional<std::size_t> largest = largest_of(map.values);
+  if (!largest || !(map.values[*largest] > kClearly * own)) return "";
+  return fmt::format("The force vibrates most at the worst speed; it is largest at {}: {}.",
+                     speed_at(findings, *largest), force_html(findings, "line.nc", *largest));
+}
+
 std::string missing_html(const ReportFindings& findings) {
   const ResultMap force = findings.over_speed("line.nc", findings.force);
   const auto missing =
@@ -193,6 +206,7 @@ std::vector<std::string> remarks_html(const ReportFindings& findings) {
   std::vector<std::string> remarks = {use_html(findings), missing_html(findings)};
   if (const std::optional<WorstSpeed> worst = find_worst(findings)) {
     remarks.push_back(range_of_loss_html(findings));
+    remarks.push_back(larger_force_html(findings, *worst));
     if (worst->is_edge) {
       remarks.emplace_back(
           "The sweep ends at its worst speed: beyond it there may be a worse one.");

@@ -97,10 +97,9 @@ std::vector<HtmlFigure> maps(const Sides& sides) {
       sides.front().load_factor.empty() ? sides.front().force : sides.front().load_factor;
   for (const std::string& quantity : {force, std::string("contact_class")}) {
     if (!all_have(sides, quantity)) continue;
-    const std::string meaning = sides.front().over_speed("line.nc", quantity).meaning;
     append(
         figures_of(sides, {"map-" + quantity, {"map.nc"}, quantity, true, {}, kFigureHeightWithKey},
-                   fmt::format("{}: {}", quantity_html(quantity), html_text(meaning))),
+                   caption_for(quantity) + " and " + html_text(sides.front().at->first)),
         &figures);
   }
   return figures;

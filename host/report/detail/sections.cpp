@@ -97,16 +97,15 @@ void add_name(const Sides& sides, const ReportFindings& findings, HtmlPage* page
 
 void add_worst_speeds(const Sides& sides, HtmlPage* page) {
   page->heading("Worst speeds");
-  const ReportFindings& first = sides.front();
-  page->paragraph(fmt::format("Peaks of the {} over the speed, the largest first{}.",
-                              html_named(quantity_html(first.ranking), first.ranking),
-                              place_html(first)));
   for (const ReportFindings& findings : sides) {
     add_name(sides, findings, page);
+    page->paragraph(fmt::format("Peaks of the {} over the speed, the largest first{}.",
+                                html_named(quantity_html(findings.ranking), findings.ranking),
+                                place_html(findings)));
     page->table(worst_speeds_of(findings));
+    const std::string jump = jump_html(findings);
+    if (!jump.empty()) page->small(jump);
   }
-  const std::string jump = jump_html(sides.front());
-  if (!jump.empty()) page->small(jump);
 }
 
 void add_natural_frequencies(const Sides& sides, HtmlPage* page) {
