@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/detail/raster.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -61,16 +63,13 @@ std::string add_density(const std::vector<double>& x, const std::vector<double>&
     counts.add_line(column(x[i - 1]), row(y[i - 1]), column(x[i]), row(y[i]));
   }
   const double most = *std::ranges::max_element(counts.values());
-  const double dx = 1.0 / static_cast<double>(kColumns), dy = 1.0 / static_cast<double>(kRows);
-  const std::string element = fmt::format(
-      "data binary array=({},{}) skip={} origin=({},{}) dx={} dy={} format='%double' using 1 "
-      "axes x2y2 \\\n     with image notitle",
-      kColumns, kRows, script->data.size(), 0.5 * dx, 0.5 * dy, dx, dy);
+  Raster raster;
+  raster.columns = kColumns;
+  raster.rows = kRows;
   for (const double count : counts.values()) {
-    append_numbers({count > 0.0 ? std::log1p(count) / std::log1p(most) : std::nan("")},
-                   &script->data);
+    raster.values.push_back(count > 0.0 ? std::log1p(count) / std::log1p(most) : std::nan(""));
   }
-  return element;
+  return add_image(raster, "x2y2", script);
 }
 
 }  // namespace gearsweep
