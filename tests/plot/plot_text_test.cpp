@@ -140,6 +140,12 @@ TEST(PlotText, ASymbolStandsOnce) {
   EXPECT_EQ(axis_label(axis), "amplitude of the error {/:Italic e}_{0}");
 }
 
+TEST(PlotText, SeveralContactsAndForcesAreTold) {
+  EXPECT_EQ(quantity_label("second_contact_gap", "1"), "share of time without contact (second)");
+  EXPECT_EQ(quantity_label("dmf2_dynamic_load_factor", "1"), "dynamic load factor (dmf2)");
+  EXPECT_EQ(quantity_label("top_period", "1"), "top period");  // of a section, in its own time
+}
+
 TEST(PlotText, IsHtmlToo) {
   EXPECT_EQ(typeset_html("R_p theta_p < 1"), "<i>R</i><sub>p</sub> <i>θ</i><sub>p</sub> &lt; 1");
   EXPECT_EQ(quantity_html("dmf_max"), "largest meshing force");

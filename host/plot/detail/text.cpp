@@ -95,10 +95,22 @@ std::string words_of(const std::string& name) {
   return literal(words);
 }
 
+// What several contacts or forces have of their own: "share of time without contact (second)" of
+// "second_contact_gap". Empty of other names.
+std::string markup_of_one(const std::string& name) {
+  for (const auto& [known, words] : known_names()) {
+    const bool may_be_several = known.starts_with("contact_") || known == "dynamic_load_factor";
+    if (!may_be_several || !name.ends_with("_" + known)) continue;
+    return fmt::format("{} ({})", words, words_of(name.substr(0, name.size() - known.size() - 1)));
+  }
+  return "";
+}
+
 // Without a unit.
 std::string name_markup(const std::string& name) {
   const auto known = known_names().find(name);
   if (known != known_names().end()) return known->second;
+  if (const std::string own = markup_of_one(name); !own.empty()) return own;
   const std::string symbol = symbol_of(name);
   if (!symbol.empty()) return symbol;
   static const std::map<std::string, std::string> kAverages = {
