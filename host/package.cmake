@@ -32,6 +32,7 @@ maps and basins of a geared rotor-bearing pair with backlash, and of textbook
 oscillators, on any OpenCL device; on CPUs through PoCL.")
 set(CPACK_DEBIAN_TOOL_PACKAGE_DEPENDS ${driver})
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "chromium")
 
 if(GEARSWEEP_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)

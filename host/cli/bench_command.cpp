@@ -174,7 +174,7 @@ int run(const BenchArguments& arguments, SignalWatch* signals) {
   }
   answer("{}", bench_table(machine, *benched));
   for (const BenchedDevice& device : *benched) {
-    for (const Measured& row : device.rows) {
+    for (const BenchmarkRow& row : device.rows) {
       if (row.failed) return kFailed;
     }
   }

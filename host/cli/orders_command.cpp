@@ -31,6 +31,7 @@ struct OrderArguments {
   double orders = 10.0;
   bool is_upright_order = false;
   TableUnits units = TableUnits::model;
+  bool has_units = false;  // they were asked for
   bool quiet = false;
 };
 
@@ -113,6 +114,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   plot.quantity = arguments.is_upright_order ? "order" : "";
   plot.output_path = arguments.picture;
   plot.rays = arguments.rays;
+  plot.style.has_units = arguments.has_units;
   plot.style.is_si = arguments.units == TableUnits::si;
   plot_files(plot);
   if (!arguments.quiet) tell("{}\n", arguments.picture);
@@ -189,7 +191,10 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
   add_set_option(command, &arguments->overrides);
   command->add_flag("--quiet", arguments->quiet, "No summary");
   command->footer(kOrdersFooter);
-  command->callback([arguments, signals, status] { *status = run_orders(*arguments, signals); });
+  command->callback([command, arguments, signals, status] {
+    arguments->has_units = command->count("--units") > 0;
+    *status = run_orders(*arguments, signals);
+  });
 }
 
 }  // namespace gearsweep

@@ -167,7 +167,12 @@ GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
       60.0 * (bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth));
   add_speed(drawing, rpm_per_omega, &target);
 
+  const WorkedOut worked_out = {bodies.mass, bodies.inertia, bases.k0, geometry.centre,
+                                path.contact_ratio()};
+  std::vector<GearDatum> data =
+      data_of(drawing, worked_out, [&](const GearKey& key) { return target.takes(key); });
   GearConversion out = target.take();
+  out.data = std::move(data);
   out.scales = {bases.varpi, bases.b_n, bases.k0, rpm_per_omega};
   out.dynamic_factor = factor;
   out.doubts = doubts_about(drawing, geometry);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gear/datum.hpp"
 #include "gear/drawing.hpp"
 #include "gear/dynamic_factor.hpp"
 #include "gear/scales.hpp"
@@ -38,6 +39,7 @@ struct GearConversion {
   std::vector<GearOption> options;
   Curves curves;
   std::vector<std::string> notes;  // intermediate results, one line each
+  std::vector<GearDatum> data;     // what all numbers of the drawing rest on
   std::vector<GearDoubt> doubts;
   Scales scales;
   std::optional<DynamicFactorInput> dynamic_factor;  // where the drawing has what K_v takes

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,11 @@ class GearDrawing {
   // Of harmonics it is the first.
   void vary(const GearKey& key, double value);
 
+  // What the key has is a guess.
+  void set_estimated(const GearKey& key) { estimated_.insert(key.name); }
+
   const std::string& name() const { return name_; }
+  bool is_estimated(const GearKey& key) const { return estimated_.contains(key.name); }
   bool has(const GearKey& key) const { return entries_.contains(key.name); }
   bool varies(const GearKey& key) const;
   std::optional<double> number(const GearKey& key) const;
@@ -82,6 +87,7 @@ class GearDrawing {
 
   std::string name_;
   std::map<std::string_view, Entry> entries_;
+  std::set<std::string_view> estimated_;
 };
 
 }  // namespace gearsweep

@@ -74,13 +74,13 @@ std::vector<Benchmark> benchmarks_of(const DeviceInfo& device, const BenchmarkSe
   return benchmarks;
 }
 
-std::vector<double> Measured::rates() const {
+std::vector<double> BenchmarkRow::rates() const {
   std::vector<double> rates;
   for (const Repetition& one : repetitions) rates.push_back(one.items / one.seconds);
   return rates;
 }
 
-std::vector<double> Measured::figures(const std::string& figure) const {
+std::vector<double> BenchmarkRow::figures(const std::string& figure) const {
   std::vector<double> values;
   for (const Repetition& one : repetitions) {
     const auto found = one.figures.find(figure);
@@ -89,9 +89,9 @@ std::vector<double> Measured::figures(const std::string& figure) const {
   return values;
 }
 
-Measured carry_out(const Benchmark& benchmark, std::size_t repetitions, double max_seconds,
-                   const std::atomic<bool>& stop) {
-  Measured measured;
+BenchmarkRow carry_out(const Benchmark& benchmark, std::size_t repetitions, double max_seconds,
+                       const std::atomic<bool>& stop) {
+  BenchmarkRow measured;
   measured.name = benchmark.name;
   measured.item = benchmark.item;
   measured.reason = benchmark.obstacle;

@@ -57,7 +57,7 @@ std::vector<Benchmark> benchmarks_of(const DeviceInfo& device, const BenchmarkSe
 std::set<std::size_t> lanes_to_try(const DeviceInfo& device, bool fp64);
 
 // A benchmark that was carried out.
-struct Measured {
+struct BenchmarkRow {
   std::string name;
   Item item;
   std::string build_options;
@@ -72,7 +72,7 @@ struct Measured {
 
 // At most so many repetitions; none begins once they have taken `max_seconds` in all, or after
 // `stop`. A benchmark that fails leaves the reason.
-Measured carry_out(const Benchmark& benchmark, std::size_t repetitions, double max_seconds,
-                   const std::atomic<bool>& stop);
+BenchmarkRow carry_out(const Benchmark& benchmark, std::size_t repetitions, double max_seconds,
+                       const std::atomic<bool>& stop);
 
 }  // namespace gearsweep

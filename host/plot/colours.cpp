@@ -119,18 +119,23 @@ std::pair<std::string, std::string> end_colours(const std::string& name) {
   return {colours.front(), colours.back()};
 }
 
-std::string usual_colormap(const std::string& quantity, double min, double max) {
-  const bool has_both_signs = min < 0.0 && max > 0.0;
-  return quantity.starts_with("lyapunov") && has_both_signs ? "signed" : "viridis";
+bool is_signed(const std::string& quantity) {
+  return quantity.starts_with("lyapunov") && quantity.find("error") == std::string::npos;
+}
+
+std::string usual_colormap(const std::string& quantity) {
+  return is_signed(quantity) ? "signed" : "viridis";
 }
 
 std::vector<ColourAnchor> colour_anchors(const std::string& name, double min, double max) {
   const std::vector<std::string> colours = colours_of(name);
-  const bool has_middle = is_diverging(name) && min < 0.0 && max > 0.0;
+  const bool has_middle = is_diverging(name) && min <= 0.0 && max >= 0.0 && min < max;
   std::vector<ColourAnchor> anchors;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(colours.size() - 1);
     double place = share;
+    const bool is_of_side = share == 0.5 || (share < 0.5 ? min < 0.0 : max > 0.0);
+    if (has_middle && !is_of_side) continue;
     if (has_middle) {
       place = share < 0.5 ? (1.0 - 2.0 * share) * min : (2.0 * share - 1.0) * max;
     }

@@ -28,8 +28,12 @@ bool is_diverging(const std::string& name);
 // The colours of the smallest and of the largest value.
 std::pair<std::string, std::string> end_colours(const std::string& name);
 
-// The map that suits a quantity of this name, with values in this range.
-std::string usual_colormap(const std::string& quantity, double min, double max);
+// Exponents of any kind, whose sign tells chaos.
+bool is_signed(const std::string& quantity);
+
+// The map that suits a quantity of this name: of exponents a diverging one, whatever their signs
+// are, so that a colour means the same in every map of exponents.
+std::string usual_colormap(const std::string& quantity);
 
 // A place on the scale of values, and the colour there; between them colours are mixed. Of a map
 // without a middle the places go from 0 to 1.
@@ -38,8 +42,8 @@ struct ColourAnchor {
   std::string colour;
 };
 
-// A diverging map over min < 0 < max has its middle at zero, and either side has all of its shades,
-// however small, so that weak chaos stands out.
+// A diverging map over min <= 0 <= max has its middle at zero, and either side has all of its
+// shades, however small, so that weak chaos stands out; a side that the range does not have, none.
 std::vector<ColourAnchor> colour_anchors(const std::string& name, double min, double max);
 
 // The anchors as a "set palette" line.

@@ -11,8 +11,12 @@ std::string quantity_mathtext(const std::string& name, const std::string& unit) 
   return mathtext_of(quantity_label(name, unit));
 }
 
+std::string quantity_html(const std::string& name) { return html_of(quantity_label(name, "1")); }
+
 std::string literal_mathtext(std::string_view text) { return mathtext_of(literal(text)); }
 
 std::string typeset_mathtext(std::string_view text) { return mathtext_of(typeset(text)); }
+
+std::string typeset_html(std::string_view text) { return html_of(typeset(text)); }
 
 }  // namespace gearsweep

@@ -1,9 +1,10 @@
-// What axes and quantities are called in pictures, for programs that draw their own with
-// matplotlib: text with symbols between '$' (mathtext).
+// What axes and quantities are called in pictures: for programs that draw their own with matplotlib
+// as text with symbols between '$' (mathtext), for pages as HTML.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "result/result_file.hpp"
 
@@ -16,8 +17,16 @@ std::string axis_mathtext(const ResultAxis& axis);
 // "dmf_max".
 std::string quantity_mathtext(const std::string& name, const std::string& unit);
 
+// The same without its unit.
+std::string quantity_html(const std::string& name);
+
+// A key of a drawing as words and a unit: {"mesh stiffness", "N/m"} of "mesh_stiffness_N_per_m".
+// Text; other names have no unit.
+std::pair<std::string, std::string> words_and_unit(const std::string& key);
+
 // Exactly this text; and the same with its symbols as in print.
 std::string literal_mathtext(std::string_view text);
 std::string typeset_mathtext(std::string_view text);
+std::string typeset_html(std::string_view text);
 
 }  // namespace gearsweep

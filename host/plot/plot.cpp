@@ -16,6 +16,7 @@
 #include "result/order_dataset.hpp"
 #include "result/output_file.hpp"
 #include "result/result_file.hpp"
+#include "result/si_units.hpp"
 #include "result/trace_file.hpp"
 
 namespace gearsweep {
@@ -180,7 +181,12 @@ void ensure_plottable(const std::string& output_path) {
   ensure_gnuplot();
 }
 
-void plot_files(const PlotRequest& request) {
+void plot_files(const PlotRequest& asked) {
+  PlotRequest request = asked;
+  if (!request.style.has_units) {
+    request.style.is_si = std::ranges::all_of(
+        request.paths, [](const std::string& path) { return scales_in(path).known(); });
+  }
   const Page page(request.style, picture_format(request.output_path), usual_width(request));
   const bool keep_script = !request.script_path.empty();
   if (keep_script && !request.script_path.ends_with(kScriptEnding)) {

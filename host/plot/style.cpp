@@ -270,8 +270,12 @@ const std::vector<StyleOption>& style_options() {
       one("band", "yes|no",
           "The band of tolerances around a curve whose study has [uncertain] (default: yes)",
           [](const std::string& text, PlotStyle* style) { style->has_band = is_yes(text); }),
-      one("units", "SI|model", "SI: rpm, N, um where the study has a [gear] table",
-          [](const std::string& text, PlotStyle* style) { style->is_si = is_si(text); })};
+      one("units", "SI|model",
+          "SI: rpm, N, um, ms, which a study with a [gear] table has unless model is given",
+          [](const std::string& text, PlotStyle* style) {
+            style->is_si = is_si(text);
+            style->has_units = true;
+          })};
   return kOptions;
 }
 

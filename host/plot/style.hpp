@@ -39,6 +39,7 @@ struct PlotStyle {
   std::string colormap;  // one of colormap_names(); empty: what suits the map
   bool is_log = false;
   Contours contours;
+  bool has_units = false;  // the next was asked for; otherwise SI where there are scales
   bool is_si = false;
   bool has_band = true;            // of tolerances, where there is one
   std::set<std::string> demanded;  // options of the command line: they must concern the picture

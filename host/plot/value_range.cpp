@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "model/error.hpp"
+#include "plot/colours.hpp"
 
 namespace gearsweep {
 namespace {
@@ -40,6 +41,16 @@ ValueRange above_zero(const ValueRange& range, const std::vector<double>& values
 }
 
 }  // namespace
+
+Beyond beyond(const ValueRange& range, const std::vector<double>& values) {
+  Beyond out;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    out.below = out.below || value < range.min;
+    out.above = out.above || value > range.max;
+  }
+  return out;
+}
 
 ValueRange limited(const ValueRange& range, const Limits& limits, const std::string& option) {
   ValueRange out = range;
@@ -74,6 +85,12 @@ ValueRange colour_range(const std::vector<double>& values) {
     range = {min, max, true};
   }
   return not_empty(range);
+}
+
+ValueRange with_middle(const std::string& colormap, const std::string& quantity,
+                       const ValueRange& range) {
+  if (!is_diverging(colormap) || !is_signed(quantity)) return range;
+  return {std::min(range.min, 0.0), std::max(range.max, 0.0), range.clipped};
 }
 
 ValueRange padded_range(const std::vector<double>& values) {

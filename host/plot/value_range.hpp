@@ -10,8 +10,14 @@ namespace gearsweep {
 
 struct ValueRange {
   double min = 0.0, max = 1.0;
-  bool clipped = false;
+  bool clipped = false;  // outliers were left out
 };
+
+// Whether there are values below a range, and above it.
+struct Beyond {
+  bool below = false, above = false;
+};
+Beyond beyond(const ValueRange& range, const std::vector<double>& values);
 
 // Ends that were asked for in place of the range's own. Throws InputError when nothing is left
 // between them; `option`: its name, for messages.
@@ -25,6 +31,11 @@ ValueRange scale_range(const ValueRange& range, const std::vector<double>& value
 // Never empty. Where a few outliers would take all contrast from the rest, it leaves out one value
 // in a thousand at either end, and is then `clipped`.
 ValueRange colour_range(const std::vector<double>& values);
+
+// The range of signed values reaches to zero, which the middle of a diverging map of colours stands
+// for.
+ValueRange with_middle(const std::string& colormap, const std::string& quantity,
+                       const ValueRange& range);
 
 // The range of all values, with a margin, so that nothing touches the frame.
 ValueRange padded_range(const std::vector<double>& values);

@@ -2,45 +2,88 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "plot/plot.hpp"
+#include "report/detail/highlights.hpp"
+#include "report/detail/page_file.hpp"
 #include "report/detail/sections.hpp"
 
 namespace gearsweep {
+namespace {
 
-void ensure_report(const Study& study, const std::string& path) {
-  if (path.ends_with(".pdf")) {
-    throw InputError(fmt::format(
-        "'{}': a report is a page of HTML; give -o {}html, and print that to PDF in a browser",
-        path, path.substr(0, path.size() - 3)));
-  }
-  if (!path.ends_with(".html")) {
-    throw InputError(
-        fmt::format("cannot write a report to '{}': its name must end in .html", path));
-  }
-  ensure_writable(path);
-  find_speed_axis(study);
-  ensure_plottable(path.substr(0, path.size() - 4) + "svg");
+std::string title_of(const Study& study) {
+  return study.title.empty() ? "Report on " + study.model->name : study.title;
 }
 
-bool write_report(const Study& study, const std::string& path, const ReportOptions& options) {
-  ensure_report(study, path);
-  const std::optional<ReportFindings> findings = find_for_report(study, options);
-  if (!findings) return false;
+std::string title_of(const ReportStudies& studies) {
+  const std::string first = title_of(studies.front().study);
+  if (studies.size() == 1) return first;
+  const std::string second = title_of(studies.back().study);
+  const std::string names = fmt::format("{} against {}", studies.front().name, studies.back().name);
+  return first == second ? fmt::format("{}: {}", first, names) : names;
+}
+
+// Nothing when stopped.
+std::optional<ReportFindings> find_side(const ReportStudies& studies, std::size_t index,
+                                        ReportOptions options) {
+  const std::string name = studies.size() > 1 ? studies[index].name : "";
+  if (options.on_step && !name.empty()) {
+    options.on_step = [inner = options.on_step, name](const std::string& step) {
+      inner(fmt::format("{}: {}", name, step));
+    };
+  }
+  std::optional<ReportFindings> findings = find_for_report(studies[index].study, options);
+  if (findings) findings->name = name;
+  return findings;
+}
+
+void add_answers(const Sides& sides, HtmlPage* page) {
+  for (const ReportFindings& findings : sides) {
+    const std::string answer = answer_html(findings);
+    page->answer(
+        findings.name.empty() ? answer : fmt::format("{}: {}", html_text(findings.name), answer),
+        remarks_html(findings));
+  }
+}
+
+}  // namespace
+
+void ensure_report(const ReportStudies& studies, const std::string& path) {
+  ensure_page_file(path);
+  for (const ReportStudy& one : studies) find_speed_axis(one.study);
+  if (studies.front().study.scales.known() != studies.back().study.scales.known()) {
+    throw InputError(fmt::format(
+        "'{}' and '{}' cannot be compared: one has a [gear] table, so rpm and N, and the other has "
+        "none",
+        studies.front().name, studies.back().name));
+  }
+  ensure_plottable(path.substr(0, path.rfind('.')) + ".svg");
+}
+
+bool write_report(const ReportStudies& studies, const std::string& path,
+                  const ReportOptions& options) {
+  ensure_report(studies, path);
+  Sides sides;
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    std::optional<ReportFindings> findings = find_side(studies, i, options);
+    if (!findings) return false;
+    sides.push_back(*std::move(findings));
+  }
   if (options.on_step) options.on_step("pictures");
-  HtmlPage page(study.title.empty() ? "Report on " + study.model->name : study.title);
-  add_data(*findings, &page);
-  add_natural_frequencies(*findings, &page);
-  add_forces(*findings, &page);
-  add_worst_speeds(*findings, &page);
-  add_tolerances(*findings, &page);
-  add_order_map(*findings, &page);
-  add_directions(*findings, &page);
-  add_assumptions(*findings, &page);
-  page.paragraph(fmt::format("<span class=\"small\">gearsweep {}: <code>{}</code></span>",
-                             html_text(version()), html_text(options.command_line)));
-  write_file(path, page.text());
+  HtmlPage page(title_of(studies));
+  add_answers(sides, &page);
+  add_differences(sides, &page);
+  add_worst_speeds(sides, &page);
+  add_natural_frequencies(sides, &page);
+  add_pictures(sides, &page);
+  add_tolerances(sides, &page);
+  add_assumptions(sides, &page);
+  page.small(fmt::format("gearsweep {}: <code>{}</code>", html_text(version()),
+                         html_text(options.command_line)));
+  write_page(page, path);
   return true;
 }
 

@@ -55,6 +55,10 @@ Scales read_scales(const NetcdfFile& file) {
   });
 }
 
+Scales scales_in(const std::string& path) {
+  return is_netcdf(path) ? read_scales(NetcdfFile::open(path)) : Scales{};
+}
+
 void ensure_scales(const Scales& scales, const std::string& path) {
   if (scales.known()) return;
   throw InputError(

@@ -28,6 +28,8 @@ SiUnit shown_unit(const std::string& unit, const Scales& scales);
 // attribute of this name, if it is one number.
 Scales scales_of(const std::function<std::optional<double>(const std::string& name)>& number);
 Scales read_scales(const NetcdfFile& file);
+// Of a file of results, traces or orders; unknown of any other.
+Scales scales_in(const std::string& path);
 
 // Throws InputError when the scales are not known; `path`: of the file, for messages.
 void ensure_scales(const Scales& scales, const std::string& path);

@@ -1,12 +1,14 @@
 #include "study/gear_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "gear/drawing_keys.hpp"
 #include "study/draft.hpp"
@@ -98,6 +100,18 @@ std::string line_of(const GearKey& key, const GearTextKeys& given) {
   return comment(text) + fmt::format("{} = {}\n", key.name, found->second.value);
 }
 
+// A body is what masses are estimated by.
+std::string estimates_of(const GearTextKeys& given) {
+  std::vector<std::string> names;
+  for (const GearKey& key : kGearKeys) {
+    const auto found = given.find(key.name);
+    const bool is_guess = found != given.end() && found->second.origin.starts_with("ESTIMATE");
+    if (is_guess && key.name != kBody.name) names.push_back(fmt::format("  \"{}\"", key.name));
+  }
+  return comment("what is estimated, for reports: take out what you put your number at") +
+         fmt::format("estimated = [\n{},\n]\n", fmt::join(names, ",\n"));
+}
+
 // Each line by itself.
 std::string comments(std::string_view lines) {
   std::string text;
@@ -116,6 +130,7 @@ std::string gear_text(GearText text, const std::string& source) {
   const std::string model = "[model]\nname = \"gear5\"\nbacklash = \"dynamic\"\n";
   std::string drawing = "[gear]\n";
   for (const GearKey& key : kGearKeys) drawing += line_of(key, text.keys);
+  drawing += estimates_of(text.keys);
   const Study draft = read_draft(model + drawing, source);
   const double resonance = 1.5 * draft.scales.rpm_per_omega;
   const double fast = kFastest / (std::numbers::pi * text.module_mm * 1e-3 * text.teeth[0]) * 60.0;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gear/datum.hpp"
 #include "gear/dynamic_factor.hpp"
 #include "gear/scales.hpp"
 #include "model/model.hpp"
@@ -129,6 +130,7 @@ struct Study {
       parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
   std::vector<std::string> option_origins;
   std::vector<std::string> gear_notes;               // how each number of a [gear] table came about
+  std::vector<GearDatum> gear_data;                  // and what its numbers rest on
   Scales scales;                                     // of a study with a [gear] table
   std::optional<DynamicFactorInput> dynamic_factor;  // of a [gear] table with what K_v takes
   std::vector<Axis> axes;                            // one or two; the first is x, the fastest

@@ -132,6 +132,8 @@ StudyTable gear_table() {
                           std::string(key.fallback), sentence(key.meaning), key.min, key.max,
                           split_words(std::string(key.choices))});
   }
+  table.keys.push_back({"estimated", "list of strings", "",
+                        "Those of the keys above whose values are guesses: a report says so."});
   table.keys.push_back({"tables", "table", "",
                         "The numbers of these files, by their names, where a result holds the "
                         "study."});

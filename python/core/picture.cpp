@@ -8,6 +8,7 @@
 
 #include "core/parts.hpp"
 #include "model/names.hpp"
+#include "orders/spectrum.hpp"
 #include "plot/band.hpp"
 #include "plot/classes.hpp"
 #include "plot/colours.hpp"
@@ -100,11 +101,25 @@ py::tuple as_tuple(const ValueRange& range) {
   return py::make_tuple(range.min, range.max, range.clipped);
 }
 
-// Ends that are not given follow the values.
+// Ends that are not given follow the values. Also whether there are values below, and above.
 py::tuple colour_range_of(const Numbers& values, const std::optional<double>& min,
-                          const std::optional<double>& max, bool is_log) {
+                          const std::optional<double>& max, bool is_log,
+                          const std::string& colormap, const std::string& quantity) {
   const std::vector<double> all = vector_of(values);
-  return as_tuple(scale_range(colour_range(all), all, {min, max}, is_log, "range"));
+  const ValueRange own =
+      is_log ? colour_range(all) : with_middle(colormap, quantity, colour_range(all));
+  const ValueRange range = scale_range(own, all, {min, max}, is_log, "range");
+  const Beyond out = beyond(range, all);
+  return py::make_tuple(range.min, range.max, range.clipped, static_cast<int>(out.below),
+                        static_cast<int>(out.above));
+}
+
+// (orders between bins, amplitudes) of evenly spaced samples over so many whole periods.
+py::tuple spectrum_of(const Numbers& samples, std::size_t periods) {
+  const Spectrum spectrum = amplitude_spectrum(vector_of(samples), periods);
+  return py::make_tuple(spectrum.order_step,
+                        py::array_t<double>(static_cast<py::ssize_t>(spectrum.amplitude.size()),
+                                            spectrum.amplitude.data()));
 }
 
 std::string axis_label_of(const std::string& name, const std::string& unit,
@@ -127,6 +142,7 @@ void add_picture(py::module_* module) {
   module->def("usual_colormap", &usual_colormap);
   module->def("colour_anchors", anchors_of);
   module->def("colour_range", colour_range_of);
+  module->def("amplitude_spectrum", spectrum_of);
   module->def("padded_range",
               [](const Numbers& values) { return as_tuple(padded_range(vector_of(values))); });
   module->def("suggest_name", [](const std::string& name, const std::vector<std::string>& known) {

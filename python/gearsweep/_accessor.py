@@ -98,6 +98,9 @@ class Gear:
             A map of the result; ``"poincare:v1"`` is one of its states, ``"lyapunov_spectrum:1"``
             one of its numbers. Without one the samples over one axis, else the first map. Of an
             order map what stands upright: ``"frequency"``, as without one, or ``"order"``.
+            Of traces the kind of picture, and after a colon what of: ``"time:dmf"``, ``"phase"``,
+            ``"section"``, ``"spectrum:x1"`` or ``"force"``; ``"time"`` without one. Time is in
+            periods, and in ms of a Dataset in SI: ``trace.gear.si().gear.plot("force")``.
         over : str, optional
             Of a list of points: the column along the horizontal axis, in place of the number.
         ax : Axes, optional
@@ -125,7 +128,10 @@ class Gear:
         """
         from gearsweep._order_plot import plot_orders, is_order_map
         from gearsweep._plot import draw
+        from gearsweep._trace_plot import is_traces, plot_traces
 
+        if is_traces(self._maps):
+            return plot_traces(self._maps, quantity, ax=ax, limits=range, title=title)
         if is_order_map(self._maps):
             return plot_orders(
                 self._maps, quantity, ax=ax, colormap=colormap, limits=range, title=title

@@ -32,7 +32,7 @@ def plot_heat_map(
     from matplotlib import colors
 
     classes = classes_of(maps, shown)
-    clipped = False
+    clipped, extend = False, "neither"
     if classes is not None:
         indices, names, colours = classes
         values = indices.reshape(shown.values.shape)
@@ -40,8 +40,11 @@ def plot_heat_map(
         norm: Any = colors.BoundaryNorm(numpy.arange(len(names) + 1) - 0.5, len(names))
     else:
         values = shown.values
-        least, most, clipped = _core.colour_range(values.ravel(), *limits, is_log)
-        chosen = colormap or _core.usual_colormap(shown.name, least, most)
+        chosen = colormap or _core.usual_colormap(shown.name)
+        least, most, clipped, below, above = _core.colour_range(
+            values.ravel(), *limits, is_log, chosen, shown.name
+        )
+        extend = {(1, 1): "both", (1, 0): "min", (0, 1): "max", (0, 0): "neither"}[below, above]
         palette = palette_of(chosen, least, most)
         norm = colors.LogNorm(least, most) if is_log else colors.Normalize(least, most)
     palette.set_bad(_core.MISSING_COLOUR if classes is None else _core.MISSING_CLASS_COLOUR)
@@ -59,7 +62,7 @@ def plot_heat_map(
     if classes is not None and len(names) <= _FEW_CLASSES and max(map(len, names)) > _LONG_NAME:
         key = [box(*one) for one in zip(colours, names, strict=True)]
     else:
-        bar = ax.figure.colorbar(mesh, ax=ax, extend="both" if clipped else "neither", pad=0.02)
+        bar = ax.figure.colorbar(mesh, ax=ax, extend=extend, pad=0.02)
         bar.set_label(_core.quantity_label(shown.name, shown.unit))
         if classes is not None:
             bar.set_ticks(numpy.arange(len(names)), labels=list(map(_core.literal_label, names)))

@@ -289,7 +289,7 @@ def test_points_of_a_list_are_dots_over_a_column():
 def test_what_is_no_map_says_how_it_is_drawn(gear):
     place = {name: float(gear[name][0]) for name in gear.status.dims}
     trace = gearsweep.trace(gear, record=2, **place)
-    assert "this is a trace" in refusal(lambda: trace.gear.plot("x1"))
+    assert "as in 'spectrum:dmf'" in refusal(lambda: trace.gear.plot("x1"))
     assert "maps.gear.at" in refusal(lambda: gear.gear.si().gear.at(**place))
 
 

@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         OrdersMistake{"orders study.toml -o o.csv --units SI", "no [gear] table"},
         OrdersMistake{"orders study.toml --plot o.gif", "must end in .png"},
         OrdersMistake{"orders study.toml -o o.nc --orders 300", "give 1200 samples per period"},
-        OrdersMistake{"report study.toml -o r.pdf", "-o r.html"},
+        OrdersMistake{"report study.toml -o r.txt", ".html or .pdf"},
         OrdersMistake{"report study.toml -o r.html --set axes.omega.name=b", "name = \"omega\""},
         OrdersMistake{"report study.toml -o /nowhere/r.html", "/nowhere/r.html"}));
 

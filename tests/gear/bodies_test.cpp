@@ -87,5 +87,32 @@ TEST(MissingKeys, AreToldAtOnceWithWhereToGetThem) {
               HasSubstr("[gear] needs 'torque_N_m' (torque on the pinion): 9549 times"));
 }
 
+const GearDatum& datum_of(const GearConversion& gear, const GearKey& key) {
+  return *std::ranges::find(gear.data, key.name, &GearDatum::key);
+}
+
+TEST(GearData, SayWhatWasGivenAndWhatWasNot) {
+  const GearConversion gear = convert(unequal_pair());
+  EXPECT_EQ(datum_of(gear, kMass).value, "0.9, 3.2");
+  EXPECT_EQ(datum_of(gear, kMass).origin, DatumOrigin::given);
+  EXPECT_EQ(datum_of(gear, kPressureAngle).value, "20");
+  EXPECT_EQ(datum_of(gear, kPressureAngle).origin, DatumOrigin::by_default);
+  EXPECT_EQ(datum_of(gear, kCentreDistance).value, "120");  // 4 mm (20 + 40)/2
+  EXPECT_EQ(datum_of(gear, kCentreDistance).origin, DatumOrigin::by_default);
+}
+
+// A ratio stands for what nobody measured; k0 by the standard does, too.
+TEST(GearData, CallAnEstimateOne) {
+  const Table table = with(
+      with(without(without(unequal_pair(), kMeshDamping), kMeshStiffness), kDampingRatio, {0.07}),
+      kFaceWidth, {20});
+  const GearConversion gear = convert(table);
+  EXPECT_EQ(datum_of(gear, kDampingRatio).origin, DatumOrigin::estimated);
+  EXPECT_EQ(datum_of(gear, kMeshStiffness).origin, DatumOrigin::estimated);
+  EXPECT_NEAR(std::stod(datum_of(gear, kMeshStiffness).value), gear.scales.k0,
+              1e-5 * gear.scales.k0);  // six digits
+  EXPECT_EQ(datum_of(gear, kFaceWidth).origin, DatumOrigin::given);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

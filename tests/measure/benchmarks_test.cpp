@@ -72,7 +72,7 @@ TEST(Benchmarks, WithoutFp64AreSkippedWithTheReason) {
     const bool needs_fp64 = one.name.find("fp64") != std::string::npos;
     EXPECT_EQ(one.obstacle, needs_fp64 ? "the device has no fp64" : "") << one.name;
     if (!needs_fp64) continue;
-    const Measured measured = carry_out(one, 3, kNoLimit, stop);
+    const BenchmarkRow measured = carry_out(one, 3, kNoLimit, stop);
     EXPECT_EQ(measured.reason, one.obstacle);
     EXPECT_FALSE(measured.failed);
     EXPECT_THAT(measured.repetitions, IsEmpty());
@@ -88,7 +88,7 @@ TEST(Benchmarks, TryLanesAroundThoseThatSuit) {
 TEST(CarryOut, PreparesOnceAndRepeats) {
   const std::atomic<bool> stop = false;
   int prepared = 0, repeated = 0;
-  const Measured measured = carry_out(counting(&prepared, &repeated), 3, kNoLimit, stop);
+  const BenchmarkRow measured = carry_out(counting(&prepared, &repeated), 3, kNoLimit, stop);
   EXPECT_EQ(prepared, 1);
   EXPECT_EQ(measured.build_options, "-DOPTION");
   EXPECT_THAT(measured.rates(), ElementsAre(100.0, 200.0, 300.0));
@@ -110,7 +110,7 @@ TEST(CarryOut, AFailureLeavesItsReason) {
   const std::atomic<bool> stop = false;
   const Benchmark fails = {
       "some/thing", {}, "", []() -> PreparedBenchmark { throw RunError("no luck"); }};
-  const Measured measured = carry_out(fails, 3, kNoLimit, stop);
+  const BenchmarkRow measured = carry_out(fails, 3, kNoLimit, stop);
   EXPECT_TRUE(measured.failed);
   EXPECT_EQ(measured.reason, "no luck");
 }
@@ -122,7 +122,7 @@ TEST(Benchmarks, OfKernelsWork) {
   const std::size_t number = default_device(devices);
   for (const Benchmark& one : benchmarks_of(devices[number], {number, 1e-6, "", &stop})) {
     if (one.name != "fma/fp32" && one.name != "settle/fp32") continue;
-    const Measured measured = carry_out(one, 2, kNoLimit, stop);
+    const BenchmarkRow measured = carry_out(one, 2, kNoLimit, stop);
     EXPECT_EQ(measured.reason, "") << one.name;
     ASSERT_EQ(measured.repetitions.size(), 2U) << one.name;
     for (const double rate : measured.rates()) EXPECT_GT(rate, 0.0) << one.name;

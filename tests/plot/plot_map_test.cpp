@@ -55,20 +55,38 @@ TEST_F(PlotMapTest, NoMapAndNoColourBarIsMadeOfShapes) {
       const std::string picture = in_folder("picture.svg");
       plot_files({.paths = {write(result)}, .quantity = quantity, .output_path = picture});
       const std::string svg = content(picture);
-      EXPECT_EQ(count_of("<image", svg), 2U) << quantity;
-      // The ground of what diverged and its box in the key.
-      EXPECT_LE(count_of("<polygon", svg), 2U) << quantity;
+      // The map, and the bar where its classes do not stand in the key.
+      const bool has_bar = std::string(quantity) == "x1_rms";
+      EXPECT_EQ(count_of("<image", svg), has_bar ? 2U : 1U) << quantity;
+      // The ground of what diverged, and boxes in the key: of that, and of the classes.
+      EXPECT_LE(count_of("<polygon", svg), has_bar ? 2U : 5U) << quantity;
     }
   }
 }
 
-TEST_F(PlotMapTest, ClassesHaveNamesAtTheColourBar) {
+// Long names stand below the map, which then fills the page to its right end.
+TEST_F(PlotMapTest, ClassesHaveNamesBelowTheMap) {
   const std::string path = write(example_result());
-  // Classes that do not occur take no room.
-  EXPECT_THAT(script_of({.paths = {path}, .quantity = "contact_class"}),
-              AllOf(HasSubstr("(\"no impact\" 0, \"single sided\" 1, \"double sided\" 2)"),
-                    Not(HasSubstr("\"wedged\""))));
+  // Classes that do not occur take no room and are not explained.
+  PlotRequest request = {.paths = {path}, .quantity = "contact_class"};
+  EXPECT_THAT(script_of(request),
+              AllOf(HasSubstr("set label \"no impact\""), HasSubstr("set label \"single sided\""),
+                    HasSubstr("set label \"double sided\""), HasSubstr("which flanks take part"),
+                    Not(HasSubstr("wedged"))));
+  request.style.size.width = 85.0;
+  const std::string script = script_of(request);
+  const std::size_t right = script.find("set rmargin at screen ");
+  ASSERT_NE(right, std::string::npos);
+  EXPECT_GT(std::stod(script.substr(right + 22)), 0.95);
   EXPECT_THAT(script_of({.paths = {path}, .quantity = "status"}), HasSubstr("\"diverged\" 1"));
+}
+
+// With that class its explanation is there.
+TEST_F(PlotMapTest, AClassThatIsShownIsExplained) {
+  SweepResult result = example_result();
+  result.values[1][0] = 3.0;
+  EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "contact_class"}),
+              HasSubstr("wedged: b"));
 }
 
 TEST_F(PlotMapTest, AMapWithoutAnyValueIsDrawnGrey) {
@@ -95,8 +113,10 @@ TEST_F(PlotMapTest, AnExponentOfBothSignsIsWhiteAtZero) {
   const std::string script = script_of({.paths = {path}, .quantity = "lyapunov_spectrum:4"});
   EXPECT_THAT(script, AllOf(HasSubstr("0 '#ffffff'"), HasSubstr("set cbrange [-0.1"),
                             HasSubstr("\"Lyapunov exponents 4 (1/{/:Italic τ})\"")));
-  EXPECT_THAT(script_of({.paths = {path}, .quantity = "lyapunov_spectrum:9"}),
-              Not(HasSubstr("#ffffff")));
+  // The same blue as beside exponents above zero, which it reaches to.
+  const std::string negative = script_of({.paths = {path}, .quantity = "lyapunov_spectrum:9"});
+  EXPECT_THAT(negative, AllOf(HasSubstr("0 '#ffffff')"), HasSubstr(":0]"), HasSubstr("#0b2f66"),
+                              Not(HasSubstr("#6b1d08"))));
   EXPECT_THAT(script_of({.paths = {path}, .quantity = "lyapunov_spectrum"}),
               HasSubstr("Lyapunov exponents 1"));
 }
@@ -115,6 +135,43 @@ TEST_F(PlotMapTest, ABarWithPointedEndsLeavesValuesOut) {
   result.values[0][7] = 1e6;
   EXPECT_THAT(script_of({.paths = {write(result)}, .quantity = "x1_rms"}),
               AllOf(HasSubstr("set object polygon"), HasSubstr("99.8 %")));
+}
+
+// An end is pointed where there is more, whoever chose it.
+TEST_F(PlotMapTest, ARangeThatWasAskedForShowsWhatItLeavesOut) {
+  PlotRequest request = {.paths = {write(example_result())}, .quantity = "x1_rms"};  // 0.1 to 23.1
+  request.style.range = {0.0, 20.0};
+  EXPECT_EQ(count_of("set object polygon", script_of(request)), 1U);
+  request.style.range = {5.0, 20.0};
+  EXPECT_EQ(count_of("set object polygon", script_of(request)), 2U);
+  request.style.range = {0.0, 30.0};
+  EXPECT_EQ(count_of("set object polygon", script_of(request)), 0U);
+}
+
+TEST_F(PlotMapTest, ContoursAreSeenOnAnyColourAndSayTheirLevel) {
+  PlotRequest request = {.paths = {write(example_result(30, 30))}, .quantity = "x1_rms"};
+  request.style.contours.levels = {50.0, 150.0};
+  EXPECT_THAT(script_of(request),
+              AllOf(HasSubstr("vectors nohead linewidth 3 linecolor rgb '#ffffff'"),
+                    HasSubstr("linecolor rgb '#000000'"), HasSubstr("set label \"{/*0.85 50}\""),
+                    HasSubstr("set label \"{/*0.85 150}\""), HasSubstr("boxed")));
+}
+
+SweepResult result_with_scales() {
+  SweepResult result = example_result();
+  // varpi = 1e4 rad/s, b_n = 50 um, k0 = 2e8 N/m, 3000 rpm for each unit of omega.
+  result.study.scales = {1e4, 5e-5, 2e8, 3000.0};
+  return result;
+}
+
+TEST_F(PlotMapTest, AGearIsInItsUnitsUnlessOthersAreAskedFor) {
+  PlotRequest request = {.paths = {write(result_with_scales())}, .quantity = "x1_rms"};
+  EXPECT_THAT(script_of(request), AllOf(HasSubstr("(rpm)"), HasSubstr("(µm)")));
+  request.style.has_units = true;
+  EXPECT_THAT(script_of(request), AllOf(Not(HasSubstr("rpm")), Not(HasSubstr("(µm)"))));
+  // One without scales beside it: both are in the model's.
+  EXPECT_THAT(script_of({.paths = {write(example_result(), "other.nc")}, .quantity = "x1_rms"}),
+              Not(HasSubstr("rpm")));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(PlotOrdersTest, OtherFilesAndOptionsAreRefused) {
   asked.at = {{"omega", 0.5}};
   EXPECT_THAT(refusal([&] { drawn(asked); }), HasSubstr("gearsweep orders"));
   asked = request();
-  asked.style.is_si = true;
+  asked.style.has_units = asked.style.is_si = true;
   EXPECT_THAT(refusal([&] { drawn(asked); }), HasSubstr("[gear]"));
   EXPECT_THAT(refusal([&] {
                 drawn({.paths = {write(gearsweep::testing::example_result())}, .rays = "1"});

@@ -125,5 +125,31 @@ TEST(PlotText, SymbolsAreBetweenDollarsInMathtext) {
   EXPECT_EQ(mathtext_of("{/:Italic x}_{1"), "$x$$_{\\mathrm{1}}$");
 }
 
+TEST(PlotText, PlacesAreInWords) {
+  EXPECT_EQ(settings_label("pinion_speed_rpm=6000"), "pinion speed = 6000 rpm");
+  EXPECT_EQ(settings_label("omega=0.7"), "{/:Italic ω} = 0.7");
+  EXPECT_THAT(words_and_unit("mesh_stiffness_N_per_m"), ::testing::Pair("mesh stiffness", "N/m"));
+}
+
+// A parameter of a list does not have its name twice.
+TEST(PlotText, ASymbolStandsOnce) {
+  ResultAxis axis;
+  axis.name = "e0";
+  axis.meaning = "amplitude of the error (e0)";
+  axis.unit = "1";
+  EXPECT_EQ(axis_label(axis), "amplitude of the error {/:Italic e}_{0}");
+}
+
+TEST(PlotText, SeveralContactsAndForcesAreTold) {
+  EXPECT_EQ(quantity_label("second_contact_gap", "1"), "share of time without contact (second)");
+  EXPECT_EQ(quantity_label("dmf2_dynamic_load_factor", "1"), "dynamic load factor (dmf2)");
+  EXPECT_EQ(quantity_label("top_period", "1"), "top period");  // of a section, in its own time
+}
+
+TEST(PlotText, IsHtmlToo) {
+  EXPECT_EQ(typeset_html("R_p theta_p < 1"), "<i>R</i><sub>p</sub> <i>θ</i><sub>p</sub> &lt; 1");
+  EXPECT_EQ(quantity_html("dmf_max"), "largest meshing force");
+}
+
 }  // namespace
 }  // namespace gearsweep

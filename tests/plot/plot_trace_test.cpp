@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "plot/picture_test.hpp"
 #include "result/example_trace.hpp"
@@ -190,6 +191,52 @@ std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
   return found;
+}
+
+// varpi = 1e4 rad/s: a period of 2.5 in the model's time takes 0.25 ms.
+TEST_F(PlotTraceTest, OfAGearWithScalesTimeIsInMilliseconds) {
+  study_.scales = {1e4, 5e-5, 2e8, 3000.0};
+  const std::string path = write_one(4);
+  EXPECT_THAT(script_of({path}, "time:dmf"), AllOf(HasSubstr("time (ms)"), HasSubstr("(N)")));
+  const double last = data()[data().size() - 2];
+  EXPECT_DOUBLE_EQ(last, 0.25 * (4.0 - 1.0 / 16.0));  // the last of 16 moments of the fourth period
+  PlotRequest model = request({path}, "time:dmf");
+  model.style.has_units = true;
+  EXPECT_THAT(script_of(model), HasSubstr("time (mesh periods)"));
+}
+
+// So many turns over one another are a density, fewer are lines.
+TEST_F(PlotTraceTest, APhasePortraitOfManyPeriodsIsADensity) {
+  EXPECT_THAT(
+      script_of({write_one(300)}, "phase"),
+      AllOf(HasSubstr("with image"), HasSubstr("more often there"), Not(HasSubstr("with lines"))));
+  std::size_t seen = 0;
+  for (const double shade : data()) {
+    if (std::isnan(shade)) continue;
+    ++seen;
+    EXPECT_GT(shade, 0.0);
+    EXPECT_LE(shade, 1.0);
+  }
+  EXPECT_GT(seen, 100U);
+  EXPECT_THAT(script_of({write_one(100)}, "phase"), HasSubstr("with lines"));
+}
+
+// A column of the width of a page's has its four panels below one another.
+TEST_F(PlotTraceTest, ANarrowPortraitHasOneColumn) {
+  PlotRequest narrow = request({write_one()}, "portrait");
+  narrow.style.size.width = 85.0;
+  const std::string script = script_of(narrow);
+  const auto frames = [&] {
+    std::set<std::string> lefts;
+    for (std::size_t at = 0; (at = script.find("set lmargin at screen ", at)) != std::string::npos;
+         ++at) {
+      lefts.insert(script.substr(at, script.find('\n', at) - at));
+    }
+    return lefts.size();
+  };
+  EXPECT_EQ(frames(), 1U);
+  narrow.style.size.height = 40.0;
+  EXPECT_THAT(refusal([&] { plot_files(narrow); }), HasSubstr("no room for the picture"));
 }
 
 TEST_F(PlotTraceTest, APortraitHasHistoryPhaseForceAndSpectrum) {

@@ -1,8 +1,11 @@
 // The study of a new gear pair runs, and says what is guessed.
 #include "study/new_gear.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "gear/drawing_keys.hpp"
 #include "model/error.hpp"
@@ -34,6 +37,28 @@ TEST(NewGear, MarksOnlyWhatNobodyGave) {
   EXPECT_THAT(text, AllOf(HasSubstr("\nface_width_mm = 30\n"), HasSubstr("\ntorque_N_m = 80\n"),
                           HasSubstr("\nhelix_angle_deg = 12\n"), Not(HasSubstr("100 N for each"))));
   EXPECT_GT(read_study(text, "new.toml").scales.varpi, 0.0);
+}
+
+// What is marked in words is marked for reports, too.
+TEST(NewGear, SaysToReportsWhatIsGuessed) {
+  const Study study = read_study(new_gear_study({{19, 61}, 2.5, {}, 80.0, {}}), "new.toml");
+  const auto origin = [&](const GearKey& key) {
+    return std::ranges::find(study.gear_data, key.name, &GearDatum::key)->origin;
+  };
+  EXPECT_EQ(origin(kFaceWidth), DatumOrigin::estimated);
+  EXPECT_EQ(origin(kHalfBacklash), DatumOrigin::estimated);
+  EXPECT_EQ(origin(kMass), DatumOrigin::estimated);
+  EXPECT_EQ(origin(kTorque), DatumOrigin::given);
+  EXPECT_EQ(origin(kModule), DatumOrigin::given);
+}
+
+TEST(NewGear, ListsOnlyKeysAsGuesses) {
+  const std::string text = new_gear_study({{19, 61}, 2.5, {}, {}, {}});
+  for (const char* wrong : {"'torque'", "'mass_kg'", "3"}) {
+    EXPECT_THAT([&] { read_study(text, "s", {fmt::format("gear.estimated=[{}]", wrong)}); },
+                ::testing::ThrowsMessage<InputError>(HasSubstr("keys that the table has")))
+        << wrong;
+  }
 }
 
 // Pairs of all sizes, from watches to mills, are without doubts.

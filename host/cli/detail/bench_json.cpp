@@ -16,7 +16,7 @@ struct Times {
   std::vector<double> real, cpu, rates;
 };
 
-Times times_of(const Measured& row) {
+Times times_of(const BenchmarkRow& row) {
   Times times{{}, {}, row.rates()};
   for (const Repetition& one : row.repetitions) {
     const double per_iteration = row.item.per_iteration / one.items;
@@ -27,7 +27,7 @@ Times times_of(const Measured& row) {
 }
 
 // What all entries of a benchmark have.
-nlohmann::json entry_of(const Measured& row, const std::string& name, std::size_t family) {
+nlohmann::json entry_of(const BenchmarkRow& row, const std::string& name, std::size_t family) {
   nlohmann::json entry = {{"name", name},
                           {"run_name", name},
                           {"family_index", family},
@@ -48,7 +48,7 @@ void set_times(double real, double cpu, double rate, nlohmann::json* entry) {
   (*entry)["items_per_second"] = rate;
 }
 
-void add_repetitions(const Measured& row, const nlohmann::json& common, nlohmann::json* list) {
+void add_repetitions(const BenchmarkRow& row, const nlohmann::json& common, nlohmann::json* list) {
   const Times times = times_of(row);
   for (std::size_t i = 0; i < row.repetitions.size(); ++i) {
     nlohmann::json entry = common;
@@ -63,7 +63,7 @@ void add_repetitions(const Measured& row, const nlohmann::json& common, nlohmann
 }
 
 // Mean, median, standard deviation, and the latter over the mean, as the library adds them.
-void add_aggregates(const Measured& row, const nlohmann::json& common, nlohmann::json* list) {
+void add_aggregates(const BenchmarkRow& row, const nlohmann::json& common, nlohmann::json* list) {
   using Aggregate = std::function<double(const std::vector<double>&)>;
   const auto add = [&](const std::string& name, const std::string& unit, double factor,
                        const Aggregate& of) {
@@ -90,7 +90,7 @@ void add_aggregates(const Measured& row, const nlohmann::json& common, nlohmann:
   add("cv", "percentage", 1.0, relative);
 }
 
-void add_row(const Measured& row, const std::string& name, std::size_t family,
+void add_row(const BenchmarkRow& row, const std::string& name, std::size_t family,
              nlohmann::json* list) {
   nlohmann::json common = entry_of(row, name, family);
   if (row.repetitions.empty()) {
@@ -144,7 +144,7 @@ nlohmann::json bench_json(const Machine& machine, const std::vector<BenchedDevic
   nlohmann::json list = nlohmann::json::array();
   std::size_t family = 0;
   for (const BenchedDevice& device : devices) {
-    for (const Measured& row : device.rows) {
+    for (const BenchmarkRow& row : device.rows) {
       const std::string name =
           devices.size() > 1 ? fmt::format("device:{}/{}", device.number, row.name) : row.name;
       add_row(row, name, family++, &list);

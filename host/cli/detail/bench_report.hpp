@@ -14,7 +14,7 @@ namespace gearsweep {
 struct BenchedDevice {
   std::size_t number = 0;  // of list_devices()
   DeviceInfo info;
-  std::vector<Measured> rows;
+  std::vector<BenchmarkRow> rows;
 };
 
 // A row for each benchmark; the devices side by side, what they are above, how their kernels were

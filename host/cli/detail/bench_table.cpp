@@ -36,19 +36,19 @@ std::string rate_of(double value, const std::string& unit) {
 }
 
 // What is said of a benchmark: its rate, or the time of a start.
-std::string median_of(const Measured& row) {
+std::string median_of(const BenchmarkRow& row) {
   const double rate = median(row.rates());
   if (row.item.name == "start") return fmt::format("{} s", three_digits(1.0 / rate));
   return rate_of(rate, row.item.unit);
 }
 
-std::string spread_of(const Measured& row) {
+std::string spread_of(const BenchmarkRow& row) {
   if (row.repetitions.size() < 2) return "one run";
   return fmt::format("{:.1f} %", 100.0 * spread(row.rates()));
 }
 
 // The share of the peak, or of the time in kernels. is_whole: with the rate that it belongs to.
-std::string remarks_of(const Measured& row, bool is_whole) {
+std::string remarks_of(const BenchmarkRow& row, bool is_whole) {
   const auto remark = [&](const char* share, const char* of, const char* figure, const char* unit) {
     const std::string text = fmt::format("{:.0f} % {}", 100.0 * median(row.figures(share)), of);
     return is_whole ? fmt::format("{}, {}", rate_of(median(row.figures(figure)), unit), text)
@@ -66,7 +66,7 @@ std::string remarks_of(const Measured& row, bool is_whole) {
 std::vector<std::string> cells_of(const BenchedDevice& device, const std::string& name,
                                   bool is_alone) {
   const auto row = std::find_if(device.rows.begin(), device.rows.end(),
-                                [&](const Measured& one) { return one.name == name; });
+                                [&](const BenchmarkRow& one) { return one.name == name; });
   if (row == device.rows.end()) return {"", "", ""};
   if (row->repetitions.empty()) return {row->failed ? "failed" : "skipped", "", ""};
   return {median_of(*row), spread_of(*row), remarks_of(*row, is_alone)};
@@ -76,7 +76,7 @@ std::vector<std::string> cells_of(const BenchedDevice& device, const std::string
 std::vector<std::string> names_of(const std::vector<BenchedDevice>& devices) {
   std::vector<std::string> names;
   for (const BenchedDevice& device : devices) {
-    for (const Measured& row : device.rows) {
+    for (const BenchmarkRow& row : device.rows) {
       if (std::find(names.begin(), names.end(), row.name) == names.end()) names.push_back(row.name);
     }
   }
@@ -106,7 +106,7 @@ std::string reasons_of(const std::vector<BenchedDevice>& devices) {
   std::string text;
   for (const BenchedDevice& device : devices) {
     std::vector<std::string> reasons;
-    for (const Measured& row : device.rows) {
+    for (const BenchmarkRow& row : device.rows) {
       if (row.reason.empty()) continue;
       const std::string line = fmt::format("device {}, {}: {}\n", device.number,
                                            row.failed ? "failed" : "skipped", row.reason);
@@ -122,7 +122,7 @@ std::string options_of(const std::vector<BenchedDevice>& devices) {
   std::string text;
   for (const BenchedDevice& device : devices) {
     std::set<std::string> options;
-    for (const Measured& row : device.rows) {
+    for (const BenchmarkRow& row : device.rows) {
       const bool has_lanes = row.name.find("/lanes:") != std::string::npos;
       if (!row.build_options.empty() && !has_lanes) options.insert(row.build_options);
     }

@@ -1,5 +1,8 @@
 #include "plot/detail/contours.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -11,7 +14,73 @@ double place_on(const ResultAxis& axis, std::size_t index, double share) {
   return between(axis.values[index], axis.values[index + 1], share, axis.logarithmic);
 }
 
+// A place in the picture, whose sides go from 0 to 1.
+struct Spot {
+  double x = 0.0, y = 0.0;
+};
+
+double share_of(const AxisRange& range, double value) {
+  if (!range.logarithmic) return (value - range.min) / (range.max - range.min);
+  return std::log(value / range.min) / std::log(range.max / range.min);
+}
+
+// How far a place is from the frame and from all labels; a label is wider than it is high.
+double room_at(const Spot& spot, const std::vector<Spot>& labels) {
+  double room = std::min({spot.x, 1.0 - spot.x, 2.0 * spot.y, 2.0 * (1.0 - spot.y)});
+  for (const Spot& label : labels) {
+    room = std::min(room, std::hypot(spot.x - label.x, 2.0 * (spot.y - label.y)));
+  }
+  return room;
+}
+
 }  // namespace
+
+std::string add_contours(const std::vector<Contour>& contours, PlotScript* script) {
+  std::size_t count = 0;
+  for (const Contour& contour : contours) count += contour.pieces.size();
+  if (count == 0) return "";
+  const std::string data = next_records(*script, count, 4);
+  for (const Contour& contour : contours) {
+    for (const ContourPiece& piece : contour.pieces) {
+      append_numbers({piece.x1, piece.y1, piece.x2, piece.y2}, &script->data);
+    }
+  }
+  const auto element = [&](double width, const char* colour) {
+    return fmt::format(
+        ", \\\n     {} using 1:2:($3-$1):($4-$2) with vectors nohead linewidth {} linecolor rgb "
+        "'{}' notitle",
+        data, width, colour);
+  };
+  return element(3.0, "#ffffff") + element(1.2, "#000000");
+}
+
+std::string contour_labels(const Page& page, const std::vector<Contour>& contours,
+                           const AxisRange& x, const AxisRange& y) {
+  constexpr double kLeast = 0.09;  // of the picture
+  std::vector<Spot> labels;
+  std::string text;
+  for (const Contour& contour : contours) {
+    const ContourPiece* best = nullptr;
+    double most = kLeast;
+    Spot place;
+    for (const ContourPiece& piece : contour.pieces) {
+      const Spot spot = {share_of(x, 0.5 * (piece.x1 + piece.x2)),
+                         share_of(y, 0.5 * (piece.y1 + piece.y2))};
+      const double room = room_at(spot, labels);
+      if (!(room > most)) continue;
+      most = room;
+      best = &piece;
+      place = spot;
+    }
+    if (best == nullptr) continue;
+    labels.push_back(place);
+    text += fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front{}\n",
+                        page.text(fmt::format("{{/*0.85 {:.4g}}}", contour.level)), place.x,
+                        place.y, page.is_latex() ? "" : " boxed");
+  }
+  if (text.empty()) return "";
+  return "set style textbox opaque noborder margins 0.4,0.3 fillcolor rgb '#ffffff'\n" + text;
+}
 
 // Each square between four points is cut into four triangles around the mean of its corners: no
 // corner case is ambiguous.

@@ -12,13 +12,13 @@ namespace gearsweep {
 namespace {
 
 struct Band {
-  double from = 0.0, to = 0.0;  // as of times_of()
+  double from = 0.0, to = 0.0;  // as of shown_times()
   int flank = 0;                // as the channel `contact`
 };
 
 // The time between two moments with different flanks is shared between them.
-std::vector<Band> bands_of(const Trace& trace) {
-  const std::vector<double> time = times_of(trace);
+std::vector<Band> bands_of(const TracePicture& picture, const Trace& trace) {
+  const std::vector<double> time = shown_times(picture, trace);
   const std::vector<double>& contact = values_of(trace, "contact");
   std::vector<Band> bands;
   for (std::size_t i = 0; i < time.size(); ++i) {
@@ -68,8 +68,8 @@ void add_entry(const std::string& colour, const std::string& name, TracePanel* p
 }
 
 // Bands of one trace over the whole height.
-void add_bands(const Trace& trace, TracePanel* panel, PlotScript* script) {
-  const std::vector<Band> bands = bands_of(trace);
+void add_bands(const TracePicture& picture, TracePanel* panel, PlotScript* script) {
+  const std::vector<Band> bands = bands_of(picture, picture.layers.front().trace);
   for (const FlankStyle& style : kFlanks) {
     if (add_boxes(bands, style.flank, 0.0, 1.0, filled(style.colour), panel, script)) {
       add_entry(style.colour, style.name, panel);
@@ -85,7 +85,7 @@ void add_strips(const TracePicture& picture, TracePanel* panel, PlotScript* scri
   bool any_drive = false, any_back = false, any_wedged = false;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const double bottom = kStrip * static_cast<double>(picture.layers.size() - 1 - i);
-    const std::vector<Band> bands = bands_of(picture.layers[i].trace);
+    const std::vector<Band> bands = bands_of(picture, picture.layers[i].trace);
     const auto add = [&](int flank, const std::string& colour) {
       return add_boxes(bands, flank, bottom + 0.006, bottom + kStrip - 0.003, filled(colour), panel,
                        script);
@@ -118,7 +118,7 @@ TracePanel force_panel(const Page& page, const TracePicture& picture, PlotScript
   if (several) {
     add_strips(picture, &panel, script);
   } else {
-    add_bands(picture.layers.front().trace, &panel, script);
+    add_bands(picture, &panel, script);
   }
   panel.elements += add_histories(picture, script);
   return panel;

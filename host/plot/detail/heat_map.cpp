@@ -1,100 +1,25 @@
 // Two axes: the map and its colour bar as images, so that no seam shows between cells or colours.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "model/names.hpp"
 #include "plot/colours.hpp"
 #include "plot/detail/contours.hpp"
 #include "plot/detail/picture.hpp"
+#include "plot/detail/raster.hpp"
 #include "plot/detail/text.hpp"
 
 namespace gearsweep {
 namespace {
 
-// Numbers for an image, row by row from the lowest.
-struct Raster {
-  std::size_t columns = 0, rows = 0;
-  std::vector<double> values;
-};
-
-// Where the pixels' middles lie on an axis: which cell is there. -1: none.
-std::vector<std::ptrdiff_t> cells_at(const ResultAxis& axis, const AxisRange& range,
-                                     std::size_t pixels) {
-  const std::vector<double> edges = cell_edges(axis);
-  std::vector<std::ptrdiff_t> cells;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(pixels);
-    const double place = between(range.min, range.max, share, range.logarithmic);
-    const auto above = std::upper_bound(edges.begin(), edges.end(), place);
-    const bool is_inside = above != edges.begin() && above != edges.end();
-    cells.push_back(is_inside ? above - edges.begin() - 1 : -1);
-  }
-  return cells;
-}
-
-// A pixel for each cell where cells are even on the axis's scale and fill it; else so many that
-// their edges are near enough.
-std::size_t pixels_of(const ResultAxis& axis, const AxisRange& range, std::size_t fine) {
-  const std::size_t count = axis.values.size();
-  const std::vector<std::ptrdiff_t> cells = cells_at(axis, range, count);
-  bool is_even = count > 1;
-  for (std::size_t i = 0; i < count && is_even; ++i) {
-    is_even = cells[i] == static_cast<std::ptrdiff_t>(i);
-  }
-  const std::vector<double> edges = cell_edges(axis);
-  const bool is_whole = edges.front() == range.min && edges.back() == range.max;
-  // Uneven cells may have their pixels' middles right by chance.
-  const auto place = [&](double value) { return range.logarithmic ? std::log(value) : value; };
-  const double step = (place(edges.back()) - place(edges.front())) / static_cast<double>(count);
-  for (std::size_t i = 0; i < edges.size() && is_even; ++i) {
-    const double even = place(edges.front()) + static_cast<double>(i) * step;
-    is_even = std::abs(place(edges[i]) - even) < 0.02 * step;
-  }
-  return is_even && is_whole ? count : std::max<std::size_t>(2, fine);
-}
-
-// Viewers of vector formats smooth what they enlarge, so there each cell has several pixels.
-std::size_t enlarged(const Page& page, std::size_t cells, std::size_t fine) {
-  return page.is_raster() || cells >= fine ? cells : cells * ((fine + cells - 1) / cells);
-}
-
-Raster raster_of(const Page& page, const ResultMap& map, const std::vector<double>& shades,
-                 const AxisRange& x, const AxisRange& y) {
-  constexpr std::size_t kFineColumns = 1000, kFineRows = 800;
-  Raster raster;
-  constexpr std::size_t kSharpColumns = 600, kSharpRows = 450;
-  raster.columns = enlarged(page, pixels_of(map.axes[0], x, kFineColumns), kSharpColumns);
-  raster.rows = enlarged(page, pixels_of(map.axes[1], y, kFineRows), kSharpRows);
-  const std::vector<std::ptrdiff_t> columns = cells_at(map.axes[0], x, raster.columns);
-  const std::vector<std::ptrdiff_t> rows = cells_at(map.axes[1], y, raster.rows);
-  const auto width = static_cast<std::ptrdiff_t>(map.axes[0].values.size());
-  for (const std::ptrdiff_t row : rows) {
-    for (const std::ptrdiff_t column : columns) {
-      const bool is_inside = row >= 0 && column >= 0;
-      raster.values.push_back(is_inside ? shades[static_cast<std::size_t>(row * width + column)]
-                                        : std::nan(""));
-    }
-  }
-  return raster;
-}
-
-// An element of "plot" that fills the axes x2 and y2. Pixels that are not a number are transparent.
-std::string add_image(const Raster& raster, PlotScript* script) {
-  const double dx = 1.0 / static_cast<double>(raster.columns);
-  const double dy = 1.0 / static_cast<double>(raster.rows);
-  const std::string text = fmt::format(
-      "data binary array=({},{}) skip={} origin=({},{}) dx={} dy={} format='%double' using 1 "
-      "axes x2y2 \\\n     with image notitle",
-      raster.columns, raster.rows, script->data.size(), 0.5 * dx, 0.5 * dy, dx, dy);
-  for (const double value : raster.values) append_numbers({value}, &script->data);
-  return text;
-}
-
 // What the colours stand for.
 struct Colours {
   std::optional<ClassScale> classes;
   ValueRange range;
+  Beyond beyond_range;
   bool is_log = false;
 
   Colours(const Page& page, const ResultMap& map) : classes(class_scale(map)) {
@@ -105,9 +30,11 @@ struct Colours {
       return;
     }
     is_log = style.is_log;
-    range = scale_range(colour_range(map.values), map.values, style.range, is_log, "--range");
-    name_ =
-        !style.colormap.empty() ? style.colormap : usual_colormap(map.name, range.min, range.max);
+    name_ = style.colormap.empty() ? usual_colormap(map.name) : style.colormap;
+    const ValueRange own =
+        is_log ? colour_range(map.values) : with_middle(name_, map.name, colour_range(map.values));
+    range = scale_range(own, map.values, style.range, is_log, "--range");
+    beyond_range = beyond(range, map.values);
   }
 
   std::string palette() const {
@@ -154,9 +81,11 @@ std::string bar_label(const Page& page, const Picture& picture) {
   return quantity_label(map.name, map.unit);
 }
 
-// Pointed ends of a bar: there are values beyond it.
+// A pointed end of a bar where there are values beyond it.
 std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar, double length,
                      double height) {
+  const Beyond& beyond = colours.beyond_range;
+  if (!beyond.below && !beyond.above) return "";
   const auto [below, above] = colours.ends();
   const auto triangle = [&](double foot, double tip, const std::string& colour) {
     const auto at = [&](double x, double y) {
@@ -167,22 +96,24 @@ std::string bar_ends(const Page& page, const Colours& colours, const Frame& bar,
         "'#000000' fillcolor rgb '{3}'\n",
         at(bar.left, foot), at(bar.right, foot), at(0.5 * (bar.left + bar.right), tip), colour);
   };
-  return triangle(bar.bottom, bar.bottom - length, below) +
-         triangle(bar.top, bar.top + length, above);
+  return (beyond.below ? triangle(bar.bottom, bar.bottom - length, below) : "") +
+         (beyond.above ? triangle(bar.top, bar.top + length, above) : "");
 }
 
 // The bar is a plot of its own; its axes x1 and y1 go from 0 to 1.
 std::string plot_bar(const Page& page, const Colours& colours, const Frame& whole, double height,
                      const std::vector<std::string>& label, PlotScript* script) {
-  const double pointed = colours.range.clipped ? 0.8 * page.em() : 0.0;
-  const Frame frame{whole.left, whole.right, whole.bottom + pointed, whole.top - pointed};
+  const double pointed = 0.8 * page.em();
+  const Beyond& beyond = colours.beyond_range;
+  const Frame frame{whole.left, whole.right, whole.bottom + (beyond.below ? pointed : 0.0),
+                    whole.top - (beyond.above ? pointed : 0.0)};
   const Tics tics = colours.tics(page, frame.height());
   std::string text = "reset\nunset key\nunset colorbox\nset border linewidth 1\n" +
                      page.margins(frame, height) +
                      "set x2range [0:1]\nset xrange [0:1]\nset yrange [0:1]\nunset xtics\n"
                      "unset ytics\n" +
                      tics.lines + colours.palette();
-  if (colours.range.clipped) text += bar_ends(page, colours, frame, pointed, height);
+  text += bar_ends(page, colours, frame, pointed, height);
   const double em = page.em();
   double beside = frame.right + tics.widest + em * (colours.classes ? 1.45 : 1.75);
   for (const std::string& line : label) {
@@ -190,9 +121,7 @@ std::string plot_bar(const Page& page, const Colours& colours, const Frame& whol
                           "center rotate by 90");
     beside += 1.35 * em;
   }
-  std::string image = add_image(colours.bar(), script);
-  image.replace(image.find("axes x2y2"), 9, "axes x1y1");
-  return text + "plot " + image + "\n";
+  return text + "plot " + add_image(colours.bar(), "x1y1", script) + "\n";
 }
 
 // Points without a value are where this ground shows; it is black where classes are grey.
@@ -203,24 +132,14 @@ std::string missing_ground(const Colours& colours) {
       colours.classes ? kMissingClassColour : kMissingColour);
 }
 
-std::string add_contours(const Page& page, const Colours& colours, const ResultMap& map,
-                         PlotScript* script) {
-  const Contours& contours = page.style().contours;
-  if (!contours.any() || colours.classes) return "";
-  std::vector<ContourPiece> pieces;
-  for (const double level : contour_levels(contours, colours.range, colours.is_log)) {
-    const std::vector<ContourPiece> own = contour_pieces(map, level);
-    pieces.insert(pieces.end(), own.begin(), own.end());
+std::vector<Contour> contours_of(const Page& page, const Colours& colours, const ResultMap& map) {
+  std::vector<Contour> contours;
+  const Contours& asked = page.style().contours;
+  if (!asked.any() || colours.classes) return contours;
+  for (const double level : contour_levels(asked, colours.range, colours.is_log)) {
+    contours.push_back({level, contour_pieces(map, level)});
   }
-  if (pieces.empty()) return "";
-  const std::string text = fmt::format(
-      ", \\\n     {} using 1:2:($3-$1):($4-$2) with vectors nohead linewidth 1 "
-      "linecolor rgb '#000000' notitle",
-      next_records(*script, pieces.size(), 4));
-  for (const ContourPiece& piece : pieces) {
-    append_numbers({piece.x1, piece.y1, piece.x2, piece.y2}, &script->data);
-  }
-  return text;
+  return contours;
 }
 
 // The label of a line stands where it leaves the picture, at the right or at the top.
@@ -256,21 +175,48 @@ std::vector<std::string> one_line(const std::optional<std::string>& given,
   return markup.empty() ? std::vector<std::string>{} : std::vector<std::string>{markup};
 }
 
+// Without the explanations "wedged: ..." of classes that the map does not show.
+std::string meaning_of_shown(const std::string& meaning, const ResultMap& map,
+                             const ClassScale& classes) {
+  std::vector<std::string> kept;
+  for (const std::string& clause : split(meaning, ';')) {
+    const std::string name = clause.substr(0, clause.find(": "));
+    const std::string word = name.substr(std::min(name.find_first_not_of(' '), name.size()));
+    const auto flag = std::ranges::find(map.flags, word);
+    const bool is_number = !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+    double value = std::nan("");
+    if (flag != map.flags.end()) value = static_cast<double>(flag - map.flags.begin());
+    if (is_number) value = std::stod(word);
+    const bool is_of_class = name.size() < clause.size() && !std::isnan(value);
+    if (is_of_class && std::ranges::count(classes.values, value) == 0) continue;
+    kept.push_back(clause);
+  }
+  return fmt::format("{}", fmt::join(kept, ";"));
+}
+
 std::vector<std::string> map_heading(const Page& page, const Picture& picture,
-                                     const Colours& colours) {
-  std::string meaning = meaning_of(picture);
+                                     const Colours& colours, bool has_bar) {
+  std::string meaning = colours.classes
+                            ? meaning_of_shown(meaning_of(picture), picture.map, *colours.classes)
+                            : meaning_of(picture);
   if (!colours.classes && colours.range.clipped) {
     meaning += "; the colours cover 99.8 % of the points";
   }
-  return heading_lines(page, picture.title, meaning, picture.remark);
+  std::string remark = picture.remark;
+  // The subtitle, which a picture for print does not have, says the same.
+  if (!has_bar && page.is_for_print()) {
+    remark = bar_label(page, picture) + (remark.empty() ? "" : ", " + remark);
+  }
+  return heading_lines(page, picture.title, meaning, remark);
 }
 
-// Long names of a few classes leave more room to the map when they stand below it.
+// A bar of classes whose names, with the label beside them, are long leaves the map too little of
+// the page's width: they stand below it.
 bool needs_bar(const Page& page, const Colours& colours) {
-  constexpr std::size_t kFewClasses = 6;
-  constexpr double kWide = 0.2;  // of the page
-  return !colours.classes || colours.classes->names.size() > kFewClasses ||
-         colours.classes->widest(page) < kWide * page.width();
+  constexpr double kWide = 0.2;    // of the page
+  constexpr double kBeside = 3.0;  // em of bar and label
+  return !colours.classes ||
+         colours.classes->widest(page) + kBeside * page.em() < kWide * page.width();
 }
 
 // The classes, where no bar shows them; the picture's own entries; the points that are missing.
@@ -295,8 +241,8 @@ PlotScript plot_heat_map(const Page& page, const Picture& picture) {
   const PlotStyle& style = page.style();
   const Colours colours(page, map);
   const double em = page.em();
-  const std::vector<std::string> heading = map_heading(page, picture, colours);
   const bool has_bar = needs_bar(page, colours);
+  const std::vector<std::string> heading = map_heading(page, picture, colours, has_bar);
   const std::vector<KeyEntry> key = map_key(picture, colours, has_bar);
   PanelAxis x{one_line(style.xlabel, axis_label(map.axes[0])),
               axis_range(map.axes[0], style.xrange, "--xrange")};
@@ -330,10 +276,13 @@ PlotScript plot_heat_map(const Page& page, const Picture& picture) {
   for (const MapLine& line : picture.lines) {
     script.text += line_label(page, line, x.range, y.range);
   }
+  const std::vector<Contour> contours = contours_of(page, colours, map);
+  script.text += contour_labels(page, contours, x.range, y.range);
   std::vector<double> shades;
   for (const double value : map.values) shades.push_back(colours.shade(value));
-  script.text += "plot " + add_image(raster_of(page, map, shades, x.range, y.range), &script);
-  script.text += add_contours(page, colours, map, &script) + add_lines(picture, &script) + "\n";
+  script.text +=
+      "plot " + add_image(raster_of(page, map, shades, x.range, y.range), "x2y2", &script);
+  script.text += add_contours(contours, &script) + add_lines(picture, &script) + "\n";
   if (has_bar) {
     const Frame bar{frame.right + gap, frame.right + gap + bar_width, frame.bottom, frame.top};
     script.text += plot_bar(page, colours, bar, script.height, label, &script);

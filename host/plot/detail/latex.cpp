@@ -62,8 +62,8 @@ std::string latex_letter(std::string_view letter) {
 struct Setting {
   std::string_view mark, opening, closing;
 };
-constexpr std::array<Setting, 2> kSettings = {
-    {{"/:Italic ", "\\textit{", "}"}, {"/*0.8 ", "{\\small ", "}"}}};
+constexpr std::array<Setting, 3> kSettings = {
+    {{"/:Italic ", "\\textit{", "}"}, {"/*0.85 ", "{\\small ", "}"}, {"/*0.8 ", "{\\small ", "}"}}};
 
 constexpr std::string_view kSpecial = "^_";
 

@@ -6,26 +6,37 @@
 namespace gearsweep {
 namespace {
 
-// What opens a group in markup, and how the group stands between '$'.
-struct MathGroup {
+// What opens a group in markup, and what stands around the group.
+struct MarkupGroup {
   std::string_view mark, opening, closing;
 };
-constexpr std::array<MathGroup, 4> kMathGroups = {{{"{/:Italic ", "$", "$"},
-                                                   {"_{", "$_{\\mathrm{", "}}$"},
-                                                   {"^{", "$^{\\mathrm{", "}}$"},
-                                                   {"{", "", ""}}};
+using MarkupGroups = std::array<MarkupGroup, 4>;
+
+constexpr MarkupGroups kMathGroups = {{{"{/:Italic ", "$", "$"},
+                                       {"_{", "$_{\\mathrm{", "}}$"},
+                                       {"^{", "$^{\\mathrm{", "}}$"},
+                                       {"{", "", ""}}};
+constexpr MarkupGroups kHtmlGroups = {{{"{/:Italic ", "<i>", "</i>"},
+                                       {"_{", "<sub>", "</sub>"},
+                                       {"^{", "<sup>", "</sup>"},
+                                       {"{", "", ""}}};
 
 std::string math_letter(char letter) { return letter == '$' ? "\\$" : std::string(1, letter); }
 
-}  // namespace
+std::string html_letter(char letter) {
+  if (letter == '&') return "&amp;";
+  if (letter == '<') return "&lt;";
+  return letter == '>' ? "&gt;" : std::string(1, letter);
+}
 
-std::string mathtext_of(std::string_view markup) {
+std::string rewritten(std::string_view markup, const MarkupGroups& groups,
+                      std::string (*shown)(char letter)) {
   std::string out;
   std::vector<std::string_view> closings;  // of the groups that are open
   for (std::size_t i = 0; i < markup.size();) {
     const std::string_view rest = markup.substr(i);
     if (rest.front() == '\\' && rest.size() > 1) {
-      out += math_letter(rest[1]);
+      out += shown(rest[1]);
       i += 2;
       continue;
     }
@@ -35,8 +46,8 @@ std::string mathtext_of(std::string_view markup) {
       ++i;
       continue;
     }
-    const MathGroup* opened = nullptr;
-    for (const MathGroup& group : kMathGroups) {
+    const MarkupGroup* opened = nullptr;
+    for (const MarkupGroup& group : groups) {
       if (opened == nullptr && rest.starts_with(group.mark)) opened = &group;
     }
     if (opened != nullptr) {
@@ -44,12 +55,20 @@ std::string mathtext_of(std::string_view markup) {
       closings.push_back(opened->closing);
       i += opened->mark.size();
     } else {
-      out += math_letter(rest.front());
+      out += shown(rest.front());
       ++i;
     }
   }
   for (; !closings.empty(); closings.pop_back()) out += closings.back();
   return out;
 }
+
+}  // namespace
+
+std::string mathtext_of(std::string_view markup) {
+  return rewritten(markup, kMathGroups, math_letter);
+}
+
+std::string html_of(std::string_view markup) { return rewritten(markup, kHtmlGroups, html_letter); }
 
 }  // namespace gearsweep

@@ -1,4 +1,4 @@
-// Letters of pictures for matplotlib.
+// Letters of pictures for programs that are not gnuplot.
 #pragma once
 
 #include <string>
@@ -6,8 +6,11 @@
 
 namespace gearsweep {
 
-// What gnuplot's markup shows, as literal() and typeset() write it, with symbols and indices
-// between '$'. Nothing else in it is taken for a command.
+// What gnuplot's markup shows, as literal() and typeset() write it, for matplotlib: with symbols
+// and indices between '$'. Nothing else in it is taken for a command.
 std::string mathtext_of(std::string_view markup);
+
+// The same as HTML: symbols are italic, indices are below.
+std::string html_of(std::string_view markup);
 
 }  // namespace gearsweep

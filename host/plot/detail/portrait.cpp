@@ -85,19 +85,23 @@ std::vector<TracePanel> portrait_panels(const Page& page, const TracePicture& pi
 
 void lay_out(const Page& page, const TracePicture& picture, const std::vector<TracePanel>& panels,
              PlotScript* script) {
-  constexpr double kAspect = 0.7, kCaption = 1.25;
+  constexpr double kAspect = 0.7, kNarrowAspect = 2.1, kCaption = 1.25;
   const double em = page.em();
   const bool is_alone = panels.size() == 1;
   const std::vector<KeyEntry> key = key_of(picture, panels);
   const std::vector<std::string> heading =
       heading_lines(page, picture.title,
                     is_alone ? panels.front().subtitle : picture.across.meaning, picture.remark);
-  script->height = page.height_or(kAspect * page.width() + key_height(page, key));
+  // Two columns of a narrow page would have more letters than curves.
+  constexpr double kNarrow = 33.0;  // em: 93 mm of 8 points
+  const bool is_narrow = page.width() < kNarrow * em;
+  const double own_aspect = is_alone || !is_narrow ? kAspect : kNarrowAspect;
+  script->height = page.height_or(own_aspect * page.width() + key_height(page, key));
   const double foot = key_height(page, key);
   const double head = head_room(page, heading);
 
   Grid grid;
-  grid.columns = is_alone ? 1 : 2;
+  grid.columns = is_alone || is_narrow ? 1 : 2;
   const std::size_t rows = (panels.size() + grid.columns - 1) / grid.columns;
   grid.bottom.resize(rows);
   grid.left.resize(grid.columns);

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "model/names.hpp"
+#include "plot/labels.hpp"
 
 namespace gearsweep {
 namespace {
@@ -93,10 +95,22 @@ std::string words_of(const std::string& name) {
   return literal(words);
 }
 
+// What several contacts or forces have of their own: "share of time without contact (second)" of
+// "second_contact_gap". Empty of other names.
+std::string markup_of_one(const std::string& name) {
+  for (const auto& [known, words] : known_names()) {
+    const bool may_be_several = known.starts_with("contact_") || known == "dynamic_load_factor";
+    if (!may_be_several || !name.ends_with("_" + known)) continue;
+    return fmt::format("{} ({})", words, words_of(name.substr(0, name.size() - known.size() - 1)));
+  }
+  return "";
+}
+
 // Without a unit.
 std::string name_markup(const std::string& name) {
   const auto known = known_names().find(name);
   if (known != known_names().end()) return known->second;
+  if (const std::string own = markup_of_one(name); !own.empty()) return own;
   const std::string symbol = symbol_of(name);
   if (!symbol.empty()) return symbol;
   static const std::map<std::string, std::string> kAverages = {
@@ -208,6 +222,13 @@ std::string axis_label(const ResultAxis& axis) {
   }
   // The pinion's speed has no symbol of its own.
   if (axis.unit == "rpm") return typeset(axis.meaning) + unit_markup(axis.unit);
+  // A parameter of a list has its name in its meaning, too: "amplitude of the error (e0)".
+  const std::string in_list = fmt::format(" ({})", axis.name);
+  if (axis.meaning.ends_with(in_list) && !symbol.empty()) {
+    ResultAxis plain = axis;
+    plain.meaning.resize(axis.meaning.size() - in_list.size());
+    return axis_label(plain);
+  }
   // A ratio of frequencies is written as one: "mesh frequency ω/ϖ". Files of earlier versions have
   // the quotient in the meaning, too.
   if (axis.unit == "varpi" && !symbol.empty()) {
@@ -215,6 +236,29 @@ std::string axis_label(const ResultAxis& axis) {
     return fmt::format("{} {}/{}", typeset(words), symbol, symbol_of(axis.unit));
   }
   return typeset(axis.meaning) + (symbol.empty() ? "" : " " + symbol) + unit_markup(axis.unit);
+}
+
+std::pair<std::string, std::string> words_and_unit(const std::string& key) {
+  static const std::vector<std::pair<std::string, std::string>> kUnits = {{"_N_s_per_mm", "N s/mm"},
+                                                                          {"_N_per_mm", "N/mm"},
+                                                                          {"_N_per_m", "N/m"},
+                                                                          {"_kg_mm2", "kg mm²"},
+                                                                          {"_N_m", "N m"},
+                                                                          {"_kg", "kg"},
+                                                                          {"_mm", "mm"},
+                                                                          {"_um", "µm"},
+                                                                          {"_deg", "°"},
+                                                                          {"_rpm", "rpm"},
+                                                                          {"_N", "N"}};
+  std::string words = key, unit;
+  for (const auto& [ending, name] : kUnits) {
+    if (!key.ends_with(ending)) continue;
+    words = key.substr(0, key.size() - ending.size());
+    unit = name;
+    break;
+  }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return {words, unit};
 }
 
 std::string quantity_label(const std::string& name, const std::string& unit) {
@@ -233,8 +277,9 @@ std::string settings_label(const std::string& text) {
     }
     const std::string name = setting.substr(0, equals);
     const std::string symbol = symbol_of(name);
-    markup += fmt::format("{} = {}", symbol.empty() ? words_of(name) : symbol,
-                          literal(setting.substr(equals + 1)));
+    const auto [words, unit] = words_and_unit(name);
+    markup += fmt::format("{} = {}{}", symbol.empty() ? literal(words) : symbol,
+                          literal(setting.substr(equals + 1)), unit.empty() ? "" : " " + unit);
   }
   return markup;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "orders/spectrum.hpp"
+#include "plot/detail/density.hpp"
 #include "plot/detail/scale.hpp"
 #include "plot/detail/text.hpp"
 
@@ -94,13 +95,13 @@ std::string add_curve(const Trace& trace, const std::vector<double>& x,
   return data;
 }
 
-// The longest layer's, as of times_of().
 double last_time(const TracePicture& picture) {
   double last = 0.0;
   for (const TraceLayer& layer : picture.layers) {
-    if (!layer.trace.tau.empty()) last = std::max(last, times_of(layer.trace).back());
+    const std::vector<double> times = shown_times(picture, layer.trace);
+    if (!times.empty()) last = std::max(last, times.back());
   }
-  if (picture.is_clockless) return last;
+  if (picture.is_clockless || picture.milliseconds > 0.0) return last;
   // The even moments of a period end before the next begins.
   constexpr double kNearly = 0.1;
   return std::ceil(last) - last < kNearly ? std::ceil(last) : last;
@@ -175,6 +176,13 @@ std::vector<double> times_of(const Trace& trace) {
   return times;
 }
 
+std::vector<double> shown_times(const TracePicture& picture, const Trace& trace) {
+  if (picture.milliseconds <= 0.0) return times_of(trace);
+  std::vector<double> times;
+  for (const double tau : trace.tau) times.push_back(tau * picture.milliseconds);
+  return times;
+}
+
 double whole_periods(const Trace& trace) {
   if (trace.tau.empty()) return 0.0;
   return std::ceil(trace.tau.back() / trace.period - kInstant);
@@ -196,7 +204,9 @@ Trace last_periods(const Trace& trace, std::size_t periods) {
 }
 
 PanelAxis time_axis(const Page& page, const TracePicture& picture) {
-  const std::string unit = picture.is_clockless ? "" : fmt::format(" ({} periods)", picture.period);
+  const std::string unit = picture.milliseconds > 0.0 ? " (ms)"
+                           : picture.is_clockless     ? ""
+                                                  : fmt::format(" ({} periods)", picture.period);
   return {axis_text(page.style().xlabel, "time" + unit),
           shown_range({0.0, last_time(picture)}, page.style().xrange, "--xrange")};
 }
@@ -211,10 +221,10 @@ std::string add_histories(const TracePicture& picture, PlotScript* script) {
   std::string elements;
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const Trace& trace = picture.layers[i].trace;
-    elements += fmt::format(
-        "{}{} with lines linewidth 2 {} notitle", i == 0 ? "" : ", \\\n     ",
-        add_curve(trace, times_of(trace), values_of(trace, picture.channel.name), script),
-        layer_line(i));
+    elements += fmt::format("{}{} with lines linewidth 2 {} notitle", i == 0 ? "" : ", \\\n     ",
+                            add_curve(trace, shown_times(picture, trace),
+                                      values_of(trace, picture.channel.name), script),
+                            layer_line(i));
   }
   return elements;
 }
@@ -235,7 +245,7 @@ void add_events(const TracePicture& picture, TracePanel* panel, PlotScript* scri
     panel->elements += fmt::format(
         ", \\\n     {} using 1:2 with points pointtype 6 pointsize dot linecolor rgb '{}' notitle",
         next_records(*script, marked.size(), 2), layer_colour(i));
-    const std::vector<double> time = times_of(trace);
+    const std::vector<double> time = shown_times(picture, trace);
     for (const std::size_t moment : marked) {
       append_numbers({time[moment], values[moment]}, &script->data);
     }
@@ -257,7 +267,8 @@ TracePanel time_panel(const Page& page, const TracePicture& picture, PlotScript*
 }
 
 TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
-  constexpr double kManyTurns = 40.0;  // that would run together
+  constexpr double kManyTurns = 40.0;      // that would run together
+  constexpr double kTooManyTurns = 200.0;  // that would be one dark patch
   const bool has_many = std::ranges::any_of(picture.layers, [](const TraceLayer& layer) {
     return whole_periods(layer.trace) > kManyTurns;
   });
@@ -265,6 +276,17 @@ TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript
   TracePanel panel;
   panel.kind = "phase portrait";
   panel.subtitle = pair_text(picture);
+  panel.x = across_axis(page, picture, padded_range(all_values(picture, picture.across.name)));
+  panel.y = channel_axis(page, picture, padded_range(all_values(picture, picture.channel.name)));
+  const Trace& first = picture.layers.front().trace;
+  if (picture.layers.size() == 1 && whole_periods(first) > kTooManyTurns) {
+    panel.lines = density_lines();
+    panel.elements =
+        add_density(values_of(first, picture.across.name), values_of(first, picture.channel.name),
+                    panel.x.range, panel.y.range, script);
+    panel.key = {{KeyEntry::Kind::kBox, kDensestColour, "1", "darker: more often there"}};
+    return panel;
+  }
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
     const Trace& trace = picture.layers[i].trace;
     const std::vector<double>& x = values_of(trace, picture.across.name);
@@ -277,8 +299,6 @@ TracePanel phase_panel(const Page& page, const TracePicture& picture, PlotScript
     panel.elements += ", \\\n     " + add_sections(picture, true, script);
     panel.key = {{KeyEntry::Kind::kDot, "#000000", "1", "phase 0"}};
   }
-  panel.x = across_axis(page, picture, padded_range(all_values(picture, picture.across.name)));
-  panel.y = channel_axis(page, picture, padded_range(all_values(picture, picture.channel.name)));
   return panel;
 }
 

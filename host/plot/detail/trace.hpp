@@ -24,6 +24,7 @@ struct TracePicture {
   std::string forcing;  // whose frequency orders are multiples of: "mesh" or "forcing"
   std::string period;   // whose period time is counted in; a shaft's forcing is several of the mesh
   bool is_clockless = false;  // there is no forcing
+  double milliseconds = 0.0;  // of one unit of the model's time; 0: time is counted as above
   double orders = 10.0;       // the highest of a spectrum
   // How many periods at most the histories of a portrait show: less would be too little for the
   // other panels.
@@ -78,7 +79,9 @@ std::vector<double> times_of(const Trace& trace);
 double whole_periods(const Trace& trace);
 // At most so many last periods, from time 0 on.
 Trace last_periods(const Trace& trace, std::size_t periods);
-// The axis of time as of times_of(), and that of the channel.
+// The same as the picture shows it: in milliseconds where these are known.
+std::vector<double> shown_times(const TracePicture& picture, const Trace& trace);
+// The axis of this time, and that of the channel.
 PanelAxis time_axis(const Page& page, const TracePicture& picture);
 PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range);
 // The channel of each layer over time, as elements of "plot".

@@ -231,6 +231,9 @@ PlotScript plot_traces(const Page& page, const PlotRequest& request) {
         "'section' is at phase 0 of the forcing, and this model has none; a map has samples at a "
         "section of the model: quantities = [\"poincare\"]");
   }
+  if (request.style.is_si) {
+    picture.milliseconds = 1e3 / sources.front().stored.scales.varpi;
+  }
   picture.orders = request.orders.value_or(picture.orders);
   const std::vector<std::string> names = names_of(sources, request.style);
   for (std::size_t i = 0; i < sources.size(); ++i) {

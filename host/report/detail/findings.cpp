@@ -22,29 +22,38 @@ double period_at(const Plan& plan, std::size_t point) {
   return plan.study().model->period(plan.setting_of(point));
 }
 
-// What an engineer asks for and the model has: the force first, which tells the worst speeds.
-std::vector<std::string> report_quantities(const Model& model) {
+// Fills in what an engineer asks for and the model has: the force first, which tells the worst
+// speeds.
+void choose_quantities(const Model& model, ReportFindings* findings) {
   const std::string& first = model.states.front().name;
   const std::vector<Quantity> offered = offered_quantities(model);
-  std::vector<std::string> wanted;
+  std::vector<std::string>& wanted = findings->quantities;
   const auto add_signals = [&](Role role, const std::string& ending) {
     for (const ChannelInfo& signal : model.signals_of(role)) wanted.push_back(signal.name + ending);
   };
   add_signals(Role::mesh_force, "_max");
   add_signals(Role::mesh_force, "_std");
-  if (wanted.empty()) wanted.push_back(first + "_max");
+  if (wanted.empty()) wanted = {first + "_max", first + "_rms"};
   for (const Quantity& quantity : offered) {
-    if (quantity.divided_by) wanted.push_back(quantity.name);
+    if (!quantity.divided_by) continue;
+    wanted.push_back(quantity.name);
+    if (findings->load_factor.empty()) findings->load_factor = quantity.name;
+  }
+  for (const Quantity& quantity : offered) {
+    if (!quantity.name.ends_with("contact_gap")) continue;
+    wanted.push_back(quantity.name);
+    findings->apart.push_back(quantity.name);
   }
   wanted.emplace_back("contact_class");
   add_signals(Role::transmission_error, "_peak_to_peak");
   add_signals(Role::bearing_force, "_max");
-  wanted.push_back(first + "_rms");
   std::erase_if(wanted, [&](const std::string& name) {
     return std::none_of(offered.begin(), offered.end(),
                         [&](const Quantity& quantity) { return quantity.name == name; });
   });
-  return wanted;
+  findings->force = wanted.front();
+  const ChannelInfo* const force = model.contact_force();
+  findings->vibration = force == nullptr ? findings->force : force->name + "_std";
 }
 
 Study changed(const Study& study, const std::vector<std::string>& overrides,
@@ -78,6 +87,21 @@ std::vector<double> dynamic_factors_of(const Study& study) {
   return factors;
 }
 
+void choose_ranking(const SweepResult& line, ReportFindings* findings) {
+  constexpr double kClearly = 1.2;
+  const Study& study = findings->line;
+  findings->jump = static_jump(*study.model, Plan(study, study.points()).setting_of(0));
+  findings->ranking = findings->vibration;
+  if (findings->load_factor.empty()) return;
+  const std::vector<Quantity>& quantities = line.study.selection.quantities;
+  const auto factor = std::ranges::find(quantities, findings->load_factor, &Quantity::name);
+  for (const double value : line.values[static_cast<std::size_t>(factor - quantities.begin())]) {
+    if (std::isfinite(value) && value > kClearly * findings->jump) {
+      findings->ranking = findings->force;
+    }
+  }
+}
+
 // The runs of a report.
 class Runs {
  public:
@@ -93,11 +117,11 @@ class Runs {
   bool run_line() {
     std::optional<SweepResult> result = sweep(out_.line, "line.nc", "curves over speed");
     if (!result) return false;
+    choose_ranking(*result, &out_);
     if (!out_.line.dynamic_factor) return true;
     out_.dynamic_factors = dynamic_factors_of(out_.line);
     const std::vector<Quantity>& quantities = result->study.selection.quantities;
-    const auto load_factor =
-        std::ranges::find(quantities, std::string(ReportFindings::kLoadFactor), &Quantity::name);
+    const auto load_factor = std::ranges::find(quantities, out_.load_factor, &Quantity::name);
     result->values[static_cast<std::size_t>(load_factor - quantities.begin())] =
         out_.dynamic_factors;
     write_result(*result, out_.file("factor.nc"), provenance());
@@ -198,8 +222,14 @@ std::size_t find_speed_axis(const Study& study) {
       names.empty() ? "" : ", only ", fmt::join(names, " and ")));
 }
 
-ResultMap ReportFindings::over_speed(const std::string& name, const std::string& quantity) const {
-  const ResultFile result(file(name));
+ResultMap ReportFindings::map(const std::string& stored, const std::string& quantity) const {
+  ResultMap map = ResultFile(file(stored)).read(quantity);
+  if (is_si()) convert_to_si(study.scales, &map);
+  return map;
+}
+
+ResultMap ReportFindings::over_speed(const std::string& stored, const std::string& quantity) const {
+  const ResultFile result(file(stored));
   std::optional<Cut> cut;
   if (at) cut = result.find_cut(at->first, at->second);
   ResultMap map = result.read(quantity, cut);
@@ -207,30 +237,11 @@ ResultMap ReportFindings::over_speed(const std::string& name, const std::string&
   return map;
 }
 
-std::string ReportFindings::drawn(const std::string& picture, const std::vector<std::string>& files,
-                                  const std::string& quantity, bool is_cut,
-                                  const std::vector<std::string>& legend) const {
-  PlotRequest request;
-  for (const std::string& name : files) request.paths.push_back(file(name));
-  request.quantity = quantity;
-  request.output_path = file(picture + ".svg");
-  if (is_cut) request.at = at;
-  request.style.is_si = is_si();
-  request.style.title = "";
-  request.style.legend = legend;
-  request.style.size.width = 170.0;
-  plot_files(request);
-  return request.output_path;
-}
-
 std::optional<ReportFindings> find_for_report(const Study& study, const ReportOptions& options) {
   ReportFindings findings;
   findings.given = study;
   findings.speed = find_speed_axis(study);
-  findings.quantities = report_quantities(*study.model);
-  findings.force = findings.quantities.front();
-  const ChannelInfo* const force = study.model->contact_force();
-  findings.vibration = force == nullptr ? findings.force : force->name + "_std";
+  choose_quantities(*study.model, &findings);
   std::vector<std::string> overrides = {list_override(findings.quantities)};
   if (study.uncertain.draws() > 0) overrides.emplace_back("uncertain={}");
   findings.study = changed(study, overrides, {});

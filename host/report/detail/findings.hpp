@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "orders/order_map.hpp"
-#include "plot/plot.hpp"
 #include "report/report.hpp"
 #include "result/hysteresis.hpp"
 #include "result/output_file.hpp"
@@ -19,14 +18,21 @@ namespace gearsweep {
 std::size_t find_speed_axis(const Study& study);
 
 struct ReportFindings {
-  Study given;  // as it was
-  Study study;  // the same, with the quantities of the report
-  Study line;   // the same over the speed, its other axis at one value
+  std::string name;  // of one of several studies, in words; empty where it is alone
+  Study given;       // as it was
+  Study study;       // the same, with the quantities of the report
+  Study line;        // the same over the speed, its other axis at one value
   std::size_t speed = 0;
   std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other
   std::vector<std::string> quantities;               // those of the list below that the model has
   std::string force;                                 // the largest force
-  std::string vibration;  // the quantity that ranks the speeds: of the force, where there is one
+  std::string load_factor;         // the first of those that the model has; may be empty
+  std::vector<std::string> apart;  // shares of time without contact, of each contact
+  std::string vibration;  // standard deviation of the force; of a model without, the largest value
+  double jump = 1.0;      // static_jump() at the first of the speeds
+  // What ranks the speeds: the largest force, where it is clearly more than that jump, which it is
+  // at any speed; otherwise the vibration.
+  std::string ranking;
   // The same as `line` with the study's tolerances, of the force and the contact alone; nothing of
   // a study without.
   std::optional<Study> tolerances;
@@ -39,17 +45,15 @@ struct ReportFindings {
   std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
 
   bool is_si() const { return study.scales.known(); }
-  std::string file(const std::string& name) const { return (folder->path() / name).string(); }
-  // Of these quantities one that several sections speak of.
-  static constexpr const char* kLoadFactor = "dynamic_load_factor";
-  // A map over the speed, in SI units where these are known; from "line.nc", "up.nc", "down.nc",
-  // "tolerances.nc".
-  ResultMap over_speed(const std::string& name, const std::string& quantity) const;
-  // An SVG of these files; legend: what several are called.
-  std::string drawn(const std::string& picture, const std::vector<std::string>& files,
-                    const std::string& quantity, bool is_cut,
-                    const std::vector<std::string>& legend = {}) const;
+  std::string file(const std::string& stored) const { return (folder->path() / stored).string(); }
+  // A map over both axes, in SI units where these are known.
+  ResultMap map(const std::string& stored, const std::string& quantity) const;
+  // The same over the speed alone, from "line.nc", "up.nc", "down.nc", "tolerances.nc".
+  ResultMap over_speed(const std::string& stored, const std::string& quantity) const;
 };
+
+// One study, or two of which the second is compared with the first.
+using Sides = std::vector<ReportFindings>;
 
 // By which factor the force between the teeth rises at once where the stiffness jumps: the
 // deflection, which cannot jump, is that of the static equilibrium. The largest at all break

@@ -13,14 +13,41 @@ namespace gearsweep {
 namespace {
 
 constexpr std::string_view kStyle = R"(
-body { font: 15px/1.45 "DejaVu Sans", sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
-h1 { font-size: 1.6em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #999; }
-table { border-collapse: collapse; margin: 0.8em 0; }
-th, td { padding: 0.15em 0.9em 0.15em 0; text-align: left; vertical-align: top; }
+@page { size: A4; margin: 11mm 14mm 10mm; }
+body { font: 15px/1.4 "DejaVu Sans", sans-serif; max-width: 1100px; margin: 1.5em auto;
+  padding: 0 1em; color: #111; }
+h1 { font-size: 1.5em; margin: 0.3em 0 0.5em; }
+h2 { font-size: 1.15em; margin: 1.6em 0 0.5em; border-bottom: 1px solid #999; }
+h3 { font-size: 1em; margin: 1em 0 0.3em; }
+p, ul { margin: 0.5em 0; }
+ul { padding-left: 1.3em; }
+.answer { border-left: 5px solid #0072b2; background: #eef5fa; padding: 0.6em 0.9em; margin: 0.8em 0; }
+.answer p { margin: 0.3em 0; } .answer p:first-child { font-size: 1.15em; }
+table { border-collapse: collapse; margin: 0.6em 0; max-width: 100%; }
+th, td { padding: 0.15em 1em 0.15em 0; text-align: left; vertical-align: top; }
+th:last-child, td:last-child { padding-right: 0.2em; }
+.even { width: 100%; table-layout: fixed; } .even tr > :first-child { width: 40%; }
 thead th { border-bottom: 1px solid #999; } tbody tr:nth-child(even) { background: #f4f4f4; }
-figure { margin: 1em 0; } figure img { max-width: 100%; height: auto; }
-figcaption, .small { font-size: 0.85em; color: #444; }
-@media print { body { font-size: 10pt; margin: 0; } figure, tr { break-inside: avoid; } }
+.numbers th:not(:first-child), .numbers td:not(:first-child) { text-align: right; }
+code, .raw { font-family: "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
+code { font-size: 0.9em; } .raw { font-size: 0.72em; color: #666; }
+.figures { display: flex; gap: 2%; margin: 0.8em 0; }
+figure { margin: 0; width: 49%; } figure img { width: 100%; height: auto; }
+figcaption, .small { font-size: 0.85em; color: #444; overflow-wrap: anywhere; }
+.columns { columns: 2; column-gap: 2.5em; } .columns > *:first-child { margin-top: 0; }
+.columns table { width: 100%; }
+@media screen and (max-width: 760px) {
+  .figures { display: block; } figure { width: 100%; margin: 0.8em 0; } .columns { columns: 1; } }
+h1, h2, h3, h2 + p, h3 + p { break-after: avoid; }
+figure, .figures, .columns, .answer, tr, li { break-inside: avoid; }
+p { orphans: 3; widows: 3; }
+@media print {
+  body { font-size: 8pt; line-height: 1.25; max-width: none; margin: 0; padding: 0; }
+  h1 { font-size: 14pt; margin-top: 0; } h2 { margin: 0.9em 0 0.4em; }
+  th, td { padding-top: 0.08em; padding-bottom: 0.08em; } p, ul { margin: 0.35em 0; }
+  .columns table { font-size: 7.5pt; }
+  .answer, tbody tr:nth-child(even) { print-color-adjust: exact; }
+  details { display: none; } }
 )";
 
 // RFC 4648.
@@ -42,10 +69,40 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
+// An attribute has no elements in it.
+std::string without_tags(const std::string& html) {
+  std::string text;
+  bool is_tag = false;
+  for (const char letter : html) {
+    if (letter == '<') is_tag = true;
+    if (!is_tag) text += letter;
+    if (letter == '>') is_tag = false;
+  }
+  return text;
+}
+
+std::string list_of(const std::vector<std::string>& items, const char* opening) {
+  std::string html = fmt::format("{}\n", opening);
+  for (const std::string& item : items) html += fmt::format("<li>{}</li>\n", item);
+  return html + "</ul>\n";
+}
+
 void add_cells(const std::vector<std::string>& cells, const char* kind, std::string* body) {
   *body += "<tr>";
   for (const std::string& cell : cells) *body += fmt::format("<{0}>{1}</{0}>", kind, cell);
   *body += "</tr>\n";
+}
+
+std::string figure_of(const HtmlFigure& figure) {
+  std::ifstream in(figure.svg, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in || bytes.empty()) {
+    throw RunError(fmt::format("the picture '{}' cannot be read", figure.svg));
+  }
+  return fmt::format(
+      "<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\" />\n"
+      "<figcaption>{}</figcaption></figure>\n",
+      without_tags(figure.caption), base64(bytes), figure.caption);
 }
 
 }  // namespace
@@ -84,6 +141,18 @@ std::string html_number(double number) {
                                         : fmt::format("{:.4g}", number);
 }
 
+std::string html_percent(double share) {
+  const double percent = 100.0 * share;
+  constexpr double kSmall = 0.095, kFew = 9.95;
+  if (percent > 0.0 && percent < kSmall) return "less than 0.1 %";
+  return percent > 0.0 && percent < kFew ? fmt::format("{:.1f} %", percent)
+                                         : fmt::format("{:.0f} %", percent);
+}
+
+std::string html_named(const std::string& words, std::string_view name) {
+  return fmt::format("{} <span class=\"raw\">{}</span>", words, html_text(name));
+}
+
 std::string html_unit(const std::string& unit) {
   if (unit == "1") return "";
   std::string html = html_text(unit);
@@ -98,24 +167,51 @@ std::string html_unit(const std::string& unit) {
   return html;
 }
 
+void HtmlPage::answer(const std::string& sentence, const std::vector<std::string>& more) {
+  body_ += fmt::format("<div class=\"answer\">\n<p><b>{}</b></p>\n", sentence);
+  for (const std::string& html : more) paragraph(html);
+  body_ += "</div>\n";
+}
+
 void HtmlPage::heading(const std::string& html) { body_ += fmt::format("<h2>{}</h2>\n", html); }
+
+void HtmlPage::subheading(const std::string& html) { body_ += fmt::format("<h3>{}</h3>\n", html); }
 
 void HtmlPage::paragraph(const std::string& html) { body_ += fmt::format("<p>{}</p>\n", html); }
 
+void HtmlPage::small(const std::string& html) {
+  body_ += fmt::format("<p class=\"small\">{}</p>\n", html);
+}
+
 void HtmlPage::list(const std::vector<std::string>& items) {
-  body_ += "<ul>\n";
-  for (const std::string& item : items) body_ += fmt::format("<li>{}</li>\n", item);
-  body_ += "</ul>\n";
+  if (!items.empty()) body_ += list_of(items, "<ul>");
+}
+
+void HtmlPage::small_list(const std::vector<std::string>& items) {
+  if (!items.empty()) body_ += list_of(items, "<ul class=\"small\">");
+}
+
+void HtmlPage::table(const HtmlTable& table) {
+  body_ += fmt::format("<table class=\"{}{}\">\n", table.is_numbers ? "numbers" : "words",
+                       table.is_even ? " even" : "");
+  if (!table.head.empty()) {
+    body_ += "<thead>";
+    add_cells(table.head, "th", &body_);
+    body_ += "</thead>\n";
+  }
+  body_ += "<tbody>\n";
+  for (const std::vector<std::string>& row : table.rows) add_cells(row, "td", &body_);
+  body_ += "</tbody>\n</table>\n";
 }
 
 void HtmlPage::table(const std::vector<std::string>& head,
                      const std::vector<std::vector<std::string>>& rows) {
-  body_ += "<table>\n<thead>";
-  add_cells(head, "th", &body_);
-  body_ += "</thead>\n<tbody>\n";
-  for (const std::vector<std::string>& row : rows) add_cells(row, "td", &body_);
-  body_ += "</tbody>\n</table>\n";
+  table(HtmlTable{head, rows});
 }
+
+void HtmlPage::begin_columns() { body_ += "<div class=\"columns\">\n"; }
+
+void HtmlPage::end_columns() { body_ += "</div>\n"; }
 
 void HtmlPage::begin_details(const std::string& html) {
   body_ += fmt::format("<details><summary>{}</summary>\n", html);
@@ -123,20 +219,20 @@ void HtmlPage::begin_details(const std::string& html) {
 
 void HtmlPage::end_details() { body_ += "</details>\n"; }
 
-void HtmlPage::picture(const std::string& svg, const std::string& caption) {
-  std::ifstream in(svg, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in || bytes.empty()) throw RunError(fmt::format("the picture '{}' cannot be read", svg));
-  body_ += fmt::format(
-      "<figure><img alt=\"{0}\" src=\"data:image/svg+xml;base64,{1}\" />\n"
-      "<figcaption>{0}</figcaption></figure>\n",
-      caption, base64(bytes));
+void HtmlPage::figures(const std::vector<HtmlFigure>& figures) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (i % 2 == 0) body_ += "<div class=\"figures\">\n";
+    body_ += figure_of(figures[i]);
+    if (i % 2 == 1 || i + 1 == figures.size()) body_ += "</div>\n";
+  }
 }
 
 std::string HtmlPage::text() const {
   return fmt::format(
       "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
-      "<meta charset=\"utf-8\" />\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
+      "<meta charset=\"utf-8\" />\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+      "style-src 'unsafe-inline'\" />\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
       "<h1>{0}</h1>\n{2}</body>\n</html>\n",
       html_text(title_), kStyle, body_);
 }

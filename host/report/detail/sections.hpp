@@ -1,4 +1,4 @@
-// The sections of a report, each put at the end of a page.
+// The sections of a report, each put at the end of a page. Of two studies each tells of both.
 #pragma once
 
 #include "report/detail/findings.hpp"
@@ -6,17 +6,14 @@
 
 namespace gearsweep {
 
-// Words under a picture, with where the other axis of the study is.
-std::string caption_of(const std::string& what, const ReportFindings& findings);
-
-void add_data(const ReportFindings& findings, HtmlPage* page);
-void add_natural_frequencies(const ReportFindings& findings, HtmlPage* page);
-void add_forces(const ReportFindings& findings, HtmlPage* page);
-void add_worst_speeds(const ReportFindings& findings, HtmlPage* page);
+// Adds nothing for one study alone.
+void add_differences(const Sides& sides, HtmlPage* page);
+void add_worst_speeds(const Sides& sides, HtmlPage* page);
+void add_natural_frequencies(const Sides& sides, HtmlPage* page);
+// Forces and contact, the order map, run-up and run-down.
+void add_pictures(const Sides& sides, HtmlPage* page);
 // Adds nothing for a study without tolerances.
-void add_tolerances(const ReportFindings& findings, HtmlPage* page);
-void add_order_map(const ReportFindings& findings, HtmlPage* page);
-void add_directions(const ReportFindings& findings, HtmlPage* page);
-void add_assumptions(const ReportFindings& findings, HtmlPage* page);
+void add_tolerances(const Sides& sides, HtmlPage* page);
+void add_assumptions(const Sides& sides, HtmlPage* page);
 
 }  // namespace gearsweep

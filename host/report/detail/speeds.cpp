@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/detail/html.hpp"
@@ -15,6 +16,19 @@ std::string plain_unit(const Model& model) {
   const bool has_scales = model.states.front().unit == "b_n";
   return has_scales ? " ϖ" : "";
 }
+
+std::vector<CriticalSpeed> critical_speeds(const ReportFindings& findings) {
+  std::vector<CriticalSpeed> speeds;
+  for (const ReportMode& mode : distinct_modes(findings)) {
+    for (const ExcitationOrder& order : excitation_orders()) {
+      speeds.push_back({mode.frequency / order.order, mode.frequency, order.name});
+    }
+  }
+  return speeds;
+}
+
+// Half orders need a motion of two periods, so they are met where the teeth part.
+bool is_of_half(const CriticalSpeed& one) { return one.order.find('/') != std::string::npos; }
 
 }  // namespace
 
@@ -33,7 +47,7 @@ std::vector<ReportMode> distinct_modes(const ReportFindings& findings) {
 
 std::string frequency_html(const ReportFindings& findings, double frequency) {
   const Scales& scales = findings.study.scales;
-  if (scales.known()) return fmt::format("{:.4g} Hz", frequency * hertz_per_unit(scales));
+  if (scales.known()) return html_number(frequency * hertz_per_unit(scales)) + " Hz";
   return fmt::format("{:.4g}{}", frequency, plain_unit(*findings.study.model));
 }
 
@@ -49,21 +63,41 @@ const std::vector<ExcitationOrder>& excitation_orders() {
   return kExcitationOrders;
 }
 
-std::string resonance_html(const ReportFindings& findings, double forcing) {
-  constexpr double kNear = 0.05;
-  double nearest = kNear;
-  std::string found;
-  for (const ReportMode& mode : distinct_modes(findings)) {
-    for (const ExcitationOrder& order : excitation_orders()) {
-      const double off = order.order * forcing / mode.frequency - 1.0;
-      if (std::abs(off) >= nearest) continue;
-      nearest = std::abs(off);
-      found = fmt::format("order {} of {}, {:.1f} % {}", order.name,
-                          frequency_html(findings, mode.frequency), 100.0 * std::abs(off),
-                          off < 0.0 ? "below" : "above");
-    }
+std::string CriticalSpeed::html(const ReportFindings& findings) const {
+  return fmt::format("order {} of {}", order, frequency_html(findings, frequency));
+}
+
+std::optional<CriticalSpeed> nearest_critical(const ReportFindings& findings, double forcing,
+                                              bool with_halves) {
+  const auto distance = [&](const CriticalSpeed& one) { return std::abs(one.margin(forcing)); };
+  std::vector<CriticalSpeed> speeds = critical_speeds(findings);
+  if (!with_halves) std::erase_if(speeds, is_of_half);
+  const auto nearest = std::ranges::min_element(speeds, {}, distance);
+  return nearest == speeds.end() ? std::nullopt : std::optional(*nearest);
+}
+
+std::optional<CriticalSpeed> next_critical(const ReportFindings& findings, double forcing,
+                                           double near) {
+  std::optional<CriticalSpeed> next;
+  for (const CriticalSpeed& one : critical_speeds(findings)) {
+    const bool is_above = one.margin(forcing) > near && !is_of_half(one);
+    if (is_above && (!next || one.forcing < next->forcing)) next = one;
   }
-  return found;
+  return next;
+}
+
+std::string resonance_html(const ReportFindings& findings, double forcing) {
+  const std::optional<CriticalSpeed> nearest = nearest_critical(findings, forcing, true);
+  if (!nearest || std::abs(nearest->margin(forcing)) >= kNearSpeeds) return "";
+  // Seen from the critical speed, which lies above where this one is below it.
+  const double off = forcing / nearest->forcing - 1.0;
+  return fmt::format("{}, {} {}", nearest->html(findings), html_percent(std::abs(off)),
+                     off < 0.0 ? "below" : "above");
+}
+
+std::string margin_html(const CriticalSpeed& critical, double from) {
+  const double margin = critical.margin(from);
+  return fmt::format("{} {}", html_percent(std::abs(margin)), margin < 0.0 ? "lower" : "higher");
 }
 
 }  // namespace gearsweep

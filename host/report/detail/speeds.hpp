@@ -1,6 +1,7 @@
 // Speeds and frequencies of a report, in rpm and Hz where the study has scales.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,33 @@ struct ExcitationOrder {
 };
 const std::vector<ExcitationOrder>& excitation_orders();
 
-// Which order is near which natural frequency at this mesh frequency: "order 2 of 1920 Hz"; empty
-// where none is within a twentieth. HTML.
+// A speed at which one of these orders meets a natural frequency.
+struct CriticalSpeed {
+  double forcing = 0.0;    // the mesh frequency there
+  double frequency = 0.0;  // the natural one
+  std::string order;       // "1/2"
+
+  // How far it lies above another mesh frequency, as a share of that.
+  double margin(double from) const { return forcing / from - 1.0; }
+  // "order 2 of 1920 Hz". HTML.
+  std::string html(const ReportFindings& findings) const;
+};
+
+// The nearest to a mesh frequency, with the half orders or without, and of the whole orders the
+// nearest above it by more than `near` of it.
+std::optional<CriticalSpeed> nearest_critical(const ReportFindings& findings, double forcing,
+                                              bool with_halves);
+std::optional<CriticalSpeed> next_critical(const ReportFindings& findings, double forcing,
+                                           double near);
+
+// Two speeds that differ by less than this share are near each other.
+inline constexpr double kNearSpeeds = 0.05;
+
+// Which order is near which natural frequency at this mesh frequency: "order 2 of 1920 Hz, 1.2 %
+// below"; empty where none is near. HTML.
 std::string resonance_html(const ReportFindings& findings, double forcing);
+
+// How far a critical speed is from one, in words: "3.1 % higher". HTML.
+std::string margin_html(const CriticalSpeed& critical, double from);
 
 }  // namespace gearsweep

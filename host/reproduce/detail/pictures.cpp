@@ -22,6 +22,7 @@ class Gallery {
            std::optional<std::size_t> periods = std::nullopt,
            std::optional<double> orders = std::nullopt) {
     PlotRequest request;
+    request.style.has_units = true;  // as the papers are, in the model's units
     for (const std::string& result : results) request.paths.push_back(path(result + ".nc"));
     request.quantity = quantity;
     request.output_path = path(picture + ".png");

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "model/names.hpp"
 #include "study/builtin_models.hpp"
 #include "study/detail/gear_files.hpp"
@@ -24,6 +27,24 @@ void read_key(const toml::table& gear, const GearKey& key, TableReader* reader,
     drawing->set_number(key, *reader->optional_number(name, key.min, key.max));
   } else {
     drawing->set_numbers(key, reader->numbers(name, key.min, key.max));
+  }
+}
+
+// The names of the keys that are guesses.
+void read_estimated(const toml::table& gear, GearDrawing* drawing) {
+  const toml::node* const node = gear.get(kEstimated);
+  if (node == nullptr) return;
+  const std::string right = fmt::format("{} is a list of keys that the table has, as in [\"{}\"]",
+                                        kEstimated, kTorque.name);
+  const toml::array* const names = node->as_array();
+  if (names == nullptr) fail_at(*node, right);
+  for (const toml::node& name : *names) {
+    const std::string text = name.value_or(std::string());
+    const auto key = std::ranges::find(kGearKeys, text, &GearKey::name);
+    if (key == std::end(kGearKeys) || !gear.contains(text)) {
+      fail_at(name, fmt::format("{}, and '{}' is none", right, text));
+    }
+    drawing->set_estimated(*key);
   }
 }
 
@@ -69,6 +90,7 @@ GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
       fail_at(node_of(from, key.name), error.what());
     }
   }
+  read_estimated(table, &drawing);
   return drawing;
 }
 

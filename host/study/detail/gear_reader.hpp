@@ -12,6 +12,9 @@
 
 namespace gearsweep {
 
+// The key of a drawing's table with the names of its keys whose values are guesses.
+inline constexpr std::string_view kEstimated = "estimated";
+
 // The table of a drawing: [gear] itself, or [gear.first] of a model with the drawing `first`.
 struct DrawingTable {
   std::string heading;                 // as messages name it

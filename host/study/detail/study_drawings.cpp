@@ -86,6 +86,10 @@ void take_in_drawing(const DrawingTable& from, const GearConversion& gear, const
   for (const std::string& note : gear.notes) {
     study->gear_notes.push_back(from.suffix.empty() ? note : from.heading + " " + note);
   }
+  for (GearDatum datum : gear.data) {
+    if (!from.suffix.empty()) datum.drawing = from.suffix.substr(1);
+    study->gear_data.push_back(std::move(datum));
+  }
   for (const GearDoubt& doubt : gear.doubts) {
     study->notices.push_back(fmt::format("{}: {}", place_of(node_of(from, doubt.key)), doubt.text));
   }

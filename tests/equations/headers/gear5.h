@@ -8,7 +8,7 @@
 
 // X(name, unit, meaning)
 #define MODEL_STATES(X)                                                      \
-  X(x1, "b_n", "torsional mesh displacement Rp theta_p - Rg theta_g - e(t)") \
+  X(x1, "b_n", "torsional mesh displacement R_p theta_p - R_g theta_g - e(t)") \
   X(x2, "b_n", "pinion shaft, across the line of action")                    \
   X(x3, "b_n", "pinion shaft, along the line of action")                     \
   X(x4, "b_n", "gear shaft, across the line of action")                      \
@@ -95,10 +95,11 @@
   X(overlap, "1", 0.0, 0.0, 10.0, 1, "overlap ratio of helical teeth")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
-#define MODEL_OPTIONS(X)                                                              \
-  X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")   \
-  X(backlash, "constant dynamic", "whether the backlash follows the shafts (Eq. 20)") \
-  X(stiffness, "parabolic rectangular fourier table", "shape of the pair stiffness")  \
+#define MODEL_OPTIONS(X)                                                             \
+  X(formulation, "consistent printed", "sign of the shafts in the mesh deflection")  \
+  X(backlash, "constant dynamic",                                                    \
+    "whether the backlash follows the shafts (Chen et al. 2011, Eq. 20)")            \
+  X(stiffness, "parabolic rectangular fourier table", "shape of the pair stiffness") \
   X(error, "sine series", "transmission error: one sine, or more than that")
 enum { FORMULATION_CONSISTENT, FORMULATION_PRINTED };
 enum { BACKLASH_CONSTANT, BACKLASH_DYNAMIC };
@@ -129,11 +130,11 @@ enum { ERROR_SINE, ERROR_SERIES };
 #define MODEL_SIGNALS(X)                                                                 \
   X(deflection, "b_n", "mesh deflection D along the line of action")                     \
   X(backlash, "b_n", "half backlash b' at work")                                         \
-  X(dmf, "k0 b_n", "dynamic meshing force Q f (Eq. 22)")                                 \
+  X(dmf, "k0 b_n", "dynamic meshing force (Chen et al. 2011, Eq. 22)")               \
   X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                     \
   X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs")  \
   X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")     \
-  X(dte, "b_n", "dynamic transmission error Rp theta_p - Rg theta_g = x1 + e(t)")        \
+  X(dte, "b_n", "dynamic transmission error R_p theta_p - R_g theta_g = x1 + e(t)")        \
   X(bearing_p, "k0 b_n", "force on the pinion's bearing, of its spring and damper")      \
   X(bearing_g, "k0 b_n", "force on the gear's bearing, of its spring and damper")        \
   X(power_damping, "k0 b_n^2 varpi", "power that the dampers of mesh and bearings take") \
