@@ -23,7 +23,7 @@ constexpr double kRate = 0.3, kRateOfTransient = 2.0;  // times the step
 // Of the range of a surface's level, at its fastest, in a step: 20 steps in a turn of a sine. Where
 // a level goes there and back within a step, both crossings are missed.
 constexpr double kLevelWay = 0.15;
-constexpr std::size_t kSteps = 1000;  // of either half of a motion
+constexpr std::size_t kSteps = 1000;       // of either half of a motion
 constexpr std::size_t kStepsOfLook = 200;  // of a motion that has settled
 
 // The shortest of the steps that are asked for, and who asks.

@@ -7,16 +7,16 @@
 #define MODEL_SUMMARY "geared rotor-bearing pair, 5 degrees of freedom (Chen et al. 2011)"
 
 // X(name, unit, meaning)
-#define MODEL_STATES(X)                                                      \
+#define MODEL_STATES(X)                                                        \
   X(x1, "b_n", "torsional mesh displacement R_p theta_p - R_g theta_g - e(t)") \
-  X(x2, "b_n", "pinion shaft, across the line of action")                    \
-  X(x3, "b_n", "pinion shaft, along the line of action")                     \
-  X(x4, "b_n", "gear shaft, across the line of action")                      \
-  X(x5, "b_n", "gear shaft, along the line of action")                       \
-  X(v1, "b_n varpi", "velocity of x1")                                       \
-  X(v2, "b_n varpi", "velocity of x2")                                       \
-  X(v3, "b_n varpi", "velocity of x3")                                       \
-  X(v4, "b_n varpi", "velocity of x4")                                       \
+  X(x2, "b_n", "pinion shaft, across the line of action")                      \
+  X(x3, "b_n", "pinion shaft, along the line of action")                       \
+  X(x4, "b_n", "gear shaft, across the line of action")                        \
+  X(x5, "b_n", "gear shaft, along the line of action")                         \
+  X(v1, "b_n varpi", "velocity of x1")                                         \
+  X(v2, "b_n varpi", "velocity of x2")                                         \
+  X(v3, "b_n varpi", "velocity of x3")                                         \
+  X(v4, "b_n varpi", "velocity of x4")                                         \
   X(v5, "b_n varpi", "velocity of x5")
 
 // Positions, then their velocities in the same order: tangent vectors cost less.
@@ -130,11 +130,11 @@ enum { ERROR_SINE, ERROR_SERIES };
 #define MODEL_SIGNALS(X)                                                                 \
   X(deflection, "b_n", "mesh deflection D along the line of action")                     \
   X(backlash, "b_n", "half backlash b' at work")                                         \
-  X(dmf, "k0 b_n", "dynamic meshing force (Chen et al. 2011, Eq. 22)")               \
+  X(dmf, "k0 b_n", "dynamic meshing force (Chen et al. 2011, Eq. 22)")                   \
   X(mesh_stiffness, "k0", "stiffness of all tooth pairs at work, B")                     \
   X(friction, "k0 b_n", "sliding friction on the shafts, C f + 2 zeta H D', all pairs")  \
   X(friction_lever, "k0 b_n", "what friction takes from the force on x1, all pairs")     \
-  X(dte, "b_n", "dynamic transmission error R_p theta_p - R_g theta_g = x1 + e(t)")        \
+  X(dte, "b_n", "dynamic transmission error R_p theta_p - R_g theta_g = x1 + e(t)")      \
   X(bearing_p, "k0 b_n", "force on the pinion's bearing, of its spring and damper")      \
   X(bearing_g, "k0 b_n", "force on the gear's bearing, of its spring and damper")        \
   X(power_damping, "k0 b_n^2 varpi", "power that the dampers of mesh and bearings take") \
