@@ -102,6 +102,22 @@ std::string as_toml(const SceneAxis& axis, const Range& range) {
                      range.low, range.high, axis.logarithmic ? "log" : "linear");
 }
 
+// The axis of a key of [gear] stands for the parameter that follows from it, where that is one:
+// 'pinion_speed_rpm' for 'omega'.
+Axis of_one_number(const Axis& axis, std::vector<std::string>* notices) {
+  if (axis.columns.empty() && !axis.is_list) return axis;
+  if (axis.is_list || axis.columns.size() > 1) {
+    throw InputError(fmt::format(
+        "explore takes axes of one parameter or state each; '{}' stands for several", axis.name));
+  }
+  Axis own;
+  static_cast<Swept&>(own) = axis.columns.front();
+  own.logarithmic = axis.logarithmic;
+  notices->push_back(
+      fmt::format("'{}' is swept as '{}', which follows from it", axis.name, own.name));
+  return own;
+}
+
 // Up to two: parameters that are not 0, in the model's order, then states.
 void add_axes(const ExploredStudy& base, std::vector<SceneAxis>* axes,
               std::vector<std::string>* notices) {
@@ -295,19 +311,17 @@ Study Scene::census() const {
 
 Study explorable(const Study& study) {
   std::vector<SceneAxis> axes;
-  for (const Axis& axis : study.axes) {
-    if (axis.is_list || !axis.columns.empty()) {
-      throw InputError(fmt::format(
-          "explore takes axes of one parameter or state each; '{}' stands for several", axis.name));
-    }
-    axes.push_back(as_it_is(axis, *study.model));
-  }
   std::vector<std::string> notices;
+  for (const Axis& axis : study.axes) {
+    axes.push_back(as_it_is(of_one_number(axis, &notices), *study.model));
+  }
   add_axes({study, std::nullopt}, &axes, &notices);
   const std::vector<std::string> quantities = quantities_of_points(study, &notices);
   std::vector<std::string> overrides = {
       fmt::format("observe.quantities=[\"{}\"]", fmt::join(quantities, "\", \""))};
-  if (study.axes.size() < 2) {
+  const bool has_other_axes =
+      !std::ranges::equal(axes, study.axes, {}, &SceneAxis::name, &Axis::name);
+  if (has_other_axes) {
     overrides.push_back(fmt::format("axes=[{}, {}]", as_toml(axes[0], axes[0].view),
                                     as_toml(axes[1], axes[1].view)));
   }

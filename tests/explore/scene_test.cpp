@@ -51,6 +51,26 @@ TEST(Scene, TakesOtherAxesAndParameters) {
   EXPECT_EQ(scene.key(), Scene(base, {{{"omega", 1.1}}, "damping", "x"}).key());
 }
 
+// An axis in rpm is one of the frequency that follows from it; a torque with a gradual entry of
+// teeth stands for two numbers.
+TEST(Scene, SweepsWhatFollowsFromAKeyOfADrawing) {
+  const std::string gears =
+      "[gear]\nteeth = [19, 61]\nmodule_mm = 2.5\nface_width_mm = 25\nbody = 'solid'\n"
+      "bearing_stiffness_N_per_mm = 2e5\nbearing_damping_N_s_per_mm = 2\n"
+      "mesh_damping_ratio = 0.07\nhalf_backlash_mm = 0.06\ntorque_N_m = 60\n"
+      "tooth_entry = 'gradual'\ntransmission_error_um = 5\n[observe]\nquantities = ['dmf_max']\n";
+  const Study study = read_study(
+      gears + "[[axes]]\nname = 'pinion_speed_rpm'\nfrom = 3000\nto = 6000\ncount = 3\n", "test");
+  const Study shown = explorable(study);
+  EXPECT_EQ(shown.axes[0].name, "omega");
+  EXPECT_DOUBLE_EQ(shown.axes[0].values.back() * study.scales.rpm_per_omega, 6000.0);
+  EXPECT_THAT(shown.notices, Contains(HasSubstr("'pinion_speed_rpm' is swept as 'omega'")));
+  const Study torques =
+      read_study(gears + "[[axes]]\nname = 'torque_N_m'\nfrom = 30\nto = 60\ncount = 3\n", "test");
+  EXPECT_THAT([&] { explorable(torques); },
+              ThrowsMessage<InputError>(HasSubstr("'torque_N_m' stands for several")));
+}
+
 // The first view of a state is as large as motions are, in any unit.
 TEST(Scene, ShowsAStateWhereMotionsGo) {
   const auto view_of_x = [](double unit) {
