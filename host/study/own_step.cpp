@@ -39,26 +39,15 @@ struct Shortest {
 };
 
 void widen(const ProbeMotion::Stretch& stretch, MotionReach* reach) {
-  if (reach->low.empty()) {
-    reach->low = stretch.low;
-    reach->high = stretch.high;
-  }
+  if (reach->low.empty()) *reach = {stretch.low, stretch.high};
   for (std::size_t i = 0; i < reach->low.size(); ++i) {
     reach->low[i] = std::min(reach->low[i], stretch.low[i]);
     reach->high[i] = std::max(reach->high[i], stretch.high[i]);
   }
-  reach->rate = std::max(reach->rate, stretch.rate);
 }
 
-// What a motion that has settled asks for.
-void ask_settled(const Model& model, const ProbeMotion::Stretch& later, Shortest* shortest) {
-  const double local_error = model.surfaces.empty() ? kLocalError : kLocalErrorOfCuts;
-  shortest->take(later.step_of(local_error),
-                 fmt::format("the error of a step is {} of each state's range", local_error));
-  shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
-  const double level_time = later.level_time(model);
-  shortest->take(kLevelWay * level_time,
-                 fmt::format("a jump or a surface is passed in a time of {:.3g}", level_time));
+double local_error_of(const Model& model) {
+  return model.surfaces.empty() ? kLocalError : kLocalErrorOfCuts;
 }
 
 void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest,
@@ -77,12 +66,17 @@ void ask_motion(const Study& study, const ProbeStart& start, Shortest* shortest,
                           fmt::format("the start has a rate of {:.3g}", transient.first_rate));
   }
   widen(later, reach);
-  shortest->take(
-      transient.step_of(kLocalErrorOfTransient),
-      fmt::format("the error of a step is {} of each state's range", kLocalErrorOfTransient));
+  const double local_error = local_error_of(*study.model);
+  const std::string error =
+      fmt::format("the error of a step is {} of each state's range", local_error);
+  shortest->take(transient.step_of(kLocalErrorOfTransient), error);
   shortest->take(kRateOfTransient / transient.rate,
                  fmt::format("the transient has a rate of {:.3g}", transient.rate));
-  ask_settled(*study.model, later, shortest);
+  shortest->take(later.step_of(local_error), error);
+  shortest->take(kRate / later.rate, fmt::format("the motion has a rate of {:.3g}", later.rate));
+  const double level_time = later.level_time(*study.model);
+  shortest->take(kLevelWay * level_time,
+                 fmt::format("a jump or a surface is passed in a time of {:.3g}", level_time));
 }
 
 // The longest that is no longer than `step` and divides the period into a number of the ladder.
@@ -115,14 +109,11 @@ OwnStep find_own_step(const Study& study) {
   return {rounded_down(shortest.step, period), shortest.step, shortest.reason, reach};
 }
 
-double step_wanted_at(const Model& model, const ModelSetting& setting,
-                      const std::vector<double>& state) {
+double step_of_error_at(const Model& model, const ModelSetting& setting,
+                        const std::vector<double>& state) {
   ProbeMotion motion(model, setting, state);
   const ProbeMotion::Stretch stretch = motion.go_on(kStepsOfLook);
-  if (motion.escapes()) return 0.0;
-  Shortest shortest;
-  ask_settled(model, stretch, &shortest);
-  return shortest.step;
+  return motion.escapes() ? 0.0 : stretch.step_of(local_error_of(model));
 }
 
 std::map<std::string, double> motion_ranges(const Study& study) {

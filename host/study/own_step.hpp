@@ -39,10 +39,10 @@ struct OwnStep {
 // each of up to nine points.
 OwnStep find_own_step(const Study& study);
 
-// The longest step that is as short as a motion wants that is in such a state at phase 0; 0 where
-// it goes to infinity. state: of the whole model. Takes about a millisecond.
-double step_wanted_at(const Model& model, const ModelSetting& setting,
-                      const std::vector<double>& state);
+// The longest step that keeps that error of a motion that is in such a state at phase 0; 0 where it
+// goes to infinity. state: of the whole model. Takes about a millisecond.
+double step_of_error_at(const Model& model, const ModelSetting& setting,
+                        const std::vector<double>& state);
 
 // To the next number of that ladder.
 double rounded_up(double steps);

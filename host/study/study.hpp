@@ -114,7 +114,6 @@ struct Integrate {
 // Where some motions have been.
 struct MotionReach {
   std::vector<double> low, high;  // [state]
-  double rate = 0.0;  // the fastest of theirs: the largest modulus of the Jacobian's eigenvalues
 };
 
 struct Study {

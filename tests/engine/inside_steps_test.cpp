@@ -17,6 +17,10 @@
 namespace gearsweep::testing {
 namespace {
 
+// Parameters that hang together: shares add up, teeth and cycles are whole, and a frequency follows
+// from stiffness and inertia.
+constexpr const char* kBound[] = {"rho_", "k0_", "varpi_", "zp_", "z_", "teeth_ratio_", "cycle"};
+
 // The model at parameters of 0.7 to 1.4 times its defaults, over starts of its first state, for two
 // periods: too few for chaos to part two runs.
 std::string any_study(const Model& model, std::mt19937* random) {
@@ -27,9 +31,10 @@ std::string any_study(const Model& model, std::mt19937* random) {
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
     const double value = std::clamp(info.default_value * factor(*random), info.min, info.max);
-    const bool is_bound = info.name.starts_with("rho_") || info.name == "cycle";
+    const bool is_bound = std::ranges::any_of(
+        kBound, [&](const char* begin) { return info.name.starts_with(begin); });
     if (info.shapes_phase || value == 0.0 || is_bound) continue;
-    // Teeth are whole, and one gear of two drawings has one inertia.
+    // One gear of two drawings has one base circle.
     ModelSetting changed = setting;
     changed.parameters[i] = value;
     if (model.check && !model.check(changed).empty()) continue;

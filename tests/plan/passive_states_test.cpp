@@ -83,14 +83,17 @@ TEST(PassiveStates, WhatDoesNotDecayIsIntegrated) {
   EXPECT_EQ(kept("[[axes]]\nname = 'c3'\nvalues = [0.0, 0.5, 1.0, 1.5, 2.0]\n"), all_of_gear5());
 }
 
+// A shaft that is rigid and a ring that is fixed have states that drive nothing.
 TEST(PassiveStates, OtherModelsNeedAllTheirStates) {
+  const std::set<std::string> idle = {"two_stages", "planetary"};
   for (const Model& model : models()) {
     if (model.name == "gear5") continue;
     const Study study = read_study("[model]\nname = '" + model.name + "'\n[[axes]]\nname = '" +
                                        model.parameters[0].name + "'\nvalues = [" +
                                        std::to_string(model.parameters[0].default_value) + "]\n",
                                    "test.toml");
-    EXPECT_EQ(without_passive_states(study).model, study.model) << model.name;
+    const bool needs_all = without_passive_states(study).model == study.model;
+    EXPECT_NE(needs_all, idle.contains(model.name)) << model.name;
   }
 }
 

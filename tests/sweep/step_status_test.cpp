@@ -47,5 +47,17 @@ TEST(StepStatus, AMotionThatGrowsIsNotRefused) {
   EXPECT_NEAR(map_of(result, "x_max")[0], 500.0, 0.1);
 }
 
+// Nor is a resonance between the places that the step was found at: the spring hardens, so that the
+// motion is some times as large there, and faster.
+TEST(StepStatus, AResonanceBetweenTheProbesIsNotRefused) {
+  const SweepResult result =
+      run("[model]\ntext = '''\n[model]\nname = \"hardening\"\n[states]\nx = {}\nv = {}\n"
+          "[parameters]\nomega = 1.0\n[equations]\nx = \"v\"\n"
+          "v = \"-x - 0.05*x^3 - 0.1*v + cos(phase)\"\n[forcing]\nperiod = \"2*pi/omega\"\n'''\n"
+          "[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 3.5\ncount = 48\n[observe]\n"
+          "quantities = ['x_max']\n");
+  for (const std::uint8_t status : result.status) EXPECT_EQ(status, STATUS_ok);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

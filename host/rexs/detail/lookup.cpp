@@ -33,9 +33,9 @@ std::vector<const RexsComponent*> RexsLookup::of_type(std::string_view type) con
 
 const std::vector<const RexsRelation*>& RexsLookup::relations_of(
     const RexsComponent& component) const {
-  static const std::vector<const RexsRelation*> none;
+  static const std::vector<const RexsRelation*> kNone;
   const auto found = relations_.find(component.id);
-  return found == relations_.end() ? none : found->second;
+  return found == relations_.end() ? kNone : found->second;
 }
 
 std::vector<const RexsComponent*> RexsLookup::related(const RexsComponent& component,
