@@ -33,7 +33,7 @@ std::string any_study(const Model& model, std::mt19937* random) {
     const double value = std::clamp(info.default_value * factor(*random), info.min, info.max);
     const bool is_bound = std::ranges::any_of(
         kBound, [&](const char* begin) { return info.name.starts_with(begin); });
-    if (info.shapes_phase || value == 0.0 || is_bound) continue;
+    if (info.shapes_phase || value == 0.0 || is_bound || model.find_derived(i)) continue;
     // One gear of two drawings has one base circle.
     ModelSetting changed = setting;
     changed.parameters[i] = value;
@@ -73,6 +73,8 @@ double median_error(const std::string& study, const Model& model, double steps,
 TEST(InsideSteps, ExtremesAndAveragesOfEveryModelAreOfFourthOrder) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
+    // Two periods of so many meshes are enough for chaos. Known answers judge these models.
+    if (model.mesh_periods(model.default_setting()) > 10.0) continue;
     std::mt19937 random(20261123);  // the same, whichever models there are
     double coarse = 0.0, usual = 0.0, compared = 0.0;
     // To find the clock of a model that has none takes longer than all else here.
