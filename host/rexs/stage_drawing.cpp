@@ -54,7 +54,7 @@ class StageDrawer {
   static std::string pair(double a, double b) { return fmt::format("[{:.10g}, {:.10g}]", a, b); }
 
   void read_teeth() {
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
       const double teeth = *gears_[i]->teeth;
       if (teeth < kTeeth.min || teeth > kTeeth.max || teeth != std::floor(teeth)) {
         throw InputError(
@@ -168,7 +168,7 @@ class StageDrawer {
 
   void read_bodies() {
     const UnitShaft* shafts[2] = {};
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
       if (gears_[i]->shaft) shafts[i] = &unit_.shafts[*gears_[i]->shaft];
       if (shafts[i] == nullptr || !(shafts[i]->mass > 0.0)) {
         return note(

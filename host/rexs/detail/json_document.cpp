@@ -16,10 +16,10 @@ using Json = nlohmann::json;
 
 // What has no value there, as no object has one.
 const Json& member(const Json& object, const char* name) {
-  static const Json none;
-  if (!object.is_object()) return none;
+  static const Json kNone;
+  if (!object.is_object()) return kNone;
   const auto found = object.find(name);
-  return found == object.end() ? none : *found;
+  return found == object.end() ? kNone : *found;
 }
 
 // Of a text as it stands, of a number as JSON writes it; otherwise empty.
@@ -65,9 +65,9 @@ class JsonReader {
  private:
   // Throws InputError where it is something else than a list.
   const Json& list_of(const Json& object, const char* name) const {
-    static const Json empty = Json::array();
+    static const Json kEmpty = Json::array();
     const Json& list = member(object, name);
-    if (list.is_null()) return empty;
+    if (list.is_null()) return kEmpty;
     if (!list.is_array()) throw InputError(fmt::format("{}: \"{}\" is no list", source_, name));
     return list;
   }
