@@ -22,9 +22,9 @@ std::string jump_html(const ReportFindings& findings) {
   constexpr double kLeast = 1.01;
   if (findings.jump < kLeast) return "";
   return fmt::format(
-      "A largest force of about {:.3g} times the mean load is there at any speed: the stiffness of "
-      "the model jumps by this factor where a pair of teeth enters, and teeth of a gear take up "
-      "their load gradually.{}",
+      "A largest force of about {:.3g} times the mean load is there at any speed: the force of the "
+      "model jumps by this factor where a pair of teeth enters, or where friction turns round at "
+      "the pitch point. On a gear neither is sudden.{}",
       findings.jump,
       findings.ranking == findings.force ? ""
                                          : " The largest force is hardly more at these speeds, so "
