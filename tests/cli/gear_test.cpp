@@ -95,7 +95,7 @@ TEST(GearCommand, CountsTheOrdersOfBothMeshes) {
   const nlohmann::json modes = nlohmann::json::parse(told.out)["modes"];
   ASSERT_EQ(modes.size(), 2U);
   for (const nlohmann::json& mode : modes) {
-    for (std::size_t order : {0, 1, 2}) {
+    for (std::size_t order = 0; order < 3; ++order) {
       EXPECT_NEAR(mode["critical_rpm_second"][order].get<double>(),
                   mode["critical_rpm"][order].get<double>() * 41.0 / 18.0, 1e-6);
     }
