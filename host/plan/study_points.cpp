@@ -98,12 +98,13 @@ std::string StudyPoints::name(std::size_t point) const {
   return "";
 }
 
-std::size_t StudyPoints::stages() const {
-  return study_->is_chained() ? study_->axes[study_->initial.along].values.size() : 1;
+std::size_t StudyPoints::stage_size(std::size_t stage) const {
+  if (study_->is_chained() || stages() == 1) return size() / stages();
+  return stage == 0 ? study_->points() : size() - study_->points();
 }
 
 std::size_t StudyPoints::point(std::size_t stage, std::size_t i) const {
-  if (!study_->is_chained()) return i;
+  if (!study_->is_chained()) return stage == 0 ? i : study_->points() + i;
   const bool is_forward = info_of(study_->initial.policy).neighbour < 0;
   const std::size_t index = is_forward ? stage : stages() - 1 - stage;
   const std::size_t nx = study_->axes[0].values.size();
@@ -112,7 +113,10 @@ std::size_t StudyPoints::point(std::size_t stage, std::size_t i) const {
 
 std::optional<std::size_t> StudyPoints::predecessor(std::size_t point) const {
   const int neighbour = info_of(study_->initial.policy).neighbour;
-  if (neighbour == 0) return std::nullopt;
+  if (neighbour == 0) {
+    if (stages() == 1 || point < study_->points()) return std::nullopt;
+    return point % study_->points();
+  }
   const std::size_t along = study_->initial.along;
   const std::size_t index = study_->axis_index(along, point);
   const std::size_t first = neighbour < 0 ? 0 : stages() - 1;

@@ -16,7 +16,7 @@ std::vector<double> start_of_policy(const Study& study, const ModelSetting& sett
 // Point (ix, iy) of the axes, of which x has nx values, has index iy * nx + ix. With an ensemble or
 // uncertain parameters, trajectory m of point p is point m * study.points() + p; the first one has
 // the nominal parameters. Where the study's policy goes on from a neighbour, each place along its
-// axis is a stage.
+// axis is a stage; where draws start from the nominal motions, these are the first one.
 class StudyPoints final : public PointSource {
  public:
   explicit StudyPoints(std::shared_ptr<const Study> study);
@@ -27,8 +27,8 @@ class StudyPoints final : public PointSource {
   void set(std::size_t point, ModelSetting* setting) const override;
   std::vector<double> start(std::size_t point) const override;
   std::string name(std::size_t point) const override;
-  std::size_t stages() const override;
-  std::size_t stage_size(std::size_t) const override { return size() / stages(); }
+  std::size_t stages() const override { return study_->stages(); }
+  std::size_t stage_size(std::size_t stage) const override;
   std::size_t point(std::size_t stage, std::size_t i) const override;
   std::optional<std::size_t> predecessor(std::size_t point) const override;
   std::size_t row() const override;

@@ -97,8 +97,7 @@ WorkerReport ThreadWorkers::compute(const Job& job, Engine* engine) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result->cost.kernel_seconds = engine->kernel_seconds() - in_kernels;
   result->device = engine->info().device;
-  // Only neighbours in a chain ask for them again.
-  if (!plan_.study().is_chained()) result->final_states.clear();
+  if (!has_final_states(plan_.study(), tile)) result->final_states.clear();
   return {.kind = WorkerReport::Kind::finished, .tile = job.tile, .result = std::move(*result)};
 }
 

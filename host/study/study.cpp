@@ -125,6 +125,11 @@ void Study::release(std::size_t parameter) {
   bind(binding);
 }
 
+std::size_t Study::stages() const {
+  if (is_chained()) return axes[initial.along].values.size();
+  return uncertain.draws() > 0 && uncertain.starts_at_nominal ? 2 : 1;
+}
+
 void Study::separate_points() {
   if (is_chained()) initial.policy = InitialPolicy::shifted;
   initial.ensemble = 1;

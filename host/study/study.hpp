@@ -167,6 +167,9 @@ struct Study {
   void release(std::size_t parameter);
   // Whether points go on from their neighbours.
   bool is_chained() const { return info_of(initial.policy).neighbour != 0; }
+  // Points of a later stage start from the final states of those of an earlier one: a place along
+  // the axis of a chain each, or the nominal points and their draws. 1: all start on their own.
+  std::size_t stages() const;
   // Takes uncertain parameters as they are without their tolerances.
   void take_nominal();
   // Makes each point start on its own, and once: without chain, ensemble or draws.

@@ -221,6 +221,11 @@ StudyTable uncertain_table() {
            whole("seed", Uncertain().seed, 0, 1e9, "Another seed, other draws."),
            {"percentiles", "list of numbers", "[5, 50, 95]",
             "Which percentiles become maps, increasing.", 0.0, 100.0},
+           one_of("start", {"own", "nominal"}, quoted("own"),
+                  "Where a draw starts. own: as any point of the study; nominal: from where the "
+                  "motion of the nominal parameters ends at its point. A draw that stays on that "
+                  "motion's branch then settles sooner; where several motions are possible, it is "
+                  "the nominal one that is followed."),
            truth("sobol", false,
                  "Sobol indices of each quantity: which share of its variance each parameter "
                  "makes, alone (first) and with all others (total). It takes samples times two "

@@ -20,8 +20,11 @@ struct Uncertain {
   std::size_t samples = 0;
   std::size_t seed = 1;
   std::vector<double> percentiles;  // in percent, increasing
-  bool sobol = false;               // indices of first order and total ones are asked for
-  bool keep = false;                // the values in each draw are part of the result
+  // A draw starts from where the motion of the nominal parameters ends at its point, so that it
+  // needs to settle what its tolerances change alone. Otherwise it starts as any point does.
+  bool starts_at_nominal = false;
+  bool sobol = false;  // indices of first order and total ones are asked for
+  bool keep = false;   // the values in each draw are part of the result
   std::vector<UncertainParameter> parameters;
 
   // Trajectories of a point beside that of the nominal parameters. With Sobol indices the rows of

@@ -38,7 +38,7 @@ Assembly::Assembly(const Study& study, std::size_t states) {
     result_.values.emplace_back(points * quantity.width);
   }
   result_.samples.resize(points * selection.poincare.size() * study.integrate.record);
-  if (study.is_chained()) final_states_.resize(points * states);
+  if (study.stages() > 1) final_states_.resize(points * states);
   if (selection.census) summaries_.resize(study.trajectories());
   if (study.uncertain.draws() > 0) draws_.emplace(study);
 }
@@ -82,11 +82,18 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   initial.reserve(tile.points.size() * states);
   for (const std::size_t point : tile.points) {
     const std::optional<std::size_t> before = plan.points().predecessor(point);
+    std::vector<double> start = plan.own_initial_state(point);
     if (before && has_values(result_.status[*before])) {
-      append(Array2(final_states_, states)[*before], &initial);
-    } else {
-      append(plan.own_initial_state(point), &initial);
+      const std::span<const double> end = Array2(final_states_, states)[*before];
+      if (plan.study().is_chained()) {
+        start.assign(end.begin(), end.end());
+      } else {
+        // A draw of other loads rests elsewhere, and so does its motion.
+        const std::vector<double> nominal = plan.own_initial_state(*before);
+        for (std::size_t i = 0; i < states; ++i) start[i] += end[i] - nominal[i];
+      }
     }
+    append(start, &initial);
   }
   return initial;
 }

@@ -29,7 +29,7 @@ double memory_of_maps(const Study& study, std::size_t tiles) {
   for (const Quantity& quantity : study.selection.quantities) {
     numbers += static_cast<double>(quantity.width);
   }
-  if (study.is_chained()) numbers += static_cast<double>(states);
+  if (study.stages() > 1) numbers += static_cast<double>(states);
   // The plan's lists of points, one by phase grids and one by tiles, which grow by doubling: of
   // runs, each of two points at least. And the tiles themselves.
   constexpr double kOfTrajectory = 32.0, kOfTile = 512.0;
@@ -61,7 +61,7 @@ double journal_size(const Study& study, std::size_t tiles) {
 
 // The least number of tiles of any plan of the study.
 std::size_t min_tiles(const Study& study) {
-  const std::size_t stages = study.is_chained() ? study.axes[study.initial.along].values.size() : 1;
+  const std::size_t stages = study.stages();
   if (study.integrate.tile == 0) return stages;
   const std::size_t points = study.trajectories() / stages;
   return stages * ((points + study.integrate.tile - 1) / study.integrate.tile);

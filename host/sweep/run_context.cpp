@@ -81,10 +81,11 @@ RunContext::RunContext(const SteppedStudy& stepped, const SweepOptions& options)
       study_(stepped.study),
       computed_(without_passive_states(study_)),
       options_(options) {
-  if (options.shard.count > 0 && study_.is_chained()) {
-    throw InputError(
-        "--shard: initial.policy makes points start where their neighbours end, so the shards "
-        "would need each other; start it under mpirun or srun instead");
+  if (options.shard.count > 0 && study_.stages() > 1) {
+    throw InputError(fmt::format(
+        "--shard: {}, so the shards would need each other; start it under mpirun or srun instead",
+        study_.is_chained() ? "initial.policy makes points start where their neighbours end"
+                            : "uncertain.start makes draws start where nominal motions end"));
   }
 }
 

@@ -63,7 +63,7 @@ void TileLoop::start_tiles() {
     waiting_.pop_front();
     progress_.begin_tile(number, *tiles_[number]);
     std::vector<double> initial;
-    if (plan_.study().is_chained()) initial = assembly_->initial_states(plan_, *tiles_[number]);
+    if (plan_.stages().size() > 1) initial = assembly_->initial_states(plan_, *tiles_[number]);
     share_time();
     running_[number] = 0.0;
     // A worker's thread calls run_tile() for it; handle() hears of it from wait().

@@ -53,9 +53,14 @@ TileResult empty_result(const Study& study, std::size_t points) {
   return result;
 }
 
+bool has_final_states(const Study& study, const Tile& tile) {
+  if (study.stages() == 1) return false;
+  return study.is_chained() || tile.points.front() < study.points();
+}
+
 void require_fit(const Study& study, const Tile& tile, const TileResult& result) {
   const TileResult right = empty_result(study, tile.points.size());
-  const bool has_states = study.is_chained();  // only neighbours in a chain ask for them again
+  const bool has_states = has_final_states(study, tile);
   if (result.status.size() == right.status.size() &&
       result.outputs.size() == right.outputs.size() &&
       result.samples.size() == right.samples.size() &&

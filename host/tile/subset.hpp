@@ -26,6 +26,9 @@ std::vector<double> end_states(const TileResult& result, const std::vector<std::
 // A tile's result without any answers yet.
 TileResult empty_result(const Study& study, std::size_t points);
 
+// Whether the answer of a tile keeps its final states: where points of a later stage start there.
+bool has_final_states(const Study& study, const Tile& tile);
+
 // Throws InputError when what a journal has of this tile is not of its size.
 void require_fit(const Study& study, const Tile& tile, const TileResult& result);
 

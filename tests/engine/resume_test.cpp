@@ -103,5 +103,13 @@ TEST_F(Resume, GoesOnAmongTheDrawsOfUncertainParameters) {
                  kInParts);
 }
 
+// The nominal points of an earlier run are what draws of the next one start from.
+TEST_F(Resume, GoesOnAmongDrawsThatStartFromTheNominalMotion) {
+  expect_resumes(kStudy +
+                 "[uncertain]\nsamples = 9\nstart = 'nominal'\nF1 = {distribution = 'normal', std "
+                 "= 0.001}\n[integrate]\n" +
+                 kInParts);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

@@ -249,6 +249,7 @@ void read_uncertain(const toml::table& root, Study* study) {
   Uncertain& uncertain = study->uncertain;
   uncertain.samples = reader.count("samples", kUsualSamples);
   uncertain.seed = reader.count("seed", uncertain.seed);
+  uncertain.starts_at_nominal = reader.choice("start", 0, {"own", "nominal"}) == 1;
   uncertain.sobol = reader.boolean("sobol", uncertain.sobol);
   uncertain.keep = reader.boolean("keep", uncertain.keep);
   uncertain.percentiles = {5.0, 50.0, 95.0};

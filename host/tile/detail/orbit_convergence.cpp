@@ -37,14 +37,16 @@ Eigen::MatrixXd contracting_metric(const Eigen::MatrixXd& map, double contractio
 
 }  // namespace
 
-OrbitConvergence::OrbitConvergence(OrbitMap orbit) : orbit_(std::move(orbit)) {
+OrbitConvergence::OrbitConvergence(OrbitMap orbit, int longest_span) : orbit_(std::move(orbit)) {
   const auto states = static_cast<Eigen::Index>(orbit_.state.size());
   const Eigen::Map<const Eigen::VectorXd> ranges(orbit_.ranges.data(), states);
   const Eigen::Map<const Eigen::MatrixXd> derivative(orbit_.derivative.data(), states, states);
   const Eigen::MatrixXd once =
       ranges.cwiseInverse().asDiagonal() * derivative * ranges.asDiagonal();
   double left = orbit_.multiplier;
-  for (map_ = once; left > kHalf; left *= orbit_.multiplier, ++span_) map_ = map_ * once;
+  for (map_ = once; left > kHalf && span_ < longest_span; left *= orbit_.multiplier, ++span_) {
+    map_ = map_ * once;
+  }
   contraction_ = 0.5 * (1.0 + left);
   metric_ = contracting_metric(map_, contraction_);
   noise_ = orbit_.same * std::sqrt(metric_.cwiseAbs().sum());

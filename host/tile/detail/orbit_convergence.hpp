@@ -33,7 +33,9 @@ class OrbitConvergence {
  public:
   enum class Verdict { open, converges, leaves };
 
-  explicit OrbitConvergence(OrbitMap orbit);
+  // A span is not longer than this: where multipliers are near 1 it leaves more than half, and what
+  // is not linear must be the smaller.
+  explicit OrbitConvergence(OrbitMap orbit, int longest_span = 1000);
 
   // The state of the trajectory one period of the orbit after the last one that was added.
   Verdict add(std::span<const double> state);

@@ -11,18 +11,15 @@
 namespace gearsweep {
 namespace {
 
-// The orbit that a trajectory settles on is not farther than this from where the trajectory nearly
-// comes back, in ranges of the motion.
-constexpr double kFar = 1e-1;
 constexpr std::size_t kMaxSteps = 5;  // of Newton's method
 
 // `close` is where a step of Newton's method leaves only its square. In fp32 the map's rounding,
 // which a multiplier near 1 makes a step some 30 times as long, asks for more.
-NewtonLimits limits_of(const Study& study) {
+NewtonLimits limits_of(const Study& study, double far) {
   const bool fp64 = study.integrate.fp64;
   return {study.selection.period_tolerance,
           fp64 ? 1e-4 : 1e-3,
-          kFar,
+          far,
           fp64 ? 1e-10 : 1e-3,
           study.model->angles,
           lost_multiplier(!study.model->surfaces.empty(), fp64)};
@@ -55,11 +52,11 @@ std::vector<OrbitAttempt*> those_with(const std::vector<OrbitAttempt*>& attempts
 
 }  // namespace
 
-OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine)
+OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine, double far)
     : plan_(plan),
       tile_(tile),
       engine_(engine),
-      limits_(limits_of(plan.study())),
+      limits_(limits_of(plan.study(), far)),
       states_(plan.study().model->states.size()),
       tangents_(plan.study().selection.tangent_count()) {}
 

@@ -20,8 +20,9 @@ struct OrbitAttempt {
 
 class OrbitPursuit {
  public:
-  // The plan, the tile and the engine outlive the pursuit.
-  OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine);
+  // The plan, the tile and the engine outlive the pursuit. An orbit is not farther than `far` from
+  // where a trajectory nearly comes back, in ranges of the motion.
+  OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine, double far);
 
   // Attempts of one phase grid stand together. Each of these is false when the callback asked to
   // stop.

@@ -12,11 +12,18 @@
 namespace gearsweep {
 namespace {
 
-// A return is near when the distance, relative to the motion's ranges, is at most this. From there
-// Newton's method is tried.
-constexpr double kNear = 3e-2;
+// From far away: a point that is still under way may pass many an orbit.
+constexpr SearchCriteria kFromAnywhere = {.near = 3e-2, .far = 1e-1, .longest_span = 1000};
+// A draw that starts on the nominal motion has its own orbit beside it, and lies where the return
+// map is nearly linear.
+constexpr SearchCriteria kFromNominal = {.near = 0.3, .far = 0.3, .longest_span = 8};
 // In `excluded` of an approach: all lengths are excluded.
 constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
+
+bool starts_at_nominal(const Plan& plan, const Tile& tile) {
+  const Study& study = plan.study();
+  return study.stages() > 1 && !study.is_chained() && tile.points.front() >= study.points();
+}
 
 }  // namespace
 
@@ -26,6 +33,7 @@ OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<d
       tile_(tile),
       periods_(periods),
       engine_(engine),
+      criteria_(starts_at_nominal(plan, tile) ? kFromNominal : kFromAnywhere),
       open_(tile.points.size()),
       states_(initial),
       hopeless_(tile.points.size(), 0),
@@ -50,7 +58,7 @@ bool OrbitSearch::advance(const RoundCallback& after_round) {
   }
   std::optional<Approach> approach =
       engine_->approach(plan_, subset, states_, excluded,
-                        {kNear, plan_.study().selection.period_tolerance}, after_round);
+                        {criteria_.near, plan_.study().selection.period_tolerance}, after_round);
   if (!approach) return false;
   states_ = std::move(approach->states);
   if (!find_candidates(*approach, after_round)) return false;
@@ -94,7 +102,7 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
   std::vector<OrbitAttempt> attempts = attempts_from(approach);
   std::vector<OrbitAttempt*> all;
   for (OrbitAttempt& attempt : attempts) all.push_back(&attempt);
-  if (!OrbitPursuit(plan_, tile_, engine_).find(all, after_round)) return false;
+  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far).find(all, after_round)) return false;
   for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
     OrbitAttempt& attempt = attempts[i];
     const std::size_t position = attempt.position;
@@ -109,8 +117,8 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
                       attempt.newton.ranges,
                       plan_.study().model->angles,
                       plan_.study().selection.period_tolerance};
-      candidates_[position] = std::unique_ptr<Candidate>(
-          new Candidate{std::move(attempt), settled_, OrbitConvergence(std::move(map))});
+      candidates_[position] = std::unique_ptr<Candidate>(new Candidate{
+          std::move(attempt), settled_, OrbitConvergence(std::move(map), criteria_.longest_span)});
     }
   });
   return true;
@@ -148,7 +156,8 @@ bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
       candidates_[position].reset();
     }
   }
-  if (!OrbitPursuit(plan_, tile_, engine_).sharpen(arrivals, after_round)) return false;
+  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far).sharpen(arrivals, after_round))
+    return false;
   for (OrbitAttempt* orbit : arrivals) {
     const std::size_t position = orbit->position;
     if (orbit->verdict == NewtonVerdict::found) {

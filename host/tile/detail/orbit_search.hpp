@@ -28,6 +28,14 @@ struct FoundOrbit {
   std::vector<double> log_stretchings;  // log |multiplier| per forcing period, largest first
 };
 
+// What a search takes for an orbit that a point may be on its way to. Distances are relative to the
+// motion's ranges.
+struct SearchCriteria {
+  double near = 0.0;     // of a return from where it was: from there Newton's method is tried
+  double far = 0.0;      // of the orbit from where Newton's method begins, at most
+  int longest_span = 0;  // returns by which a convergence is judged (orbit_convergence.hpp)
+};
+
 class OrbitSearch {
  public:
   // initial: [point of the tile][state]. Looks for so many periods at most. `engine` (null: there
@@ -74,6 +82,7 @@ class OrbitSearch {
   const Tile& tile_;
   const std::size_t periods_;  // of the search, at most
   OrbitEngine* engine_;
+  const SearchCriteria criteria_;
   std::size_t settled_ = 0;
   std::vector<std::size_t> open_;
   std::vector<double> states_;
