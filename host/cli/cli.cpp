@@ -54,6 +54,7 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
   add_top_command(app);
   add_floquet_command(app);
   add_report_command(app, signals, status);
+  add_tolerance_command(app, signals, status);
   add_reproduce_command(app, signals, status);
   add_studies_command(app);
   add_model_command(app);

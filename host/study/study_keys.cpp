@@ -206,7 +206,8 @@ StudyTable uncertain_table() {
   StudyKey parameter{
       "PARAMETER", "table", "",
       "A parameter of the model, or a key of [gear], and its distribution: {distribution = "
-      "\"normal\", mean = 0.05, std = 0.01} (mean: the parameter's own value), \"uniform\" with "
+      "\"normal\", mean = 0.05, std = 0.01} (mean: the parameter's own value; folded = true: what "
+      "comes out below 0 loses its sign, as an amplitude does), \"uniform\" with "
       "from and to, \"triangular\" with from, mode and to, or values = [...] or file = "
       "\"loads.csv\", a number a line, of which each is as likely. With relative = true the "
       "numbers "

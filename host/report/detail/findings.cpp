@@ -56,11 +56,6 @@ void choose_quantities(const Model& model, ReportFindings* findings) {
   findings->vibration = force == nullptr ? findings->force : force->name + "_std";
 }
 
-Study changed(const Study& study, const std::vector<std::string>& overrides,
-              const std::vector<std::string>& zooms) {
-  return read_study(study.toml, "the study of the report", overrides, zooms);
-}
-
 // So many that the slowest speed has lines up to four times the fastest mesh frequency.
 double enough_orders(const Study& study) {
   constexpr double kFewest = 10.0, kMost = 40.0, kShown = 4.0;
@@ -198,6 +193,11 @@ std::vector<std::string> tolerated(const std::vector<std::string>& quantities) {
 }
 
 }  // namespace
+
+Study changed(const Study& study, const std::vector<std::string>& overrides,
+              const std::vector<std::string>& zooms) {
+  return read_study(study.toml, "the study of the report", overrides, zooms);
+}
 
 std::size_t find_speed_axis(const Study& study) {
   const Plan plan(study, study.points());

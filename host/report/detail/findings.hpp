@@ -14,6 +14,10 @@
 
 namespace gearsweep {
 
+// The study with overrides and zooms (read_study()).
+Study changed(const Study& study, const std::vector<std::string>& overrides,
+              const std::vector<std::string>& zooms = {});
+
 // The axis that changes the period of the forcing. Throws InputError when there is none.
 std::size_t find_speed_axis(const Study& study);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/error.hpp"
 #include "study/detail/drawing_axis.hpp"
@@ -25,14 +26,17 @@ enum Distribution : std::size_t { kNormal, kTriangular, kUniform, kValues };
 struct Tolerance {
   std::size_t distribution = kNormal;
   bool is_relative = false;
+  bool is_folded = false;                   // normal: numbers below 0 lose their sign
   double mean = 0.0, std = 0.0;             // normal
   double from = 0.0, mode = 0.0, to = 0.0;  // uniform, triangular
   std::vector<double> samples;              // values
 
+  double folded(double value) const { return is_folded ? std::abs(value) : value; }
+
   double quantile(double p) const {
     switch (distribution) {
       case kNormal:
-        return mean + std * normal_quantile(p);
+        return folded(mean + std * normal_quantile(p));
       case kTriangular:
         return triangular_quantile(from, mode, to, p);
       case kUniform:
@@ -70,6 +74,7 @@ Tolerance read_tolerance(const toml::table& table, const std::string& name, doub
         reader.number("mean", tolerance.is_relative ? 1.0 : nominal, -kAnySize, kAnySize);
     if (reader.find("std") == nullptr) fail_at(table, fmt::format("{} needs 'std'", name));
     tolerance.std = reader.number("std", 0.0, 0.0, kAnySize);
+    tolerance.is_folded = reader.boolean("folded", false);
   } else if (tolerance.distribution == kValues) {
     if (!has_values) fail_at(table, fmt::format("{} needs 'values' or a 'file'", name));
     tolerance.samples = reader.numbers("values", -kAnySize, kAnySize);

@@ -1,0 +1,221 @@
+#include "report/detail/scatter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/error.hpp"
+#include "model/version.hpp"
+#include "report/detail/findings.hpp"
+#include "result/si_units.hpp"
+#include "sweep/draw_maps.hpp"
+#include "sweep/sweep.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kContact = "contact_class";
+constexpr double kQuantile95 = 1.959964;  // of the normal distribution
+constexpr std::size_t kMostGears = 100'000;
+
+// [speed][draw]
+std::vector<std::vector<double>> by_speed(const SweepResult& result, const std::string& quantity) {
+  const std::vector<double>& all = map_of(result, quantity + "_draws");
+  const std::size_t draws = result.study.uncertain.draws();
+  std::vector<std::vector<double>> rows;
+  for (std::size_t point = 0; point < result.study.points(); ++point) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(point * draws);
+    rows.emplace_back(first, first + static_cast<std::ptrdiff_t>(draws));
+  }
+  return rows;
+}
+
+void judge_speeds(const ToleranceOptions& options, Scatter* scatter) {
+  scatter->percentiles.clear();
+  for (std::vector<double>& row : by_speed(scatter->result, scatter->target)) {
+    scatter->percentiles.push_back(percentile_with_error(std::move(row), options.percentile));
+  }
+  const auto largest = std::ranges::max_element(scatter->percentiles, {}, &Percentile::value);
+  scatter->worst = static_cast<std::size_t>(largest - scatter->percentiles.begin());
+}
+
+void judge_contact(Scatter* scatter) {
+  const std::vector<Quantity>& quantities = scatter->study.selection.quantities;
+  if (std::ranges::find(quantities, kContact, &Quantity::name) == quantities.end()) return;
+  std::vector<std::uint8_t> parts(scatter->study.uncertain.draws(), 0);
+  for (const std::vector<double>& row : by_speed(scatter->result, kContact)) {
+    std::size_t count = 0;
+    for (std::size_t draw = 0; draw < row.size(); ++draw) {
+      if (!(row[draw] > 0.0)) continue;  // the first class has no impact
+      ++count;
+      parts[draw] = 1;
+    }
+    scatter->parting.push_back(static_cast<double>(count) / static_cast<double>(row.size()));
+  }
+  scatter->parting_anywhere = static_cast<double>(std::ranges::count(parts, std::uint8_t{1})) /
+                              static_cast<double>(parts.size());
+}
+
+void find_worst_gears(Scatter* scatter) {
+  constexpr std::size_t kShown = 10;
+  const std::vector<std::vector<double>> rows = by_speed(scatter->result, scatter->target);
+  std::vector<WorstGear> gears;
+  for (std::size_t draw = 0; draw < scatter->study.uncertain.draws(); ++draw) {
+    WorstGear gear;
+    gear.draw = draw;
+    gear.value = -std::numeric_limits<double>::infinity();
+    for (std::size_t point = 0; point < rows.size(); ++point) {
+      if (!(rows[point][draw] > gear.value)) continue;
+      gear.value = rows[point][draw];
+      gear.point = point;
+    }
+    if (std::isfinite(gear.value)) gears.push_back(std::move(gear));
+  }
+  std::ranges::stable_sort(gears, std::greater{}, &WorstGear::value);
+  gears.resize(std::min(gears.size(), kShown));
+  for (WorstGear& gear : gears) gear.overrides = overrides_of_draw(scatter->study, gear.draw);
+  scatter->worst_gears = std::move(gears);
+}
+
+class ScatterRuns {
+ public:
+  ScatterRuns(const ToleranceOptions& options, Scatter* out) : options_(options), out_(*out) {}
+
+  // The gears over the speeds; more of them until their percentile is known well enough.
+  bool run_gears() {
+    for (;;) {
+      SweepOptions sweep = options_.sweep_options();
+      sweep.journal_path = options_.journal_path;
+      std::optional<SweepResult> result =
+          run(out_.study, sweep,
+              fmt::format("{} gears at {} speeds", out_.gears(), out_.study.points()));
+      if (!result) return false;
+      out_.result = *std::move(result);
+      judge_speeds(options_, &out_);
+      const std::size_t more = gears_for_width();
+      if (more <= out_.gears()) return true;
+      out_.study = changed(out_.study, {fmt::format("uncertain.samples={}", more)});
+    }
+  }
+
+  // At the worst speed: which tolerance makes the scatter, and what half of it would bring.
+  bool rank() {
+    const Study here = at_worst_speed();
+    const std::size_t samples = std::clamp<std::size_t>(out_.gears() / 2, 40, 1000);
+    const std::optional<SweepResult> sobol =
+        run(changed(here, {"uncertain.sobol=true", "uncertain.keep=false",
+                           fmt::format("uncertain.samples={}", samples)}),
+            options_.sweep_options(), "which tolerance matters");
+    if (!sobol) return false;
+    const std::vector<double>& first = map_of(*sobol, out_.target + "_sobol_first");
+    const std::vector<double>& error = map_of(*sobol, out_.target + "_sobol_first_error");
+    const std::vector<double>& total = map_of(*sobol, out_.target + "_sobol_total");
+    for (std::size_t i = 0; i < out_.study.uncertain.parameters.size(); ++i) {
+      const std::string& name = out_.study.uncertain.parameters[i].draws.name;
+      RankedTolerance ranked = {name, first[i], error[i], total[i], std::nullopt};
+      if (!tighten(here, &ranked)) return false;
+      out_.ranking.push_back(std::move(ranked));
+    }
+    std::ranges::stable_sort(out_.ranking, std::greater{}, &RankedTolerance::total);
+    return true;
+  }
+
+  void keep() const {
+    write_result(out_.result, out_.file("bands.nc"), provenance());
+    if (!options_.bands_path.empty()) {
+      write_result(out_.result, options_.bands_path, provenance());
+    }
+  }
+
+ private:
+  std::optional<SweepResult> run(const Study& study, const SweepOptions& sweep,
+                                 const std::string& what) const {
+    if (options_.on_step) options_.on_step(what);
+    return run_sweep(study, sweep);
+  }
+
+  // An error falls with the square root of the gears.
+  std::size_t gears_for_width() const {
+    const Percentile& worst = out_.percentiles[out_.worst];
+    if (!options_.width || !(worst.error > *options_.width * std::abs(worst.value))) return 0;
+    constexpr double kFourTimes = 4.0;  // where the error is not known either
+    const double more = std::isinf(worst.error)
+                            ? kFourTimes
+                            : std::pow(worst.error / (*options_.width * std::abs(worst.value)), 2);
+    const double gears = std::ceil(1.1 * more * static_cast<double>(out_.gears()));
+    return static_cast<std::size_t>(std::min(gears, static_cast<double>(kMostGears)));
+  }
+
+  // With the step of the run over all speeds.
+  Study at_worst_speed() const {
+    const Axis& speed = out_.study.axes.front();
+    std::vector<std::string> overrides;
+    if (out_.result.pilot) {
+      overrides = {"integrate.tolerance=0",
+                   fmt::format("integrate.max_step={}", out_.result.pilot->step)};
+    }
+    const double value = speed.values[out_.worst];
+    return changed(out_.study, overrides, {fmt::format("{}={}:{}:1", speed.name, value, value)});
+  }
+
+  // The same draws, but for this parameter's, which lie half as far from its middle.
+  bool tighten(const Study& here, RankedTolerance* ranked) const {
+    const std::string half = scaled_tolerance(here, ranked->name, 0.5);
+    if (half.empty()) return true;
+    const std::optional<SweepResult> result =
+        run(changed(here, {fmt::format("uncertain.{}={}", ranked->name, half)}),
+            options_.sweep_options(), fmt::format("{} half as wide", ranked->name));
+    if (!result) return false;
+    ranked->tightened =
+        percentile_with_error(by_speed(*result, out_.target).front(), options_.percentile).value;
+    return true;
+  }
+
+  Provenance provenance() const { return {options_.command_line, version(), source_hash()}; }
+
+  const ToleranceOptions& options_;
+  Scatter& out_;
+};
+
+}  // namespace
+
+Percentile percentile_with_error(std::vector<double> numbers, double percentile) {
+  std::erase_if(numbers, [](double number) { return std::isnan(number); });
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (numbers.empty()) return {kNone, kNone};
+  std::ranges::sort(numbers);
+  const auto count = static_cast<double>(numbers.size());
+  const double share = percentile / 100.0;
+  const double ranks = kQuantile95 * std::sqrt(count * share * (1.0 - share));
+  const auto at = [&](double rank) { return numbers[static_cast<std::size_t>(rank)]; };
+  const double middle = share * (count - 1.0);
+  const bool has_ends = middle - ranks >= 0.0 && middle + ranks <= count - 1.0;
+  if (!has_ends) {
+    return {percentile_of(numbers, percentile), std::numeric_limits<double>::infinity()};
+  }
+  return {percentile_of(numbers, percentile),
+          0.5 * (at(std::ceil(middle + ranks)) - at(std::floor(middle - ranks)))};
+}
+
+ResultMap Scatter::map(const std::string& quantity) const {
+  ResultMap map = ResultFile(file("bands.nc")).read(quantity);
+  if (study.scales.known()) convert_to_si(study.scales, &map);
+  return map;
+}
+
+std::optional<Scatter> find_scatter(const Study& study, const ToleranceOptions& options) {
+  find_speed_axis(study);
+  Scatter scatter;
+  static_cast<AsBuilt&>(scatter) = as_built(study, options);
+  ScatterRuns runs(options, &scatter);
+  if (!runs.run_gears()) return std::nullopt;
+  runs.keep();
+  judge_contact(&scatter);
+  find_worst_gears(&scatter);
+  if (!runs.rank()) return std::nullopt;
+  return scatter;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,218 @@
+#include "report/detail/scatter_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/version.hpp"
+#include "plot/labels.hpp"
+#include "plot/plot.hpp"
+#include "report/detail/names.hpp"
+
+namespace gearsweep {
+namespace {
+
+std::string speed_cell(const ResultMap& map, std::size_t point) {
+  const ResultAxis& speed = map.axes.front();
+  return fmt::format("{}\u00a0{}", html_number(speed.values[point]), html_unit(speed.unit));
+}
+
+// "2.31 ± 0.03", with as many digits as the error has; "2.31 or more" where that is not known.
+std::string with_error(double value, double error) {
+  if (std::isinf(error)) return html_number(value) + " or more";
+  if (!(error > 0.0)) return html_number(value);
+  const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
+  return fmt::format("{:.{}f}\u00a0±\u00a0{:.{}f}", value, digits, error, digits);
+}
+
+// What gears are judged by, in words: "load factor".
+std::string target_html(const ResultMap& target) { return quantity_html(target.name); }
+
+std::string scatter_answer(const Scatter& scatter, const ToleranceOptions& options,
+                           const ResultMap& target) {
+  const Percentile& worst = scatter.percentiles[scatter.worst];
+  const std::string unit = html_unit(target.unit);
+  const double scale = scatter.map(scatter.target).values[scatter.worst] /
+                       map_of(scatter.result, scatter.target)[scatter.worst];
+  return fmt::format(
+      "Of {} gears as built, {} lose contact at some speed; the worst speed is {}, where {:g} % of "
+      "the gears have a {} of at most {}{} (nominal: {})",
+      scatter.gears(), html_percent(scatter.parting_anywhere), speed_cell(target, scatter.worst),
+      options.percentile, target_html(target), with_error(worst.value * scale, worst.error * scale),
+      unit.empty() ? "" : " " + unit, html_number(target.values[scatter.worst]));
+}
+
+HtmlFigure band_figure(const Scatter& scatter, const std::string& quantity,
+                       const std::string& caption) {
+  PlotRequest plot;
+  plot.paths = {scatter.file("bands.nc")};
+  plot.quantity = quantity;
+  plot.output_path = scatter.file(quantity + ".svg");
+  plot.style.has_units = true;
+  plot.style.is_si = scatter.study.scales.known();
+  plot.style.title = "";
+  plot.style.size = {HtmlPage::kFigureWidth, 57.0, false};
+  plot_files(plot);
+  return {plot.output_path, caption + "."};
+}
+
+void add_band_pictures(const Scatter& scatter, const ToleranceOptions& options, HtmlPage* page) {
+  page->heading("Over the speed");
+  std::vector<HtmlFigure> figures;
+  for (const Quantity& quantity : scatter.study.selection.quantities) {
+    if (quantity.of_draws || !quantity.flags.empty()) continue;
+    figures.push_back(
+        band_figure(scatter, quantity.name,
+                    fmt::format("{}: the band has {:g} % of the gears",
+                                html_named(quantity_html(quantity.name), quantity.name),
+                                2.0 * options.percentile - 100.0)));
+  }
+  if (!scatter.parting.empty()) {
+    const bool parts = scatter.parting_anywhere > 0.0;
+    if (parts) {
+      figures.push_back(band_figure(scatter, "contact_class_no_impact_share",
+                                    "Share of the gears whose teeth stay in contact"));
+    }
+  }
+  page->figures(figures);
+}
+
+void add_speeds(const Scatter& scatter, const ToleranceOptions& options, const ResultMap& target,
+                HtmlPage* page) {
+  constexpr std::size_t kShown = 5;
+  page->heading("Worst speeds");
+  std::vector<double> values;
+  for (const Percentile& one : scatter.percentiles) values.push_back(one.value);
+  HtmlTable table;
+  table.is_numbers = true;
+  table.head = {"speed", "nominal", "median", fmt::format("{:g} % stay below", options.percentile),
+                "lose contact"};
+  const ResultMap median = scatter.map(scatter.target + "_p50");
+  const double unit = target.values.front() / map_of(scatter.result, scatter.target).front();
+  std::vector<std::size_t> order(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return values[i]; });
+  order.resize(std::min(order.size(), kShown));
+  for (const std::size_t point : order) {
+    const Percentile& one = scatter.percentiles[point];
+    table.rows.push_back({speed_cell(target, point), html_number(target.values[point]),
+                          html_number(median.values[point]),
+                          with_error(one.value * unit, one.error * unit),
+                          scatter.parting.empty() ? "–" : html_percent(scatter.parting[point])});
+  }
+  page->table(table);
+  page->small(fmt::format(
+      "{}. ± is half of the 95 % interval that {} gears leave (ranks of a binomial distribution); "
+      "\"or more\": these are too few gears to say.",
+      quantity_cell(target), scatter.gears()));
+}
+
+// {distribution = "normal", std = 0.05, relative = true} as "normal, std 0.05, relative".
+std::string distribution_html(std::string toml) {
+  std::erase_if(toml, [](char c) { return c == '{' || c == '}' || c == '"' || c == '\''; });
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = toml.find(from, at)) != std::string::npos; at += to.size()) {
+      toml.replace(at, from.size(), to);
+    }
+  };
+  replace("distribution = ", "");
+  replace(" = true", "");
+  replace(" = ", " ");
+  return html_text(toml);
+}
+
+void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const ResultMap& target,
+                 HtmlPage* page) {
+  page->heading("Which tolerance to tighten");
+  HtmlTable table;
+  table.is_numbers = true;
+  table.head = {"tolerance", "alone", "with others", "half as wide"};
+  const double scale =
+      target.values[scatter.worst] / map_of(scatter.result, scatter.target)[scatter.worst];
+  const double now = scatter.percentiles[scatter.worst].value;
+  for (const RankedTolerance& one : scatter.ranking) {
+    table.rows.push_back(
+        {html_text(one.name), fmt::format("{:.2f} ± {:.2f}", one.first, one.first_error),
+         fmt::format("{:.2f}", one.total),
+         one.tightened ? fmt::format("{} ({:+.1f} %)", html_number(*one.tightened * scale),
+                                     100.0 * (*one.tightened / now - 1.0))
+                       : "–"});
+  }
+  page->table(table);
+  page->small(fmt::format(
+      "At {}: the share of the variance of the {} that each tolerance makes alone (Sobol index of "
+      "first order, with its standard error) and with all that it does together with others "
+      "(total); and the value below which {:g} % of the gears stay when this tolerance alone is "
+      "half as wide, now {}. Half of a tolerance of ISO 1328-1 is two classes finer.",
+      speed_cell(target, scatter.worst), target_html(target), options.percentile,
+      html_number(now * scale)));
+}
+
+// What draws of one parameter are multiplied by where they are factors.
+std::string draw_cell(const UncertainParameter& parameter, std::size_t draw) {
+  const double value = parameter.draws.values[draw];
+  return parameter.is_factor ? fmt::format("×\u00a0{:.3f}", value) : html_number(value);
+}
+
+void add_worst_gears(const Scatter& scatter, const ResultMap& target, HtmlPage* page) {
+  page->heading("The worst gears");
+  HtmlTable table;
+  table.is_numbers = true;
+  table.head = {"", target_html(target), "at"};
+  for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
+    table.head.push_back(html_text(parameter.draws.name));
+  }
+  std::vector<std::string> commands;
+  for (std::size_t i = 0; i < scatter.worst_gears.size(); ++i) {
+    const WorstGear& gear = scatter.worst_gears[i];
+    const double scale =
+        target.values[gear.point] / map_of(scatter.result, scatter.target)[gear.point];
+    std::vector<std::string> row = {fmt::format("{}", i + 1), html_number(gear.value * scale),
+                                    speed_cell(target, gear.point)};
+    for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
+      row.push_back(draw_cell(parameter, gear.draw));
+    }
+    table.rows.push_back(std::move(row));
+    std::string settings;
+    for (const std::string& one : gear.overrides) settings += fmt::format(" --set '{}'", one);
+    commands.push_back(fmt::format("<code>{}</code>", html_text(settings.substr(1))));
+  }
+  page->table(table);
+  page->begin_details("What makes the study each of these gears");
+  page->small_list(commands);
+  page->end_details();
+}
+
+void add_assumed(const Scatter& scatter, HtmlPage* page) {
+  if (scatter.assumed.empty()) return;
+  page->heading("What was assumed to scatter");
+  std::vector<std::vector<std::string>> rows;
+  for (const UsualTolerance& one : scatter.assumed) {
+    rows.push_back(
+        {html_text(one.name), distribution_html(one.distribution), html_text(one.reason)});
+  }
+  page->table({"tolerance", "distribution", "why"}, rows);
+  page->small("An [uncertain] table in the study takes the place of all of these.");
+}
+
+}  // namespace
+
+HtmlPage scatter_page(const Scatter& scatter, const ToleranceOptions& options) {
+  const Study& study = scatter.study;
+  HtmlPage page((study.title.empty() ? study.model->name : study.title) + ": gears as built");
+  const ResultMap target = scatter.map(scatter.target);
+  page.answer(scatter_answer(scatter, options, target));
+  add_band_pictures(scatter, options, &page);
+  add_speeds(scatter, options, target, &page);
+  add_ranking(scatter, options, target, &page);
+  add_worst_gears(scatter, target, &page);
+  add_assumed(scatter, &page);
+  page.small(fmt::format("gearsweep {}: <code>{}</code>; seed {}, {} trajectories",
+                         html_text(version()), html_text(options.command_line),
+                         study.uncertain.seed, study.trajectories()));
+  return page;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,27 @@
+// A report on gears as they are built: what the tolerances of a drawing do to its dynamics over
+// speed, which of them matters, and which gears are the worst.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "report/report.hpp"
+#include "study/as_built.hpp"
+
+namespace gearsweep {
+
+struct ToleranceOptions : ReportOptions, AsBuiltOptions {
+  // The half width of this percentile's 95 % interval at the worst speed that is enough, relative
+  // to its value; gears are added until it is reached. Nothing: as many gears as above.
+  std::optional<double> width;
+  std::string worst_folder;  // where the ten worst gears go as studies; empty: nowhere
+  std::string bands_path;    // where the maps go, .nc; empty: nowhere
+  std::string journal_path;  // of the largest run; empty: nowhere
+};
+
+// Runs what the report takes and writes it as write_report() does. Throws as that, and InputError
+// for a study with a second axis, or without [gear] and [uncertain].
+bool write_tolerance_report(const Study& study, const std::string& path,
+                            const ToleranceOptions& options);
+
+}  // namespace gearsweep

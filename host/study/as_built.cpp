@@ -1,0 +1,86 @@
+#include "study/as_built.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "model/error.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kContactClass = "contact_class";
+
+// The force first, what gears are judged by, and what an engineer looks at beside it.
+std::vector<std::string> looked_at(const Model& model, AsBuilt* built) {
+  const std::vector<Quantity> offered = offered_quantities(model);
+  const auto is_offered = [&](const std::string& name) {
+    return std::ranges::find(offered, name, &Quantity::name) != offered.end();
+  };
+  std::vector<std::string> wanted;
+  const auto add = [&](const std::string& name) {
+    if (is_offered(name)) wanted.push_back(name);
+  };
+  for (const ChannelInfo& signal : model.signals_of(Role::mesh_force)) add(signal.name + "_max");
+  if (wanted.empty()) wanted.push_back(model.states.front().name + "_max");
+  built->force = built->target = wanted.front();
+  for (const Quantity& quantity : offered) {
+    if (!quantity.divided_by || quantity.width != 1) continue;
+    built->target = quantity.name;
+    wanted.push_back(quantity.name);
+    break;
+  }
+  for (const ChannelInfo& signal : model.signals_of(Role::transmission_error)) {
+    add(signal.name + "_peak_to_peak");
+  }
+  for (const ChannelInfo& signal : model.signals_of(Role::bearing_force)) add(signal.name + "_max");
+  add(kContactClass);
+  return wanted;
+}
+
+bool has_own_step(const Study& study) {
+  const toml::table root = toml::parse(study.toml);
+  const toml::table* integrate = root["integrate"].as_table();
+  const auto keys = {"tolerance", "exponent_tolerance", "max_step", "steps_per_period"};
+  return integrate != nullptr &&
+         std::ranges::any_of(keys, [&](const char* key) { return integrate->contains(key); });
+}
+
+std::vector<std::string> as_built_overrides(const Study& study, const AsBuiltOptions& options,
+                                            AsBuilt* built) {
+  std::vector<std::string> overrides = {
+      fmt::format("observe.quantities=[\"{}\"]",
+                  fmt::join(looked_at(*study.model, built), "\", \"")),
+      fmt::format("uncertain.samples={}", options.gears),
+      "uncertain.start=\"nominal\"",
+      "uncertain.keep=true",
+      "uncertain.sobol=false",
+      fmt::format("uncertain.percentiles=[{:.6g}, 50, {:.6g}]", 100.0 - options.percentile,
+                  options.percentile)};
+  if (!has_own_step(study)) overrides.emplace_back("integrate.tolerance=1e-3");
+  for (const UsualTolerance& one : built->assumed) {
+    overrides.push_back(fmt::format("uncertain.{}={}", one.name, one.distribution));
+  }
+  return overrides;
+}
+
+}  // namespace
+
+AsBuilt as_built(const Study& study, const AsBuiltOptions& options) {
+  if (study.axes.size() != 1) {
+    throw InputError(
+        "gears as built are looked at over a speed alone, and the study has two axes: take one "
+        "away, as with --set 'axes=[{name = \"omega\", from = 0.5, to = 1.5, count = 60}]'");
+  }
+  AsBuilt built;
+  if (study.uncertain.draws() == 0) {
+    built.assumed = usual_tolerances(study, options.tolerance_class);
+  }
+  built.study =
+      read_study(study.toml, "the study as built", as_built_overrides(study, options, &built));
+  return built;
+}
+
+}  // namespace gearsweep

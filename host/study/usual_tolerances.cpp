@@ -1,0 +1,175 @@
+#include "study/usual_tolerances.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "gear/tolerance_class.hpp"
+#include "model/error.hpp"
+#include "study/detail/gear_reader.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr double kSigmas = 3.0;  // of a process that just keeps its tolerance
+
+bool is_on_axis(const Study& study, std::string_view name) {
+  for (const Axis& axis : study.axes) {
+    if (axis.name == name) return true;
+  }
+  return false;
+}
+
+// Whether the drawing gives the key as one number, which no axis has.
+std::optional<double> one_number(const Study& study, const DrawingTable& from, const GearKey& key) {
+  const toml::node* node = from.table->get(key.name);
+  if (node == nullptr || !node->is_number() || is_on_axis(study, key.name)) return std::nullopt;
+  return node->value<double>();
+}
+
+// The standard deviation of the first harmonic of the transmission error, um. A deviation h of the
+// slope of a flank is a saw of the mesh, whose first harmonic is h/pi (its Fourier series); a form
+// deviation, from highest to lowest, is taken as one wave of half of that. Both gears add up.
+double error_deviation(const std::array<FlankTolerances, 2>& gears) {
+  double squares = 0.0;
+  for (const FlankTolerances& gear : gears) {
+    squares += std::pow(gear.profile_slope / kSigmas / std::numbers::pi, 2);
+    squares += std::pow(gear.profile_form / (2.0 * kSigmas), 2);
+  }
+  return std::sqrt(squares);
+}
+
+std::array<FlankTolerances, 2> flanks_of(const GearDrawing& drawing, int tolerance_class) {
+  std::array<FlankTolerances, 2> gears;
+  const double module = drawing.required(kModule);
+  const double slant = drawing.number(kHelix).value_or(0.0) * std::numbers::pi / 180.0;
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    const double diameter = module / std::cos(slant) * drawing.list(kTeeth)[i];
+    const std::optional<FlankTolerances> own =
+        flank_tolerances({diameter, module, tolerance_class});
+    if (!own) {
+      throw InputError(fmt::format(
+          "ISO 1328-1 has no class {} for a gear of {:.4g} mm with the module {:.4g} mm: it goes "
+          "from 1 to 11, 5 to 15000 mm and 0.5 to 70 mm; give the study an [uncertain] table",
+          tolerance_class, diameter, module));
+    }
+    gears[i] = *own;
+  }
+  return gears;
+}
+
+}  // namespace
+
+std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_class) {
+  const toml::table root = toml::parse(study.toml);
+  const std::vector<DrawingTable> drawings = drawing_tables(root, *study.model);
+  if (drawings.size() != 1 || drawings.front().table == nullptr) {
+    throw InputError(
+        "what scatters is not known: usual tolerances are those of a study with one [gear] table; "
+        "give the study an [uncertain] table, such as\n  [uncertain]\n  mu = {distribution = "
+        "\"normal\", std = 0.01}");
+  }
+  const DrawingTable& from = drawings.front();
+  GearValues values;
+  for (const Axis& axis : study.axes) values[axis.name] = axis.values.front();
+  const GearDrawing drawing = read_drawing(from, values);
+  std::vector<UsualTolerance> all;
+  const auto add = [&](std::string_view name, std::string distribution, std::string reason) {
+    all.push_back({std::string(name), std::move(distribution), std::move(reason)});
+  };
+  if (one_number(study, from, kTorque)) {
+    add(kTorque.name, R"({distribution = "normal", std = 0.05, relative = true})",
+        "estimate: the mean load is known to 5 % (one standard deviation)");
+  }
+  if (const auto error = one_number(study, from, kTransmissionError)) {
+    const double deviation = error_deviation(flanks_of(drawing, tolerance_class));
+    add(kTransmissionError.name,
+        fmt::format(R"({{distribution = "normal", std = {:.4g}, folded = true}})", deviation),
+        fmt::format("profile slope and form of both gears by ISO 1328-1 class {}, as one wave of "
+                    "the mesh",
+                    tolerance_class));
+  }
+  const auto add_parameter = [&](const char* name, const char* distribution, const char* reason) {
+    if (study.model->find_parameter(name) < 0 || is_on_axis(study, name)) return;
+    add(name, distribution, reason);
+  };
+  add_parameter(
+      "mu", R"({distribution = "triangular", from = 0.6, mode = 1.0, to = 1.4, relative = true})",
+      "estimate: friction is known to 40 % at most");
+  add_parameter("b", R"({distribution = "uniform", from = 0.7, to = 1.3, relative = true})",
+                "estimate: tooth thickness and centre distance leave 30 % of the backlash open");
+  if (one_number(study, from, kDampingRatio)) {
+    add(kDampingRatio.name,
+        R"({distribution = "triangular", from = 0.5, mode = 1.0, to = 1.5, relative = true})",
+        "estimate: damping is known to 50 % at most");
+  }
+  if (one_number(study, from, kBearingStiffness)) {
+    add(kBearingStiffness.name, R"({distribution = "normal", std = 0.1, relative = true})",
+        "estimate: 10 % (one standard deviation)");
+  }
+  return all;
+}
+
+std::string scaled_tolerance(const Study& study, const std::string& name, double factor) {
+  const toml::table root = toml::parse(study.toml);
+  toml::table entry = *root["uncertain"][name].as_table();
+  const auto number = [&](const char* key) { return entry[key].value<double>(); };
+  const auto scale = [&](const char* key, double middle) {
+    entry.insert_or_assign(key, middle + factor * (*number(key) - middle));
+  };
+  if (entry.contains("values")) return "";
+  if (entry.contains("std")) {
+    scale("std", 0.0);
+  } else if (const std::optional<double> mode = number("mode")) {
+    scale("from", *mode);
+    scale("to", *mode);
+  } else {
+    const double middle = 0.5 * (*number("from") + *number("to"));
+    scale("from", middle);
+    scale("to", middle);
+  }
+  std::ostringstream text;
+  text << toml::toml_formatter(
+      entry, toml::toml_formatter::default_flags & ~toml::format_flags::indentation);
+  // An entry of a table on one line.
+  std::string line = "{";
+  std::istringstream rows(text.str());
+  for (std::string row; std::getline(rows, row);) {
+    if (!row.empty()) line += (line.size() > 1 ? ", " : "") + row;
+  }
+  return line + "}";
+}
+
+std::vector<std::string> overrides_of_draw(const Study& study, std::size_t draw) {
+  std::vector<std::string> overrides = {"uncertain={}"};
+  for (const UncertainParameter& parameter : study.uncertain.parameters) {
+    const Axis& draws = parameter.draws;
+    double value = draws.values[draw];
+    if (draws.is_list) {  // a key of [gear], or of [gear.first]
+      const toml::table root = toml::parse(study.toml);
+      for (const DrawingTable& from : drawing_tables(root, *study.model)) {
+        const std::string& name = draws.name;
+        if (!name.ends_with(from.suffix) || from.table == nullptr) continue;
+        const std::string key = name.substr(0, name.size() - from.suffix.size());
+        const std::string heading = from.heading.substr(1, from.heading.size() - 2);
+        if (from.table->contains(key)) {
+          overrides.push_back(fmt::format("{}.{}={}", heading, key, value));
+        }
+      }
+      continue;
+    }
+    if (parameter.is_factor) {
+      if (study.find_on_axes(draws.index) != nullptr) continue;  // of each speed its own
+      value *= study.setting.parameters[draws.index];
+    }
+    overrides.push_back(fmt::format("parameters.{}={}", draws.name, value));
+  }
+  return overrides;
+}
+
+}  // namespace gearsweep
