@@ -13,6 +13,7 @@ from gearsweep._run import Running, run, submit
 from gearsweep._session import Device, devices
 from gearsweep._study import Study
 from gearsweep._study_source import studies
+from gearsweep._tolerance import tolerance
 from gearsweep._trace import trace
 from gearsweep._verify import Check, Verification, verify
 
@@ -44,6 +45,7 @@ __all__ = [
     "run",
     "studies",
     "submit",
+    "tolerance",
     "trace",
     "triangular",
     "uniform",

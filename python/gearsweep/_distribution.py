@@ -12,7 +12,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-def normal(std: float, mean: float | None = None, relative: bool = False) -> dict[str, Any]:
+def normal(
+    std: float, mean: float | None = None, relative: bool = False, *, folded: bool = False
+) -> dict[str, Any]:
     """A normal distribution.
 
     Parameters
@@ -23,6 +25,8 @@ def normal(std: float, mean: float | None = None, relative: bool = False) -> dic
         The parameter's own value without one.
     relative : bool, optional
         The numbers are factors of the point's own value.
+    folded : bool, optional
+        A draw below 0 loses its sign, as an amplitude does.
 
     Returns
     -------
@@ -42,7 +46,8 @@ def normal(std: float, mean: float | None = None, relative: bool = False) -> dic
     numbers = {"std": number_of(std, "std")}
     if mean is not None:
         numbers["mean"] = number_of(mean, "mean")
-    return _table("normal", numbers, relative)
+    table = _table("normal", numbers, relative)
+    return {**table, "folded": True} if folded else table
 
 
 def uniform(from_: float, to: float, relative: bool = False) -> dict[str, Any]:

@@ -346,7 +346,7 @@ class Study:
             Parameters with their distributions, as `gearsweep.normal`, `gearsweep.uniform`,
             `gearsweep.triangular` and `gearsweep.values` make them, or as a mapping of the keys:
             ``mu={"distribution": "normal", "std": 0.01}``; and other keys of ``[uncertain]``:
-            ``samples``, ``seed``, ``percentiles``, ``sobol``, ``keep``.
+            ``samples``, ``seed``, ``percentiles``, ``start``, ``sobol``, ``keep``.
 
         Returns
         -------

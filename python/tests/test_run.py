@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 import pytest
-from conftest import LONG, MAP
+from conftest import LONG, MAP, command
 
 import gearsweep
 
@@ -196,3 +196,14 @@ def test_draws_that_are_kept_make_the_statistics_of_the_run():
     alone = gearsweep.Study.gear5("coarse", m1=mass).sweep(omega=maps.omega.values * factor)
     alone = alone.integrate(settle=30, record=8).observe("x1_rms")
     numpy.testing.assert_array_equal(alone.run().x1_rms, draws[:, 4])
+
+
+def test_gears_as_built_have_bands_around_the_nominal_one(tmp_path):
+    command("gear", "new", "19/61", "--module", "2.5", "-o", str(tmp_path / "mine.toml"))
+    changes = {"axes.pinion_speed_rpm.count": 3, "model.backlash": "constant"}
+    maps = gearsweep.tolerance(tmp_path / "mine.toml", gears=20, percentile=90, set=changes)
+    assert maps.dmf_max_draws.sizes == {"pinion_speed_rpm": 3, "draw": 20}
+    assert (maps.dmf_max_p10 < maps.dmf_max_p50).all()
+    assert (maps.dmf_max_p50 < maps.dmf_max_p90).all()
+    names = maps.uncertain_parameter.values.tolist()
+    assert {"torque_N_m", "mu", "transmission_error_um"} <= set(names)

@@ -1,0 +1,64 @@
+"""Gears as they are built."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import xarray
+
+from gearsweep import _core
+from gearsweep._run import run
+from gearsweep._study import Study
+from gearsweep._study_source import study_of
+
+
+def tolerance(
+    study: str | os.PathLike[str] | Study | xarray.Dataset,
+    *,
+    gears: int = 2000,
+    tolerance_class: int = 7,
+    percentile: float = 99.0,
+    set: Mapping[str, Any] | None = None,
+    **options: Any,
+) -> xarray.Dataset:
+    """Compute what tolerances make of a gear over a speed.
+
+    Each gear is a draw of the study's ``[uncertain]`` table, or of usual tolerances where a study
+    with a ``[gear]`` table has none, and starts from the motion of the nominal gear. The page with
+    the ranking of tolerances and the worst gears is the command's, ``gearsweep tolerance``.
+
+    Parameters
+    ----------
+    study : str, path, Study or Dataset
+        As `run` takes it, with one axis, a speed.
+    gears : int
+        How many gears are drawn.
+    tolerance_class : int
+        Of ISO 1328-1, 1 to 11, for the flanks of a study without ``[uncertain]``.
+    percentile : float
+        Which percentile, and that as far from the other end, become maps beside the median.
+    set : mapping of str to object, optional
+        Changes of the study before its tolerances.
+    **options
+        `progress`, `journal` and `device` of `run`.
+
+    Returns
+    -------
+    Dataset
+        Force, load factor, transmission error, bearing forces and contact over the speed, as far as
+        the model has them: nominal, percentiles (``dmf_max_p99``), shares of the classes of
+        contact, and in each gear (``dmf_max_draws``), with the parameters of each gear in
+        ``uncertain_value``.
+
+    Examples
+    --------
+    >>> study = Study.gear5("consistent").sweep(omega=(0.8, 1.2, 3)).integrate(max_step=0.2)
+    >>> maps = tolerance(study.uncertain(mu={"distribution": "normal", "std": 0.005}), gears=20)
+    >>> dict(maps.dmf_max_p99.sizes)
+    {'omega': 3}
+    """
+    asked = study_of(study, set)
+    built = _core.as_built(asked._core, gears, tolerance_class, percentile)
+    return run(Study._of(built), **options)
