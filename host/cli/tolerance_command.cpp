@@ -1,6 +1,7 @@
 // gearsweep tolerance: a page about gears as they are built.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -17,7 +18,7 @@ struct ToleranceArguments {
   std::string study, output, device;
   std::vector<std::string> overrides;
   ToleranceOptions options;
-  bool quiet = false;
+  bool restart = false, quiet = false;
 };
 
 std::string tolerance_command_line(const ToleranceArguments& arguments) {
@@ -36,6 +37,7 @@ int run_tolerance(ToleranceArguments* arguments, SignalWatch* signals) {
   options.devices = chosen_devices(arguments->device);
   options.command_line = tolerance_command_line(*arguments);
   options.journal_path = arguments->output + ".journal";
+  if (arguments->restart) std::filesystem::remove(options.journal_path);
   return tell_several_runs(&options, arguments->output, arguments->quiet, signals, [&] {
     return write_tolerance_report(study, arguments->output, options);
   });
@@ -79,6 +81,8 @@ void add_tolerance_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->type_name(kFileValue);
   add_set_option(command, &arguments->overrides);
   add_device_option(command, &arguments->device, true);
+  command->add_flag("--restart", arguments->restart,
+                    "Begin again, and not where an interrupted run has left off");
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->footer(
       "Examples:\n"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "model/error.hpp"
 #include "plot/plot.hpp"
 #include "report/detail/page_file.hpp"
 #include "report/detail/scatter.hpp"
@@ -29,6 +30,13 @@ void write_gears(const Scatter& scatter, const std::string& folder) {
 bool write_tolerance_report(const Study& study, const std::string& path,
                             const ToleranceOptions& options) {
   ensure_page_file(path);
+  if (!options.bands_path.empty()) {
+    if (!options.bands_path.ends_with(".nc")) {
+      throw InputError(fmt::format("cannot write the maps to '{}': its name must end in .nc",
+                                   options.bands_path));
+    }
+    ensure_writable(options.bands_path);
+  }
   ensure_plottable(path.substr(0, path.rfind('.')) + ".svg");
   const std::optional<Scatter> scatter = find_scatter(study, options);
   if (!scatter) return false;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 
@@ -40,14 +39,6 @@ std::vector<std::string> looked_at(const Model& model, AsBuilt* built) {
   return wanted;
 }
 
-bool has_own_step(const Study& study) {
-  const toml::table root = toml::parse(study.toml);
-  const toml::table* integrate = root["integrate"].as_table();
-  const auto keys = {"tolerance", "exponent_tolerance", "max_step", "steps_per_period"};
-  return integrate != nullptr &&
-         std::ranges::any_of(keys, [&](const char* key) { return integrate->contains(key); });
-}
-
 std::vector<std::string> as_built_overrides(const Study& study, const AsBuiltOptions& options,
                                             AsBuilt* built) {
   std::vector<std::string> overrides = {
@@ -59,7 +50,6 @@ std::vector<std::string> as_built_overrides(const Study& study, const AsBuiltOpt
       "uncertain.sobol=false",
       fmt::format("uncertain.percentiles=[{:.6g}, 50, {:.6g}]", 100.0 - options.percentile,
                   options.percentile)};
-  if (!has_own_step(study)) overrides.emplace_back("integrate.tolerance=1e-3");
   for (const UsualTolerance& one : built->assumed) {
     overrides.push_back(fmt::format("uncertain.{}={}", one.name, one.distribution));
   }

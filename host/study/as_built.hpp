@@ -25,8 +25,8 @@ struct AsBuilt {
 };
 
 // It looks at force, load factor, transmission error, bearings and contact, in each draw, and draws
-// start from the nominal motion. Its step keeps 1e-3 of the maps' ranges unless the study says
-// otherwise. Throws InputError for a study of two axes, and as usual_tolerances().
+// start from the nominal motion. Throws InputError for a study of two axes, and as
+// usual_tolerances().
 AsBuilt as_built(const Study& study, const AsBuiltOptions& options);
 
 }  // namespace gearsweep

@@ -278,9 +278,10 @@ class StepSearch {
 bool wants_pilot(const Study& study) {
   if (study.integrate.tolerance == 0.0) return false;
   if (study.integrate.is_tolerance_asked) return true;
-  if (study.points() < kFewestPoints || study.integrate.engine != EngineKind::opencl) return false;
+  const std::size_t all = study.trajectories();
+  if (all < kFewestPoints || study.integrate.engine != EngineKind::opencl) return false;
   const Study pilot = pilot_study(study);
-  const auto share = static_cast<double>(pilot.points()) / static_cast<double>(study.points());
+  const auto share = static_cast<double>(pilot.points()) / static_cast<double>(all);
   return Plan(pilot, pilot.points()).total_work() / share >= kFewestSteps;
 }
 
