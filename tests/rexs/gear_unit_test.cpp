@@ -10,6 +10,7 @@
 
 #include "model/error.hpp"
 #include "rexs/detail/values.hpp"
+#include "rexs/stage_choice.hpp"
 #include "rexs/stage_drawing.hpp"
 #include "rexs/units.hpp"
 #include "study/imported_gear.hpp"

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "rexs/detail/planetary.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -63,10 +65,8 @@ class CaseReader {
 
   void join_couplings() {
     for (const RexsComponent& one : lookup_.document().components) {
-      const bool switches = one.type == "switchable_coupling";
-      if (one.type != "coupling" && !switches) continue;
-      const RexsAttribute* engaged = one.find("is_engaged");
-      if (switches && (engaged == nullptr || engaged->text == "false")) continue;
+      if (one.type != "coupling" && one.type != "switchable_coupling") continue;
+      if (!lookup_.is_closed(one)) continue;
       std::vector<std::size_t> joined;
       for (std::size_t i = 0; i < unit_.shafts.size(); ++i) {
         const auto& relations = lookup_.relations_of(one);
@@ -199,24 +199,11 @@ class CaseReader {
       if (one.planetary != planetary || one.kind != StageKind::internal) continue;
       for (const auto& gear : one.gears) {
         if (!gear || !unit_.gears[*gear].is_ring || !unit_.gears[*gear].shaft) continue;
-        if (is_held(unit_.shafts[*unit_.gears[*gear].shaft].id)) return unit_.gears[*gear].teeth;
+        if (is_held(&lookup_, unit_.shafts[*unit_.gears[*gear].shaft].id))
+          return unit_.gears[*gear].teeth;
       }
     }
     return std::nullopt;
-  }
-
-  bool is_held(const std::string& shaft) {
-    const auto& relations = lookup_.relations_of(*lookup_.component(shaft));
-    return std::any_of(relations.begin(), relations.end(), [&](const RexsRelation* relation) {
-      if (relation->type != "side") return false;
-      bool has_coupling = false, has_casing = false;
-      for (const RexsReference& reference : relation->references) {
-        const std::string& type = lookup_.component(reference.component)->type;
-        has_coupling = has_coupling || type == "coupling" || type == "switchable_coupling";
-        has_casing = has_casing || type == "gear_casing";
-      }
-      return has_coupling && has_casing;
-    });
   }
 
   UnitCase read(const RexsLoadCase* from) {

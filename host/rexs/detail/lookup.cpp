@@ -92,6 +92,16 @@ std::string RexsLookup::text(const RexsComponent& component, std::string_view at
   return found == nullptr ? "" : found->text;
 }
 
+bool RexsLookup::is_closed(const RexsComponent& coupling) {
+  if (coupling.type == "coupling") return true;
+  const std::string engaged = text(coupling, "is_engaged");
+  if (engaged.find(' ') != std::string::npos) {
+    note(fmt::format("{}: is_engaged has several gears, '{}'; the first is taken", place(coupling),
+                     engaged));
+  }
+  return engaged.starts_with("true");
+}
+
 void RexsLookup::note(std::string text) {
   if (noted_.insert(text).second) notes_.push_back(std::move(text));
 }

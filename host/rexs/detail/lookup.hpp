@@ -38,6 +38,9 @@ class RexsLookup {
                                              std::size_t count);
   std::string text(const RexsComponent& component, std::string_view attribute) const;
 
+  // Whether a coupling is closed: one that switches says so, of several gears for the first.
+  bool is_closed(const RexsComponent& coupling);
+
   void note(std::string text);
   // "unit.rexs:12: shaft 12 (Input shaft)"
   std::string place(const RexsComponent& component) const;
