@@ -60,7 +60,7 @@ std::vector<ExcitingMesh> read_meshes(const NetcdfFile& file) {
   const std::string name = file.text_attribute(NC_GLOBAL, kOtherMesh).value_or("");
   const std::vector<double> order = file.number_attribute(NC_GLOBAL, kOtherMeshOrder);
   if (name.empty() || order.size() != 1 || !(order.front() > 0.0)) return {{}};
-  const std::string first = file.text_attribute(NC_GLOBAL, kScalesOfDrawing).value_or("");
+  const std::string first = file.text_attribute(NC_GLOBAL, kMeshOfPhase).value_or("");
   return {{first, 1.0}, {name, order.front()}};
 }
 

@@ -83,7 +83,7 @@ def plot_orders(
     ax.set_ylim(0.0, min(order[-1], max(_RAYS) + 0.5) if is_order else max(highest))
     label_axis(ax.xaxis, axis)
     word = maps.attrs.get("order_of", "forcing")
-    whose = f" of {maps.attrs.get('scales_of_drawing', '')}" if other > 0.0 else ""
+    whose = f" of {maps.attrs.get('mesh_of_phase', '')}" if other > 0.0 else ""
     ax.set_ylabel(f"{word} order{whose}" if is_order else f"frequency{frequency_unit}")
     channel = maps.attrs["channel"]
     unit = maps.amplitude.attrs.get("units", "1")

@@ -48,8 +48,10 @@ std::vector<Attribute> turns_of(const Study& study) {
 std::vector<Attribute> other_mesh_of(const Study& study) {
   const std::optional<std::size_t> order = study.model->parameter_of(Role::mesh_order);
   if (!order || study.differs(*order)) return {};
-  const ExcitingMesh other = exciting_meshes(*study.model, study.setting).back();
-  return {{kOtherMesh, other.name}, {kOtherMeshOrder, other.order}};
+  const std::vector<ExcitingMesh> meshes = exciting_meshes(*study.model, study.setting);
+  return {{kMeshOfPhase, meshes.front().name},
+          {kOtherMesh, meshes.back().name},
+          {kOtherMeshOrder, meshes.back().order}};
 }
 
 bool have_one_unit(const std::vector<ChannelInfo>& channels) {
@@ -85,7 +87,7 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
   notes.push_back({"scale_force_N", scales.k0 * scales.b_n});
   notes.push_back({"scale_rpm_per_omega", scales.rpm_per_omega});
   const std::string& drawing = study_.model->unit_drawing;
-  if (!drawing.empty()) notes.push_back({kScalesOfDrawing, drawing});
+  if (!drawing.empty()) notes.push_back({"scales_of_drawing", drawing});
   return notes;
 }
 
