@@ -11,6 +11,15 @@
 
 namespace gearsweep {
 
+// What a tip relief takes away from a flank, from a place on: at the tip all of its depth.
+struct TipRelief {
+  double depth = 0.0;              // mm
+  std::optional<double> diameter;  // where it begins
+  std::optional<double> length;    // else this way along the line of action before the tip
+  bool is_parabolic = false;       // otherwise linear
+  std::string label;               // "tip_relief 12 (tip_relief_depth = 20 mum)"
+};
+
 // Numbers are in mm, degrees, kg, kg mm^2, N/mm, N m and rpm.
 struct UnitGear {
   std::string id, name;
@@ -23,6 +32,7 @@ struct UnitGear {
   std::optional<double> modulus, poisson;  // of its material, N/mm^2
   std::optional<double> thinned;  // its teeth, along the normal of the flanks, by their deviations
   std::string thinned_by;         // the attribute of these
+  std::optional<TipRelief> tip_relief;
   std::vector<std::string> left_out;  // of its flanks and its teeth's thickness: "tip_relief 12"
 };
 

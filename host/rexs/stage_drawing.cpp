@@ -9,6 +9,8 @@
 
 #include "gear/drawing_keys.hpp"
 #include "model/error.hpp"
+#include "rexs/detail/stage_bodies.hpp"
+#include "rexs/detail/tip_relief.hpp"
 #include "rexs/detail/tooth_play.hpp"
 
 namespace gearsweep {
@@ -41,10 +43,11 @@ class StageDrawer {
     read_shifts();
     read_tips();
     read_width();
-    read_bodies();
-    read_bearings();
+    add_bodies(unit_, gears_, &out_);
+    add_bearings(unit_, gears_, &out_);
     read_backlash();
     read_materials();
+    read_tip_relief();
     note_left_out();
     read_load();
     out_.contact_ratio = stage_.contact_ratio;
@@ -191,53 +194,6 @@ class StageDrawer {
     set(kFaceWidth, fmt::format("{:.10g}", *width), origin);
   }
 
-  void read_bodies() {
-    const UnitShaft* shafts[2] = {};
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (gears_[i]->shaft) shafts[i] = &unit_.shafts[*gears_[i]->shaft];
-      if (shafts[i] == nullptr || !(shafts[i]->mass > 0.0)) {
-        return note(
-            fmt::format("{} is on no shaft of which the file has a body: discs stand for "
-                        "both gears",
-                        gears_[i]->name));
-      }
-    }
-    std::string bodies;
-    for (const UnitShaft* shaft : shafts) {
-      bodies += fmt::format("{}{}: {}", bodies.empty() ? "" : "; ", shaft->name,
-                            fmt::join(shaft->bodies, ", "));
-    }
-    set(kMass, fmt::format("[{:.6g}, {:.6g}]", shafts[0]->mass, shafts[1]->mass),
-        "ESTIMATE: of whole shafts with their gears. " + bodies);
-    set(kInertia, fmt::format("[{:.6g}, {:.6g}]", shafts[0]->inertia, shafts[1]->inertia),
-        "ESTIMATE: of the same bodies");
-  }
-
-  void read_bearings() {
-    std::array<double, 2> sums = {};
-    bool are_known = true;
-    for (std::size_t i = 0; i < 2; ++i) {
-      std::string names;
-      for (const UnitBearing& one : unit_.bearings) {
-        const bool is_here = gears_[i]->shaft && std::find(one.shafts.begin(), one.shafts.end(),
-                                                           *gears_[i]->shaft) != one.shafts.end();
-        if (!is_here) continue;
-        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", one.name, one.kind);
-        are_known = are_known && one.radial_stiffness.has_value();
-        sums[i] += one.radial_stiffness.value_or(0.0);
-      }
-      are_known = are_known && sums[i] > 0.0;
-      if (sums[i] == 0.0) {
-        out_.bearing_notes.push_back(
-            fmt::format("bearings of the {}, without a stiffness that can be used: {}",
-                        i == 0 ? "pinion" : "gear", names.empty() ? "none" : names));
-      }
-    }
-    if (!are_known) return;
-    set(kBearingStiffness, fmt::format("[{0:.6g}, {0:.6g}, {1:.6g}, {1:.6g}]", sums[0], sums[1]),
-        "from the file: the sum of radial_stiffness of each shaft's bearings");
-  }
-
   void read_backlash() {
     if (const auto play = tooth_play(stage_, gears_, geometry())) {
       set(kHalfBacklash, fmt::format("{:.6g}", 0.5 * play->along),
@@ -264,13 +220,30 @@ class StageDrawer {
     if (std::fabs(both / kSteel - 1.0) > kAlike) out_.stiffness_factor = both / kSteel;
   }
 
+  // As a table over the path of contact, which begins on the gear's tip circle.
+  void read_tip_relief() {
+    if (!gears_[0]->tip_relief && !gears_[1]->tip_relief) return;
+    const auto table = tip_relief_table(gears_, geometry());
+    if (!table) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (gears_[i]->tip_relief) left_out_[i].push_back(gears_[i]->tip_relief->label);
+      }
+      return;
+    }
+    const std::string name = "tip-relief.csv";
+    set(kProfileFile, fmt::format("\"{}\"", name), "from the file: tip relief of both gears");
+    out_.tables[name] = *table;
+  }
+
   void note_left_out() {
-    for (const UnitGear* gear : gears_) {
-      if (gear->left_out.empty()) continue;
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::vector<std::string> all = left_out_[i];
+      all.insert(all.end(), gears_[i]->left_out.begin(), gears_[i]->left_out.end());
+      if (all.empty()) continue;
       note(
           fmt::format("not taken of {}: {}. See half_backlash_mm for the thickness of teeth, and "
                       "profile_deviation_file for changes of flanks",
-                      gear->name, fmt::join(gear->left_out, ", ")));
+                      gears_[i]->name, fmt::join(all, ", ")));
     }
   }
 
@@ -344,6 +317,7 @@ class StageDrawer {
   double helix_ = 0.0, alpha_ = 0.0;  // rad
   double shifts_ = 0.0;               // their sum
   std::optional<double> centre_;
+  std::array<std::vector<std::string>, 2> left_out_;  // of both gears
   StageDrawing out_;
 };
 

@@ -25,11 +25,12 @@ struct StageDrawing {
   // Stiffness of the teeth over that of steel, by the moduli of both materials: E/E_steel with
   // E = 2 E1 E2/(E1 + E2), as ISO 6336-1 has it for materials other than steel.
   double stiffness_factor = 1.0;
-  double fastest = 0.0;                    // rpm of the pinion in all load cases; 0: not known
-  std::string about;                       // what was read, lines for a comment
-  std::string loads;                       // the same of all load cases
-  std::vector<std::string> notes;          // what disagrees, and what is not in the file
-  std::vector<std::string> bearing_notes;  // the same of bearings
+  double fastest = 0.0;                       // rpm of the pinion in all load cases; 0: not known
+  std::map<std::string, std::string> tables;  // the numbers of files that keys name
+  std::string about;                          // what was read, lines for a comment
+  std::string loads;                          // the same of all load cases
+  std::vector<std::string> notes;             // what disagrees, and what is not in the file
+  std::vector<std::string> bearing_notes;     // the same of bearings
 };
 
 // How a stage is looked at.

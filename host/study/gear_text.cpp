@@ -19,7 +19,7 @@ std::string gear_text(GearText text, const std::string& source) {
   const TakesKey takes = [&](const GearKey& key) { return takes_key(gear5, "", key); };
   add_estimates(takes, &text);
   const std::string model = "[model]\nname = \"gear5\"\nbacklash = \"dynamic\"\n";
-  const std::string drawing = drawing_table("[gear]", takes, text.keys);
+  const std::string drawing = drawing_table("gear", takes, text);
   const Study draft = read_draft(model + drawing, source);
   return comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + model +
          drawing + speed_axis("pinion_speed_rpm", text, draft.scales.rpm_per_omega, 200) +
@@ -37,7 +37,7 @@ std::string unit_text(UnitText text, const std::string& source) {
     const std::string suffix = "_" + name;
     const TakesKey takes = [&](const GearKey& key) { return takes_key(model, suffix, key); };
     add_estimates(takes, &drawing);
-    study += drawing_table(fmt::format("[gear.{}]", name), takes, drawing.keys);
+    study += drawing_table("gear." + name, takes, drawing);
   }
   if (!text.parameters.empty()) study += "[parameters]\n";
   for (const auto& [name, value, origin] : text.parameters) {

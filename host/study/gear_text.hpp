@@ -24,7 +24,8 @@ struct GearText {
   std::array<int, 2> teeth = {};
   double module_mm = 0.0;
   std::optional<double> face_width_mm;
-  double fastest_rpm = 0.0;  // of the pinion, that the axis has to reach
+  double fastest_rpm = 0.0;                   // of the pinion, that the axis has to reach
+  std::map<std::string, std::string> tables;  // the numbers of files that keys name
 };
 
 // TOML that 'gearsweep run' takes, over speeds up to the resonance of the teeth or a pitch-line

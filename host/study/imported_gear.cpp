@@ -29,6 +29,7 @@ GearText text_of(const StageDrawing& drawing) {
   text.module_mm = drawing.module;
   text.face_width_mm = drawing.face_width;
   text.fastest_rpm = drawing.fastest;
+  text.tables = drawing.tables;
   return text;
 }
 

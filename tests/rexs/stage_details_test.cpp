@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -87,6 +88,55 @@ TEST(StageDetails, TellWhereCentreDistanceAndShaftsDisagree) {
   std::erase_if(unit.at("50").attributes,
                 [](const TextAttribute& one) { return one.id == "center_distance"; });
   EXPECT_EQ(first_stage(unit).keys.at("centre_distance_mm").value, "93.5");
+}
+
+// Roll angles by tan(arccos(base radius/radius)): the pinion's relief is at the end of the path,
+// the gear's at its beginning.
+TEST(StageDetails, TakeTheTipReliefOfSpurGears) {
+  UnitBuilder built = two_stages();
+  built.add("98", "tip_relief",
+            {{"tip_relief_depth", "mum", "20"}, {"tip_relief_datum_diameter", "mm", "63.6"}});
+  built.add("99", "tip_relief",
+            {{"tip_relief_depth", "mm", "0.015"}, {"tip_relief_datum_length", "mm", "2.5"}});
+  built.relate("flank_modification", {{"flank", "9220"}, {"modification", "98"}});
+  built.relate("flank_modification", {{"flank", "9221"}, {"modification", "99"}});
+  const StageDrawing drawing = first_stage(built.unit);
+  const double base = 30.0 * std::cos(kAlpha), other = 61.5 * std::cos(kAlpha);
+  const auto way = [](double radius, double of) { return of * std::tan(std::acos(of / radius)); };
+  const double path = way(33.0, base) + way(64.5, other) - (base + other) * std::tan(kAlpha);
+  double share[4] = {}, depth[4] = {};
+  const std::string& table = drawing.tables.at("tip-relief.csv");
+  ASSERT_EQ(
+      std::sscanf(table.c_str(), "share, um\n%lf, %lf\n%lf, %lf\n%lf, %lf\n%lf, %lf", &share[0],
+                  &depth[0], &share[1], &depth[1], &share[2], &depth[2], &share[3], &depth[3]),
+      8);
+  EXPECT_NEAR(share[1], 2.5 / path, 1e-6);
+  EXPECT_NEAR(share[2], 1.0 - (way(33.0, base) - way(31.8, base)) / path, 1e-6);
+  EXPECT_THAT(depth, ::testing::ElementsAre(15.0, 0.0, 0.0, 20.0));
+  const ImportedGear imported = imported_gear_study(drawing, "unit");
+  const Study study = read_study(imported.toml, "stage.toml");
+  const auto second = static_cast<std::size_t>(study.model->find_parameter("e0_2"));
+  EXPECT_GT(study.setting.parameters[second], 0.0);
+  // Helical teeth have no such table.
+  for (const char* gear : {"20", "21"}) {
+    built.unit.set(gear, "helix_angle_reference_diameter", "deg", gear[1] == '0' ? "8" : "-8");
+  }
+  built.unit.set("50", "center_distance", "mm", "92.4");
+  EXPECT_THAT(first_stage(built.unit).notes, Contains(HasSubstr("tip_relief 98")));
+}
+
+// A program may say speeds and torques of gears only.
+TEST(StageDetails, TakeSpeedsAndTorquesOfGears) {
+  TextUnit unit = two_stages().unit;
+  std::erase_if(unit.components,
+                [](const TextComponent& one) { return one.type == "external_load"; });
+  std::erase_if(unit.at("2").attributes,
+                [](const TextAttribute& one) { return one.id == "rotational_speed"; });
+  unit.set("21", "rotational_speed", "1 / min", "-600");
+  unit.set("21", "torque_acting_on_shaft_u", "N m", "-102.5");
+  const StageDrawing drawing = first_stage(unit);
+  EXPECT_NEAR(drawing.fastest, 1230.0, 1e-9);
+  EXPECT_EQ(drawing.keys.at("torque_N_m").value, "50");
 }
 
 TEST(StageDetails, TellWhatIsNotTaken) {

@@ -200,13 +200,36 @@ class GearReader {
           if (change == kFlankChanges.end() || !is_new) continue;
           seen.push_back(one->id);
           const RexsAttribute* amount = one->find(change->amount);
-          gear_.left_out.push_back(amount == nullptr
-                                       ? fmt::format("{} {}", one->type, one->id)
-                                       : fmt::format("{} {} ({} = {} {})", one->type, one->id,
-                                                     amount->id, amount->text, amount->unit));
+          const std::string label = amount == nullptr
+                                        ? fmt::format("{} {}", one->type, one->id)
+                                        : fmt::format("{} {} ({} = {} {})", one->type, one->id,
+                                                      amount->id, amount->text, amount->unit);
+          if (!takes_tip_relief(*one, label)) gear_.left_out.push_back(label);
         }
       }
     }
+  }
+
+  // One on the flank that comes first; the same one of the other flank is no other.
+  bool takes_tip_relief(const RexsComponent& component, const std::string& label) {
+    const std::string shape = lookup_.text(component, "shape_of_relief");
+    const bool is_plain = shape.empty() || shape == "linear" || shape == "parabolic";
+    const auto depth = lookup_.number(component, "tip_relief_depth", length);
+    if (component.type != "tip_relief" || !is_plain || !depth || !(*depth > 0.0) ||
+        lookup_.text(component, "specify_tangential_transition") == "true") {
+      return false;
+    }
+    TipRelief relief = {*depth, lookup_.number(component, "tip_relief_datum_diameter", length),
+                        lookup_.number(component, "tip_relief_datum_length", length),
+                        shape == "parabolic", label};
+    if (!relief.diameter && !relief.length) return false;
+    if (!gear_.tip_relief) {
+      gear_.tip_relief = relief;
+      return true;
+    }
+    const TipRelief& first = *gear_.tip_relief;
+    return first.depth == relief.depth && first.diameter == relief.diameter &&
+           first.length == relief.length && first.is_parabolic == relief.is_parabolic;
   }
 
   const RexsComponent& component_;

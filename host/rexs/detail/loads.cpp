@@ -117,6 +117,27 @@ class CaseReader {
                                 "rotational_speed", RexsQuantity::speed);
       if (speed && *speed != 0.0) return std::fabs(*speed / ratio);
     }
+    for (const auto& [other, ratio] : turning(shaft, nullptr)) {
+      for (const UnitGear& gear : unit_.gears) {
+        if (gear.shaft != other) continue;
+        const auto speed =
+            number(from, *lookup_.component(gear.id), "rotational_speed", RexsQuantity::speed);
+        if (speed && *speed != 0.0) return std::fabs(*speed / ratio);
+      }
+    }
+    return std::nullopt;
+  }
+
+  // What a program has computed for a gear of the mesh, on its first gear.
+  std::optional<double> torque_on_gear(const RexsLoadCase* from, const UnitStage& stage) {
+    for (const auto& gear : stage.gears) {
+      if (!gear || !stage.gears[0] || !unit_.gears[*stage.gears[0]].teeth) continue;
+      const UnitGear& own = unit_.gears[*gear];
+      const auto torque = number(from, *lookup_.component(own.id), "torque_acting_on_shaft_u",
+                                 RexsQuantity::torque);
+      if (!torque || *torque == 0.0 || !own.teeth) continue;
+      return std::fabs(*torque) * *unit_.gears[*stage.gears[0]].teeth / *own.teeth;
+    }
     return std::nullopt;
   }
 
@@ -219,6 +240,7 @@ class CaseReader {
       const auto shaft = shaft_of(stage, 0);
       const bool is_planet = !stage.planetary.empty();
       out.torques.push_back(is_planet ? torque_of_planet(from, stage) : torque_of_stage(from, i));
+      if (!out.torques.back() && !is_planet) out.torques.back() = torque_on_gear(from, stage);
       out.speeds.push_back(is_planet ? speed_of_planet(from, stage)
                            : shaft   ? speed_of(from, *shaft)
                                      : std::nullopt);

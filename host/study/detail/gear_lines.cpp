@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "study/toml_text.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -123,13 +125,18 @@ void add_estimates(const TakesKey& takes, GearText* text) {
   add(kTransmissionError, "5", "of ground teeth");
 }
 
-std::string drawing_table(const std::string& heading, const TakesKey& takes,
-                          const GearTextKeys& given) {
-  std::string text = heading + "\n";
+std::string drawing_table(const std::string& name, const TakesKey& takes, const GearText& text) {
+  std::string lines = fmt::format("[{}]\n", name);
   for (const GearKey& key : kGearKeys) {
-    if (takes(key)) text += line_of(key, given);
+    if (takes(key)) lines += line_of(key, text.keys);
   }
-  return text + estimates_of(given);
+  lines += estimates_of(text.keys);
+  if (text.tables.empty()) return lines;
+  lines += fmt::format("[{}.tables]\n", name);
+  for (const auto& [file, numbers] : text.tables) {
+    lines += fmt::format("{} = \"\"\"\n{}\"\"\"\n", toml_quoted(file), numbers);
+  }
+  return lines;
 }
 
 std::string speed_axis(const std::string& name, const GearText& text, double rpm_per_omega,

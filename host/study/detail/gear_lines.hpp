@@ -24,9 +24,8 @@ using TakesKey = std::function<bool(const GearKey&)>;
 // take.
 void add_estimates(const TakesKey& takes, GearText* text);
 
-// The table [gear] or [gear.NAME], with every key that the model takes.
-std::string drawing_table(const std::string& heading, const TakesKey& takes,
-                          const GearTextKeys& given);
+// The table [NAME], "gear" or "gear.first", with every key that the model takes.
+std::string drawing_table(const std::string& name, const TakesKey& takes, const GearText& text);
 
 // The axis over the speed, from a twentieth of it up to the resonance of the teeth, a pitch-line
 // velocity of 50 m/s, or what the fastest load case takes. name: "pinion_speed_rpm_first".
