@@ -218,12 +218,6 @@ class UnitReader {
       return fmt::format("its gears have two helix angles, {:g} and {:g} degrees", *a.helix,
                          *b.helix);
     }
-    if (a.helix && b.helix && *a.helix * *b.helix > 0.0) {
-      return fmt::format(
-          "both gears have the same hand of helix, {:g} degrees; outer teeth need "
-          "opposite hands",
-          *a.helix);
-    }
     return "";
   }
 

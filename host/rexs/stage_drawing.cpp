@@ -83,6 +83,12 @@ class StageDrawer {
     helix_ = std::fabs(helix.value_or(0.0)) * kRad;
     if (helix_ > 0.0) set(kHelix, fmt::format("{:.10g}", helix_ / kRad), kFromFile);
     if (!helix) note("no helix_angle_reference_diameter: the teeth are taken as spur");
+    if (gears_[0]->helix && gears_[1]->helix && *gears_[0]->helix * *gears_[1]->helix > 0.0) {
+      note(
+          fmt::format("both gears have the helix angle {:g} degrees, of one hand; outer teeth need "
+                      "opposite hands, and have them here",
+                      *gears_[0]->helix));
+    }
     const auto alpha =
         gears_[0]->pressure_angle ? gears_[0]->pressure_angle : gears_[1]->pressure_angle;
     if (alpha) set(kPressureAngle, fmt::format("{:.10g}", *alpha), kFromFile);

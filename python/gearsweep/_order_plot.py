@@ -10,7 +10,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._frame import draw_heading, edges_of, label_axis
+from gearsweep._frame import OTHER_MESH_COLOUR, draw_heading, edges_of, label_axis
 from gearsweep._heat_map import palette_of
 from gearsweep._shown import Limits
 from gearsweep._si import IN_SI
@@ -23,7 +23,6 @@ _CONTENT = "order map of gearsweep"
 _DEPTH = 80.0  # decibels
 _RAYS = (1, 2, 3, 4)
 _RAY_COLOUR = "#ff8c5a"
-_OTHER_COLOUR = "#d070ff"  # of a second mesh
 
 
 def is_order_map(maps: xarray.Dataset) -> bool:
@@ -70,7 +69,7 @@ def plot_orders(
     other = float(maps.attrs.get("other_mesh_order", 0.0))
     rays = [(ray, float(ray), ":", _RAY_COLOUR) for ray in _RAYS]
     if other > 0.0:
-        rays += [(ray, ray * other, "--", _OTHER_COLOUR) for ray in _RAYS]
+        rays += [(ray, ray * other, "--", OTHER_MESH_COLOUR) for ray in _RAYS]
     for name, ray, dashes, colour in rays:
         line = numpy.full_like(forcing, ray) if is_order else ray * forcing
         ax.plot(axis.values, line, dashes, color=colour, linewidth=1.0)

@@ -125,6 +125,18 @@ TEST(StageDetails, TakeTheTipReliefOfSpurGears) {
   EXPECT_THAT(first_stage(built.unit).notes, Contains(HasSubstr("tip_relief 98")));
 }
 
+// Programs may leave out the sign that says which hand it is.
+TEST(StageDetails, TellWhereBothHelicesAreOfOneHand) {
+  UnitBuilder built = two_stages();
+  for (const char* gear : {"20", "21"}) {
+    built.unit.set(gear, "helix_angle_reference_diameter", "deg", "8");
+  }
+  built.unit.set("50", "center_distance", "mm", "92.4");
+  const StageDrawing drawing = first_stage(built.unit);
+  EXPECT_EQ(drawing.keys.at("helix_angle_deg").value, "8");
+  EXPECT_THAT(drawing.notes, Contains(HasSubstr("of one hand")));
+}
+
 // A program may say speeds and torques of gears only.
 TEST(StageDetails, TakeSpeedsAndTorquesOfGears) {
   TextUnit unit = two_stages().unit;
