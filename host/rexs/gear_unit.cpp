@@ -85,7 +85,7 @@ class UnitReader {
     if (bearing.kind.empty()) bearing.kind = component.type;
     bearing.designation = lookup_.text(component, "catalogue_designation");
     for (const RexsRelation* relation : lookup_.relations_of(component)) {
-      if (relation->type != "side") continue;
+      if (!is_of_sides(*relation)) continue;
       for (const RexsReference& reference : relation->references) {
         const auto shaft = shafts_.find(reference.component);
         if (shaft != shafts_.end()) bearing.shafts.push_back(shaft->second);

@@ -118,6 +118,9 @@ TEST(WholeUnit, IsTheSameInAnyOrderFormatAndVersion) {
               study_of(whole(read_unit(unit))).setting.parameters)
         << version;
   }
+  for (const TextUnit& one : {unit, planetary_set(3).unit}) {
+    EXPECT_EQ(whole(read_unit(with_newer_relations(one))).toml, whole(read_unit(one)).toml);
+  }
   TextUnit next = unit;
   next.version = "2.0";
   EXPECT_THAT(read_unit(next).notes, Contains(HasSubstr("version '2.0'")));

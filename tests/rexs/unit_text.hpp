@@ -179,6 +179,22 @@ inline TextUnit with_older_names(TextUnit unit, const std::string& version) {
   return unit;
 }
 
+// The relations that newer versions have beside the older ones.
+inline TextUnit with_newer_relations(TextUnit unit) {
+  unit.version = "1.7";
+  for (TextRelation& one : unit.relations) {
+    if (one.type == "assembly") one.type = "ordered_assembly";
+    if (one.type == "reference") one.type = "ordered_reference";
+    if (one.type != "side") continue;
+    one.type = "contact";
+    for (auto& [role, id] : one.refs) {
+      if (role == "inner_part") role = "side_1";
+      if (role == "outer_part") role = "side_2";
+    }
+  }
+  return unit;
+}
+
 // Builds a unit shaft by shaft.
 class UnitBuilder {
  public:

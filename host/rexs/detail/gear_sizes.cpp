@@ -47,10 +47,13 @@ class GearReader {
         flanks_.push_back(one);
       }
     }
-    for (const char* type : {"ordered_reference", "reference", "manufacturing_step"}) {
-      for (const RexsComponent* one : lookup_.related(component, type, "origin", "referenced")) {
-        if (one->type.ends_with("_tool")) tools_.push_back(one);
-      }
+    for (const RexsComponent* one :
+         lookup_.related(component, "reference", "origin", "referenced")) {
+      if (one->type.ends_with("_tool")) tools_.push_back(one);
+    }
+    for (const RexsComponent* one :
+         lookup_.related(component, "manufacturing_step", "workpiece", "tool")) {
+      tools_.push_back(one);
     }
   }
 

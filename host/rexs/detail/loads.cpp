@@ -71,7 +71,7 @@ class CaseReader {
       for (std::size_t i = 0; i < unit_.shafts.size(); ++i) {
         const auto& relations = lookup_.relations_of(one);
         if (std::any_of(relations.begin(), relations.end(), [&](const RexsRelation* relation) {
-              return relation->type == "side" && relation->names(unit_.shafts[i].id);
+              return is_of_sides(*relation) && relation->names(unit_.shafts[i].id);
             })) {
           joined.push_back(i);
         }

@@ -134,7 +134,7 @@ class PlanetaryReader {
 bool is_held(RexsLookup* lookup, const std::string& shaft) {
   const auto& relations = lookup->relations_of(*lookup->component(shaft));
   return std::any_of(relations.begin(), relations.end(), [&](const RexsRelation* relation) {
-    if (relation->type != "side") return false;
+    if (!is_of_sides(*relation)) return false;
     bool has_coupling = false, has_casing = false;
     for (const RexsReference& reference : relation->references) {
       const RexsComponent& one = *lookup->component(reference.component);

@@ -35,9 +35,9 @@ class PlanetarySet {
     add_bearings();
     out_.about =
         fmt::format(
-            "All of {}: {}. Speeds are those of the sun relative to the carrier, the torque "
+            "The whole unit: {}. Speeds are those of the sun relative to the carrier, the torque "
             "is that on the sun.\n",
-            unit_.source, set_->name) +
+            set_->name) +
         drawing.loads;
     out_.drawings.emplace_back("sun", std::move(drawing));
     out_.notes.emplace_back(

@@ -171,14 +171,14 @@ class TwoStages {
   }
 
   void describe() {
-    out_.about =
-        fmt::format("All of {}: {} drives {}, and that {}. The stages are {} and {} of the file.\n",
-                    unit_.source, unit_.shafts[first_.in_shaft].name, middle().name,
-                    unit_.shafts[second_.out_shaft].name, first_.stage + 1, second_.stage + 1);
+    out_.about = fmt::format(
+        "The whole unit: {} drives {}, and that {}. The stages are {} and {} of the file.\n",
+        unit_.shafts[first_.in_shaft].name, middle().name, unit_.shafts[second_.out_shaft].name,
+        first_.stage + 1, second_.stage + 1);
     out_.about +=
         "The torque of [gear.first] is the load of both meshes. How far the second mesh is ahead "
-        "of "
-        "the first is not in the file; the parameter shift has it.\n";
+        "of the "
+        "first is not in the file; the parameter shift has it.\n";
   }
 
   void note_other_shafts() {
