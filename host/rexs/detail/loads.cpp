@@ -167,9 +167,19 @@ class CaseReader {
       if (joint.stage != stage) continue;
       const auto before = turning(joint.first, &joint);
       if (before.contains(joint.second)) return std::nullopt;  // the power splits
-      if (const auto torque = torque_of(from, before)) return torque;
-      const auto behind = torque_of(from, turning(joint.second, &joint));
-      return behind ? std::optional(*behind * std::fabs(joint.ratio)) : std::nullopt;
+      const auto torque = torque_of(from, before);
+      auto behind = torque_of(from, turning(joint.second, &joint));
+      if (behind) *behind *= std::fabs(joint.ratio);
+      if (!torque) return behind;
+      constexpr double kLosses = 0.1;  // at most, of a stage that runs well
+      if (behind && std::fabs(*behind / *torque - 1.0) > kLosses) {
+        lookup_.note(
+            fmt::format("{}: the loads on both sides of stage {} do not balance{}: {:.5g} and "
+                        "{:.5g} N m on its first gear; the first is taken",
+                        lookup_.document().source, stage + 1,
+                        from == nullptr ? "" : " in load case " + from->id, *torque, *behind));
+      }
+      return torque;
     }
     return std::nullopt;
   }
