@@ -16,6 +16,7 @@
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
+#include "model/exciting_meshes.hpp"
 #include "orders/natural_modes.hpp"
 #include "result/output_file.hpp"
 #include "result/study_source.hpp"
@@ -33,19 +34,8 @@ struct GearArguments {
   bool as_json = false;
 };
 
-// A mesh that excites: its frequency over that of the phase, whose orders are those of the pinion.
-struct ExcitingMesh {
-  std::string name;  // of its drawing; empty where there is one mesh
-  double order = 1.0;
-};
-
-std::vector<ExcitingMesh> exciting_meshes(const Study& study) {
-  const Model& model = *study.model;
-  const std::optional<std::size_t> other = model.parameter_of(Role::mesh_order);
-  if (!other) return {{}};
-  const std::string& name = model.parameters[*other].name;
-  return {{model.unit_drawing, 1.0},
-          {name.substr(name.rfind('_') + 1), study.setting.parameters[*other]}};
+std::vector<ExcitingMesh> meshes_of(const Study& study) {
+  return exciting_meshes(*study.model, study.setting);
 }
 
 // A speed of the pinion at which an order of the mesh meets a natural frequency.
@@ -65,7 +55,7 @@ void print(const std::string& name, const Study& study, const std::vector<Natura
       "\nnatural frequencies of small motions with all teeth in contact, and the pinion's speed "
       "(rpm) at\nwhich an order of the mesh frequency meets them\n");
   TextTable rows;
-  const std::vector<ExcitingMesh> meshes = exciting_meshes(study);
+  const std::vector<ExcitingMesh> meshes = meshes_of(study);
   std::vector<std::string> head = {"Hz", "damping"};
   for (const ExcitingMesh& mesh : meshes) {
     for (const int order : kOrders) {
@@ -99,7 +89,7 @@ void print_json(const Study& study, const std::vector<NaturalMode>& modes) {
   for (const NaturalMode& mode : modes) {
     nlohmann::json& one = told["modes"].emplace_back();
     one = {{"frequency_Hz", hertz(mode, study.scales)}, {"damping", mode.damping}};
-    for (const ExcitingMesh& mesh : exciting_meshes(study)) {
+    for (const ExcitingMesh& mesh : meshes_of(study)) {
       const bool is_first = mesh.name == study.model->unit_drawing || mesh.name.empty();
       nlohmann::json& critical = one[is_first ? "critical_rpm" : "critical_rpm_" + mesh.name];
       for (const int order : kOrders) {

@@ -181,8 +181,10 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
              "none (the default): exact lines of periodic motion, whose period divides the "
              "record; hann: less spreading of what is between the orders");
   command
-      ->add_option("--rays", arguments->rays,
-                   "Orders that the picture has as lines: 1,2,1/2, or none (default: 1,2,3,4)")
+      ->add_option(
+          "--rays", arguments->rays,
+          "Orders that the picture has as lines: 1,2,1/2, of a second mesh 1:second, or none "
+          "(default: 1,2,3,4 of each)")
       ->type_name("N,N/N,...");
   command->add_flag("--upright-orders", arguments->is_upright_order,
                     "The picture has orders on its vertical axis, not frequencies");

@@ -141,7 +141,8 @@ void add_plot_command(CLI::App* app) {
       ->check(positive_number());
   command
       ->add_option("--rays", request->rays,
-                   "Orders that an order map has as lines: 1,2,1/2, or none (default: 1,2,3,4)")
+                   "Orders that an order map has as lines: 1,2,1/2, of a second mesh 1:second, or "
+                   "none (default: 1,2,3,4 of each)")
       ->type_name("N,N/N,...");
   add_style_options(command, style.get(), style_file.get());
   command->footer(kPlotFooter);

@@ -57,4 +57,8 @@ struct GearConversion {
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
                             const std::string& suffix = "");
 
+// Whether the model has something of what the key gives where it stands in a drawing with this
+// suffix; a drawing with other keys is refused.
+bool takes_key(const Model& model, const std::string& suffix, const GearKey& key);
+
 }  // namespace gearsweep

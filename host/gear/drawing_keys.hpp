@@ -63,8 +63,9 @@ constexpr GearKey measured_key(std::string_view name, KeyForm form, const GivenN
   return {name, 0.0, 0.0, meaning, form, "", gives, "", units};
 }
 constexpr GearKey word_key(std::string_view name, std::string_view choices,
-                           std::string_view fallback, std::string_view meaning) {
-  return {name, 0.0, 0.0, meaning, KeyForm::word, fallback, {}, choices};
+                           std::string_view fallback, std::string_view meaning,
+                           const GivenNames& gives = {}) {
+  return {name, 0.0, 0.0, meaning, KeyForm::word, fallback, gives, choices};
 }
 
 inline constexpr GearKey kTeeth =
@@ -195,7 +196,8 @@ inline constexpr GearKey kEngagement = number_key(
     KeyForm::number, "0", {"engagement"});
 inline constexpr GearKey kToothEntry = word_key(
     "tooth_entry", "sudden gradual", "\"sudden\"",
-    "gradual: engagement is estimated from the deflection of a pair of teeth under torque_N_m");
+    "gradual: engagement is estimated from the deflection of a pair of teeth under torque_N_m",
+    {"engagement"});
 inline constexpr GearKey kSpeed = number_key("pinion_speed_rpm", 1e-6, 1e9, "speed of the pinion",
                                              KeyForm::number, "omega stays as it is", {"omega"});
 inline constexpr GearKey kPitchDeviation =

@@ -197,6 +197,7 @@ StoredOrders read_orders(const std::string& path) {
   stored.title = text(NC_GLOBAL, "title");
   stored.settings = text(NC_GLOBAL, "settings");
   stored.scales = read_scales(file);
+  stored.meshes = read_meshes(file);
   stored.order_of = text(NC_GLOBAL, "order_of");
   stored.channel = {text(NC_GLOBAL, "channel"), text(amplitude, "units"),
                     text(amplitude, "long_name")};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/exciting_meshes.hpp"
 #include "result/dataset.hpp"
 #include "result/result_file.hpp"
 #include "result/table_units.hpp"
@@ -36,6 +37,7 @@ struct StoredOrders {
   ChannelInfo channel;
   std::string frequency_unit;
   std::string order_of;                          // "mesh" or "forcing"
+  std::vector<ExcitingMesh> meshes;              // that of the phase first
   std::vector<double> orders, forcing;           // [order], [point]
   std::vector<double> amplitude;                 // [point][order]
   std::vector<std::vector<double>> frequencies;  // [mode][point] natural ones; NaN: none

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/error.hpp"
+#include "result/detail/file_names.hpp"
 #include "result/detail/netcdf_file.hpp"
 
 namespace gearsweep {
@@ -53,6 +54,14 @@ Scales read_scales(const NetcdfFile& file) {
     const std::vector<double> numbers = file.number_attribute(NC_GLOBAL, name);
     return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
   });
+}
+
+std::vector<ExcitingMesh> read_meshes(const NetcdfFile& file) {
+  const std::string name = file.text_attribute(NC_GLOBAL, kOtherMesh).value_or("");
+  const std::vector<double> order = file.number_attribute(NC_GLOBAL, kOtherMeshOrder);
+  if (name.empty() || order.size() != 1 || !(order.front() > 0.0)) return {{}};
+  const std::string first = file.text_attribute(NC_GLOBAL, kMeshOfPhase).value_or("");
+  return {{first, 1.0}, {name, order.front()}};
 }
 
 Scales scales_in(const std::string& path) {

@@ -4,8 +4,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/trace.hpp"
+#include "model/exciting_meshes.hpp"
 #include "result/result_file.hpp"
 #include "study/study.hpp"
 
@@ -28,6 +30,8 @@ SiUnit shown_unit(const std::string& unit, const Scales& scales);
 // attribute of this name, if it is one number.
 Scales scales_of(const std::function<std::optional<double>(const std::string& name)>& number);
 Scales read_scales(const NetcdfFile& file);
+// The meshes that excite, as the file says: one without a name where it tells of no other.
+std::vector<ExcitingMesh> read_meshes(const NetcdfFile& file);
 // Of a file of results, traces or orders; unknown of any other.
 Scales scales_in(const std::string& path);
 

@@ -157,6 +157,7 @@ std::vector<StoredTrace> read_traces(const std::string& path) {
     stored.settings = file.text_attribute(NC_GLOBAL, "settings").value_or("");
     stored.label = labels[i];
     stored.scales = read_scales(file);
+    stored.meshes = read_meshes(file);
     stored.trace = read_trace(file, tau, i);
     stored.trace.period = periods[i];
     stored.trace.is_clockless = clockless >= 0 && file.read(clockless, {i}, {1}).front() == 1.0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/trace.hpp"
+#include "model/exciting_meshes.hpp"
 #include "result/result_file.hpp"
 #include "result/table_units.hpp"
 
@@ -35,7 +36,8 @@ struct StoredTrace {
   std::string title;     // of the study
   std::string settings;  // every value that the study resolved to, as TOML
   std::string label;
-  Scales scales;  // of a study with a [gear] table
+  Scales scales;                     // of a study with a [gear] table
+  std::vector<ExcitingMesh> meshes;  // that of the phase first
   Trace trace;
 };
 

@@ -12,7 +12,7 @@ namespace gearsweep {
 struct RexsAttribute {
   std::string id;
   std::string unit;  // as it stands; empty: none is given
-  std::string text;  // of a scalar
+  std::string text;  // of a scalar; of a list without numbers its words, with blanks between
   std::vector<double>
       numbers;   // of a number one, of a list all, of a matrix row by row; only finite
   int line = 0;  // 0: not known

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "rexs/detail/gear_sizes.hpp"
 #include "rexs/detail/loads.hpp"
 #include "rexs/detail/lookup.hpp"
+#include "rexs/detail/planetary.hpp"
+#include "rexs/detail/shaft_axes.hpp"
 #include "rexs/detail/shaft_bodies.hpp"
 
 namespace gearsweep {
@@ -25,8 +28,10 @@ class UnitReader {
     out_.application = document_.application;
     for (const RexsComponent* one : lookup_.of_type("shaft")) {
       shafts_[one->id] = out_.shafts.size();
-      out_.shafts.push_back({one->id, one->name, 0.0, 0.0, {}, {}});
-      out_.shafts.back().speed = lookup_.number(*one, "rotational_speed", RexsQuantity::speed);
+      UnitShaft& shaft = out_.shafts.emplace_back();
+      shaft.id = one->id;
+      shaft.name = one->name.empty() ? "shaft " + one->id : one->name;
+      shaft.speed = lookup_.number(*one, "rotational_speed", RexsQuantity::speed);
     }
     for (const RexsComponent& one : document_.components) {
       if (is_gear(one)) read_gear(one);
@@ -38,6 +43,7 @@ class UnitReader {
       if (one.type.ends_with("_stage")) read_stage(one);
     }
     for (UnitShaft& shaft : out_.shafts) weigh(&shaft);
+    read_planetaries(&lookup_, &out_);
     read_cases(&lookup_, &out_);
     note_what_is_left();
     out_.notes = document_.notices;
@@ -51,98 +57,11 @@ class UnitReader {
            one.type == "worm_gear" || one.type == "worm_wheel";
   }
 
-  // Of the component, or the first of the others that has it.
-  std::optional<double> first_of(const std::vector<const RexsComponent*>& components,
-                                 std::string_view name, RexsQuantity quantity) {
-    for (const RexsComponent* one : components) {
-      if (const auto found = lookup_.number(*one, name, quantity)) return found;
-    }
-    return std::nullopt;
-  }
-
   void read_gear(const RexsComponent& component) {
-    UnitGear gear;
-    gear.id = component.id;
-    gear.name = component.name.empty() ? component.type + " " + component.id : component.name;
-    gear.is_ring = component.type == "ring_gear";
-    std::vector<const RexsComponent*> flanks = {&component};
-    for (const char* side : {"left", "right"}) {
-      for (const RexsComponent* one : lookup_.related(component, "flank", "gear", side)) {
-        flanks.push_back(one);
-      }
-    }
-    std::vector<const RexsComponent*> tools;
-    for (const char* type : {"ordered_reference", "reference", "manufacturing_step"}) {
-      for (const RexsComponent* one : lookup_.related(component, type, "origin", "referenced")) {
-        if (one->type.ends_with("_tool")) tools.push_back(one);
-      }
-    }
-    gear.teeth = lookup_.number(component, "number_of_teeth", RexsQuantity::number);
-    if (gear.teeth && *gear.teeth == 0.0) gear.teeth.reset();
-    if (gear.teeth && *gear.teeth < 0.0) {
-      gear.is_ring = true;
-      gear.teeth = -*gear.teeth;
-    }
-    read_sizes(component, flanks, tools, &gear);
+    UnitGear gear = gear_of(component, &lookup_);
     gear.shaft = shaft_under(component, 0);
     gears_[component.id] = out_.gears.size();
     out_.gears.push_back(std::move(gear));
-  }
-
-  void read_sizes(const RexsComponent& component, const std::vector<const RexsComponent*>& flanks,
-                  const std::vector<const RexsComponent*>& tools, UnitGear* gear) {
-    using enum RexsQuantity;
-    gear->helix = lookup_.number(component, "helix_angle_reference_diameter", angle);
-    gear->module = lookup_.number(component, "normal_module", length);
-    const double slope = std::cos(gear->helix.value_or(0.0) * kRad);
-    if (const auto transverse = lookup_.number(component, "transverse_module", length);
-        transverse && !gear->module) {
-      gear->module = *transverse * slope;
-    }
-    if (!gear->module) gear->module = first_of(tools, "normal_module", length);
-    gear->pressure_angle = first_of(flanks, "normal_pressure_angle", angle);
-    if (!gear->pressure_angle)
-      gear->pressure_angle = first_of(tools, "normal_pressure_angle", angle);
-    for (const RexsComponent* flank : flanks) {
-      const auto other = lookup_.number(*flank, "normal_pressure_angle", angle);
-      if (!other || std::fabs(*other - *gear->pressure_angle) < 1e-6) continue;
-      lookup_.note(
-          fmt::format("{}: its flanks have two pressure angles, {:g} and {:g} degrees; a "
-                      "study has the first for both",
-                      lookup_.place(component), *gear->pressure_angle, *other));
-    }
-    gear->shift = first_of(flanks, "addendum_modification_coefficient", number);
-    if (!gear->shift && gear->module) {
-      gear->shift = first_of(flanks, "addendum_modification", length);
-      if (gear->shift) *gear->shift /= *gear->module;
-    }
-    gear->face_width = lookup_.number(component, "face_width", length);
-    gear->addendum = lookup_.number(component, "addendum_basic_profile", length);
-    if (gear->module && !gear->addendum) {
-      gear->addendum = first_of(flanks, "addendum_coefficient_basic_profile", number);
-      if (gear->addendum) *gear->addendum *= *gear->module;
-    }
-    gear->dedendum = first_of(tools, "addendum_reference_profile", length);
-    if (gear->module && !gear->dedendum) {
-      gear->dedendum = first_of(tools, "addendum_coefficient_reference_profile", number);
-      if (gear->dedendum) *gear->dedendum *= *gear->module;
-    }
-    read_tip(component, slope, gear);
-  }
-
-  void read_tip(const RexsComponent& component, double slope, UnitGear* gear) {
-    const auto tip = lookup_.number(component, "tip_diameter", RexsQuantity::length);
-    if (!tip || gear->is_ring || !gear->teeth || !gear->module) return;
-    const double reference = *gear->module / slope * *gear->teeth;
-    const double shift = 2.0 * gear->shift.value_or(0.0) * *gear->module;
-    if (std::fabs(*tip - reference - shift) < 4.0 * *gear->module && *tip > reference + shift) {
-      gear->tip_diameter = tip;
-      return;
-    }
-    lookup_.note(
-        fmt::format("{}: its tip_diameter, {:g} mm, fits no gear of the reference diameter "
-                    "{:.6g} mm; not taken",
-                    lookup_.place(component), *tip, reference));
   }
 
   // The shaft that the component is a part of, be it by groups in between.
@@ -166,7 +85,7 @@ class UnitReader {
     if (bearing.kind.empty()) bearing.kind = component.type;
     bearing.designation = lookup_.text(component, "catalogue_designation");
     for (const RexsRelation* relation : lookup_.relations_of(component)) {
-      if (relation->type != "side") continue;
+      if (!is_of_sides(*relation)) continue;
       for (const RexsReference& reference : relation->references) {
         const auto shaft = shafts_.find(reference.component);
         if (shaft != shafts_.end()) bearing.shafts.push_back(shaft->second);
@@ -204,11 +123,47 @@ class UnitReader {
     if (stage.centre_distance) *stage.centre_distance = std::fabs(*stage.centre_distance);
     stage.contact_ratio = lookup_.number(component, "radial_contact_ratio", number);
     stage.face_width = lookup_.number(component, "common_face_width", length);
-    const auto least = lookup_.number(component, "minimum_normal_backlash", length);
-    const auto most = lookup_.number(component, "maximum_normal_backlash", length);
-    if (least && most) stage.backlash = 0.5 * (*least + *most);
+    stage.shift_sum =
+        lookup_.number(component, "sum_of_addendum_modification_coefficients", number);
+    stage.backlash = mean_of(component, "minimum_normal_backlash", "maximum_normal_backlash");
+    stage.transverse_backlash =
+        mean_of(component, "minimum_transverse_backlash", "maximum_transverse_backlash");
+    find_driver(component, &stage);
+    stage.axes_apart = axes_apart(stage);
     stage.refusal = refusal_of(stage);
     out_.stages.push_back(std::move(stage));
+  }
+
+  // Of two lengths; nothing where one is missing.
+  std::optional<double> mean_of(const RexsComponent& component, const char* least,
+                                const char* most) {
+    const auto a = lookup_.number(component, least, RexsQuantity::length);
+    const auto b = lookup_.number(component, most, RexsQuantity::length);
+    if (!a || !b) return std::nullopt;
+    return 0.5 * (*a + *b);
+  }
+
+  // Data of each gear in a stage say which one drives.
+  void find_driver(const RexsComponent& component, UnitStage* stage) {
+    for (const RexsRelation* relation : lookup_.relations_of(component)) {
+      if (relation->type != "stage_gear_data") continue;
+      const RexsComponent* data = lookup_.component(relation->of_role("stage_gear_data"));
+      const auto gear = gears_.find(relation->of_role("gear"));
+      if (data == nullptr || gear == gears_.end()) continue;
+      const bool drives = lookup_.text(*data, "is_driving_gear") == "true";
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (drives && stage->gears[i] == gear->second) stage->driver = i;
+      }
+    }
+  }
+
+  std::optional<double> axes_apart(const UnitStage& stage) {
+    const RexsComponent* shafts[2] = {};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!stage.gears[i] || !out_.gears[*stage.gears[i]].shaft) return std::nullopt;
+      shafts[i] = lookup_.component(out_.shafts[*out_.gears[*stage.gears[i]].shaft].id);
+    }
+    return distance_of_axes(*shafts[0], *shafts[1], &lookup_);
   }
 
   // gear_1 and gear_2 of a stage's relations; where roles are missing, gears in their order.
@@ -263,18 +218,12 @@ class UnitReader {
       return fmt::format("its gears have two helix angles, {:g} and {:g} degrees", *a.helix,
                          *b.helix);
     }
-    if (a.helix && b.helix && *a.helix * *b.helix > 0.0) {
-      return fmt::format(
-          "both gears have the same hand of helix, {:g} degrees; outer teeth need "
-          "opposite hands",
-          *a.helix);
-    }
     return "";
   }
 
   void weigh(UnitShaft* shaft) {
-    std::vector<std::pair<const UnitGear*, const RexsComponent*>> gears;
-    for (const UnitGear& gear : out_.gears) {
+    std::vector<std::pair<UnitGear*, const RexsComponent*>> gears;
+    for (UnitGear& gear : out_.gears) {
       const RexsComponent* component = lookup_.component(gear.id);
       const bool is_there = gear.shaft && &out_.shafts[*gear.shaft] == shaft;
       if (is_there) gears.emplace_back(&gear, component);
@@ -291,9 +240,13 @@ class UnitReader {
                                                      "cylindrical_gear",
                                                      "ring_gear",
                                                      "cylindrical_gear_flank",
+                                                     "cylindrical_stage_gear_data",
+                                                     "stage_gear_data",
                                                      "flank_geometry",
                                                      "cylindrical_stage",
                                                      "planetary_stage",
+                                                     "planet_carrier",
+                                                     "side_plate",
                                                      "material",
                                                      "external_load",
                                                      "concept_bearing",
@@ -317,7 +270,6 @@ class UnitReader {
     lookup_.note(fmt::format("{}: nothing is taken of {}", document_.source, text));
   }
 
-  static constexpr double kRad = 3.14159265358979323846 / 180.0;
   const RexsDocument& document_;
   RexsLookup lookup_;
   std::map<std::string_view, std::size_t> shafts_, gears_;

@@ -9,39 +9,50 @@
 
 #include "gear/drawing_keys.hpp"
 #include "model/error.hpp"
+#include "rexs/detail/stage_bodies.hpp"
+#include "rexs/detail/tip_relief.hpp"
+#include "rexs/detail/tooth_play.hpp"
 
 namespace gearsweep {
 namespace {
 
 constexpr const char* kFromFile = "from the file";
 
-double inv(double angle) { return std::tan(angle) - angle; }
-
 class StageDrawer {
  public:
-  StageDrawer(const GearUnit& unit, std::size_t stage, std::size_t load_case)
-      : unit_(unit), index_(stage), stage_(unit.stages[stage]), case_(unit.cases[load_case]) {
+  StageDrawer(const GearUnit& unit, std::size_t stage, std::size_t load_case, const StageView& view)
+      : unit_(unit),
+        index_(stage),
+        stage_(unit.stages[stage]),
+        case_(unit.cases[load_case]),
+        meshes_(view.meshes) {
     if (!stage_.refusal.empty()) {
       throw InputError(fmt::format("{}: no study can be made of stage {} ({}): {}", unit.source,
                                    stage + 1, stage_.name, stage_.refusal));
     }
     gears_[0] = &unit.gears[*stage_.gears[0]];
     gears_[1] = &unit.gears[*stage_.gears[1]];
-    is_swapped_ = *gears_[0]->teeth > *gears_[1]->teeth;
+    is_swapped_ =
+        view.first ? *view.first != *stage_.gears[0] : *gears_[0]->teeth > *gears_[1]->teeth;
     if (is_swapped_) std::swap(gears_[0], gears_[1]);
   }
 
   StageDrawing run() {
     read_teeth();
+    read_centre();
     read_shifts();
     read_tips();
     read_width();
-    read_bodies();
-    read_bearings();
+    add_bodies(unit_, gears_, &out_);
+    add_bearings(unit_, gears_, &out_);
     read_backlash();
+    read_materials();
+    read_tip_relief();
+    note_left_out();
     read_load();
     out_.contact_ratio = stage_.contact_ratio;
     out_.about = about();
+    out_.loads = loads();
     return std::move(out_);
   }
 
@@ -72,6 +83,12 @@ class StageDrawer {
     helix_ = std::fabs(helix.value_or(0.0)) * kRad;
     if (helix_ > 0.0) set(kHelix, fmt::format("{:.10g}", helix_ / kRad), kFromFile);
     if (!helix) note("no helix_angle_reference_diameter: the teeth are taken as spur");
+    if (gears_[0]->helix && gears_[1]->helix && *gears_[0]->helix * *gears_[1]->helix > 0.0) {
+      note(
+          fmt::format("both gears have the helix angle {:g} degrees, of one hand; outer teeth need "
+                      "opposite hands, and have them here",
+                      *gears_[0]->helix));
+    }
     const auto alpha =
         gears_[0]->pressure_angle ? gears_[0]->pressure_angle : gears_[1]->pressure_angle;
     if (alpha) set(kPressureAngle, fmt::format("{:.10g}", *alpha), kFromFile);
@@ -86,58 +103,75 @@ class StageDrawer {
     alpha_ = alpha.value_or(20.0) * kRad;
   }
 
-  // The sum of the shifts at which the teeth stand without play at this distance.
-  std::optional<double> shifts_at(double centre) const {
-    const double teeth = out_.teeth[0] + out_.teeth[1];
-    const double transverse = std::atan(std::tan(alpha_) / std::cos(helix_));
-    const double cosine =
-        out_.module / std::cos(helix_) * teeth * std::cos(transverse) / (2.0 * centre);
-    if (!(cosine < 1.0)) return std::nullopt;
-    return (inv(std::acos(cosine)) - inv(transverse)) * teeth / (2.0 * std::tan(alpha_));
+  // From the file, or by the places of the shafts.
+  void read_centre() {
+    const auto stated = stage_.centre_distance, placed = stage_.axes_apart;
+    centre_ = stated ? stated : placed;
+    if (!centre_) return;
+    set(kCentreDistance, fmt::format("{:.10g}", *centre_),
+        stated ? kFromFile : "computed: from the places of both shafts");
+    constexpr double kRounding = 0.01;  // mm
+    if (stated && placed && std::fabs(*stated - *placed) > kRounding + 1e-4 * *stated) {
+      note(fmt::format(
+          "center_distance is {:g} mm, and the shafts stand {:g} mm apart: the first is "
+          "taken",
+          *stated, *placed));
+    }
+  }
+
+  StageGeometry geometry() const {
+    return {static_cast<double>(out_.teeth[0] + out_.teeth[1]),
+            out_.module,
+            helix_,
+            alpha_,
+            centre_.value_or(0.0),
+            shifts_};
   }
 
   void read_shifts() {
-    const auto centre = stage_.centre_distance;
-    if (centre) set(kCentreDistance, fmt::format("{:.10g}", *centre), kFromFile);
-    auto a = gears_[0]->shift, b = gears_[1]->shift;
+    const auto a = gears_[0]->shift, b = gears_[1]->shift;
     std::optional<double> sum;
-    if (centre) {
-      sum = shifts_at(*centre);
-      if (!sum) {
-        throw InputError(
-            fmt::format("{}: center_distance of stage {}, {:g} mm, is smaller than its "
-                        "base circles; is one of its numbers in another unit?",
-                        unit_.source, index_ + 1, *centre));
-      }
+    if (centre_) sum = shifts_without_play(geometry());
+    if (centre_ && !sum) {
+      throw InputError(
+          fmt::format("{}: center_distance of stage {}, {:g} mm, is smaller than its "
+                      "base circles; is one of its numbers in another unit?",
+                      unit_.source, index_ + 1, *centre_));
     }
-    if (a && b) {
-      set(kProfileShift, pair(*a, *b), kFromFile);
-      const double apart = sum ? *a + *b - *sum : 0.0;
-      if (std::fabs(apart) > 0.02) {
-        note(
-            fmt::format("center_distance {:g} mm and the shifts disagree: without play it takes a "
-                        "sum of {:.4f}, and they have {:.4f}",
-                        *centre, *sum, *a + *b));
-      }
-      return;
+    if (a && b) return set_shifts(*a, *b, kFromFile, sum);
+    std::string by = "the centre distance";
+    if (!sum && stage_.shift_sum) {
+      sum = stage_.shift_sum;
+      by = "their sum in the file";
     }
     if (!sum) {
-      if (a || b)
-        set(kProfileShift, pair(a.value_or(0.0), b.value_or(0.0)),
-            "ESTIMATE: one of them is not in the file, and has no shift here");
-      if (!centre)
+      if (!centre_) {
         note("neither center_distance nor both shifts: without play of the tool's profile");
-      return;
-    }
-    const double total = std::fabs(*sum) < 1e-9 ? 0.0 : *sum;
-    if (!a && !b) {
-      set(kProfileShift, pair(0.5 * total, 0.5 * total),
-          "ESTIMATE: their sum follows from the centre distance, and is split evenly");
-    } else {
-      set(kProfileShift, a ? pair(*a, total - *a) : pair(total - *b, *b),
-          "computed: one from the file, the other from the centre distance");
+      }
+      if (!a && !b) return;
+      return set_shifts(a.value_or(0.0), b.value_or(0.0),
+                        "ESTIMATE: one of them is not in the file, and has no shift here", {});
     }
     note("addendum_modification_coefficient of a flank is missing; see profile_shift");
+    const double total = std::fabs(*sum) < 1e-9 ? 0.0 : *sum;
+    if (!a && !b) {
+      return set_shifts(0.5 * total, 0.5 * total,
+                        fmt::format("ESTIMATE: the sum follows from {}, and is split evenly", by),
+                        {});
+    }
+    set_shifts(a ? *a : total - *b, b ? *b : total - *a,
+               fmt::format("computed: one from the file, the other from {}", by), {});
+  }
+
+  // sum: at which the teeth stand without play.
+  void set_shifts(double a, double b, const std::string& origin, std::optional<double> sum) {
+    shifts_ = a + b;
+    set(kProfileShift, pair(a, b), origin);
+    if (!sum || std::fabs(shifts_ - *sum) <= 0.02) return;
+    note(fmt::format(
+        "center_distance {:g} mm and the shifts disagree: without play it takes a sum of "
+        "{:.4f}, and they have {:.4f}",
+        *centre_, *sum, shifts_));
   }
 
   void read_tips() {
@@ -166,65 +200,65 @@ class StageDrawer {
     set(kFaceWidth, fmt::format("{:.10g}", *width), origin);
   }
 
-  void read_bodies() {
-    const UnitShaft* shafts[2] = {};
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (gears_[i]->shaft) shafts[i] = &unit_.shafts[*gears_[i]->shaft];
-      if (shafts[i] == nullptr || !(shafts[i]->mass > 0.0)) {
-        return note(
-            fmt::format("{} is on no shaft of which the file has a body: discs stand for "
-                        "both gears",
-                        gears_[i]->name));
-      }
-    }
-    std::string bodies;
-    for (const UnitShaft* shaft : shafts) {
-      bodies += fmt::format("{}{}: {}", bodies.empty() ? "" : "; ", shaft->name,
-                            fmt::join(shaft->bodies, ", "));
-    }
-    set(kMass, fmt::format("[{:.6g}, {:.6g}]", shafts[0]->mass, shafts[1]->mass),
-        "ESTIMATE: of whole shafts with their gears. " + bodies);
-    set(kInertia, fmt::format("[{:.6g}, {:.6g}]", shafts[0]->inertia, shafts[1]->inertia),
-        "ESTIMATE: of the same bodies");
-  }
-
-  void read_bearings() {
-    std::array<double, 2> sums = {};
-    bool are_known = true;
-    for (std::size_t i = 0; i < 2; ++i) {
-      std::string names;
-      for (const UnitBearing& one : unit_.bearings) {
-        const bool is_here = gears_[i]->shaft && std::find(one.shafts.begin(), one.shafts.end(),
-                                                           *gears_[i]->shaft) != one.shafts.end();
-        if (!is_here) continue;
-        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", one.name, one.kind);
-        are_known = are_known && one.radial_stiffness.has_value();
-        sums[i] += one.radial_stiffness.value_or(0.0);
-      }
-      are_known = are_known && sums[i] > 0.0;
-      if (sums[i] == 0.0) {
-        note(fmt::format("bearings of the {}, without a stiffness that can be used: {}",
-                         i == 0 ? "pinion" : "gear", names.empty() ? "none" : names));
-      }
-    }
-    if (!are_known) return;
-    set(kBearingStiffness, fmt::format("[{0:.6g}, {0:.6g}, {1:.6g}, {1:.6g}]", sums[0], sums[1]),
-        "from the file: the sum of radial_stiffness of each shaft's bearings");
-  }
-
-  // The normal play is that along the line of action of the transverse section times cos(beta_b).
   void read_backlash() {
-    if (!stage_.backlash || *stage_.backlash <= 0.0) return;
-    const double base = std::asin(std::sin(helix_) * std::cos(alpha_));
-    set(kHalfBacklash, fmt::format("{:.6g}", 0.5 * *stage_.backlash / std::cos(base)),
-        "from the file: half the mean of its normal backlash, in the transverse section");
+    if (const auto play = tooth_play(stage_, gears_, geometry())) {
+      set(kHalfBacklash, fmt::format("{:.6g}", 0.5 * play->along),
+          play->origin + ", along the line of action");
+    }
+  }
+
+  // Moduli that no material has stand for a rigid body.
+  void read_materials() {
+    constexpr double kSteel = 2.06e5, kSofter = 1e3, kStiffest = 1e6;  // N/mm^2
+    constexpr double kAlike = 0.05;                                    // of kinds of steel
+    double moduli[2] = {kSteel, kSteel};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto modulus = gears_[i]->modulus;
+      if (!modulus) continue;
+      if (*modulus < kSofter || *modulus > kStiffest) {
+        note(fmt::format("elastic_modulus of {}, {:g} N/mm^2, is that of no gear: steel's is taken",
+                         gears_[i]->name, *modulus));
+        continue;
+      }
+      moduli[i] = *modulus;
+    }
+    const double both = 2.0 * moduli[0] * moduli[1] / (moduli[0] + moduli[1]);
+    if (std::fabs(both / kSteel - 1.0) > kAlike) out_.stiffness_factor = both / kSteel;
+  }
+
+  // As a table over the path of contact, which begins on the gear's tip circle.
+  void read_tip_relief() {
+    if (!gears_[0]->tip_relief && !gears_[1]->tip_relief) return;
+    const auto table = tip_relief_table(gears_, geometry());
+    if (!table) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (gears_[i]->tip_relief) left_out_[i].push_back(gears_[i]->tip_relief->label);
+      }
+      return;
+    }
+    const std::string name = "tip-relief.csv";
+    set(kProfileFile, fmt::format("\"{}\"", name), "from the file: tip relief of both gears");
+    out_.tables[name] = *table;
+  }
+
+  void note_left_out() {
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::vector<std::string> all = left_out_[i];
+      all.insert(all.end(), gears_[i]->left_out.begin(), gears_[i]->left_out.end());
+      if (all.empty()) continue;
+      note(
+          fmt::format("not taken of {}: {}. See half_backlash_mm for the thickness of teeth, and "
+                      "profile_deviation_file for changes of flanks",
+                      gears_[i]->name, fmt::join(all, ", ")));
+    }
   }
 
   // Of the first gear turned to the pinion.
   std::optional<double> torque_of(const UnitCase& one) const {
     const auto torque = one.torques[index_];
-    if (!torque || !is_swapped_) return torque;
-    return *torque * out_.teeth[0] / out_.teeth[1];
+    if (!torque) return torque;
+    return *torque * meshes_ *
+           (is_swapped_ ? out_.teeth[0] / static_cast<double>(out_.teeth[1]) : 1.0);
   }
   std::optional<double> speed_of(const UnitCase& one) const {
     const auto speed = one.speeds[index_];
@@ -233,7 +267,9 @@ class StageDrawer {
   }
 
   void read_load() {
-    const char* share = stage_.planetary.empty() ? "" : ", shared evenly by the planets";
+    const char* share = stage_.planetary.empty() ? ""
+                        : meshes_ > 1            ? ", on the sun"
+                                                 : ", shared evenly by the planets";
     if (const auto torque = torque_of(case_)) {
       set(kTorque, fmt::format("{:.6g}", *torque),
           case_.id.empty()
@@ -254,11 +290,16 @@ class StageDrawer {
           "Of a planetary stage: one mesh of sun and planet alone. Speeds are relative to the "
           "carrier.\n";
     }
-    if (is_swapped_) text += "The pinion is the second gear of the stage, which has fewer teeth.\n";
+    if (is_swapped_) text += "The pinion is the second gear of the stage in the file.\n";
     if (stage_.contact_ratio) {
       text +=
           fmt::format("The file has the transverse contact ratio {:.4g}.\n", *stage_.contact_ratio);
     }
+    return text;
+  }
+
+  std::string loads() const {
+    std::string text;
     for (const UnitCase& one : unit_.cases) {
       const auto torque = torque_of(one), speed = speed_of(one);
       if (!torque && !speed) continue;
@@ -277,81 +318,20 @@ class StageDrawer {
   const UnitStage& stage_;
   const UnitCase& case_;
   std::array<const UnitGear*, 2> gears_ = {};
+  int meshes_ = 1;
   bool is_swapped_ = false;
   double helix_ = 0.0, alpha_ = 0.0;  // rad
+  double shifts_ = 0.0;               // their sum
+  std::optional<double> centre_;
+  std::array<std::vector<std::string>, 2> left_out_;  // of both gears
   StageDrawing out_;
 };
 
-// Whether two stages are meshes of one sun with planets that are alike.
-bool are_alike(const GearUnit& unit, const UnitStage& a, const UnitStage& b) {
-  if (a.planetary.empty() || a.planetary != b.planetary) return false;
-  const auto same = [](const UnitGear& one, const UnitGear& other) {
-    return one.teeth == other.teeth && one.module == other.module && one.shift == other.shift &&
-           one.face_width == other.face_width && one.helix == other.helix;
-  };
-  return a.centre_distance == b.centre_distance &&
-         same(unit.gears[*a.gears[0]], unit.gears[*b.gears[0]]) &&
-         same(unit.gears[*a.gears[1]], unit.gears[*b.gears[1]]);
-}
-
 }  // namespace
 
-StageDrawing stage_drawing(const GearUnit& unit, std::size_t stage, std::size_t load_case) {
-  return StageDrawer(unit, stage, load_case).run();
-}
-
-std::string list_of_stages(const GearUnit& unit) {
-  std::string text;
-  for (std::size_t i = 0; i < unit.stages.size(); ++i) {
-    const UnitStage& stage = unit.stages[i];
-    std::string teeth;
-    if (stage.gears[0] && stage.gears[1]) {
-      const auto a = unit.gears[*stage.gears[0]].teeth, b = unit.gears[*stage.gears[1]].teeth;
-      if (a && b) teeth = fmt::format(", {:g}/{:g} teeth", *a, *b);
-    }
-    text += fmt::format("  {}: {}{}{}{}\n", i + 1, stage.name, teeth,
-                        stage.refusal.empty() ? "" : "; no study: ", stage.refusal);
-  }
-  return text.empty() ? "  none\n" : text;
-}
-
-std::size_t chosen_stage(const GearUnit& unit, const std::string& text) {
-  for (std::size_t i = 0; i < unit.stages.size() && !text.empty(); ++i) {
-    if (text == std::to_string(i + 1) || text == unit.stages[i].name) return i;
-  }
-  if (!text.empty()) {
-    throw InputError(fmt::format("{}: no stage '{}'; its stages, by number or name, are\n{}",
-                                 unit.source, text, list_of_stages(unit)));
-  }
-  std::vector<std::size_t> usable;
-  for (std::size_t i = 0; i < unit.stages.size(); ++i) {
-    if (unit.stages[i].refusal.empty()) usable.push_back(i);
-  }
-  const bool is_one =
-      !usable.empty() && std::all_of(usable.begin() + 1, usable.end(), [&](std::size_t i) {
-        return are_alike(unit, unit.stages[usable.front()], unit.stages[i]);
-      });
-  if (is_one) return usable.front();
-  throw InputError(fmt::format(
-      "{}: {}; its stages are\n{}", unit.source,
-      usable.empty() ? "no study can be made of any stage" : "choose a stage, as in --stage 1",
-      list_of_stages(unit)));
-}
-
-std::size_t chosen_case(const GearUnit& unit, std::size_t stage, const std::string& id) {
-  std::vector<std::string> ids;
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < unit.cases.size(); ++i) {
-    if (!id.empty() && unit.cases[i].id == id) return i;
-    ids.push_back(unit.cases[i].id);
-    if (unit.cases[i].torques[stage].value_or(0.0) >
-        unit.cases[best].torques[stage].value_or(0.0)) {
-      best = i;
-    }
-  }
-  if (id.empty()) return best;
-  throw InputError(
-      fmt::format("{}: no load case '{}'; there are: {}", unit.source, id, fmt::join(ids, ", ")));
+StageDrawing stage_drawing(const GearUnit& unit, std::size_t stage, std::size_t load_case,
+                           const StageView& view) {
+  return StageDrawer(unit, stage, load_case, view).run();
 }
 
 }  // namespace gearsweep

@@ -3,150 +3,53 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "gear/drawing_keys.hpp"
+#include "gear/conversion.hpp"
+#include "study/builtin_models.hpp"
+#include "study/detail/gear_lines.hpp"
 #include "study/draft.hpp"
 #include "study/toml_text.hpp"
 
 namespace gearsweep {
-namespace {
-
-constexpr double kFastest = 50.0;  // pitch-line velocity, m/s
-
-// Two digits.
-double rounded(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::round(value / unit) * unit;
-}
-
-// What a study needs and the keys do not have.
-void add_estimates(GearText* text) {
-  constexpr double kLoad = 100.0;      // N for each mm of width
-  constexpr double kWidth = 10.0;      // modules
-  constexpr double kBearing = 2e5;     // N/mm
-  constexpr double kDamping = 1e-5;    // s
-  constexpr double kBacklash = 0.025;  // modules
-  GearTextKeys& keys = text->keys;
-  const auto add = [&](const GearKey& key, std::string value, const std::string& why) {
-    keys.try_emplace(key.name, GearTextKey{std::move(value), "ESTIMATE: " + why});
-  };
-  const double width = text->face_width_mm.value_or(kWidth * text->module_mm);
-  add(kFaceWidth, fmt::format("{}", width), "ten modules");
-  if (!keys.contains(kMass.name) && !keys.contains(kInertia.name)) {
-    add(kBody, "\"solid\"", "steel discs without a bore, for mass_kg and inertia_kg_mm2");
-  }
-  add(kBearingStiffness, fmt::format("{}", kBearing), "that of two ball bearings");
-  add(kBearingDamping, fmt::format("{}", kDamping * kBearing), "1e-5 s times their stiffness");
-  add(kDampingRatio, "0.07", "between 0.03 and 0.17");
-  add(kHalfBacklash, fmt::format("{}", kBacklash * text->module_mm), "0.025 modules");
-  const double radius = 0.5 * text->module_mm * text->teeth[0];
-  add(kTorque, fmt::format("{}", rounded(kLoad * width * radius * 1e-3)),
-      "100 N for each mm of the face width");
-  const auto helix = keys.find(kHelix.name);
-  if (helix == keys.end() || std::stod(helix->second.value) == 0.0) {
-    add(kToothEntry, "\"gradual\"", "of involute tips without relief");
-  }
-  add(kTransmissionError, "5", "of ground teeth");
-}
-
-// Lines of a comment, of up to 100 letters.
-std::string comment(std::string text) {
-  for (char& letter : text) {
-    if (static_cast<unsigned char>(letter) < 0x20U || letter == 0x7F) letter = '?';
-  }
-  constexpr std::size_t kWidth = 98;
-  std::string out;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = text.size();
-    if (end - at > kWidth) {
-      end = text.rfind(' ', at + kWidth);
-      if (end == std::string::npos || end <= at) end = std::min(text.find(' ', at), text.size());
-    }
-    out += fmt::format("# {}\n", text.substr(at, end - at));
-    at = end + 1;
-  }
-  return out;
-}
-
-// Behind a #, with what it would be without it where that is a value.
-std::string line_of_other(const GearKey& key) {
-  const bool is_value = !key.fallback.empty() &&
-                        (std::isdigit(static_cast<unsigned char>(key.fallback.front())) != 0 ||
-                         key.fallback.front() == '"');
-  const bool is_told = !key.fallback.empty() && !is_value && !key.fallback.starts_with("needed");
-  return comment(fmt::format("{}{}{}", key.meaning, is_told ? "; without it: " : "",
-                             is_told ? key.fallback : "")) +
-         fmt::format("# {} = {}\n", key.name,
-                     is_value            ? std::string(key.fallback)
-                     : key.is_measured() ? "\"FILE.csv\""
-                                         : "...");
-}
-
-std::string line_of(const GearKey& key, const GearTextKeys& given) {
-  const auto found = given.find(key.name);
-  if (found == given.end()) return line_of_other(key);
-  std::string text(key.meaning);
-  const std::string& origin = found->second.origin;
-  if (!origin.empty()) text += fmt::format("; {}", origin);
-  if (origin.starts_with("ESTIMATE") && !key.advice.empty()) {
-    text += fmt::format(". Better: {}", key.advice);
-  }
-  return comment(text) + fmt::format("{} = {}\n", key.name, found->second.value);
-}
-
-// A body is what masses are estimated by.
-std::string estimates_of(const GearTextKeys& given) {
-  std::vector<std::string> names;
-  for (const GearKey& key : kGearKeys) {
-    const auto found = given.find(key.name);
-    const bool is_guess = found != given.end() && found->second.origin.starts_with("ESTIMATE");
-    if (is_guess && key.name != kBody.name) names.push_back(fmt::format("  \"{}\"", key.name));
-  }
-  return comment("what is estimated, for reports: take out what you put your number at") +
-         fmt::format("estimated = [\n{},\n]\n", fmt::join(names, ",\n"));
-}
-
-// Each line by itself.
-std::string comments(std::string_view lines) {
-  std::string text;
-  while (!lines.empty()) {
-    const std::size_t end = std::min(lines.find('\n'), lines.size());
-    if (end > 0) text += comment(std::string(lines.substr(0, end)));
-    lines.remove_prefix(std::min(end + 1, lines.size()));
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string gear_text(GearText text, const std::string& source) {
-  add_estimates(&text);
+  const Model& gear5 = *find_model("gear5");
+  const TakesKey takes = [&](const GearKey& key) { return takes_key(gear5, "", key); };
+  add_estimates(takes, &text);
   const std::string model = "[model]\nname = \"gear5\"\nbacklash = \"dynamic\"\n";
-  std::string drawing = "[gear]\n";
-  for (const GearKey& key : kGearKeys) drawing += line_of(key, text.keys);
-  drawing += estimates_of(text.keys);
+  const std::string drawing = drawing_table("gear", takes, text);
   const Study draft = read_draft(model + drawing, source);
-  const double resonance = 1.5 * draft.scales.rpm_per_omega;
-  const double fast = kFastest / (std::numbers::pi * text.module_mm * 1e-3 * text.teeth[0]) * 60.0;
-  const double own = std::min(resonance, fast);
-  const double to = rounded(std::max(own, 1.1 * text.fastest_rpm));
-  const std::string why = own < 1.1 * text.fastest_rpm ? "beyond the fastest load case"
-                          : resonance < fast
-                              ? "beyond the resonance of the teeth"
-                              : fmt::format("a pitch-line velocity of {} m/s", kFastest);
   return comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + model +
-         drawing +
-         fmt::format(
-             "# Up to {}.\n[[axes]]\nname = \"pinion_speed_rpm\"\nfrom = {}\nto = {}\n"
-             "count = 200\n[observe]\n"
-             "quantities = [\"dmf_max\", \"dmf_min\", \"contact_class\", \"x1_rms\"]\n",
-             why, rounded(0.05 * to), to);
+         drawing + speed_axis("pinion_speed_rpm", text, draft.scales.rpm_per_omega, 200) +
+         "[observe]\nquantities = [\"dmf_max\", \"dmf_min\", \"contact_class\", \"x1_rms\"]\n";
+}
+
+std::string unit_text(UnitText text, const std::string& source) {
+  constexpr int kSpeeds = 60;  // a period may be many mesh periods
+  const Model& model = *find_model(text.model);
+  std::string study = fmt::format("[model]\nname = {}\n", toml_quoted(text.model));
+  for (const auto& [option, choice] : text.options) {
+    study += fmt::format("{} = {}\n", option, toml_quoted(choice));
+  }
+  for (auto& [name, drawing] : text.drawings) {
+    const std::string suffix = "_" + name;
+    const TakesKey takes = [&](const GearKey& key) { return takes_key(model, suffix, key); };
+    add_estimates(takes, &drawing);
+    study += drawing_table("gear." + name, takes, drawing);
+  }
+  if (!text.parameters.empty()) study += "[parameters]\n";
+  for (const auto& [name, value, origin] : text.parameters) {
+    study += comment(origin) + fmt::format("{} = {}\n", name, value);
+  }
+  const Study draft = read_draft(study, source);
+  const auto& [first, drawing] = text.drawings.front();
+  std::vector<std::string> quantities;
+  for (const std::string& name : text.quantities) quantities.push_back(toml_quoted(name));
+  return comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + study +
+         speed_axis("pinion_speed_rpm_" + first, drawing, draft.scales.rpm_per_omega, kSpeeds) +
+         fmt::format("[observe]\nquantities = [{}]\n", fmt::join(quantities, ", "));
 }
 
 }  // namespace gearsweep

@@ -1,4 +1,4 @@
-// The text of a study that is begun for somebody: its [gear] table, with every key explained.
+// The text of a study that is begun for somebody: its drawings, with every key explained.
 #pragma once
 
 #include <array>
@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace gearsweep {
 
@@ -22,7 +24,8 @@ struct GearText {
   std::array<int, 2> teeth = {};
   double module_mm = 0.0;
   std::optional<double> face_width_mm;
-  double fastest_rpm = 0.0;  // of the pinion, that the axis has to reach
+  double fastest_rpm = 0.0;                   // of the pinion, that the axis has to reach
+  std::map<std::string, std::string> tables;  // the numbers of files that keys name
 };
 
 // TOML that 'gearsweep run' takes, over speeds up to the resonance of the teeth or a pitch-line
@@ -30,5 +33,24 @@ struct GearText {
 // says so; every other key of [gear] stands there as a comment. Throws InputError for gears that
 // there cannot be. source: what messages call the text.
 std::string gear_text(GearText text, const std::string& source);
+
+struct UnitTextParameter {
+  std::string name;
+  std::string value, origin;  // of its comment
+};
+
+// Of a model with several drawings.
+struct UnitText {
+  std::string title, about;
+  std::string model;                                         // of the zoo
+  std::vector<std::pair<std::string, std::string>> options;  // of the model
+  std::vector<std::pair<std::string, GearText>> drawings;    // by the model's names; title and
+                                                             // about of each are not used
+  std::vector<UnitTextParameter> parameters;                 // of the model
+  std::vector<std::string> quantities;
+};
+
+// The same of such a model, over speeds of the first drawing's pinion.
+std::string unit_text(UnitText text, const std::string& source);
 
 }  // namespace gearsweep

@@ -6,47 +6,116 @@
 
 #include "gear/drawing_keys.hpp"
 #include "model/error.hpp"
+#include "study/draft.hpp"
 #include "study/gear_text.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 namespace {
 
-constexpr double kNear = 0.02;  // of a contact ratio, which programs take to other tip circles
+constexpr const char* kEstimates =
+    "ESTIMATE marks what the file does not give: put your own numbers there. Keys behind a # are "
+    "others that a drawing may have.\n";
 
-double contact_ratio_of(const Study& study) {
-  const auto& parameters = study.model->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == "eps") return study.setting.parameters[i];
-  }
-  return 0.0;
+double parameter_of(const Study& study, const std::string& name) {
+  const int index = study.model->find_parameter(name);
+  return index < 0 ? 0.0 : study.setting.parameters[static_cast<std::size_t>(index)];
 }
 
-}  // namespace
-
-ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string& source) {
+GearText text_of(const StageDrawing& drawing) {
   GearText text;
-  text.title = fmt::format("{}: {}/{} teeth, module {:g} mm", source, drawing.teeth[0],
-                           drawing.teeth[1], drawing.module);
-  text.about =
-      drawing.about +
-      "ESTIMATE marks what the file does not give: put your own numbers there. Keys behind "
-      "a # are others that a drawing may have.\n";
   for (const auto& [name, key] : drawing.keys) text.keys[name] = {key.value, key.origin};
   text.teeth = {drawing.teeth[0], drawing.teeth[1]};
   text.module_mm = drawing.module;
   text.face_width_mm = drawing.face_width;
   text.fastest_rpm = drawing.fastest;
+  text.tables = drawing.tables;
+  return text;
+}
+
+// In place of the stiffness that the face width gives for steel, k0 (N/m), that of the materials.
+// Helical teeth and discs need the width all the same.
+void soften(const StageDrawing& drawing, double k0, GearText* text) {
+  text->keys[kMeshStiffness.name] = {
+      fmt::format("{:.6g}", k0 * drawing.stiffness_factor),
+      fmt::format("computed: by ISO 6336-1 method B for steel, {:.6g}, times {:.4g} for the moduli "
+                  "of the materials",
+                  k0, drawing.stiffness_factor)};
+  text->keys.erase(kDedendum.name);
+  const bool needs_width = text->keys.contains(kHelix.name) || !text->keys.contains(kInertia.name);
+  if (!needs_width) text->keys.erase(kFaceWidth.name);
+}
+
+// Where the file and the study disagree on the contact ratio.
+void compare_contact_ratio(const StageDrawing& drawing, double ours, const std::string& where,
+                           std::vector<std::string>* notes) {
+  constexpr double kNear = 0.02;  // programs take it to other tip circles
+  if (!drawing.contact_ratio || std::fabs(ours / *drawing.contact_ratio - 1.0) <= kNear) return;
+  notes->push_back(
+      fmt::format("{}the transverse contact ratio is {:.4g} here, and {:.4g} in the file: look at "
+                  "tip_diameter_mm",
+                  where, ours, *drawing.contact_ratio));
+}
+
+std::vector<std::string> quantities_of(const std::string& model) {
+  if (model == "two_stages") {
+    return {"dmf1_dynamic_load_factor", "dmf2_dynamic_load_factor", "dmf1_max", "dmf2_max",
+            "first_contact_class",      "second_contact_class"};
+  }
+  return {"dmf_s1_dynamic_load_factor",
+          "dmf_r1_dynamic_load_factor",
+          "dmf_s1_max",
+          "dmf_r1_max",
+          "sun1_contact_class",
+          "bearing_sun_max"};
+}
+
+}  // namespace
+
+ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string& source) {
+  GearText text = text_of(drawing);
+  text.title = fmt::format("{}: {}/{} teeth, module {:g} mm", source, drawing.teeth[0],
+                           drawing.teeth[1], drawing.module);
+  text.about = drawing.about + drawing.loads + kEstimates;
+  if (drawing.stiffness_factor != 1.0) {
+    soften(drawing, read_draft(gear_text(text, source), source).scales.k0, &text);
+  }
   ImportedGear out = {gear_text(std::move(text), source), drawing.notes};
+  out.notes.insert(out.notes.end(), drawing.bearing_notes.begin(), drawing.bearing_notes.end());
   const Study study = read_study(out.toml, source);
   for (const std::string& notice : study.notices) out.notes.push_back(notice);
-  const double ours = contact_ratio_of(study);
-  if (drawing.contact_ratio && std::fabs(ours / *drawing.contact_ratio - 1.0) > kNear) {
-    out.notes.push_back(
-        fmt::format("the transverse contact ratio is {:.4g} here, and {:.4g} in the "
-                    "file: look at tip_diameter_mm",
-                    ours, *drawing.contact_ratio));
+  compare_contact_ratio(drawing, parameter_of(study, "eps"), "", &out.notes);
+  return out;
+}
+
+ImportedGear imported_unit_study(const UnitDrawing& drawing, const std::string& source) {
+  UnitText text;
+  text.title = fmt::format("{}: {}", source, drawing.summary);
+  text.about = drawing.about + kEstimates;
+  text.model = drawing.model;
+  text.options = drawing.options;
+  text.quantities = quantities_of(drawing.model);
+  for (const auto& [name, value, origin] : drawing.parameters) {
+    text.parameters.push_back({name, value, origin});
   }
+  for (const auto& [name, one] : drawing.drawings) text.drawings.emplace_back(name, text_of(one));
+  const std::string draft_text = unit_text(text, source);
+  const Study draft = read_draft(draft_text, source);
+  bool is_soft = false;
+  for (std::size_t i = 0; i < drawing.drawings.size(); ++i) {
+    const auto& [name, one] = drawing.drawings[i];
+    if (one.stiffness_factor == 1.0) continue;
+    soften(one, parameter_of(draft, "k0_" + name), &text.drawings[i].second);
+    is_soft = true;
+  }
+  ImportedGear out = {is_soft ? unit_text(text, source) : draft_text, drawing.notes};
+  const Study study = read_study(out.toml, source);
+  for (const auto& [name, one] : drawing.drawings) {
+    const std::string where = fmt::format("[gear.{}] ", name);
+    for (const std::string& note : one.notes) out.notes.push_back(where + note);
+    compare_contact_ratio(one, parameter_of(study, "eps_" + name), where, &out.notes);
+  }
+  for (const std::string& notice : study.notices) out.notes.push_back(notice);
   return out;
 }
 

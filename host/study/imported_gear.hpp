@@ -1,10 +1,11 @@
-// The study of a stage of a gear unit that was read from a file.
+// Studies of gear units that were read from a file: of a stage, or of the whole.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "rexs/stage_drawing.hpp"
+#include "rexs/unit_drawing.hpp"
 
 namespace gearsweep {
 
@@ -15,5 +16,8 @@ struct ImportedGear {
 
 // Throws InputError where the stage is no gear pair that there can be. source: the file's name.
 ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string& source);
+
+// The same of a whole unit.
+ImportedGear imported_unit_study(const UnitDrawing& drawing, const std::string& source);
 
 }  // namespace gearsweep

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 _BELOW_AXIS = 36  # points
 _EDGE = "#777777"
+OTHER_MESH_COLOUR = "#d070ff"  # of the orders of a second mesh
 
 
 def edges_of(axis: xarray.DataArray) -> NDArray[Any]:

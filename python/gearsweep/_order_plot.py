@@ -10,7 +10,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._frame import draw_heading, edges_of, label_axis
+from gearsweep._frame import OTHER_MESH_COLOUR, draw_heading, edges_of, label_axis
 from gearsweep._heat_map import palette_of
 from gearsweep._shown import Limits
 from gearsweep._si import IN_SI
@@ -66,11 +66,15 @@ def plot_orders(
     mesh = ax.pcolormesh(
         across, upright, levels, cmap=palette, norm=colors.Normalize(foot, top), rasterized=True
     )
-    for ray in _RAYS:
+    other = float(maps.attrs.get("other_mesh_order", 0.0))
+    rays = [(ray, float(ray), ":", _RAY_COLOUR) for ray in _RAYS]
+    if other > 0.0:
+        rays += [(ray, ray * other, "--", OTHER_MESH_COLOUR) for ray in _RAYS]
+    for name, ray, dashes, colour in rays:
         line = numpy.full_like(forcing, ray) if is_order else ray * forcing
-        ax.plot(axis.values, line, ":", color=_RAY_COLOUR, linewidth=1.0)
+        ax.plot(axis.values, line, dashes, color=colour, linewidth=1.0)
         end = float(axis.values[-1]), float(line[-1])
-        ax.annotate(str(ray), end, color=_RAY_COLOUR, ha="right", va="bottom", clip_on=True)
+        ax.annotate(str(name), end, color=colour, ha="right", va="bottom", clip_on=True)
     modes = _modes(maps, scale)
     for mode in modes:
         ax.plot(axis.values, mode / forcing if is_order else mode, "--", color="w", linewidth=1.2)
@@ -78,7 +82,8 @@ def plot_orders(
     ax.set_ylim(0.0, min(order[-1], max(_RAYS) + 0.5) if is_order else max(highest))
     label_axis(ax.xaxis, axis)
     word = maps.attrs.get("order_of", "forcing")
-    ax.set_ylabel(f"{word} order" if is_order else f"frequency{frequency_unit}")
+    whose = f" of {maps.attrs.get('mesh_of_phase', '')}" if other > 0.0 else ""
+    ax.set_ylabel(f"{word} order{whose}" if is_order else f"frequency{frequency_unit}")
     channel = maps.attrs["channel"]
     unit = maps.amplitude.attrs.get("units", "1")
     bar = ax.figure.colorbar(mesh, ax=ax, pad=0.02)

@@ -10,7 +10,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
-from gearsweep._frame import box, draw_heading, draw_key
+from gearsweep._frame import OTHER_MESH_COLOUR, box, draw_heading, draw_key
 from gearsweep._shown import Limits
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def plot_traces(
     ax.set_axisbelow(True)
     key: list[Any] = []
     if kind == "spectrum":
-        meaning = _draw_spectrum(ax, layers, channels[0])
+        meaning, key = _draw_spectrum(ax, layers, channels[0])
     elif kind in ("phase", "section"):
         meaning = _draw_plane(ax, layers, channels, kind == "phase")
     else:
@@ -100,7 +100,7 @@ def plot_traces(
         ax.set_ylim(*limits)
     if len(layers) > 1:
         named = [line for line in ax.get_lines() if not line.get_label().startswith("_")]
-        key = [*(line for line in named if line.get_label()), *key]
+        key = [*(line for line in named if line.get_label() and line not in key), *key]
     draw_key(ax, key)
     draw_heading(ax, data, meaning, title)
     return ax
@@ -222,7 +222,9 @@ def _draw_plane(
     return meaning if has_curve else meaning + ", at phase 0 of each period"
 
 
-def _draw_spectrum(ax: matplotlib.axes.Axes, layers: list[_Layer], channel: str) -> str:
+def _draw_spectrum(
+    ax: matplotlib.axes.Axes, layers: list[_Layer], channel: str
+) -> tuple[str, list[Any]]:
     highest = 0.0
     last = _ORDERS
     for layer, colour in zip(layers, _COLOURS, strict=False):
@@ -239,14 +241,22 @@ def _draw_spectrum(ax: matplotlib.axes.Axes, layers: list[_Layer], channel: str)
     ax.set_ylim(highest + _ABOVE - _DEPTH, highest + _ABOVE)
     forcing = _forcing_of(layers[0], may_be_mesh=True)
     has_clock = layers[0].has_clock
+    whole = layers[0].data.attrs
+    other = float(whole.get("other_mesh_order", 0.0))
+    places = numpy.arange(other, last, other) if other > 0.0 else ()
+    style = {"linestyle": "--", "linewidth": 0.8, "color": OTHER_MESH_COLOUR}
+    marks = [ax.axvline(place, **style, label="_") for place in places]
+    for mark in marks[:1]:
+        mark.set_label(f"orders of {whole['other_mesh']}")
+    phase = f" of {whole['mesh_of_phase']}" if other > 0.0 else ""
     ax.set_xlabel(
-        f"order (frequency / {forcing} frequency)" if has_clock else "frequency (1/time)"
+        f"order (frequency / {forcing} frequency{phase})" if has_clock else "frequency (1/time)"
     )
     attributes = layers[0].data[channel].attrs
     unit_text = attributes.get("units", "1")
     shown = "" if unit_text == "1" else f" {_core.typeset_label(unit_text)}"
     ax.set_ylabel(f"{_core.quantity_label(channel, '1')} (dB re 1{shown})")
-    return f"amplitudes: {attributes.get('long_name', '')}, without its mean"
+    return f"amplitudes: {attributes.get('long_name', '')}, without its mean", marks[:1]
 
 
 def _spectrum_of(layer: _Layer, channel: str) -> tuple[float, NDArray[Any]]:

@@ -49,6 +49,30 @@ def test_frequencies_are_in_hertz_with_si_units(lines):
     pyplot.close("all")
 
 
+# The second pinion has 18 teeth on the shaft of a gear of 41.
+def test_a_second_mesh_has_orders_of_its_own():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    few = {"axes.0.count": 2, "integrate.settle": 1}
+    stages = gearsweep.orders("two-stage-gear", record=41, orders=2, set=few)
+    own = [line for line in stages.gear.plot().lines if line.get_color() == "#d070ff"]
+    assert len(own) == 4
+    expected = 18.0 / 41.0 * stages.forcing_frequency.values
+    numpy.testing.assert_allclose(own[0].get_ydata(), expected, rtol=1e-9)
+    motion = gearsweep.trace(
+        "two-stage-gear",
+        pinion_speed_rpm_first=6000,
+        settle=41,
+        record=41,
+        samples_per_period=32,
+    )
+    ax = motion.gear.plot("spectrum:dmf1")
+    marks = [line for line in ax.lines if line.get_color() == "#d070ff"]
+    assert marks[0].get_xdata()[0] == pytest.approx(18.0 / 41.0)
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["orders of second"]
+    assert "mesh frequency of first" in ax.get_xlabel()
+    pyplot.close("all")
+
+
 def test_mistakes_are_told(lines):
     assert "did you mean 'omega'" in refusal(lambda: gearsweep.orders("coarse-map", over="omga"))
     assert "did you mean 'dmf'" in refusal(lambda: gearsweep.orders("coarse-map", channel="dmg"))

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cli/page.hpp"
+#include "rexs/unit_text.hpp"
 #include "rexs/units.hpp"
 #include "support/folder.hpp"
 #include "support/process.hpp"
@@ -42,6 +43,22 @@ TEST(GearCommand, ImportsAStageThatRuns) {
   const auto json = nlohmann::json::parse(gearsweep(folder, "gear import unit.rexs --json").out);
   EXPECT_EQ(json.at("stages")[1].at("gears")[0].at("teeth"), 25.0);
   EXPECT_EQ(json.at("load_cases")[0].at("first_gear_torque_N_m")[1], 120.0);
+}
+
+TEST(GearCommand, ImportsAWholeUnitThatRuns) {
+  const Folder folder;
+  folder.write("unit.rexs", xml_of(two_stages().unit));
+  folder.write("three.rexsj", json_of(three_stages().unit));
+  const Outcome made = gearsweep(folder, "gear import unit.rexs --all -o unit.toml");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("a study of the whole unit"));
+  EXPECT_EQ(gearsweep(folder, "gear unit.toml").status, 0);
+  const Outcome run = gearsweep(folder, "run unit.toml -o unit.nc --set 'axes.0.count=3'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  const Outcome refused = gearsweep(folder, "gear import three.rexsj --all");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("it has 3 stages"), HasSubstr("--stage 1")));
+  EXPECT_EQ(gearsweep(folder, "gear import unit.rexs --all --stage 1").status, 2);
 }
 
 // Two discs on very stiff bearings that roll on each other through one spring: its frequency is

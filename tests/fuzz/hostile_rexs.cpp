@@ -2,6 +2,7 @@
 #include "fuzz/targets.hpp"
 #include "model/error.hpp"
 #include "rexs/gear_unit.hpp"
+#include "rexs/stage_choice.hpp"
 #include "rexs/stage_drawing.hpp"
 #include "study/imported_gear.hpp"
 
@@ -17,6 +18,7 @@ void read_hostile_rexs(const std::string& bytes) {
         continue;
       }
     }
+    imported_unit_study(unit_drawing(unit, ""), "unit.rexs");
   } catch (const InputError&) {
     return;
   }

@@ -84,6 +84,23 @@ TEST_F(PlotOrdersTest, EqualModesAreOneLineAndEachRayIsOne) {
   }
 }
 
+// The second pinion has 18 teeth on the shaft of a gear of 41: the model's own values.
+TEST_F(PlotOrdersTest, ASecondMeshHasRaysOfItsOwn) {
+  const std::string file = orders_file("[model]\nname = 'two_stages'\n");
+  const std::vector<ExcitingMesh> meshes = read_orders(file).meshes;
+  ASSERT_EQ(meshes.size(), 2U);
+  EXPECT_EQ(meshes[0].name, "first");
+  EXPECT_EQ(meshes[1].name, "second");
+  EXPECT_NEAR(meshes[1].order, 18.0 / 41.0, 1e-12);
+  const std::string script = script_of({.paths = {file}, .rays = "2,1:second,3/2:second"});
+  EXPECT_THAT(script, AllOf(HasSubstr("orders of first"), HasSubstr("orders of second")));
+  EXPECT_EQ(count_of("linecolor rgb '#d070ff'", script), 2U + 1U);  // the key's, too
+  EXPECT_THAT(script_of({.paths = {file}, .quantity = "order"}), HasSubstr("mesh order of first"));
+  EXPECT_THAT(refusal([&] { drawn({.paths = {file}, .rays = "1:third"}); }),
+              HasSubstr("the meshes are first and second"));
+  EXPECT_THAT(refusal([&] { drawn(request("", "1:second")); }), HasSubstr("of one mesh"));
+}
+
 TEST_F(PlotOrdersTest, OtherFilesAndOptionsAreRefused) {
   PlotRequest asked = request();
   asked.paths.push_back(asked.paths.front());

@@ -163,6 +163,24 @@ TEST_F(PlotTraceTest, ASpectrumIsInDecibelsOverTheOrder) {
   EXPECT_THAT(script_of(spectrum), HasSubstr("set xrange [0:3]"));
 }
 
+TEST_F(PlotTraceTest, ASpectrumMarksTheOrdersOfASecondMesh) {
+  const Study study = read_study(
+      "[model]\nname = 'two_stages'\n[[axes]]\nname = 'omega'\nvalues = [0.5]\n", "test");
+  const std::string path = in_folder("stages.nc");
+  write_traces({made_trace(study, 20, 16)}, {"omega=0.5"}, {}, study, path,
+               gearsweep::testing::kProvenance);
+  EXPECT_THAT(script_of({path}, "spectrum:x1"),
+              AllOf(HasSubstr("with vectors nohead"), HasSubstr("orders of second"),
+                    HasSubstr("mesh frequency of first")));
+  const std::vector<double> numbers = data();
+  const std::size_t lines = 22;  // of orders up to 10: 22 times 18/41 are 9.66
+  ASSERT_GE(numbers.size(), 4U * lines);
+  for (std::size_t k = 0; k < lines; ++k) {
+    EXPECT_NEAR(numbers[numbers.size() - 4U * (lines - k)],
+                static_cast<double>(k + 1) * 18.0 / 41.0, 1e-12);
+  }
+}
+
 TEST_F(PlotTraceTest, ForceShowsWhereBothFlanksTouch) {
   Trace trace = made_trace(study_, 2, 16);
   for (double& contact : trace.values[3]) contact *= 2.0;

@@ -167,6 +167,27 @@ TEST(Report, OfANamedDrawingIsInItsUnitsAndHasItsDynamicFactor) {
   EXPECT_THAT(html, HasSubstr("<td>2.619</td>"));
 }
 
+// The second pinion of 18 teeth turns with a gear of 41, so its mesh meets a natural frequency at a
+// speed of the first one's that is higher by 41/18.
+TEST(Report, OfTwoStagesCountsTheOrdersOfBothMeshes) {
+  const std::string html =
+      report_of(find_study("two-stage-gear", {"axes.0.count=5", "integrate.settle=2",
+                                              "integrate.record=1", "integrate.stop=never"}));
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, HasSubstr("order 1/2 of second"));
+  EXPECT_THAT(html, HasSubstr("violet, dashed: those of second"));
+  static const std::regex kRow(
+      "<td>1388 Hz</td>.*?<td>(?:<b>)?(\\d+) rpm(?:</b>)?</td>"
+      "(?:<td>(?:<b>)?\\d+ rpm(?:</b>)?</td>){3}"
+      "<td>(?:<b>)?(\\d+) rpm");
+  std::smatch speeds;
+  ASSERT_TRUE(std::regex_search(html, speeds, kRow));
+  EXPECT_NEAR(std::stod(speeds[2]) / std::stod(speeds[1]), 41.0 / 18.0, 1e-3);
+  // A load of the second mesh is one number, and no list.
+  EXPECT_THAT(html, ::testing::ContainsRegex("<td>mean load of the second mesh[^/]*/span>[^/]*/sub>"
+                                             "[^/]*/sub>.</td><td>[0-9.]+</td>"));
+}
+
 // The band is around the curve without tolerances; only its own run has draws.
 TEST(Report, OfAStudyWithTolerancesHasTheirBand) {
   std::vector<std::string> changes = small();

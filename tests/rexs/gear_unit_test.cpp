@@ -10,6 +10,7 @@
 
 #include "model/error.hpp"
 #include "rexs/detail/values.hpp"
+#include "rexs/stage_choice.hpp"
 #include "rexs/stage_drawing.hpp"
 #include "rexs/units.hpp"
 #include "study/imported_gear.hpp"
@@ -18,8 +19,10 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 GearUnit unit_of(const std::string& text) { return gear_unit_of(read_rexs(text, "unit")); }
 
@@ -52,6 +55,20 @@ TEST(Rexs, CarriesLoadsFromStageToStage) {
   EXPECT_NEAR(*unit.cases[0].torques[1], 120.0, 1e-9);
   EXPECT_NEAR(*unit.cases[0].speeds[0], 600.0, 1e-9);
   EXPECT_NEAR(*unit.cases[0].speeds[1], 300.0, 1e-9);
+}
+
+// 60 N m come in, and 240 N m go out behind ratios of 2 and 2.
+TEST(Rexs, TellsLoadsThatDoNotBalance) {
+  const auto with_output = [](const std::string& torque) {
+    std::string text = two_stage_xml();
+    const std::string none = "<attribute id=\"transmits_torque\" unit=\"\">true</attribute>";
+    return text.replace(
+        text.find(none), none.size(),
+        "<attribute id=\"torque_around_u_axis\" unit=\"N m\">" + torque + "</attribute>");
+  };
+  EXPECT_THAT(unit_of(with_output("-240")).notes, Not(Contains(HasSubstr("do not balance"))));
+  EXPECT_THAT(unit_of(with_output("-480")).notes,
+              Contains(HasSubstr("stage 1 do not balance: 60 and 120 N m")));
 }
 
 // Three planets share 90 N m; 1520 rpm of a sun of 18 teeth in a held ring of 58 turn the carrier

@@ -117,6 +117,8 @@ TEST(TwoMeshes, RefuseWhatTheModelDoesNotHave) {
       {drawings("runout_um = 9\n"),
        "s.toml:52: runout_um gives runout_p_first, runout_g_first, which model 'train' does not "
        "have"},
+      {drawings("tooth_entry = 'gradual'\n"),
+       "tooth_entry gives engagement_first, which model 'train' does not have"},
       {drawings("", "torque_N_m = 9\n"), "torque_N_m gives F1_second, which model 'train'"},
       {drawings("", "mass = 9\n"), "unknown key 'mass' in [gear.second]"},
       {drawings("face_width_mm = 9\npitch_deviation_um = 9\nprofile_form_deviation_um = 9\n"),

@@ -14,7 +14,9 @@
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "result/output_file.hpp"
+#include "rexs/stage_choice.hpp"
 #include "rexs/stage_drawing.hpp"
+#include "rexs/unit_drawing.hpp"
 #include "study/imported_gear.hpp"
 
 namespace gearsweep {
@@ -24,7 +26,7 @@ using Json = nlohmann::json;
 
 struct ImportArguments {
   std::string file, stage, load_case, output;
-  bool as_json = false, as_list = false;
+  bool as_json = false, as_list = false, is_whole = false;
 };
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
@@ -132,12 +134,21 @@ void list(const GearUnit& unit) {
   for (const std::string& note : unit.notes) answer("note: {}\n", note);
 }
 
-void write_study(const ImportArguments& arguments, const GearUnit& unit) {
+// The study, and in words what it is of.
+std::pair<ImportedGear, std::string> study_of(const ImportArguments& arguments,
+                                              const GearUnit& unit) {
+  const std::string name = std::filesystem::path(arguments.file).filename().string();
+  if (arguments.is_whole) {
+    return {imported_unit_study(unit_drawing(unit, arguments.load_case), name), "the whole unit"};
+  }
   const std::size_t stage = chosen_stage(unit, arguments.stage);
   const std::size_t load_case = chosen_case(unit, stage, arguments.load_case);
-  const StageDrawing drawing = stage_drawing(unit, stage, load_case);
-  const std::string name = std::filesystem::path(arguments.file).filename().string();
-  const ImportedGear study = imported_gear_study(drawing, name);
+  return {imported_gear_study(stage_drawing(unit, stage, load_case), name),
+          fmt::format("stage {}", stage + 1)};
+}
+
+void write_study(const ImportArguments& arguments, const GearUnit& unit) {
+  const auto [study, what] = study_of(arguments, unit);
   for (const std::string& note : unit.notes) tell("note: {}\n", note);
   for (const std::string& note : study.notes) tell("note: {}\n", note);
   if (arguments.output.empty()) {
@@ -146,9 +157,9 @@ void write_study(const ImportArguments& arguments, const GearUnit& unit) {
   }
   write_file(arguments.output, study.toml);
   tell(
-      "{} is a study of stage {}: put your own numbers at ESTIMATE, then\n"
+      "{} is a study of {}: put your own numbers at ESTIMATE, then\n"
       "  gearsweep gear {}\n  gearsweep run {} -o result.nc --plot result.png\n",
-      arguments.output, stage + 1, shell_quoted(arguments.output), shell_quoted(arguments.output));
+      arguments.output, what, shell_quoted(arguments.output), shell_quoted(arguments.output));
 }
 
 void import(const ImportArguments& arguments) {
@@ -169,15 +180,19 @@ void import(const ImportArguments& arguments) {
 
 void add_gear_import_command(CLI::App* gear) {
   CLI::App* command =
-      gear->add_subcommand("import", "Begin the study of a stage of a gear unit in REXS");
+      gear->add_subcommand("import", "Begin the study of a gear unit in REXS, or of a stage");
   const auto arguments = std::make_shared<ImportArguments>();
   command->add_option("FILE", arguments->file, "A gear unit in REXS 1.0 to 1.7, XML or JSON")
       ->required()
       ->type_name(kFileValue);
+  CLI::Option* stage = command
+                           ->add_option("--stage", arguments->stage,
+                                        "Number or name of the stage (default: the only one)")
+                           ->type_name("STAGE");
   command
-      ->add_option("--stage", arguments->stage,
-                   "Number or name of the stage (default: the only one)")
-      ->type_name("STAGE");
+      ->add_flag("--all", arguments->is_whole,
+                 "The whole unit: two stages, or a planetary stage, as a model with a drawing each")
+      ->excludes(stage);
   command
       ->add_option("--case", arguments->load_case,
                    "Load case (default: the one of the highest torque)")
@@ -190,7 +205,8 @@ void add_gear_import_command(CLI::App* gear) {
       "The study runs as it is. Comments say which numbers are from the file, computed from it or\n"
       "estimated; masses are estimates of shaft sections and gear discs.\n\n"
       "Examples:\n  gearsweep gear import unit.rexs --list\n"
-      "  gearsweep gear import unit.rexs --stage 1 -o stage1.toml");
+      "  gearsweep gear import unit.rexs --stage 1 -o stage1.toml\n"
+      "  gearsweep gear import unit.rexs --all -o unit.toml");
   command->callback([arguments] { import(*arguments); });
 }
 

@@ -9,6 +9,27 @@
 #include "model/names.hpp"
 
 namespace gearsweep {
+namespace {
+
+// What a drawing calls `name` in the model. The frequency of the phase is that of the drawing that
+// the model counts in, and has no suffix.
+std::string name_in(const Model& model, const std::string& suffix, std::string_view name) {
+  std::string full = std::string(name) + suffix;
+  if (name == "omega" && suffix == "_" + model.unit_drawing) return "omega";
+  return full;
+}
+
+}  // namespace
+
+bool takes_key(const Model& model, const std::string& suffix, const GearKey& key) {
+  if (key.gives.front().empty()) return true;
+  return std::ranges::any_of(key.gives, [&](std::string_view name) {
+    if (name.empty()) return false;
+    const std::string full = name_in(model, suffix, name);
+    return model.find_parameter(full) >= 0 ||
+           std::ranges::find(model.curves, full) != model.curves.end();
+  });
+}
 
 GearTarget::GearTarget(const GearDrawing& drawing, const Model& model, std::string suffix)
     : drawing_(drawing), model_(model), suffix_(std::move(suffix)) {
@@ -23,14 +44,7 @@ GearTarget::GearTarget(const GearDrawing& drawing, const Model& model, std::stri
   }
 }
 
-bool GearTarget::takes(const GearKey& key) const {
-  if (key.gives.front().empty()) return true;
-  return std::ranges::any_of(key.gives, [&](std::string_view name) {
-    if (name.empty()) return false;
-    const std::string full = std::string(name) + suffix_;
-    return model_.find_parameter(full) >= 0 || has_curve(full);
-  });
-}
+bool GearTarget::takes(const GearKey& key) const { return takes_key(model_, suffix_, key); }
 
 bool GearTarget::has_curve(std::string_view name) const {
   return std::ranges::find(model_.curves, name) != model_.curves.end();
@@ -38,7 +52,7 @@ bool GearTarget::has_curve(std::string_view name) const {
 
 void GearTarget::add(const std::string& name, double value, const GearKey& origin, std::string note,
                      std::size_t i) {
-  const std::string full = name_in_list(name + suffix_, i);
+  const std::string full = name_in_list(name_in(model_, suffix_, name), i);
   const int index = model_.find_parameter(full);
   const std::string_view giver =
       drawing_.has(origin) ? origin.name : std::string_view(drawing_.name());

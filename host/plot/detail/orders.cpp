@@ -1,6 +1,7 @@
 // The order map: spectra over an axis as a map, with the natural frequencies and the orders of the
 // excitation as lines.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,11 @@ constexpr const char* kRayColour = "#ff8c5a";
 // So that a ray does not cover the line of the spectrum that it points at.
 constexpr const char* kRayDashes = "(3,9)";
 
-// A multiple of the forcing frequency, as it was asked for: "1/2".
+// A multiple of the forcing frequency, as it was asked for: "1/2", or of a second mesh: "2:second".
 struct Ray {
   double order = 0.0;
   std::string name;
+  std::size_t mesh = 0;
 };
 
 double ray_number(const std::string& text) {
@@ -40,15 +42,44 @@ double ray_number(const std::string& text) {
       "--rays: '{}' is no order; give multiples of the mesh frequency, as in 1,2,1/2", text));
 }
 
-std::vector<Ray> rays_of(const PlotRequest& request) {
+// Of this name, of which there is none.
+std::size_t mesh_of_ray(const std::string& ray, const std::string& name,
+                        const std::vector<ExcitingMesh>& meshes) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (meshes[i].name == name && !name.empty()) return i;
+    if (!meshes[i].name.empty()) names.push_back(meshes[i].name);
+  }
+  throw InputError(
+      names.empty()
+          ? fmt::format("--rays: '{}': this order map is of one mesh; leave out ':{}'", ray, name)
+          : fmt::format("--rays: '{}': the meshes are {}", ray, fmt::join(names, " and ")));
+}
+
+// Of one mesh orders 1 to 4, of two as many of each.
+std::string usual_rays(const std::vector<ExcitingMesh>& meshes) {
+  std::string rays = "1,2,3,4";
+  if (meshes.size() < 2) return rays;
+  for (int order = 1; order <= 4; ++order) {
+    rays += fmt::format(",{}:{}", order, meshes.back().name);
+  }
+  return rays;
+}
+
+std::vector<Ray> rays_of(const PlotRequest& request, const std::vector<ExcitingMesh>& meshes) {
   std::vector<Ray> rays;
   constexpr std::size_t kMost = 40;
   if (request.rays == "none") return rays;
-  for (const std::string& name : split(request.rays.empty() ? "1,2,3,4" : request.rays, ',')) {
+  for (const std::string& ray :
+       split(request.rays.empty() ? usual_rays(meshes) : request.rays, ',')) {
+    const std::size_t colon = ray.find(':');
+    const std::string name = ray.substr(0, colon);
+    const std::size_t mesh =
+        colon == std::string::npos ? 0 : mesh_of_ray(ray, ray.substr(colon + 1), meshes);
     const std::size_t slash = name.find('/');
     const double above = ray_number(name.substr(0, slash));
     const double below = slash == std::string::npos ? 1.0 : ray_number(name.substr(slash + 1));
-    rays.push_back({above / below, name});
+    rays.push_back({above / below * meshes[mesh].order, name, mesh});
   }
   if (rays.size() > kMost) throw InputError(fmt::format("--rays: at most {} orders", kMost));
   return rays;
@@ -81,7 +112,8 @@ Upright upright_of(const StoredOrders& stored, const PlotRequest& request) {
   if (upright.is_order) {
     upright.axis.name = "order";
     upright.axis.unit = "1";
-    upright.axis.meaning = stored.order_of + " order";
+    upright.axis.meaning = stored.order_of + " order" +
+                           (stored.meshes.size() < 2 ? "" : " of " + stored.meshes.front().name);
     for (const double order : stored.orders) {
       if (order <= max_order) upright.axis.values.push_back(order);
     }
@@ -178,7 +210,10 @@ void add_lines(const StoredOrders& stored, const Upright& upright, const std::ve
     picture->lines.push_back(std::move(line));
   }
   for (const Ray& ray : rays) {
-    MapLine line{{}, kRayColour, kRayDashes, literal(ray.name)};
+    MapLine line{{},
+                 ray.mesh == 0 ? kRayColour : kOtherMeshColour,
+                 ray.mesh == 0 ? kRayDashes : kOtherMeshDashes,
+                 literal(ray.name)};
     for (std::size_t i = 0; i < x.size(); ++i) {
       line.points.emplace_back(x[i], upright.place(ray.order, stored.forcing[i]));
     }
@@ -187,9 +222,13 @@ void add_lines(const StoredOrders& stored, const Upright& upright, const std::ve
   if (!known.empty()) {
     picture->key.push_back({KeyEntry::Kind::kLine, "#777777", "2", "natural frequencies"});
   }
-  if (!rays.empty()) {
-    picture->key.push_back(
-        {KeyEntry::Kind::kLine, kRayColour, kRayDashes, literal(stored.order_of) + " orders"});
+  for (std::size_t mesh = 0; mesh < stored.meshes.size(); ++mesh) {
+    if (std::ranges::find(rays, mesh, &Ray::mesh) == rays.end()) continue;
+    const bool is_one = stored.meshes.size() == 1;
+    picture->key.push_back({KeyEntry::Kind::kLine, mesh == 0 ? kRayColour : kOtherMeshColour,
+                            mesh == 0 ? kRayDashes : kOtherMeshDashes,
+                            is_one ? literal(stored.order_of) + " orders"
+                                   : "orders of " + literal(stored.meshes[mesh].name)});
   }
 }
 
@@ -237,7 +276,7 @@ PlotScript plot_orders(const PlotRequest& request) {
                   unit == "1" ? "" : " " + typeset(unit));
   picture.title = stored.title;
   picture.settings = stored.settings;
-  add_lines(stored, upright, rays_of(request), &picture);
+  add_lines(stored, upright, rays_of(request, stored.meshes), &picture);
   map.axes.front() = stored.axis;
   if (request.style.is_si) {
     const SiUnit si = shown_unit(stored.axis.unit, stored.scales);

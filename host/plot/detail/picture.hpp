@@ -27,6 +27,10 @@ struct KeyEntry {
   std::string text;  // markup
 };
 
+// Orders of a mesh other than that of the phase.
+inline constexpr const char* kOtherMeshColour = "#d070ff";
+inline constexpr const char* kOtherMeshDashes = "(9,6)";
+
 // A line over a map of two axes.
 struct MapLine {
   std::vector<std::pair<double, double>> points;  // in the axes' units

@@ -320,6 +320,29 @@ TracePanel section_panel(const Page& page, const TracePicture& picture, PlotScri
   return panel;
 }
 
+// Upright lines at the orders of a second mesh.
+void add_other_orders(const TracePicture& picture, TracePanel* panel, PlotScript* script) {
+  constexpr std::size_t kMost = 40;
+  if (picture.meshes.size() < 2) return;
+  const ExcitingMesh& other = picture.meshes.back();
+  const AxisRange &x = panel->x.range, &y = panel->y.range;
+  std::vector<double> places;
+  for (std::size_t k = 1; k <= kMost; ++k) {
+    const double place = static_cast<double>(k) * other.order;
+    if (place >= x.min && place <= x.max) places.push_back(place);
+  }
+  if (places.empty()) return;
+  panel->elements += fmt::format(
+      ", \\\n     {} using 1:2:3:4 with vectors nohead linewidth 1 dashtype {} linecolor rgb '{}' "
+      "notitle",
+      next_records(*script, places.size(), 4), kOtherMeshDashes, kOtherMeshColour);
+  for (const double place : places) {
+    append_numbers({place, y.min, 0.0, y.max - y.min}, &script->data);
+  }
+  panel->key.push_back({KeyEntry::Kind::kThinLine, kOtherMeshColour, kOtherMeshDashes,
+                        "orders of " + literal(other.name)});
+}
+
 TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScript* script) {
   constexpr double kShown = 100.0, kAbove = 5.0;  // dB
   constexpr double kMin = 1e-300;                 // of an amplitude that has a logarithm
@@ -343,9 +366,12 @@ TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScr
   const std::string unit =
       picture.channel.unit == "1" || picture.channel.unit.empty() ? "" : " " + picture.channel.unit;
   panel.subtitle = "amplitudes: " + picture.channel.meaning + ", without its mean";
-  const std::string label = picture.is_clockless
-                                ? "frequency (1/time)"
-                                : fmt::format("order (frequency / {} frequency)", picture.forcing);
+  const std::string label =
+      picture.is_clockless
+          ? "frequency (1/time)"
+          : fmt::format(
+                "order (frequency / {} frequency{})", picture.forcing,
+                picture.meshes.size() < 2 ? "" : " of " + literal(picture.meshes.front().name));
   const double last = picture.orders / unit_of_orders(picture.layers.front().trace);
   panel.x = {axis_text(page.style().xlabel, label),
              shown_range({0.0, last}, page.style().xrange, "--xrange")};
@@ -355,6 +381,7 @@ TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScr
              shown_range({decibels(max) + kAbove - kShown, decibels(max) + kAbove},
                          page.style().yrange, "--yrange")};
   panel.lines = grid_lines();
+  add_other_orders(picture, &panel, script);
   return panel;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/trace.hpp"
+#include "model/exciting_meshes.hpp"
 #include "plot/detail/picture.hpp"
 
 namespace gearsweep {
@@ -20,9 +21,10 @@ struct TracePicture {
   // What is drawn, of a phase portrait over `across`.
   ChannelInfo channel, across;
   std::string title;
-  std::string remark;   // markup
-  std::string forcing;  // whose frequency orders are multiples of: "mesh" or "forcing"
-  std::string period;   // whose period time is counted in; a shaft's forcing is several of the mesh
+  std::string remark;                // markup
+  std::string forcing;               // whose frequency orders are multiples of: "mesh" or "forcing"
+  std::vector<ExcitingMesh> meshes;  // that of the phase first
+  std::string period;  // whose period time is counted in; a shaft's forcing is several of the mesh
   bool is_clockless = false;  // there is no forcing
   double milliseconds = 0.0;  // of one unit of the model's time; 0: time is counted as above
   double orders = 10.0;       // the highest of a spectrum

@@ -126,7 +126,7 @@ std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::
     velocity = trace.channels[1].name;
   }
   if (velocity.empty()) {
-    find_in({"", "", "", {}, trace}, names.front());
+    find_in({"", "", "", {}, {}, trace}, names.front());
     throw InputError(
         fmt::format("'{0}' has no velocity beside it; name two channels, as in {1}:{0}:{2}",
                     names.front(), kind.name, trace.channels.front().name));
@@ -224,6 +224,7 @@ PlotScript plot_traces(const Page& page, const PlotRequest& request) {
   picture.title = common(sources, [](const Source& source) { return source.stored.title; });
   picture.remark = remark_of(sources, shown);
   picture.forcing = force_of(first) == nullptr ? "forcing" : "mesh";
+  picture.meshes = sources.front().stored.meshes;
   picture.period = first.mesh_periods == 1.0 ? picture.forcing : "forcing";
   picture.is_clockless = first.is_clockless;
   if (picture.is_clockless && kind.panel == section_panel) {

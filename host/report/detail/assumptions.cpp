@@ -83,6 +83,7 @@ bool is_of_key(const Study& study, std::size_t index) {
 std::vector<AssumedValue> parameter_values(const Study& study) {
   std::vector<AssumedValue> values;
   const Model& model = *study.model;
+  std::string last;  // of the values: its parameter, or the list that it began
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const ParameterInfo& info = model.parameters[i];
     const std::string& origin = study.parameter_origins[i];
@@ -92,11 +93,15 @@ std::vector<AssumedValue> parameter_values(const Study& study) {
     const double value = study.setting.parameters[i];
     const std::string number = html_number(value);
     const bool is_nothing = origin == kDefault && value == 0.0;
-    if (!list_of(model, info.name).empty() && !values.empty()) {
+    const std::string list = list_of(model, info.name);
+    // What a drawing's list does not have is nothing to tell.
+    if (!list.empty() && list != last && is_nothing) continue;
+    if (!list.empty() && list == last) {
       values.back().value += ", " + number;
       values.back().is_nothing = values.back().is_nothing && is_nothing;
       continue;
     }
+    last = info.name;
     const std::string unit = html_unit(info.unit);
     values.push_back(
         {html_named(html_text(info.meaning.empty() ? info.name : info.meaning), info.name) +

@@ -154,9 +154,9 @@ void add_pictures(const Sides& sides, HtmlPage* page) {
   std::vector<HtmlFigure> figures = curves(sides);
   append(maps(sides), &figures);
   append(order_figures(sides, fmt::format("Order map: amplitudes of the {} at each speed. White: "
-                                          "natural frequencies; dotted: orders of the mesh "
-                                          "frequency",
-                                          quantity_html(sides.front().orders.channel.name))),
+                                          "natural frequencies; {}",
+                                          quantity_html(sides.front().orders.channel.name),
+                                          rays_html(sides.front()))),
          &figures);
   const bool have_directions = std::ranges::all_of(
       sides, [](const ReportFindings& findings) { return findings.has_directions; });

@@ -71,13 +71,13 @@ HtmlTable critical_speeds_of(const ReportFindings& findings) {
   HtmlTable table;
   table.is_numbers = true;
   table.head = {"natural frequency", "modes", "damping"};
-  for (const ExcitationOrder& order : excitation_orders()) {
-    table.head.push_back("order " + order.name);
+  for (const ExcitationOrder& order : excitation_orders(findings)) {
+    table.head.push_back("order " + html_text(order.name));
   }
   for (const ReportMode& mode : distinct_modes(findings)) {
     Row row = {frequency_html(findings, mode.frequency), fmt::format("{}", mode.count),
                fmt::format("{:.2g} %", 100.0 * mode.damping)};
-    for (const ExcitationOrder& order : excitation_orders()) {
+    for (const ExcitationOrder& order : excitation_orders(findings)) {
       const double forcing = mode.frequency / order.order;
       const bool is_swept = forcing >= *slowest && forcing <= *fastest;
       const std::string speed = speed_html(findings, forcing);

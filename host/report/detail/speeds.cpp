@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "model/exciting_meshes.hpp"
 #include "report/detail/html.hpp"
 #include "result/order_dataset.hpp"
 
@@ -20,15 +22,19 @@ std::string plain_unit(const Model& model) {
 std::vector<CriticalSpeed> critical_speeds(const ReportFindings& findings) {
   std::vector<CriticalSpeed> speeds;
   for (const ReportMode& mode : distinct_modes(findings)) {
-    for (const ExcitationOrder& order : excitation_orders()) {
-      speeds.push_back({mode.frequency / order.order, mode.frequency, order.name});
+    for (const ExcitationOrder& order : excitation_orders(findings)) {
+      speeds.push_back({mode.frequency / order.order, mode.frequency, order});
     }
   }
   return speeds;
 }
 
 // Half orders need a motion of two periods, so they are met where the teeth part.
-bool is_of_half(const CriticalSpeed& one) { return one.order.find('/') != std::string::npos; }
+bool is_of_half(const CriticalSpeed& one) { return one.order.is_half; }
+
+std::vector<ExcitingMesh> meshes_of(const ReportFindings& findings) {
+  return exciting_meshes(*findings.line.model, findings.line.setting);
+}
 
 }  // namespace
 
@@ -57,14 +63,30 @@ std::string speed_html(const ReportFindings& findings, double forcing) {
   return frequency_html(findings, forcing);
 }
 
-const std::vector<ExcitationOrder>& excitation_orders() {
-  static const std::vector<ExcitationOrder> kExcitationOrders = {
-      {"1", 1.0}, {"2", 2.0}, {"3", 3.0}, {"1/2", 0.5}};
-  return kExcitationOrders;
+std::vector<ExcitationOrder> excitation_orders(const ReportFindings& findings) {
+  const std::vector<ExcitingMesh> meshes = meshes_of(findings);
+  std::vector<ExcitationOrder> orders;
+  for (const ExcitingMesh& mesh : meshes) {
+    const std::string whose = meshes.size() == 1 ? "" : " of " + mesh.name;
+    for (const auto& [name, order] : {std::pair("1", 1.0), {"2", 2.0}, {"3", 3.0}, {"1/2", 0.5}}) {
+      orders.push_back({name + whose, order * mesh.order, order < 1.0});
+    }
+  }
+  return orders;
+}
+
+std::string rays_html(const ReportFindings& findings) {
+  const std::vector<ExcitingMesh> meshes = meshes_of(findings);
+  if (meshes.size() == 1) return "dotted: orders of the mesh frequency";
+  return fmt::format(
+      "orange, dotted: orders of the mesh frequency of {}; violet, dashed: those of {}",
+      html_text(meshes.front().name), html_text(meshes.back().name));
 }
 
 std::string CriticalSpeed::html(const ReportFindings& findings) const {
-  return fmt::format("order {} of {}", order, frequency_html(findings, frequency));
+  const char* const link = meshes_of(findings).size() == 1 ? "of" : "at";
+  return fmt::format("order {} {} {}", html_text(order.name), link,
+                     frequency_html(findings, frequency));
 }
 
 std::optional<CriticalSpeed> nearest_critical(const ReportFindings& findings, double forcing,

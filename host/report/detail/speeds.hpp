@@ -27,20 +27,25 @@ std::string speed_html(const ReportFindings& findings, double forcing);
 
 // Orders of the excitation that a report looks at.
 struct ExcitationOrder {
-  std::string name;
-  double order = 1.0;
+  std::string name;    // "1/2", or "1/2 of second" where there are several meshes
+  double order = 1.0;  // of the frequency of the phase
+  bool is_half = false;
 };
-const std::vector<ExcitationOrder>& excitation_orders();
+std::vector<ExcitationOrder> excitation_orders(const ReportFindings& findings);
+
+// What the orange and the violet lines of an order map are: "dotted: orders of the mesh frequency",
+// or where there are two meshes which of them are whose. HTML.
+std::string rays_html(const ReportFindings& findings);
 
 // A speed at which one of these orders meets a natural frequency.
 struct CriticalSpeed {
   double forcing = 0.0;    // the mesh frequency there
   double frequency = 0.0;  // the natural one
-  std::string order;       // "1/2"
+  ExcitationOrder order;
 
   // How far it lies above another mesh frequency, as a share of that.
   double margin(double from) const { return forcing / from - 1.0; }
-  // "order 2 of 1920 Hz". HTML.
+  // "order 2 of 1920 Hz", of several meshes "order 2 of second at 1920 Hz". HTML.
   std::string html(const ReportFindings& findings) const;
 };
 

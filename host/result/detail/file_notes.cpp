@@ -8,6 +8,7 @@
 #include <chrono>
 #include <numbers>
 
+#include "model/exciting_meshes.hpp"
 #include "result/detail/file_names.hpp"
 #include "study/settings.hpp"
 
@@ -43,6 +44,16 @@ std::vector<Attribute> turns_of(const Study& study) {
   return notes;
 }
 
+// Of a second mesh whose frequency is the same share of the first one's at all points.
+std::vector<Attribute> other_mesh_of(const Study& study) {
+  const std::optional<std::size_t> order = study.model->parameter_of(Role::mesh_order);
+  if (!order || study.differs(*order)) return {};
+  const std::vector<ExcitingMesh> meshes = exciting_meshes(*study.model, study.setting);
+  return {{kMeshOfPhase, meshes.front().name},
+          {kOtherMesh, meshes.back().name},
+          {kOtherMeshOrder, meshes.back().order}};
+}
+
 bool have_one_unit(const std::vector<ChannelInfo>& channels) {
   return std::all_of(channels.begin(), channels.end(), [&](const ChannelInfo& channel) {
     return channel.unit == channels.front().unit;
@@ -67,6 +78,7 @@ std::vector<Attribute> FileNotes::provenance(const Provenance& provenance) const
   };
   if (!study_.accuracy.empty()) notes.push_back({"accuracy", study_.accuracy});
   for (Attribute& own : turns_of(study_)) notes.push_back(std::move(own));
+  for (Attribute& own : other_mesh_of(study_)) notes.push_back(std::move(own));
   const Scales& scales = study_.scales;
   if (!scales.known()) return notes;
   notes.push_back({"scale_varpi_rad_per_s", scales.varpi});

@@ -117,9 +117,20 @@ class JsonReader {
         attribute.numbers = *numbers;
       } else if (!add_numbers(value, &attribute.numbers)) {
         attribute.numbers.clear();
+        if (value.is_array()) attribute.text = words_of(value);
       }
     }
     return attribute;
+  }
+
+  // Of a list, with blanks between.
+  static std::string words_of(const Json& list) {
+    std::string words;
+    for (const Json& one : list) {
+      if (!words.empty()) words += ' ';
+      words += trimmed(text_of(one));
+    }
+    return words;
   }
 
   // Whether all of it is numbers. Lists are not deep here.

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "rexs/detail/planetary.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -63,15 +65,13 @@ class CaseReader {
 
   void join_couplings() {
     for (const RexsComponent& one : lookup_.document().components) {
-      const bool switches = one.type == "switchable_coupling";
-      if (one.type != "coupling" && !switches) continue;
-      const RexsAttribute* engaged = one.find("is_engaged");
-      if (switches && (engaged == nullptr || engaged->text == "false")) continue;
+      if (one.type != "coupling" && one.type != "switchable_coupling") continue;
+      if (!lookup_.is_closed(one)) continue;
       std::vector<std::size_t> joined;
       for (std::size_t i = 0; i < unit_.shafts.size(); ++i) {
         const auto& relations = lookup_.relations_of(one);
         if (std::any_of(relations.begin(), relations.end(), [&](const RexsRelation* relation) {
-              return relation->type == "side" && relation->names(unit_.shafts[i].id);
+              return is_of_sides(*relation) && relation->names(unit_.shafts[i].id);
             })) {
           joined.push_back(i);
         }
@@ -117,6 +117,27 @@ class CaseReader {
                                 "rotational_speed", RexsQuantity::speed);
       if (speed && *speed != 0.0) return std::fabs(*speed / ratio);
     }
+    for (const auto& [other, ratio] : turning(shaft, nullptr)) {
+      for (const UnitGear& gear : unit_.gears) {
+        if (gear.shaft != other) continue;
+        const auto speed =
+            number(from, *lookup_.component(gear.id), "rotational_speed", RexsQuantity::speed);
+        if (speed && *speed != 0.0) return std::fabs(*speed / ratio);
+      }
+    }
+    return std::nullopt;
+  }
+
+  // What a program has computed for a gear of the mesh, on its first gear.
+  std::optional<double> torque_on_gear(const RexsLoadCase* from, const UnitStage& stage) {
+    for (const auto& gear : stage.gears) {
+      if (!gear || !stage.gears[0] || !unit_.gears[*stage.gears[0]].teeth) continue;
+      const UnitGear& own = unit_.gears[*gear];
+      const auto torque = number(from, *lookup_.component(own.id), "torque_acting_on_shaft_u",
+                                 RexsQuantity::torque);
+      if (!torque || *torque == 0.0 || !own.teeth) continue;
+      return std::fabs(*torque) * *unit_.gears[*stage.gears[0]].teeth / *own.teeth;
+    }
     return std::nullopt;
   }
 
@@ -146,9 +167,19 @@ class CaseReader {
       if (joint.stage != stage) continue;
       const auto before = turning(joint.first, &joint);
       if (before.contains(joint.second)) return std::nullopt;  // the power splits
-      if (const auto torque = torque_of(from, before)) return torque;
-      const auto behind = torque_of(from, turning(joint.second, &joint));
-      return behind ? std::optional(*behind * std::fabs(joint.ratio)) : std::nullopt;
+      const auto torque = torque_of(from, before);
+      auto behind = torque_of(from, turning(joint.second, &joint));
+      if (behind) *behind *= std::fabs(joint.ratio);
+      if (!torque) return behind;
+      constexpr double kLosses = 0.1;  // at most, of a stage that runs well
+      if (behind && std::fabs(*behind / *torque - 1.0) > kLosses) {
+        lookup_.note(
+            fmt::format("{}: the loads on both sides of stage {} do not balance{}: {:.5g} and "
+                        "{:.5g} N m on its first gear; the first is taken",
+                        lookup_.document().source, stage + 1,
+                        from == nullptr ? "" : " in load case " + from->id, *torque, *behind));
+      }
+      return torque;
     }
     return std::nullopt;
   }
@@ -199,24 +230,11 @@ class CaseReader {
       if (one.planetary != planetary || one.kind != StageKind::internal) continue;
       for (const auto& gear : one.gears) {
         if (!gear || !unit_.gears[*gear].is_ring || !unit_.gears[*gear].shaft) continue;
-        if (is_held(unit_.shafts[*unit_.gears[*gear].shaft].id)) return unit_.gears[*gear].teeth;
+        if (is_held(&lookup_, unit_.shafts[*unit_.gears[*gear].shaft].id))
+          return unit_.gears[*gear].teeth;
       }
     }
     return std::nullopt;
-  }
-
-  bool is_held(const std::string& shaft) {
-    const auto& relations = lookup_.relations_of(*lookup_.component(shaft));
-    return std::any_of(relations.begin(), relations.end(), [&](const RexsRelation* relation) {
-      if (relation->type != "side") return false;
-      bool has_coupling = false, has_casing = false;
-      for (const RexsReference& reference : relation->references) {
-        const std::string& type = lookup_.component(reference.component)->type;
-        has_coupling = has_coupling || type == "coupling" || type == "switchable_coupling";
-        has_casing = has_casing || type == "gear_casing";
-      }
-      return has_coupling && has_casing;
-    });
   }
 
   UnitCase read(const RexsLoadCase* from) {
@@ -232,6 +250,7 @@ class CaseReader {
       const auto shaft = shaft_of(stage, 0);
       const bool is_planet = !stage.planetary.empty();
       out.torques.push_back(is_planet ? torque_of_planet(from, stage) : torque_of_stage(from, i));
+      if (!out.torques.back() && !is_planet) out.torques.back() = torque_on_gear(from, stage);
       out.speeds.push_back(is_planet ? speed_of_planet(from, stage)
                            : shaft   ? speed_of(from, *shaft)
                                      : std::nullopt);

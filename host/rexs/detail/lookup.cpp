@@ -3,6 +3,19 @@
 #include <fmt/format.h>
 
 namespace gearsweep {
+namespace {
+
+bool is_of_type(const RexsRelation& relation, std::string_view type) {
+  constexpr std::string_view kOrdered = "ordered_";
+  const std::string_view own = relation.type;
+  return own == type || (own.starts_with(kOrdered) && own.substr(kOrdered.size()) == type);
+}
+
+}  // namespace
+
+bool is_of_sides(const RexsRelation& relation) {
+  return relation.type == "side" || relation.type == "connection" || relation.type == "contact";
+}
 
 RexsLookup::RexsLookup(const RexsDocument& document) : document_(document) {
   for (const RexsComponent& component : document.components) {
@@ -44,7 +57,7 @@ std::vector<const RexsComponent*> RexsLookup::related(const RexsComponent& compo
                                                       std::string_view role) const {
   std::vector<const RexsComponent*> found;
   for (const RexsRelation* relation : relations_of(component)) {
-    if (relation->type != type || relation->of_role(own_role) != component.id) continue;
+    if (!is_of_type(*relation, type) || relation->of_role(own_role) != component.id) continue;
     for (const RexsReference& reference : relation->references) {
       if (reference.role == role && reference.component != component.id) {
         found.push_back(this->component(reference.component));
@@ -90,6 +103,16 @@ std::optional<std::vector<double>> RexsLookup::numbers(const RexsComponent& comp
 std::string RexsLookup::text(const RexsComponent& component, std::string_view attribute) const {
   const RexsAttribute* found = component.find(attribute);
   return found == nullptr ? "" : found->text;
+}
+
+bool RexsLookup::is_closed(const RexsComponent& coupling) {
+  if (coupling.type == "coupling") return true;
+  const std::string engaged = text(coupling, "is_engaged");
+  if (engaged.find(' ') != std::string::npos) {
+    note(fmt::format("{}: is_engaged has several gears, '{}'; the first is taken", place(coupling),
+                     engaged));
+  }
+  return engaged.starts_with("true");
 }
 
 void RexsLookup::note(std::string text) {

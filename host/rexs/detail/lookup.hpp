@@ -13,6 +13,9 @@
 
 namespace gearsweep {
 
+// Whether a relation says what a bearing or a coupling stands between.
+bool is_of_sides(const RexsRelation& relation);
+
 // A document by what is asked of it. Notes, once each, what has no number or an unknown unit, and
 // what was never asked for.
 class RexsLookup {
@@ -24,8 +27,9 @@ class RexsLookup {
   std::vector<const RexsComponent*> of_type(std::string_view type) const;
   // The relations that name a component.
   const std::vector<const RexsRelation*>& relations_of(const RexsComponent& component) const;
-  // What stands in a relation of this type with the component, where it has `own_role`, in another
-  // of the roles, in the order of the file: parts of a shaft, the material of a gear.
+  // What stands in a relation of this type, or of the ordered one (ordered_assembly), with the
+  // component, where it has `own_role`, in another of the roles, in the order of the file: parts of
+  // a shaft, the material of a gear.
   std::vector<const RexsComponent*> related(const RexsComponent& component, std::string_view type,
                                             std::string_view own_role, std::string_view role) const;
 
@@ -37,6 +41,9 @@ class RexsLookup {
                                              std::string_view attribute, RexsQuantity quantity,
                                              std::size_t count);
   std::string text(const RexsComponent& component, std::string_view attribute) const;
+
+  // Whether a coupling is closed: one that switches says so, of several gears for the first.
+  bool is_closed(const RexsComponent& coupling);
 
   void note(std::string text);
   // "unit.rexs:12: shaft 12 (Input shaft)"

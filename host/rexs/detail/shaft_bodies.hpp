@@ -8,12 +8,6 @@
 
 namespace gearsweep {
 
-// A piece of a shaft, a frustum of a cone with a bore that is one. In mm.
-struct ShaftSection {
-  double begin = 0.0, length = 0.0;
-  double outer[2] = {0.0, 0.0}, inner[2] = {0.0, 0.0};  // diameters
-};
-
 struct BodyMass {
   double mass = 0.0, inertia = 0.0;  // kg, kg mm^2
 };
@@ -22,10 +16,10 @@ struct BodyMass {
 // D2^4) about its axis. Density in kg/dm^3.
 BodyMass frustum(double length, double first, double last, double density);
 
-// Fills in mass, inertia and bodies of a shaft. gears: those of the unit that are on it, with the
-// components that they come from.
+// Fills in sections, material, mass, inertia and bodies of a shaft, and mass and inertia of the
+// gears on it, which come with their components.
 void weigh_shaft(const RexsComponent& component,
-                 const std::vector<std::pair<const UnitGear*, const RexsComponent*>>& gears,
+                 const std::vector<std::pair<UnitGear*, const RexsComponent*>>& gears,
                  RexsLookup* lookup, UnitShaft* shaft);
 
 }  // namespace gearsweep

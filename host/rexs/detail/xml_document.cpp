@@ -128,12 +128,24 @@ class XmlReader {
       if (name != "array" && name != "matrix" && name != "array_of_arrays") continue;
       attribute.text.clear();
       attribute.numbers = numbers_of(child);
+      if (attribute.numbers.empty()) attribute.text = words_of(child);
       return attribute;
     }
     if (const std::optional<double> number = rexs_number(attribute.text)) {
       attribute.numbers = {*number};
     }
     return attribute;
+  }
+
+  // Of a list, with blanks between.
+  static std::string words_of(const pugi::xml_node& list) {
+    std::string words;
+    for (const pugi::xml_node& cell : list) {
+      if (name_of(cell) != "c") continue;
+      if (!words.empty()) words += ' ';
+      words += trimmed(cell.text().get());
+    }
+    return words;
   }
 
   // Empty where one of them is no number.
