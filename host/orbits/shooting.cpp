@@ -21,7 +21,7 @@ constexpr int kMaxRestIterations = 400;
 constexpr int kMaxHalvings = 10;          // of a Newton step
 constexpr double kLongerOrShorter = 4.0;  // a cycle than what it is looked for by
 constexpr double kBalanced = 1e-9;        // of what the terms of a rate may be
-constexpr double kRounding = 1.8e-15;     // 8 roundings
+constexpr double kEightRoundings = 1.8e-15;
 constexpr double kStill = 1e-6;  // of the sizes at the guess: a cycle that moves less is none
 
 // Newton's method from unknowns; sizes: those of the guess, which distances are judged in. Where a
@@ -241,9 +241,9 @@ std::optional<Orbit> find_equilibrium(const PeriodMap& map, const VectorXd& gues
     sizes = sizes.cwiseMax(step.cwiseAbs()).cwiseMax(kMinSize * state.cwiseAbs());
     const VectorXd judged_in = above_zero(sizes);
     // What rounding of the states makes of their rates, and so of the step.
-    const VectorXd rounding =
-        kRounding * (scale.asDiagonal() * solver.inverse().cwiseAbs() *
-                     scale.cwiseInverse().asDiagonal() * (jacobian.cwiseAbs() * state.cwiseAbs()));
+    const VectorXd rounding = kEightRoundings * (scale.asDiagonal() * solver.inverse().cwiseAbs() *
+                                                 scale.cwiseInverse().asDiagonal() *
+                                                 (jacobian.cwiseAbs() * state.cwiseAbs()));
     const bool is_rounding =
         rounding.allFinite() &&
         (step.cwiseAbs().array() <= (kResidual * judged_in).cwiseMax(rounding).array()).all();

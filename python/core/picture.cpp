@@ -97,7 +97,7 @@ py::list anchors_of(const std::string& name, double min, double max) {
   return anchors;
 }
 
-py::tuple as_tuple(const ValueRange& range) {
+py::tuple ends_of(const ValueRange& range) {
   return py::make_tuple(range.min, range.max, range.clipped);
 }
 
@@ -144,7 +144,7 @@ void add_picture(py::module_* module) {
   module->def("colour_range", colour_range_of);
   module->def("amplitude_spectrum", spectrum_of);
   module->def("padded_range",
-              [](const Numbers& values) { return as_tuple(padded_range(vector_of(values))); });
+              [](const Numbers& values) { return ends_of(padded_range(vector_of(values))); });
   module->def("suggest_name", [](const std::string& name, const std::vector<std::string>& known) {
     return suggest_name(name, known);
   });

@@ -16,8 +16,9 @@ import xarray
 # It is for mypy, and need not run.
 collect_ignore = ["typed_program.py"]
 
-# Few points and few periods, by study; each shows something that the others do not have.
-SMALL = {"integrate.settle": 20, "integrate.record": 12}
+# Few points and few periods, by study; each shows something that the others do not have. Without the
+# search for orbits a device has half as much to compile.
+SMALL = {"integrate.settle": 20, "integrate.record": 12, "integrate.stop": "never"}
 MAP = {"axes.omega.count": 7, "axes.e0.count": 5, **SMALL}
 # Work for hours, in short rounds and small tiles: whatever stops it comes before its end.
 LONG = {

@@ -38,6 +38,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitiz
   endforeach()
   list(JOIN runtime ":" runtime)
   add_test(NAME python_binding COMMAND ${pytest} -m binding ${CMAKE_CURRENT_SOURCE_DIR}/tests)
-  set_tests_properties(python_binding PROPERTIES LABELS sanitize ENVIRONMENT
+  set_tests_properties(python_binding PROPERTIES LABELS sanitize_weekly ENVIRONMENT
     "${environment};PYTHONMALLOC=malloc;LD_PRELOAD=${runtime};ASAN_OPTIONS=leak_check_at_exit=0:use_sigaltstack=0")
 endif()

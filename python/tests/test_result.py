@@ -16,6 +16,7 @@ OF_THE_RUN = {"command_line", "created", "compute_seconds", "kernel_seconds"}
 
 STUDIES = {
     "map": ("coarse-map", MAP),
+    "stopped": ("coarse-map", {**MAP, "integrate.stop": "orbit"}),
     "single precision": ("coarse-map", {**MAP, "integrate.precision": "fp32"}),
     "pilot": ("coarse-map", {**MAP, "integrate.tolerance": 0.05, "axes.omega.count": 40}),
     "chaos": ("coarse-chaos", {**MAP, "axes.e0.count": 3}),

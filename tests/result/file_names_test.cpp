@@ -20,8 +20,8 @@ namespace {
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::kPushed;
 using gearsweep::testing::random_result;
+using gearsweep::testing::studies_over_each;
 using gearsweep::testing::study_of_all;
-using gearsweep::testing::sweepable;
 using gearsweep::testing::trace_of_all;
 using ::testing::Contains;
 using ::testing::IsEmpty;
@@ -50,9 +50,9 @@ class FileNames : public gearsweep::testing::IoTest {
 TEST_F(FileNames, EveryAxisOfEveryModelStandsBesideEveryQuantity) {
   std::set<std::pair<std::string, std::string>> renamed;
   for (const Model& model : models()) {
-    for (const std::string& name : sweepable(model)) {
+    for (const Study& study : studies_over_each(model)) {
+      const std::string& name = study.axes[0].name;
       SCOPED_TRACE(model.name + " over " + name);
-      const Study study = study_of_all(model, {name});
       if (name_in_result(study.axes[0], study) == name) continue;
       renamed.emplace(model.name, name);
       written(study);

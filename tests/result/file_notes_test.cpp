@@ -18,8 +18,8 @@ namespace {
 using gearsweep::testing::example_result;
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::random_result;
+using gearsweep::testing::studies_over_each;
 using gearsweep::testing::study_of_all;
-using gearsweep::testing::sweepable;
 using gearsweep::testing::trace_of_all;
 
 const Scales kScales = {1000.0, 2e-5, 1e8, 250.0};
@@ -112,9 +112,8 @@ TEST_F(FileNotesTest, EveryQuantityOfAResultSaysWhatItIs) {
 
 TEST_F(FileNotesTest, EveryAxisOfAResultSaysWhatItIs) {
   for (const Model& model : models()) {
-    for (const std::string& name : sweepable(model)) {
-      SCOPED_TRACE(model.name + " over " + name);
-      Study study = study_of_all(model, {name});
+    for (Study study : studies_over_each(model)) {
+      SCOPED_TRACE(model.name + " over " + study.axes[0].name);
       study.selection = select_quantities(model, {}, {});
       const bool has_scales = model.name.starts_with("gear");
       if (has_scales) study.scales = kScales;

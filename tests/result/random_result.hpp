@@ -37,21 +37,47 @@ inline std::vector<std::string> sweepable(const Model& model) {
   return names;
 }
 
-// Over one value of each axis, of all that a study can ask for.
+// A value that it may have.
+inline double value_of(const Model& model, const std::string& name) {
+  const int parameter = model.find_parameter(name);
+  return parameter < 0 ? 0.5 : model.parameters[static_cast<std::size_t>(parameter)].default_value;
+}
+
+// Of all that a study can ask for, at the places of these tables.
+inline Study study_at(const Model& model, const std::string& places) {
+  const std::string own = find_model(model.name) != nullptr
+                              ? fmt::format("name = '{}'", model.name)
+                              : fmt::format("text = '''{}'''", model.text);
+  return read_study(fmt::format("[model]\n{}\n{}[initial]\nensemble = 2\n[integrate]\nrecord = 2\n"
+                                "[observe]\nquantities = {}\npoincare = {}\n",
+                                own, places, all_quantities(model), all_states(model)),
+                    "test");
+}
+
+// Over one value of each axis.
 inline Study study_of_all(const Model& model, const std::vector<std::string>& axes) {
-  std::string toml = find_model(model.name) != nullptr
-                         ? fmt::format("[model]\nname = '{}'\n", model.name)
-                         : fmt::format("[model]\ntext = '''{}'''\n", model.text);
+  std::string tables;
   for (const std::string& axis : axes) {
-    const int parameter = model.find_parameter(axis);
-    const double value =
-        parameter < 0 ? 0.5 : model.parameters[static_cast<std::size_t>(parameter)].default_value;
-    toml += fmt::format("[[axes]]\nname = '{}'\nvalues = [{}]\n", axis, value);
+    tables += fmt::format("[[axes]]\nname = '{}'\nvalues = [{}]\n", axis, value_of(model, axis));
   }
-  toml += "[initial]\nensemble = 2\n[integrate]\nrecord = 2\n";
-  toml += fmt::format("[observe]\nquantities = {}\npoincare = {}\n", all_quantities(model),
-                      all_states(model));
-  return read_study(toml, "test");
+  return study_at(model, tables);
+}
+
+// Of each parameter and each initial state a study over it alone. The model is read once, with all
+// of them in a list of points: it takes longer than all else that is done here.
+inline std::vector<Study> studies_over_each(const Model& model) {
+  const std::vector<std::string> names = sweepable(model);
+  std::vector<double> values;
+  for (const std::string& name : names) values.push_back(value_of(model, name));
+  const Study all = study_at(model, fmt::format("[points]\nnames = ['{}']\nnumbers = '{}'\n",
+                                                fmt::join(names, "', '"), fmt::join(values, ", ")));
+  std::vector<Study> studies;
+  for (const Swept& column : all.axes.at(0).columns) {
+    Study study = all;
+    study.axes = {Axis{column, false, false, {}}};
+    studies.push_back(std::move(study));
+  }
+  return studies;
 }
 
 // Two moments of every channel that a trace has.

@@ -12,7 +12,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kStudyDescription =
     "A study says what gearsweep computes: a model with its parameters, one or two axes that are "
     "swept, where points start, how they are integrated, and what becomes a map.\n"
     "It is a TOML file. Only the axes are required.\n\n"
@@ -70,7 +70,7 @@ std::string study_manual_page() {
       ".TH GEARSWEEP\\-STUDY 5 \"\" \"gearsweep {}\" \"File Formats\"\n.SH NAME\n"
       "gearsweep\\-study \\- what gearsweep is to compute\n",
       version());
-  text += roff_section("DESCRIPTION", roff_paragraphs(kDescription));
+  text += roff_section("DESCRIPTION", roff_paragraphs(kStudyDescription));
   text += ".SH KEYS\n" + roff_plain(kOrder) + "\n";
   for (const StudyTable& table : study_tables()) text += table_text(table);
   text += roff_section("EXAMPLE", roff_paragraphs(indented(builtin_study_text("coarse-map"))));

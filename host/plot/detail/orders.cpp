@@ -126,7 +126,7 @@ Upright upright_of(const StoredOrders& stored, const PlotRequest& request) {
     upright.axis.unit = "Hz";
   }
   upright.axis.meaning = "frequency";
-  constexpr std::size_t kRows = 480;
+  constexpr std::size_t kOrderRows = 480;
   const double fastest = *std::max_element(stored.forcing.begin(), stored.forcing.end());
   double highest = upright.place(max_order, fastest);
   // The natural frequencies are seen, unless the orders were asked for.
@@ -135,8 +135,8 @@ Upright upright_of(const StoredOrders& stored, const PlotRequest& request) {
     if (!request.orders) highest = std::max(highest, kRoom * upright.scale * mode.front());
   }
   const double top = request.style.yrange.max.value_or(highest);
-  for (std::size_t i = 0; i < kRows; ++i) {
-    upright.axis.values.push_back(top * (static_cast<double>(i) + 0.5) / kRows);
+  for (std::size_t i = 0; i < kOrderRows; ++i) {
+    upright.axis.values.push_back(top * (static_cast<double>(i) + 0.5) / kOrderRows);
   }
   return upright;
 }
