@@ -121,7 +121,10 @@ void add_bases(const GearBases& bases, GearTarget* target) {
 void add_lengths_and_loads(const GearDrawing& drawing, const GearGeometry& geometry,
                            const GearBases& bases, GearTarget* target) {
   const double centre = geometry.centre * 1e-3;
-  target->add("b", 1.0, kHalfBacklash, "the half backlash b_n is the unit of length");
+  target->add("b", bases.half_backlash / bases.b_n, kHalfBacklash,
+              fmt::format("{:.6g} m / {:.6g} m: the half backlash of the drawing is the unit of "
+                          "length",
+                          bases.half_backlash, bases.b_n));
   target->add("A", centre / bases.b_n, kHalfBacklash,
               fmt::format("a/b_n = {:.6g} m / {:.6g} m", centre, bases.b_n));
   if (!target->takes(kTorque)) return;

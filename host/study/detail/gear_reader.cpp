@@ -81,8 +81,9 @@ GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
   GearDrawing drawing(from.heading);
   for (const GearKey& key : kGearKeys) {
     const auto value = values.find(key.name);
-    // Of harmonics it is the first one alone.
-    const bool is_replaced = value != values.end() && key.form != KeyForm::harmonics;
+    // Of harmonics it is the first one alone; the half backlash is the unit of length besides.
+    const bool is_replaced =
+        value != values.end() && key.form != KeyForm::harmonics && key.name != kHalfBacklash.name;
     try {
       if (table.contains(key.name) && !is_replaced) read_key(table, key, &reader, &drawing);
       if (value != values.end()) drawing.vary(key, value->second);
