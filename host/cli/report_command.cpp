@@ -104,8 +104,8 @@ void add_report_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep report mine.toml -o report.pdf --set axes.omega.count=80\n"
       "  gearsweep report sound.toml --against cracked.toml -o both.pdf\n"
       "  gearsweep report sound.toml --against-set 'gear.damage=[0.3, 0]' -o both.html\n\n"
-      "The study needs an axis that is a speed: omega, or a speed of its [gear] table. Of a "
-      "second\n"
+      "The study needs an axis that is a speed: omega, or a speed of its [gear] table; or its\n"
+      "points are a load spectrum, and the page has the answer over all loads. Of a second\n"
       "axis there are maps; curves are at the value that the study has without that axis. With a\n"
       "[gear] table all is in rpm, Hz, N and um. What the study observes does not matter: the\n"
       "report takes what its model has of forces, contact and vibration.");

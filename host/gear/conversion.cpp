@@ -17,6 +17,7 @@
 #include "gear/detail/faults.hpp"
 #include "gear/detail/mesh_stiffness.hpp"
 #include "gear/detail/missing_keys.hpp"
+#include "gear/detail/torque.hpp"
 #include "gear/detail/transmission_error.hpp"
 
 namespace gearsweep {
@@ -118,17 +119,14 @@ void add_bases(const GearBases& bases, GearTarget* target) {
   target->add("varpi", bases.varpi, kInertia, "sqrt(k0/me)");
 }
 
-void add_lengths_and_loads(const GearDrawing& drawing, const GearGeometry& geometry,
-                           const GearBases& bases, GearTarget* target) {
+void add_lengths(const GearGeometry& geometry, const GearBases& bases, GearTarget* target) {
   const double centre = geometry.centre * 1e-3;
-  target->add("b", 1.0, kHalfBacklash, "the half backlash b_n is the unit of length");
+  target->add("b", bases.half_backlash / bases.b_n, kHalfBacklash,
+              fmt::format("{:.6g} m / {:.6g} m: the half backlash of the drawing is the unit of "
+                          "length",
+                          bases.half_backlash, bases.b_n));
   target->add("A", centre / bases.b_n, kHalfBacklash,
               fmt::format("a/b_n = {:.6g} m / {:.6g} m", centre, bases.b_n));
-  if (!target->takes(kTorque)) return;
-  const double torque = drawing.required(kTorque);
-  target->add("F1", torque / (bases.pinion_base * bases.k0 * bases.b_n), kTorque,
-              fmt::format("T/(Rp k0 b_n) = {:.6g} N m / ({:.6g} m {:.6g} N/m {:.6g} m)", torque,
-                          bases.pinion_base, bases.k0, bases.b_n));
 }
 
 void add_speed(const GearDrawing& drawing, double rpm_per_omega, GearTarget* target) {
@@ -156,7 +154,8 @@ GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
   add_bases(bases, &target);
   add_masses(bodies, bases, &target);
   add_springs_and_dampers(drawing, bases, &target);
-  add_lengths_and_loads(drawing, geometry, bases, &target);
+  add_lengths(geometry, bases, &target);
+  add_torque(drawing, bases, &target);
   add_engagement(drawing, geometry, path, bases, &target);
   const bool is_sine = add_transmission_error(drawing, geometry, path, bases.b_n, &target);
   const bool has_runout = add_faults(drawing, geometry, bases.b_n, &target);
@@ -167,8 +166,9 @@ GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
       60.0 * (bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth));
   add_speed(drawing, rpm_per_omega, &target);
 
-  const WorkedOut worked_out = {bodies.mass, bodies.inertia, bases.k0, geometry.centre,
-                                path.contact_ratio()};
+  const WorkedOut worked_out = {
+      bodies.mass,     bodies.inertia,       bases.k0,
+      geometry.centre, path.contact_ratio(), target.takes(kTorque) ? mean_torque(drawing) : 0.0};
   std::vector<GearDatum> data =
       data_of(drawing, worked_out, [&](const GearKey& key) { return target.takes(key); });
   GearConversion out = target.take();

@@ -68,6 +68,9 @@ std::vector<GearDatum> other_datum(const GearDrawing& drawing, const WorkedOut& 
   if (key.name == kDedendum.name && is_by_width) {
     return datum({1.25 * drawing.required(kModule)}, DatumOrigin::by_default, key.fallback);
   }
+  if (key.name == kTorque.name && drawing.has(kTorqueFile)) {
+    return datum({worked_out.torque}, DatumOrigin::given, "mean of the file");
+  }
   const bool is_number = !key.fallback.empty() && key.form < KeyForm::word &&
                          std::isdigit(static_cast<unsigned char>(key.fallback.front())) != 0;
   const bool is_phase = key.name == kErrorPhase.name || key.name == kRunoutPhase.name;

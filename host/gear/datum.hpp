@@ -30,6 +30,7 @@ struct WorkedOut {
   double stiffness = 0.0;             // N/m
   double centre = 0.0;                // mm
   double contact_ratio = 0.0;
+  double torque = 0.0;  // N m
 };
 
 // In the order of the keys. is_taken: whether the model has what a key gives. A damping ratio and

@@ -35,15 +35,19 @@ void GearDrawing::vary(const GearKey& key, double value) {
   const std::vector<double> before = numbers(key);
   set_number(key, value);
   Entry& entry = entries_[key.name];
+  if (!entry.unvaried) entry.unvaried = before.empty() ? value : before.front();
   if (key.form == KeyForm::harmonics && before.size() > 1) {
     entry.numbers.insert(entry.numbers.end(), before.begin() + 1, before.end());
   }
-  entry.varies = true;
 }
 
 bool GearDrawing::varies(const GearKey& key) const {
   const Entry* entry = find(key);
-  return entry != nullptr && entry->varies;
+  return entry != nullptr && entry->unvaried;
+}
+
+double GearDrawing::unvaried(const GearKey& key) const {
+  return varies(key) ? *find(key)->unvaried : required(key);
 }
 
 std::optional<double> GearDrawing::number(const GearKey& key) const {

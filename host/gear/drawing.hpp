@@ -62,6 +62,9 @@ class GearDrawing {
   bool is_estimated(const GearKey& key) const { return estimated_.contains(key.name); }
   bool has(const GearKey& key) const { return entries_.contains(key.name); }
   bool varies(const GearKey& key) const;
+  // What the key had before it varied; where it had nothing, the first number that it was given
+  // then. Throws DrawingError where there is none.
+  double unvaried(const GearKey& key) const;
   std::optional<double> number(const GearKey& key) const;
   // Throws DrawingError where there is none, as list() does.
   double required(const GearKey& key) const;
@@ -81,7 +84,7 @@ class GearDrawing {
     std::vector<double> numbers;
     std::string word;
     Measured measured;
-    bool varies = false;
+    std::optional<double> unvaried;  // of a number that varies
   };
   const Entry* find(const GearKey& key) const;
 

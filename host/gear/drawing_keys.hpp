@@ -20,7 +20,7 @@ enum class KeyForm : std::uint8_t {
   bearings,   // [pinion x, pinion y, gear x, gear y]
   harmonics,  // as many as there are
   word,
-  mesh_curve,  // measured, over a mesh period
+  mesh_curve,  // measured, over a mesh period, or over a turn
   tooth_list,  // measured, a number for each tooth
   path_curve   // measured, over the path of contact
 };
@@ -129,9 +129,14 @@ inline constexpr GearKey kFaceWidth =
 inline constexpr GearKey kDedendum = number_key(
     "dedendum_mm", 0.0, 1e4, "dedendum of the basic rack, for the stiffness by face_width_mm",
     KeyForm::number, "1.25 modules");
-inline constexpr GearKey kTorque =
-    number_key("torque_N_m", 0.0, 1e12, "torque on the pinion", KeyForm::number, "required", {"F1"},
-               "9549 times the power in kW over the pinion's speed in rpm");
+inline constexpr GearKey kTorque = number_key(
+    "torque_N_m", 0.0, 1e12, "torque on the pinion", KeyForm::number, "needed without torque_file",
+    {"F1"}, "9549 times the power in kW over the pinion's speed in rpm");
+inline constexpr GearKey kTorqueFile = measured_key(
+    "torque_file", KeyForm::mesh_curve, {"torque_swing"},
+    "measured torque on the pinion over its turn, in N m or the unit of its heading, instead of "
+    "torque_N_m, or what swings about that",
+    kTorqueUnits);
 inline constexpr GearKey kTransmissionError =
     number_key("transmission_error_um", 0.0, 1e9, "amplitudes of the transmission error",
                KeyForm::harmonics, "needed without transmission_error_file", {"e0"},
@@ -229,6 +234,7 @@ inline constexpr GearKey kGearKeys[] = {kTeeth,
                                         kFaceWidth,
                                         kDedendum,
                                         kTorque,
+                                        kTorqueFile,
                                         kTransmissionError,
                                         kErrorPhase,
                                         kRunout,

@@ -16,5 +16,7 @@ inline constexpr std::array kStiffnessUnits = {ValueUnit{"N/m", 1.0}, ValueUnit{
                                                ValueUnit{"N/um", 1e6}};
 inline constexpr std::array kLengthUnits = {ValueUnit{"um", 1.0}, ValueUnit{"mm", 1e3},
                                             ValueUnit{"m", 1e6}};
+inline constexpr std::array kTorqueUnits = {ValueUnit{"N m", 1.0}, ValueUnit{"kN m", 1e3},
+                                            ValueUnit{"N mm", 1e-3}};
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include "model/version.hpp"
 #include "plot/plot.hpp"
 #include "report/detail/highlights.hpp"
+#include "report/detail/load_spectrum.hpp"
 #include "report/detail/page_file.hpp"
 #include "report/detail/sections.hpp"
 
@@ -53,7 +54,15 @@ void add_answers(const Sides& sides, HtmlPage* page) {
 
 void ensure_report(const ReportStudies& studies, const std::string& path) {
   ensure_page_file(path);
-  for (const ReportStudy& one : studies) find_speed_axis(one.study);
+  for (const ReportStudy& one : studies) {
+    if (!one.study.spectrum) find_speed_axis(one.study);
+    if (one.study.spectrum && studies.size() > 1) {
+      throw InputError(
+          "the report of a load spectrum is of one study: make one of each, or compare studies "
+          "over "
+          "the speed");
+    }
+  }
   if (studies.front().study.scales.known() != studies.back().study.scales.known()) {
     throw InputError(fmt::format(
         "'{}' and '{}' cannot be compared: one has a [gear] table, so rpm and N, and the other has "
@@ -66,6 +75,8 @@ void ensure_report(const ReportStudies& studies, const std::string& path) {
 bool write_report(const ReportStudies& studies, const std::string& path,
                   const ReportOptions& options) {
   ensure_report(studies, path);
+  const Study& first = studies.front().study;
+  if (first.spectrum) return write_spectrum_report(first, title_of(studies), path, options);
   Sides sides;
   for (std::size_t i = 0; i < studies.size(); ++i) {
     std::optional<ReportFindings> findings = find_side(studies, i, options);

@@ -1,7 +1,7 @@
 // A report on a study over speed, as one page for the screen or for A4: a sentence that answers,
 // worst speeds, natural frequencies and critical speeds, forces and contact, the order map, run-up
 // and run-down, what was given and what was assumed. Of two studies, side by side, also what
-// differs.
+// differs. Of a load spectrum the answer over all loads.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct ReportStudy {
 using ReportStudies = std::vector<ReportStudy>;
 
 // Throws InputError unless each study has an axis that is a speed, that is, changes the period of
-// the forcing, both are in the same units, and the report can be put there (.html, or .pdf where
+// the forcing, or the only one is a load spectrum, both are in the same units, and the report can be put there (.html, or .pdf where
 // there is a Chromium that prints it); RunError when gnuplot is not installed.
 void ensure_report(const ReportStudies& studies, const std::string& path);
 

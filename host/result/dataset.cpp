@@ -13,6 +13,8 @@
 #include "result/detail/derived_coordinates.hpp"
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
+#include "result/load_spectrum.hpp"
+#include "result/load_spectrum.hpp"
 #include "result/result_size.hpp"
 #include "study/draw_quantities.hpp"
 #include "sweep_types.h"
@@ -55,6 +57,7 @@ class Description {
     for (std::size_t i = 0; i < study_.selection.quantities.size(); ++i) {
       add_quantity(study_.selection.quantities[i], result_.values[i]);
     }
+    if (study_.spectrum) add_spectrum();
     if (study_.uncertain.keep) add_draws();
     if (study_.selection.census) add_attractors();
     if (!study_.selection.poincare.empty()) add_poincare();
@@ -91,12 +94,19 @@ class Description {
     DataVariable variable = coordinate(axis, name, name);
     variable.attributes.push_back({"scale", axis.logarithmic ? "log" : "linear"});
     out_.variables.push_back(std::move(variable));
+    for (const std::string& listed : axis.listed) add_column(*axis.find_column(listed), name);
     for (const Swept& column : axis.columns) {
-      variable = coordinate(column, name_in_result(column, study_), name);
-      variable.attributes.push_back({kSweeps, column.name});
-      columns_ += (columns_.empty() ? "" : " ") + variable.name;
-      out_.variables.push_back(std::move(variable));
+      const bool is_there = std::ranges::find(axis.listed, column.name) != axis.listed.end();
+      if (!is_there) add_column(column, name);
     }
+  }
+
+  void add_column(const Swept& column, const std::string& dimension) {
+    DataVariable variable = coordinate(column, name_in_result(column, study_), dimension);
+    variable.attributes.push_back(column.follows.empty() ? Attribute{kSweeps, column.name}
+                                                         : Attribute{kFollows, column.follows});
+    columns_ += (columns_.empty() ? "" : " ") + variable.name;
+    out_.variables.push_back(std::move(variable));
   }
 
   void add_derived(const DerivedCoordinate& derived) {
@@ -124,6 +134,36 @@ class Description {
             .dimensions = {dimension},
             .attributes = notes_.describe(swept.unit, swept.meaning),
             .elements = std::span(swept.values)};
+  }
+
+  // What the loads come to, as attributes; what each does of the damage, as a map.
+  void add_spectrum() {
+    const SpectrumAnswers answers = spectrum_answers(result_);
+    const auto add = [&](const std::string& name, double value) {
+      out_.attributes.push_back({"spectrum_" + name, value});
+    };
+    add("slope", study_.spectrum->slope);
+    if (answers.parting_share) add("parting_share", *answers.parting_share);
+    for (const SpectrumForce& force : answers.forces) {
+      const std::string before =
+          answers.forces.size() == 1 ? "" : force.factor.substr(0, force.factor.find('_') + 1);
+      add(force.factor + "_mean", force.mean_factor);
+      add(force.factor + "_max", force.max_factor);
+      add(before + "equivalent_load", force.equivalent_load);
+      add(before + "equivalent_force", force.equivalent_force);
+      if (const std::optional<double> torque = torque_per_load(study_, force)) {
+        add(before + "equivalent_torque_N_m", *torque * force.equivalent_load);
+        add(before + "equivalent_force_torque_N_m", *torque * force.equivalent_force);
+      }
+      DataVariable damage = {
+          .name = before + "damage_share",
+          .stored = Stored::real,
+          .dimensions = map_dimensions_,
+          .attributes = notes_.describe("1", "share of the damage that the load does"),
+          .elements = force.damage};
+      add_columns(&damage);
+      out_.variables.push_back(std::move(damage));
+    }
   }
 
   // The names of the columns of axes, as the CF conventions and xarray want them.

@@ -115,7 +115,9 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
   for (const Axis& axis : study.axes) {
     const double bytes = 8.0 * static_cast<double>(axis.values.size());
     sum.add_described(axis.unit, axis.meaning, bytes);
-    for (const Swept& column : axis.columns) sum.add_described(column.unit, column.meaning, bytes);
+    for (const std::vector<Swept>* all : {&axis.columns, &axis.others}) {
+      for (const Swept& column : *all) sum.add_described(column.unit, column.meaning, bytes);
+    }
   }
   for (const DerivedCoordinate& one : derived_coordinates(study)) {
     const double bytes = 8.0 * static_cast<double>(size_of(one, study));
@@ -124,6 +126,7 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
     sum.size.memory += bytes;
   }
   sum.add(points);  // status
+  if (study.spectrum) sum.add(8.0 * points);
   double widest = 1.0;
   for (const Quantity& quantity : study.selection.quantities) {
     const bool is_class = !quantity.flags.empty();

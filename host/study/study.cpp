@@ -30,10 +30,20 @@ bool Axis::sweeps_parameter() const {
   return std::ranges::any_of(swept(), [](const Swept& one) { return !one.is_state; });
 }
 
+const Swept* Axis::find_column(const std::string& column) const {
+  for (const std::vector<Swept>* all : {&others, &columns}) {
+    const auto found = std::ranges::find(*all, column, &Swept::name);
+    if (found != all->end()) return &*found;
+  }
+  return nullptr;
+}
+
 Axis Axis::at(const std::vector<std::size_t>& places) const {
   Axis axis = *this;
   axis.values = chosen(values, places);
-  for (Swept& column : axis.columns) column.values = chosen(column.values, places);
+  for (std::vector<Swept>* all : {&axis.columns, &axis.others}) {
+    for (Swept& column : *all) column.values = chosen(column.values, places);
+  }
   return axis;
 }
 

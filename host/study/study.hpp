@@ -14,6 +14,7 @@
 #include "gear/scales.hpp"
 #include "model/model.hpp"
 #include "study/initial_policy.hpp"
+#include "study/load_spectrum.hpp"
 #include "study/point_table.hpp"
 #include "study/selection.hpp"
 #include "study/uncertain.hpp"
@@ -26,6 +27,8 @@ struct Swept {
   bool is_state = false;
   std::size_t index = 0;  // of the parameter or state in the model
   std::vector<double> values;
+  // Of a parameter that follows from columns of a list that are keys of [gear]: from which of them.
+  std::string follows;
 };
 
 // A direction of the map: one swept quantity with increasing values, or what stands for several,
@@ -36,7 +39,13 @@ struct Axis : Swept {
   bool logarithmic = false;
   bool is_list = false;
   std::vector<Swept> columns;
+  // Of a list: those of its columns that the model does not have, keys of [gear], from which
+  // columns follow, and the share of time of each point; and the names of all, in the list's order.
+  std::vector<Swept> others;
+  std::vector<std::string> listed;
 
+  // The column of a list, or one that follows from it; nullptr where there is none of this name.
+  const Swept* find_column(const std::string& column) const;
   // What has a value at each place: the axis itself, or its columns.
   std::span<const Swept> swept() const;
   bool sweeps_state() const;
@@ -133,6 +142,7 @@ struct Study {
   Scales scales;                                     // of a study with a [gear] table
   std::optional<DynamicFactorInput> dynamic_factor;  // of a [gear] table with what K_v takes
   std::vector<Axis> axes;                            // one or two; the first is x, the fastest
+  std::optional<LoadSpectrum> spectrum;              // of a list of points that is one
   Initial initial;
   Uncertain uncertain;
   Integrate integrate;

@@ -159,17 +159,23 @@ StudyTable axes_table() {
 }
 
 StudyTable points_table() {
-  return {"points",
-          "[points]",
-          "Points that lie on no grid, one result for each: parameters and initial states from "
-          "columns. They are the axis 'point', numbered from 1; with [[axes]], each point has all "
-          "values of the axis.",
-          {{"file", "string", "",
-            "A file beside the study: a line of names, then a line of numbers for each point, "
-            "with commas, semicolons or blanks between."},
-           {"names", "list of strings", "",
-            "Where the study holds the numbers itself, or the result that it is from: the names."},
-           {"numbers", "string", "", "The same: the lines of the points."}}};
+  return {
+      "points",
+      "[points]",
+      "Points that lie on no grid, one result for each: parameters and initial states from "
+      "columns. They are the axis 'point', numbered from 1; with [[axes]], each point has all "
+      "values of the axis. Columns may be keys of [gear], too, in the unit of the drawing; with "
+      "a column time_share, the share of time of each point, they are a load spectrum.",
+      {{"file", "string", "",
+        "A file beside the study: a line of names, then a line of numbers for each point, "
+        "with commas, semicolons or blanks between."},
+       {"names", "list of strings", "",
+        "Where the study holds the numbers itself, or the result that it is from: the names."},
+       {"numbers", "string", "", "The same: the lines of the points."},
+       {"slope", "number", fmt::format("{}, of pitting", kUsualSlope),
+        "Of a load spectrum, which has a column time_share: to which power Miner's rule takes "
+        "a load.",
+        1.0, 100.0}}};
 }
 
 StudyTable initial_table() {

@@ -20,6 +20,7 @@
 #include "study/detail/parameter_values.hpp"
 #include "study/detail/point_reader.hpp"
 #include "study/detail/rough_model.hpp"
+#include "study/detail/spectrum_reader.hpp"
 #include "study/detail/study_drawings.hpp"
 #include "study/detail/study_files.hpp"
 #include "study/detail/study_printer.hpp"
@@ -283,6 +284,7 @@ Study read_tables(const StudyText& text) {
   reader.refuse_unknown();
 
   study.axes = read_axes(root, text.points, *study.model);
+  read_spectrum(root, &study);
   const std::vector<StudyDrawing> drawings = read_drawings(root, &study);
   take_in_gear(root, *study.model, &study.axes);
   read_parameters(parameters, &study);

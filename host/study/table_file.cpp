@@ -80,10 +80,11 @@ class TableFileReader {
     for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     const auto* const known = std::ranges::find(kUnits, name, &Unit::name);
     if (known == std::end(kUnits)) {
-      fail(
-          fmt::format("'{}' is neither a number nor what a first column is called: 'phase' (in "
-                      "radians), 'share' (of the period) or 'degree'",
-                      shown_field(field)));
+      const bool is_time = name == "time" || name == "t" || name == "s";
+      fail(fmt::format(
+          "'{}' is neither a number nor what a first column is called: 'phase' (in "
+          "radians), 'share' (of the period) or 'degree'{}",
+          shown_field(field), is_time ? "; a time over that of the period is its share" : ""));
     }
     unit_ = *known;
   }

@@ -274,6 +274,7 @@ class FaultyGears : public ::testing::Test {
       curves_["measured_stiffness"] = curve(0.8, 1.2, 7, Interpolation::cubic);
       if (!is_helical && coin()) curves_["load_share"] = curve(0.2, 0.8, 6, Interpolation::linear);
     }
+    if (coin()) curves_["torque_swing"] = curve(-0.1, 0.1, 8, Interpolation::cubic);
     for (const std::string side : {"p", "g"}) {
       if (coin()) {
         const auto pitch = curve(-0.1, 0.1, 8, Interpolation::cubic);
@@ -351,6 +352,7 @@ TEST_F(FaultyGears, JumpWhereTheHeaderDoes) {
     }
     const double cycle = value_of("cycle"), teeth = value_of("zp");
     double bends = 0.0;
+    if (curves_.contains("torque_swing")) bends += 8.0 * cycle / teeth;
     if (curves_.contains("pitch_p")) bends += 8.0 * cycle / teeth;
     if (curves_.contains("pitch_g")) bends += 8.0 * cycle / (teeth * value_of("teeth_ratio"));
     EXPECT_LE(static_cast<double>(found.size() - wanted.size()), bends + 0.5) << i;

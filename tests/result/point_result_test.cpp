@@ -13,6 +13,8 @@ namespace gearsweep {
 namespace {
 
 using gearsweep::testing::example_result;
+using gearsweep::testing::run_python;
+using gearsweep::testing::Spoken;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -74,13 +74,40 @@ TEST(DrawingAxis, MayStandBesideAnotherThatGivesOtherParameters) {
 }
 
 TEST(DrawingAxis, IsRefusedWhereTheResultWouldChangeItsUnits) {
-  for (const char* key : {"half_backlash_mm", "module_mm", "inertia_kg_mm2"}) {
+  for (const char* key : {"module_mm", "inertia_kg_mm2"}) {
     EXPECT_THAT(refusal(kDrawing + axis_over(key, "4.0, 4.1")), HasSubstr("measured in")) << key;
   }
-  // There is a parameter that does it.
-  EXPECT_THAT(refusal(kDrawing + axis_over("half_backlash_mm", "0.04, 0.05")),
-              HasSubstr("sweep b, the half backlash"));
   EXPECT_THAT(refusal(kDrawing + axis_over("teeth", "20, 21")), HasSubstr("axis 'teeth'"));
+}
+
+// The half backlash of the table stays the unit of length, so that b alone differs.
+TEST(DrawingAxis, OfTheHalfBacklashIsOneOfB) {
+  const Study swept = read_study(kDrawing + axis_over("half_backlash_mm", "0.02, 0.06"), "s.toml");
+  ASSERT_NE(swept.axes[0].find_column("b"), nullptr);
+  for (const Swept& column : swept.axes[0].columns) {
+    if (column.name == "b") {
+      EXPECT_THAT(column.values, ::testing::ElementsAre(0.5, 1.5));
+    } else {
+      EXPECT_EQ(column.values[0], column.values[1]) << column.name;
+    }
+  }
+  EXPECT_EQ(swept.scales, read_study(kDrawing + kSpeeds, "s.toml").scales);
+  // 2 % of the table's 0.04 mm.
+  const Study uncertain =
+      read_study(kDrawing + kSpeeds +
+                     "[uncertain]\nsamples = 4\nhalf_backlash_mm = {distribution = "
+                     "'uniform', from = 0.0392, to = 0.0408}\n",
+                 "s.toml");
+  const Axis& draws = uncertain.uncertain.parameters[0].draws;
+  const Swept& b = *draws.find_column("b");
+  for (std::size_t i = 0; i < draws.values.size(); ++i) {
+    EXPECT_DOUBLE_EQ(b.values[i], draws.values[i] / 0.04);
+  }
+}
+
+TEST(DrawingAxis, OfAnotherNameIsToldTheKey) {
+  EXPECT_THAT(refusal(kDrawing + axis_over("speed_rpm", "500, 3000")),
+              HasSubstr("did you mean 'pinion_speed_rpm'?"));
 }
 
 TEST(DrawingAxis, IsNoneWhereAModelHasAParameterOfThatName) {

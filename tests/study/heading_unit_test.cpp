@@ -123,5 +123,30 @@ TEST(HeadingUnit, OthersAreRefusedWithTheOnesThereAre) {
   }
 }
 
+// A torque's unit may be of two words. Its curve is that of the force on the base circle.
+TEST(HeadingUnit, OfATorqueHasItsBlankOrNone) {
+  std::string rest = kRest;
+  const std::string torque = "torque_N_m = 61\n";
+  rest.erase(rest.find(torque), torque.size());
+  const auto load_of = [&](const std::string& heading, double scale) {
+    const Study study = read_study(
+        rest + "mesh_stiffness_N_per_m = 2e8\ntransmission_error_um = 1\ntorque_file = 't.csv'\n" +
+            fmt::format("[gear.tables]\n't.csv' = '''\n{}0, {}\n120, {}\n240, {}\n'''\n", heading,
+                        50.0 * scale, 70.0 * scale, 60.0 * scale),
+        "s.toml");
+    return study.setting.parameters[static_cast<std::size_t>(study.model->find_parameter("F1"))];
+  };
+  const double load = load_of("degree\n", 1.0);
+  EXPECT_GT(load, 0.0);
+  for (const char* heading : {"degree, N m\n", "degree; torque (N m)\n", "degree, Nm\n",
+                              "degree, torque [Nm]\n", "degree torque_Nm\n"}) {
+    EXPECT_EQ(load_of(heading, 1.0), load) << heading;
+  }
+  EXPECT_NEAR(load_of("degree, kN m\n", 1e-3), load, 1e-12);
+  EXPECT_NEAR(load_of("degree, (N mm)\n", 1e3), load, 1e-12);
+  EXPECT_THROW(load_of("degree, ft lb\n", 1.0), InputError);
+  EXPECT_THROW(load_of("time, N m\n", 1.0), InputError);
+}
+
 }  // namespace
 }  // namespace gearsweep::testing

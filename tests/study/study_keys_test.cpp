@@ -42,6 +42,9 @@ std::string study_with(const StudyTable& table, const std::string& key, const st
   if (table.name.empty()) return line + (key == "axes" ? "" : kTwoPoints);
   if (table.name == "axes") return without(kTwoPoints) + line;
   if (table.name == "gear") return without(kGear) + line + kTwoPoints;
+  if (key == "slope") {
+    return table.heading + "\nnames = ['mu', 'time_share']\nnumbers = '0.1, 1'\n" + line;
+  }
   if (table.name == "uncertain") return table.heading + "\n" + kTolerance + line + kTwoPoints;
   return table.heading + "\n" + line + kTwoPoints;
 }

@@ -14,6 +14,7 @@
 #include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
+#include "cli/detail/spectrum_report.hpp"
 #include "cli/detail/tolerance_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "plan/failed_start.hpp"
@@ -274,6 +275,7 @@ std::string describe_run(const SweepResult& result, const std::string& path) {
   text += describe_clock(result.study);
   text += describe_attractors(result);
   text += describe_tolerances(result);
+  text += describe_spectrum(result);
   text += describe_agreement(result);
   text += describe_exponent_checks(result);
   text += fmt::format("{} on {}", format_duration(result.seconds), result.engine.device);
@@ -302,6 +304,9 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   if (result.study.selection.census) json["attractors"] = attractors_as_json(result);
   if (const nlohmann::json checks = exponent_checks_as_json(result); !checks.is_null()) {
     json["exponent_checks"] = checks;
+  }
+  if (const nlohmann::json spectrum = spectrum_as_json(result); !spectrum.is_null()) {
+    json["load_spectrum"] = spectrum;
   }
   json["seconds"] = result.seconds;
   json["kernel_seconds"] = result.kernel_seconds;

@@ -12,7 +12,8 @@ struct GearBases {
   double pinion_mesh_mass, gear_mesh_mass;  // I/R^2, kg
   double me;                                // kg
   double k0;                                // N/m
-  double b_n;                               // m
+  double b_n;                               // m, the unit of length
+  double half_backlash;                     // m
   double varpi;                             // rad/s
   double pinion_base;                       // Rp, m
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gear/detail/mesh_stiffness.hpp"
+#include "gear/detail/torque.hpp"
 
 namespace gearsweep {
 namespace {
@@ -56,7 +57,7 @@ void add_engagement(const GearDrawing& drawing, const GearGeometry& geometry,
                        "tooth_entry = \"gradual\" is for spur gears; a helix makes the entry "
                        "gradual by itself");
   }
-  const double force = drawing.required(kTorque) / bases.pinion_base;
+  const double force = mean_torque(drawing) / bases.pinion_base;
   const double single = bases.k0 / pairs_in_mean(path.contact_ratio());
   const double deflection = force / single * 1e3;
   const auto reach = [&](double share, double base) {

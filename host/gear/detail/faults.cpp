@@ -103,15 +103,16 @@ bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double
     has_pitch = has_pitch || pitch != nullptr;
     const bool is_damaged =
         add_damage_curve(drawing, geometry, i, damage[i], target) || damage[i] > 0.0;
-    const bool turns = drawing.varies(kRunout) || drawing.varies(kDamage) || runout[i] > 0.0 ||
-                       is_damaged || pitch != nullptr;
+    const bool has_torque = i == 0 && drawing.has(kTorqueFile);
+    const bool turns = has_torque || drawing.varies(kRunout) || drawing.varies(kDamage) ||
+                       runout[i] > 0.0 || is_damaged || pitch != nullptr;
     if (turns) cycle = std::lcm(cycle, static_cast<std::size_t>(teeth[i]));
     is_faulty = is_faulty || turns;
   }
   if (is_faulty) {
     target->add(
         "cycle", static_cast<double>(cycle), kTeeth,
-        fmt::format("mesh periods until all faults come back: {:.6g} turns of the "
+        fmt::format("mesh periods until all comes back: {:.6g} turns of the "
                     "pinion, {:.6g} of the gear",
                     static_cast<double>(cycle) / teeth[0], static_cast<double>(cycle) / teeth[1]));
   }

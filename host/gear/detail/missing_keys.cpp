@@ -12,6 +12,7 @@ bool is_replaced(const GearKey& key, const GearDrawing& drawing) {
   if (key.name == kMass.name || key.name == kInertia.name) return drawing.choice(kBody) == "solid";
   if (key.name == kMeshDamping.name) return drawing.has(kDampingRatio);
   if (key.name == kTransmissionError.name) return drawing.has(kErrorFile);
+  if (key.name == kTorque.name) return drawing.has(kTorqueFile);
   if (key.name == kFaceWidth.name) {
     return drawing.has(kMeshStiffness) || drawing.has(kStiffnessFile);
   }

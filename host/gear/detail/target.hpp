@@ -18,6 +18,9 @@ class GearTarget {
 
   // Whether the model has what the key alone gives.
   bool takes(const GearKey& key) const;
+  bool has_parameter(const std::string& name) const {
+    return model_.find_parameter(name + suffix_) >= 0;
+  }
 
   // How often the model has the mesh damping cm at any time. gear5 has it in each of two pairs of
   // teeth, as the paper does; models of several drawings once.

@@ -70,19 +70,72 @@ std::vector<Harmonic> given_error(const GearDrawing& drawing) {
   return harmonics;
 }
 
+// What is carried along the path of contact of a pair, and what is taken away there. The load is
+// shared as the parabolic stiffness has it.
+class CarriedPath {
+ public:
+  struct Sums {
+    double load = 0.0, removed = 0.0;
+  };
+
+  // removed: over the path, 0 to 1; eps: its length in base pitches.
+  CarriedPath(const std::vector<TablePoint>& removed, double eps) : removed_(removed), eps_(eps) {
+    ends_ = {0.0};
+    for (const TablePoint& point : removed) {
+      const double end = point.phase * eps;
+      if (end > ends_.back() && end < eps) ends_.push_back(end);
+    }
+    sums_ = {{}};
+    for (std::size_t i = 1; i < ends_.size(); ++i) sums_.push_back(from_end(i - 1, ends_[i]));
+  }
+
+  double length() const { return eps_; }
+
+  // At a place, in base pitches from where contact begins.
+  Sums at(double place) const {
+    const double offset = 2.0 * place / eps_ - 1.0;
+    const double load = 1.0 - kParabolicFall * offset * offset;
+    return {load, load * value_over_path(removed_, place / eps_)};
+  }
+
+  // The integral up to a place; there is no load before the path and behind it.
+  Sums until(double place) const {
+    const double end = std::clamp(place, 0.0, eps_);
+    const auto after = std::ranges::upper_bound(ends_, end);
+    return from_end(static_cast<std::size_t>(after - ends_.begin()) - 1, end);
+  }
+
+ private:
+  // The load is a parabola, and lines are between the ends: Gauss's two points are right.
+  Sums from_end(std::size_t i, double to) const {
+    const double half = 0.5 * (to - ends_[i]), middle = ends_[i] + half;
+    const Sums first = at(middle - half / std::sqrt(3.0)),
+               second = at(middle + half / std::sqrt(3.0));
+    return {sums_[i].load + half * (first.load + second.load),
+            sums_[i].removed + half * (first.removed + second.removed)};
+  }
+
+  const std::vector<TablePoint>& removed_;
+  double eps_;
+  std::vector<double> ends_;  // where the lines of `removed` begin
+  std::vector<Sums> sums_;    // until there
+};
+
 // What the deviations of the pairs in contact add to the error: their mean by the load that each
-// carries, which is shared as the parabolic stiffness has it.
-std::vector<Harmonic> profile_error(const std::vector<TablePoint>& removed, double eps) {
+// carries. Of helical teeth the slices of a pair are spread over `overlap` base pitches, and each
+// has the deviation of its own place.
+std::vector<Harmonic> profile_error(const CarriedPath& path, double overlap) {
   return harmonics_of(
       [&](double angle) {
-        double sum = 0.0, load = 0.0;
-        for (double s = angle / (2.0 * std::numbers::pi); s < eps; s += 1.0) {
-          const double offset = 2.0 * s / eps - 1.0;
-          const double share = 1.0 - kParabolicFall * offset * offset;
-          sum += share * value_over_path(removed, s / eps);
-          load += share;
+        CarriedPath::Sums all;
+        for (double s = angle / (2.0 * std::numbers::pi); s < path.length() + overlap; s += 1.0) {
+          const CarriedPath::Sums to = overlap > 0.0 ? path.until(s) : path.at(s);
+          const CarriedPath::Sums from =
+              overlap > 0.0 ? path.until(s - overlap) : CarriedPath::Sums();
+          all.load += to.load - from.load;
+          all.removed += to.removed - from.removed;
         }
-        return sum / load;
+        return all.removed / all.load;
       },
       kMostHarmonics);
 }
@@ -109,14 +162,13 @@ bool add_transmission_error(const GearDrawing& drawing, const GearGeometry& geom
       measured ? measured_error(drawing, *measured, target) : given_error(drawing);
   const Measured* removed = drawing.measured(kProfileFile);
   if (removed != nullptr) {
-    if (geometry.helix > 0.0) {
-      throw DrawingError(kProfileFile, "profile_deviation_file is for spur gears");
-    }
-    series = sum_of(std::move(series), profile_error(removed->points, path.contact_ratio()));
-    target->note(
-        fmt::format("transmission error: with the first {} harmonics of what the "
-                    "profile's deviations add",
-                    kMostHarmonics));
+    const double overlap =
+        geometry.helix > 0.0 ? geometry.overlap(drawing.required(kFaceWidth)) : 0.0;
+    const CarriedPath carried(removed->points, path.contact_ratio());
+    series = sum_of(std::move(series), profile_error(carried, overlap));
+    target->note(fmt::format(
+        "transmission error: with the first {} harmonics of what the profile's deviations add{}",
+        kMostHarmonics, overlap > 0.0 ? ", slice by slice along the helix" : ""));
   }
   const GearKey& origin = measured ? kErrorFile : kTransmissionError;
   const bool has_phases = measured || removed != nullptr || drawing.has(kErrorPhase);

@@ -196,17 +196,7 @@ std::vector<AssumedValue> assumed_values(const Study& study) {
   return values;
 }
 
-void add_assumptions(const Sides& sides, HtmlPage* page) {
-  const ReportFindings& findings = sides.front();
-  const Study& study = findings.given;
-  page->heading("What was given, and what was assumed");
-  page->paragraph(fmt::format(
-      "{}: {}. Yours is what the study says; an estimate or a default can be wrong for these gears."
-      "{}",
-      html_text(study.model->name), html_text(study.model->summary),
-      sides.size() > 1 ? fmt::format(" Of {}; how the other one differs stands at the top.",
-                                     html_text(findings.name))
-                       : ""));
+void add_assumed_values(const Study& study, HtmlPage* page) {
   HtmlTable table;
   std::vector<std::string> nothing;
   for (const AssumedValue& value : assumed_values(study)) {
@@ -222,6 +212,20 @@ void add_assumptions(const Sides& sides, HtmlPage* page) {
   if (!nothing.empty()) {
     page->small(fmt::format("0 by default: {}.", fmt::join(nothing, ", ")));
   }
+}
+
+void add_assumptions(const Sides& sides, HtmlPage* page) {
+  const ReportFindings& findings = sides.front();
+  const Study& study = findings.given;
+  page->heading("What was given, and what was assumed");
+  page->paragraph(fmt::format(
+      "{}: {}. Yours is what the study says; an estimate or a default can be wrong for these gears."
+      "{}",
+      html_text(study.model->name), html_text(study.model->summary),
+      sides.size() > 1 ? fmt::format(" Of {}; how the other one differs stands at the top.",
+                                     html_text(findings.name))
+                       : ""));
+  add_assumed_values(study, page);
   page->begin_columns();
   page->small_list(sentences(findings));
   page->end_columns();

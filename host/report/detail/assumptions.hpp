@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/detail/html.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -17,5 +18,8 @@ struct AssumedValue {
 
 // Of the drawings, then of the other parameters and the options that the equations use.
 std::vector<AssumedValue> assumed_values(const Study& study);
+
+// The same as a table at the end of a page.
+void add_assumed_values(const Study& study, HtmlPage* page);
 
 }  // namespace gearsweep

@@ -110,7 +110,8 @@ Axis read_axis(const toml::table& table, const Model& model, const toml::table& 
   const toml::node& name = *reader.find("name");
   const std::optional<SweptKey> swept = find_swept_key(study, model, axis.name);
   if (!swept) {
-    const std::pair<double, double> range = bind_swept(model, name, "axis", &axis);
+    const std::pair<double, double> range =
+        bind_swept(model, name, "axis", &axis, names_of_keys(study, model));
     read_values(table, &reader, range, &axis);
     return axis;
   }
@@ -150,6 +151,10 @@ void refuse_twice(const std::vector<Axis>& axes, const toml::table& study) {
       if (is_new) continue;
       const toml::node& place =
           axis.is_list ? *study.get("points") : study.get("axes")->as_array()->back();
+      if (&axis == other->second && axis.is_list) {
+        fail_at(place,
+                fmt::format("two columns give {}: it follows from {}", swept.name, swept.follows));
+      }
       if (axis.name == other->second->name) {
         fail_at(place, fmt::format("axis '{}' is given twice", axis.name));
       }
@@ -169,7 +174,7 @@ std::vector<Axis> read_axes(const toml::table& study, const PointTable& points,
     if (axes.size() == kMaxAxes) {
       fail_at(place, "two axes and a list of points; a list takes the place of one axis");
     }
-    axes.push_back(axis_of_points(points, place, model));
+    axes.push_back(axis_of_points(points, place, study, model));
   }
   return axes;
 }
@@ -190,6 +195,9 @@ void refuse_idle_axes(const toml::table& study, const Study& read) {
 void take_in_gear(const toml::table& study, const Model& model, std::vector<Axis>* axes) {
   for (std::size_t i = 0; i < axes->size(); ++i) {
     Axis& axis = (*axes)[i];
+    if (!axis.others.empty()) {
+      add_parameters_of_list(study, *axes, model, *study.get("points"), &axis);
+    }
     const std::optional<SweptKey> swept = find_swept_key(study, model, axis.name);
     if (axis.is_list || !swept) continue;
     const GearValues others = first_values(study, model, swept->from, *axes);

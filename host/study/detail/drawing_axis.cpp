@@ -1,6 +1,7 @@
 #include "study/detail/drawing_axis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -10,39 +11,53 @@
 namespace gearsweep {
 namespace {
 
-// What to do where a key changes the scales.
-std::string instead_of(const GearKey& key, const Model& model) {
-  const char* const backlash = "b";
-  if (key.name == kHalfBacklash.name && model.find_parameter(backlash) >= 0) {
-    return "sweep b, the half backlash in terms of that of the drawing: 1.2 is 20 % more";
-  }
-  return "sweep it in a study for each value";
-}
-
-std::vector<GearConversion> conversions_of(const SweptKey& swept, const GearValues& others,
-                                           const Model& model, const toml::node& place,
-                                           const Axis& axis) {
-  std::vector<GearConversion> conversions;
-  GearDrawing drawing = read_drawing(swept.from, others);
-  for (const double value : axis.values) {
-    try {
-      drawing.vary(*swept.key, value);
-      conversions.push_back(convert_gear(drawing, model, swept.from));
-    } catch (const InputError& error) {
-      fail_at(place, fmt::format("{} = {}: {}", axis.name, value, error.what()));
+// The parameters that follow from a drawing, at one value after the other.
+class FollowingParameters {
+ public:
+  // Throws InputError, without its place, where the units of the result would change.
+  void add(const GearConversion& conversion) {
+    if (values_.empty()) {
+      first_ = conversion;
+      values_.resize(conversion.parameters.size());
     }
-    if (conversions.back().scales == conversions.front().scales) continue;
-    fail_at(place, fmt::format("{} changes what the result is measured in: its lengths are in half "
-                               "backlashes, its forces in k0 b_n, its times in 1/varpi; {}",
-                               axis.name, instead_of(*swept.key, model)));
+    if (conversion.scales != first_.scales) {
+      throw InputError(
+          "what the result is measured in would change: its lengths are in half backlashes, its "
+          "forces in k0 b_n, its times in 1/varpi; make a study for each value");
+    }
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      values_[i].push_back(value_of(conversion, first_.parameters[i].name));
+    }
   }
-  return conversions;
-}
 
-const GearParameter* find_parameter(const GearConversion& conversion, const std::string& name) {
-  const auto found = std::ranges::find(conversion.parameters, name, &GearParameter::name);
-  return found == conversion.parameters.end() ? nullptr : &*found;
-}
+  // Those that differ, or that come from one of these keys alone.
+  std::vector<Swept> take(const Model& model, const std::vector<std::string_view>& keys) {
+    std::vector<Swept> columns;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const GearParameter& parameter = first_.parameters[i];
+      const bool differs = std::ranges::any_of(
+          values_[i], [&](double value) { return value != values_[i].front(); });
+      if (!differs && std::ranges::find(keys, parameter.key) == keys.end()) continue;
+      Swept column;
+      column.name = parameter.name;
+      column.index = static_cast<std::size_t>(model.find_parameter(parameter.name));
+      column.unit = model.parameters[column.index].unit;
+      column.meaning = model.parameters[column.index].meaning;
+      column.values = std::move(values_[i]);
+      columns.push_back(std::move(column));
+    }
+    return columns;
+  }
+
+ private:
+  // What a drawing gives does not depend on the values of its keys.
+  static double value_of(const GearConversion& conversion, const std::string& name) {
+    return std::ranges::find(conversion.parameters, name, &GearParameter::name)->value;
+  }
+
+  GearConversion first_;
+  std::vector<std::vector<double>> values_;  // [parameter of the first][value]
+};
 
 }  // namespace
 
@@ -67,42 +82,79 @@ std::optional<SweptKey> find_swept_key(const toml::table& study, const Model& mo
   return std::nullopt;
 }
 
-void bind_key(const GearKey& key, Axis* axis) {
-  axis->unit = key.unit();
-  axis->meaning = std::string(key.meaning);
+std::vector<std::string> names_of_keys(const toml::table& study, const Model& model) {
+  std::vector<std::string> names;
+  for (const SweptKey& swept : swept_keys(study, model)) {
+    if (swept.from.table != nullptr) names.push_back(swept.name());
+  }
+  return names;
+}
+
+std::pair<double, double> bind_key(const GearKey& key, Swept* swept) {
+  swept->unit = key.unit();
+  swept->meaning = std::string(key.meaning);
+  return {key.min, key.max};
 }
 
 void add_parameters(const SweptKey& swept, const GearValues& others, const Model& model,
                     const toml::node& place, Axis* axis) {
-  const std::vector<GearConversion> conversions =
-      conversions_of(swept, others, model, place, *axis);
-  for (const GearParameter& parameter : conversions.front().parameters) {
-    Swept column;
-    column.name = parameter.name;
-    for (const GearConversion& conversion : conversions) {
-      column.values.push_back(find_parameter(conversion, parameter.name)->value);
+  FollowingParameters following;
+  GearDrawing drawing = read_drawing(swept.from, others);
+  for (const double value : axis->values) {
+    try {
+      drawing.vary(*swept.key, value);
+      following.add(convert_gear(drawing, model, swept.from));
+    } catch (const InputError& error) {
+      fail_at(place, fmt::format("{} = {}: {}", axis->name, value, error.what()));
     }
-    const bool differs = std::ranges::any_of(
-        column.values, [&](double value) { return value != column.values.front(); });
-    if (!differs && parameter.key != swept.key->name) continue;
-    column.index = static_cast<std::size_t>(model.find_parameter(parameter.name));
-    column.unit = model.parameters[column.index].unit;
-    column.meaning = model.parameters[column.index].meaning;
-    axis->columns.push_back(std::move(column));
   }
+  axis->columns = following.take(model, {swept.key->name});
   if (axis->columns.empty()) {
     fail_at(place, fmt::format("{} changes nothing in the equations of this study ({})", axis->name,
                                swept.key->meaning));
   }
 }
 
+void add_parameters_of_list(const toml::table& study, const std::vector<Axis>& axes,
+                            const Model& model, const toml::node& place, Axis* list) {
+  for (const DrawingTable& from : drawing_tables(study, model)) {
+    std::vector<std::pair<const GearKey*, const Swept*>> given;
+    std::vector<std::string_view> names;
+    for (const Swept& other : list->others) {
+      const std::optional<SweptKey> swept = find_swept_key(study, model, other.name);
+      if (!swept || swept->from.suffix != from.suffix) continue;
+      given.emplace_back(swept->key, &other);
+      names.push_back(swept->key->name);
+    }
+    if (given.empty()) continue;
+    FollowingParameters following;
+    GearDrawing drawing = read_drawing(from, first_values(study, model, from, axes));
+    for (std::size_t point = 0; point < list->values.size(); ++point) {
+      try {
+        for (const auto& [key, column] : given) drawing.vary(*key, column->values[point]);
+        following.add(convert_gear(drawing, model, from));
+      } catch (const InputError& error) {
+        fail_at(place, fmt::format("point {}: {}", point + 1, error.what()));
+      }
+    }
+    for (Swept& column : following.take(model, names)) {
+      column.follows = fmt::format("{}", fmt::join(names, " "));
+      list->columns.push_back(std::move(column));
+    }
+  }
+}
+
 GearValues first_values(const toml::table& study, const Model& model, const DrawingTable& from,
                         const std::vector<Axis>& axes) {
   GearValues values;
+  const auto take = [&](const Swept& given) {
+    const std::optional<SweptKey> swept = find_swept_key(study, model, given.name);
+    if (!swept || swept->from.suffix != from.suffix) return;
+    values[std::string(swept->key->name)] = given.values.front();
+  };
   for (const Axis& axis : axes) {
-    const std::optional<SweptKey> swept = find_swept_key(study, model, axis.name);
-    if (!swept || swept->from.suffix != from.suffix) continue;
-    values[std::string(swept->key->name)] = axis.values.front();
+    take(axis);
+    for (const Swept& other : axis.others) take(other);
   }
   return values;
 }

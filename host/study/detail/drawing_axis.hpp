@@ -27,8 +27,11 @@ std::vector<SweptKey> swept_keys(const toml::table& study, const Model& model);
 std::optional<SweptKey> find_swept_key(const toml::table& study, const Model& model,
                                        const std::string& name);
 
-// Fills in what the axis has from its key, but for the values and the columns.
-void bind_key(const GearKey& key, Axis* axis);
+// The names of those whose tables the study has.
+std::vector<std::string> names_of_keys(const toml::table& study, const Model& model);
+
+// Fills in what is swept from its key, but for the values; the key's range.
+std::pair<double, double> bind_key(const GearKey& key, Swept* swept);
 
 // The values of a drawing that the axes of the study give: the first of each.
 GearValues first_values(const toml::table& study, const Model& model, const DrawingTable& from,
@@ -40,5 +43,10 @@ GearValues first_values(const toml::table& study, const Model& model, const Draw
 // from value to value.
 void add_parameters(const SweptKey& swept, const GearValues& others, const Model& model,
                     const toml::node& place, Axis* axis);
+
+// The same of a list of points whose columns are keys of [gear]: each point has the parameters that
+// follow from all of them.
+void add_parameters_of_list(const toml::table& study, const std::vector<Axis>& axes,
+                            const Model& model, const toml::node& place, Axis* list);
 
 }  // namespace gearsweep

@@ -30,6 +30,23 @@ void read_key(const toml::table& gear, const GearKey& key, TableReader* reader,
   }
 }
 
+// What is called by these names elsewhere, and how it is given here.
+constexpr std::pair<std::string_view, std::string_view> kElsewhere[] = {
+    {"tip_relief_file",
+     "profile_deviation_file has what relief takes away from both flanks, over the path of "
+     "contact"},
+    {"load_spectrum_file",
+     "[points] file is a list of loads, with columns such as torque_N_m, pinion_speed_rpm and "
+     "time_share"},
+};
+
+void refuse_other_words(const toml::table& table) {
+  for (const auto& [word, instead] : kElsewhere) {
+    const toml::node* const node = table.get(word);
+    if (node != nullptr) fail_at(*node, fmt::format("there is no key '{}': {}", word, instead));
+  }
+}
+
 // The names of the keys that are guesses.
 void read_estimated(const toml::table& gear, GearDrawing* drawing) {
   const toml::node* const node = gear.get(kEstimated);
@@ -76,13 +93,15 @@ const toml::node& node_of(const DrawingTable& from, std::string_view key) {
 GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
   const toml::table& table = *from.table;
   TableReader reader(&table, from.heading);
+  refuse_other_words(table);
   for (const StudyKey& key : study_table("gear").keys) reader.know(key.name);
   reader.refuse_unknown();
   GearDrawing drawing(from.heading);
   for (const GearKey& key : kGearKeys) {
     const auto value = values.find(key.name);
-    // Of harmonics it is the first one alone.
-    const bool is_replaced = value != values.end() && key.form != KeyForm::harmonics;
+    // Of harmonics it is the first one alone; the half backlash is the unit of length besides.
+    const bool is_replaced =
+        value != values.end() && key.form != KeyForm::harmonics && key.name != kHalfBacklash.name;
     try {
       if (table.contains(key.name) && !is_replaced) read_key(table, key, &reader, &drawing);
       if (value != values.end()) drawing.vary(key, value->second);

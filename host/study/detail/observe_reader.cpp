@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/error.hpp"
+#include "study/detail/spectrum_reader.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
@@ -40,6 +41,7 @@ void read_observe(const toml::table* table, const toml::table& root, Study* stud
   if (reader.find("quantities") == nullptr) {
     quantities = {first_state + "_rms"};
     if (study->axes.size() == 1 && !study->axes.front().is_list) quantities.push_back("poincare");
+    if (study->spectrum) quantities = spectrum_quantities(*study->model);
   }
   if (reader.find("poincare") == nullptr) states = {first_state};
   // What rounding leaves of a stable orbit's recurrence, with some room.

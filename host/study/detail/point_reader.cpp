@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/error.hpp"
+#include "study/detail/drawing_axis.hpp"
 #include "study/detail/swept_name.hpp"
 #include "study/detail/toml_access.hpp"
 
@@ -28,6 +31,7 @@ PointTable points_of_table(const StudyFiles& files, const PointTable& given,
   const std::vector<std::string> names = reader.texts("names");
   const toml::node* numbers = reader.find("numbers");
   const std::string lines = reader.text("numbers", "");
+  reader.number("slope", kUsualSlope);  // for read_spectrum()
   reader.refuse_unknown();
   // A study that was read has none, so it was asked for in place of the numbers.
   if (file != nullptr) return points_in_file(files, *file);
@@ -42,6 +46,25 @@ PointTable points_of_table(const StudyFiles& files, const PointTable& given,
   fail_at(*reader.find("names"),
           "the numbers of these points are not in the text, but in the result that it is from: "
           "run that, or give a file of points alone, file = \"points.csv\"");
+}
+
+// A parameter or a state, a key of [gear], or the share of time; its range.
+std::pair<double, double> bind_column(const toml::table& study, const Model& model,
+                                      const toml::node& place, Swept* column) {
+  std::vector<std::string> keys = names_of_keys(study, model);
+  if (std::ranges::find(keys, column->name) != keys.end()) {
+    return bind_key(*find_swept_key(study, model, column->name)->key, column);
+  }
+  const bool is_of_model =
+      model.find_parameter(column->name) >= 0 || model.find_state(column->name) >= 0;
+  if (column->name == kTimeShare && !is_of_model) {
+    constexpr double kLongest = 1e12;  // it may be hours
+    column->unit = "1";
+    column->meaning = "share of time";
+    return {0.0, kLongest};
+  }
+  if (!keys.empty()) keys.emplace_back(kTimeShare);
+  return bind_swept(model, place, "column", column, keys);
 }
 
 }  // namespace
@@ -64,7 +87,8 @@ PointTable take_in_points(const StudyFiles& files, const PointTable& given, toml
   return points;
 }
 
-Axis axis_of_points(const PointTable& points, const toml::node& place, const Model& model) {
+Axis axis_of_points(const PointTable& points, const toml::node& place, const toml::table& study,
+                    const Model& model) {
   Axis axis;
   axis.name = kPointAxis;
   axis.is_list = true;
@@ -72,18 +96,21 @@ Axis axis_of_points(const PointTable& points, const toml::node& place, const Mod
   for (std::size_t point = 0; point < points.points(); ++point) {
     axis.values.push_back(static_cast<double>(point + 1));
   }
+  axis.listed = points.names;
   for (std::size_t i = 0; i < points.names.size(); ++i) {
     Swept column;
     column.name = points.names[i];
     column.values = points.columns[i];
-    const auto [min, max] = bind_swept(model, place, "column", &column);
+    const auto [min, max] = bind_column(study, model, place, &column);
     for (std::size_t point = 0; point < points.points(); ++point) {
       const double value = column.values[point];
       if (value >= min && value <= max) continue;
       fail_at(place, fmt::format("point {}: {} = {} is out of range; {} .. {} is allowed",
                                  point + 1, column.name, value, min, max));
     }
-    axis.columns.push_back(std::move(column));
+    const bool is_of_model =
+        model.find_parameter(column.name) >= 0 || model.find_state(column.name) >= 0;
+    (is_of_model ? axis.columns : axis.others).push_back(std::move(column));
   }
   return axis;
 }

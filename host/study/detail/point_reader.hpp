@@ -16,9 +16,11 @@ namespace gearsweep {
 // says. Leaves it in [points] as names and numbers, also where it was a file. Throws InputError.
 PointTable take_in_points(const StudyFiles& files, const PointTable& given, toml::table* study);
 
-// The axis 'point' of a list that is not empty. Throws InputError for what is neither a parameter
-// nor a state of the model, and for values out of range. place: where messages point to.
-Axis axis_of_points(const PointTable& points, const toml::node& place, const Model& model);
+// The axis 'point' of a list that is not empty, without what follows from keys of [gear]. Throws
+// InputError for a name that is neither a parameter or a state of the model nor such a key, and for
+// values out of range. place: where messages point to.
+Axis axis_of_points(const PointTable& points, const toml::node& place, const toml::table& study,
+                    const Model& model);
 
 // The study without the numbers of [points].
 toml::table without_numbers(const toml::table& study);

@@ -11,7 +11,8 @@
 namespace gearsweep {
 
 std::pair<double, double> bind_swept(const Model& model, const toml::node& place,
-                                     const std::string& what, Swept* swept) {
+                                     const std::string& what, Swept* swept,
+                                     const std::vector<std::string>& keys) {
   if (const int parameter = model.find_parameter(swept->name); parameter >= 0) {
     swept->index = static_cast<std::size_t>(parameter);
     const ParameterInfo& info = model.parameters[swept->index];
@@ -27,11 +28,12 @@ std::pair<double, double> bind_swept(const Model& model, const toml::node& place
     return {-kMaxState, kMaxState};
   }
   refuse_fixed_constant(model, place, swept->name);
-  std::vector<std::string> known;
+  std::vector<std::string> known = keys;
   for (const ParameterInfo& info : model.parameters) known.push_back(info.name);
   for (const ChannelInfo& info : model.states) known.push_back(info.name);
-  fail_at(place, fmt::format("{} '{}' is neither a parameter nor a state of model '{}'{}", what,
-                             swept->name, model.name, suggest_name(swept->name, known)));
+  fail_at(place, fmt::format("{} '{}' is neither a parameter nor a state of model '{}'{}{}", what,
+                             swept->name, model.name, keys.empty() ? "" : ", nor a key of [gear]",
+                             suggest_name(swept->name, known)));
 }
 
 void refuse_fixed_constant(const Model& model, const toml::node& place, const std::string& name) {

@@ -5,15 +5,18 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "study/study.hpp"
 
 namespace gearsweep {
 
 // Fills in what the parameter or state of this name has; its allowed range. what: "axis", for
-// messages. Throws InputError when there is none.
+// messages; keys: names of [gear] that the study might have meant. Throws InputError when there is
+// none.
 std::pair<double, double> bind_swept(const Model& model, const toml::node& place,
-                                     const std::string& what, Swept* swept);
+                                     const std::string& what, Swept* swept,
+                                     const std::vector<std::string>& keys = {});
 
 // Throws InputError where the name is that of a constant, which has no value to give: plain numbers
 // among them are parameters by now.

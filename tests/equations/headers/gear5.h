@@ -115,7 +115,8 @@ enum { ERROR_SINE, ERROR_SERIES };
   X(pitch_bend_p, "minus the second derivative of pitch_p by the angle of the turn")          \
   X(pitch_bend_g, "of pitch_g")                                                               \
   X(damage_curve_p, "what the pinion's tooth 0 loses, over half a turn: the path of contact") \
-  X(damage_curve_g, "what the gear's tooth 0 loses")
+  X(damage_curve_g, "what the gear's tooth 0 loses")                                          \
+  X(torque_swing, "over a turn of the pinion: what its torque adds to the mean load, in k0 b_n")
 
 // X(name, meaning, TOML of what differs from the defaults above)
 #define MODEL_PRESETS(X)                                                                      \
@@ -152,6 +153,7 @@ enum { ERROR_SINE, ERROR_SERIES };
   X(sine, "sin(2 pi psi + e0_phase), psi the phase of the mesh")        \
   X(excitation, "of all other errors e in b_n: -d^2 e/d(omega tau)^2")  \
   X(error, "all other errors e in b_n")                                 \
+  X(torque, "what the torque of the pinion adds to the mean load")      \
   X(cos_alpha, "cos(alpha), the same at all phases")                    \
   X(sin_alpha, "sin(alpha), the same at all phases")                    \
   X(tan_alpha, "tan(alpha), the same at all phases")
@@ -274,7 +276,7 @@ SHARED_FN Gear5Mesh gear5_mesh(const ModelPoint* point, const PhaseCoefs* phase)
 
 // What drives x1: the mean load and the errors of the mesh.
 SHARED_FN real gear5_drive(const ModelPoint* point, const PhaseCoefs* phase) {
-  const real drive = point->load + point->forcing * phase->sine;
+  const real drive = point->load + phase->torque + point->forcing * phase->sine;
   if (!point->series) return drive;
   return drive + point->series_forcing * phase->excitation;
 }
@@ -569,7 +571,14 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
   if (p.runout_g > 0.0 || p.damage_g > 0.0 || curves.pitch_g.at || curves.damage_curve_g.at) {
     wrong = gear5_check_turn(p, "gear", p.zp * p.teeth_ratio);
   }
-  return wrong;
+  if (!wrong.empty() || !curves.torque_swing.at) return wrong;
+  const double teeth = std::round(p.zp);
+  if (std::fabs(p.zp - teeth) > 1e-6) {
+    return "the torque of a turn needs a whole number of teeth of the pinion";
+  }
+  if (std::fmod(p.cycle, teeth) == 0.0) return "";
+  return "the torque of the pinion comes back once per turn: cycle must be a multiple of its " +
+         std::to_string(static_cast<long>(teeth)) + " teeth";
 }
 
 // Phases in [0, 1) at which the right-hand side jumps or bends (0 is always one): in each mesh
@@ -786,6 +795,10 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
   out.sine = std::sin(turn * psi + p.e0_phase);
   if (options.error == ERROR_SERIES) {
     gear5_add_errors(p, curves, period + psi, period + inside, &out);
+  }
+  if (curves.torque_swing.at) {
+    const double order = 1.0 / std::round(p.zp);
+    out.torque = p.rho_p * curves.torque_swing.at(order * (period + psi), order * (period + inside));
   }
   gear5_add_pairs(p, options, curves, false, period, psi, inside, &out);
   const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
