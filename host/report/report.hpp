@@ -26,8 +26,9 @@ struct ReportStudy {
 using ReportStudies = std::vector<ReportStudy>;
 
 // Throws InputError unless each study has an axis that is a speed, that is, changes the period of
-// the forcing, or the only one is a load spectrum, both are in the same units, and the report can be put there (.html, or .pdf where
-// there is a Chromium that prints it); RunError when gnuplot is not installed.
+// the forcing, or the only one is a load spectrum, both are in the same units, and the report can
+// be put there (.html, or .pdf where there is a Chromium that prints it); RunError when gnuplot is
+// not installed.
 void ensure_report(const ReportStudies& studies, const std::string& path);
 
 // Runs what the report takes, and writes it, whole or not at all. Its pictures are in the page

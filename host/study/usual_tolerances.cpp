@@ -94,15 +94,14 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
                     "the mesh",
                     tolerance_class));
   }
-  const auto add_parameter = [&](const char* name, const char* distribution, const char* reason) {
-    if (study.model->find_parameter(name) < 0 || is_on_axis(study, name)) return;
-    add(name, distribution, reason);
-  };
-  add_parameter(
-      "mu", R"({distribution = "triangular", from = 0.6, mode = 1.0, to = 1.4, relative = true})",
-      "estimate: friction is known to 40 % at most");
-  add_parameter("b", R"({distribution = "uniform", from = 0.7, to = 1.3, relative = true})",
-                "estimate: tooth thickness and centre distance leave 30 % of the backlash open");
+  if (study.model->find_parameter("mu") >= 0 && !is_on_axis(study, "mu")) {
+    add("mu", R"({distribution = "triangular", from = 0.6, mode = 1.0, to = 1.4, relative = true})",
+        "estimate: friction is known to 40 % at most");
+  }
+  if (one_number(study, from, kHalfBacklash)) {
+    add(kHalfBacklash.name, R"({distribution = "uniform", from = 0.7, to = 1.3, relative = true})",
+        "estimate: tooth thickness and centre distance leave 30 % of the backlash open");
+  }
   if (one_number(study, from, kDampingRatio)) {
     add(kDampingRatio.name,
         R"({distribution = "triangular", from = 0.5, mode = 1.0, to = 1.5, relative = true})",

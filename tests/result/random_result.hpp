@@ -74,7 +74,8 @@ inline std::vector<Study> studies_over_each(const Model& model) {
   std::vector<Study> studies;
   for (const Swept& column : all.axes.at(0).columns) {
     Study study = all;
-    study.axes = {Axis{column, false, false, {}}};
+    study.axes.assign(1, Axis());
+    static_cast<Swept&>(study.axes.front()) = column;
     studies.push_back(std::move(study));
   }
   return studies;

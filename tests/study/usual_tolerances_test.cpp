@@ -37,8 +37,8 @@ Study study_of(const std::string& toml) { return read_study(toml, "test.toml"); 
 TEST(UsualTolerances, AreThoseOfTheClass) {
   const std::vector<UsualTolerance> tolerances = usual_tolerances(study_of(kGear + kSpeeds), 7);
   EXPECT_THAT(names_of(tolerances),
-              ElementsAre("torque_N_m", "transmission_error_um", "mu", "b", "mesh_damping_ratio",
-                          "bearing_stiffness_N_per_mm"));
+              ElementsAre("torque_N_m", "transmission_error_um", "mu", "half_backlash_mm",
+                          "mesh_damping_ratio", "bearing_stiffness_N_per_mm"));
   const double expected =
       std::sqrt(2.0 * (std::pow(10.0 / 3.0 / std::numbers::pi, 2) + std::pow(13.0 / 6.0, 2)));
   const std::string& error = tolerances[1].distribution;
