@@ -153,28 +153,32 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
 // What draws of one parameter are multiplied by where they are factors.
 std::string draw_cell(const UncertainParameter& parameter, std::size_t draw) {
   const double value = parameter.draws.values[draw];
-  return parameter.is_factor ? fmt::format("×\u00a0{:.3f}", value) : html_number(value);
+  return parameter.is_factor ? fmt::format("×{:.3f}", value) : html_number(value);
 }
 
+// One column for each gear: names of parameters are long.
 void add_worst_gears(const Scatter& scatter, const ResultMap& target, HtmlPage* page) {
   page->heading("The worst gears");
   HtmlTable table;
   table.is_numbers = true;
-  table.head = {"", target_html(target), "at"};
+  const ResultAxis& speed = target.axes.front();
+  const std::string unit = html_unit(speed.unit);
+  table.head = {""};
+  table.rows = {{target_html(target)}, {"at " + (unit == "1" ? html_text(speed.name) : unit)}};
   for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
-    table.head.push_back(html_text(parameter.draws.name));
+    table.rows.push_back({html_text(parameter.draws.name)});
   }
   std::vector<std::string> commands;
   for (std::size_t i = 0; i < scatter.worst_gears.size(); ++i) {
     const WorstGear& gear = scatter.worst_gears[i];
     const double scale =
         target.values[gear.point] / map_of(scatter.result, scatter.target)[gear.point];
-    std::vector<std::string> row = {fmt::format("{}", i + 1), html_number(gear.value * scale),
-                                    speed_cell(target, gear.point)};
-    for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
-      row.push_back(draw_cell(parameter, gear.draw));
+    table.head.push_back(fmt::format("{}", i + 1));
+    table.rows[0].push_back(html_number(gear.value * scale));
+    table.rows[1].push_back(html_number(speed.values[gear.point]));
+    for (std::size_t row = 2; row < table.rows.size(); ++row) {
+      table.rows[row].push_back(draw_cell(scatter.study.uncertain.parameters[row - 2], gear.draw));
     }
-    table.rows.push_back(std::move(row));
     std::string settings;
     for (const std::string& one : gear.overrides) settings += fmt::format(" --set '{}'", one);
     commands.push_back(fmt::format("<code>{}</code>", html_text(settings.substr(1))));
