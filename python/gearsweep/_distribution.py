@@ -46,8 +46,10 @@ def normal(
     numbers = {"std": number_of(std, "std")}
     if mean is not None:
         numbers["mean"] = number_of(mean, "mean")
+    if not isinstance(folded, bool):
+        raise InputError(f"folded: expected True or False, not {folded!r}")
     table = _table("normal", numbers, relative)
-    return {**table, "folded": True} if folded else table
+    return table | {"folded": True} if folded else table
 
 
 def uniform(from_: float, to: float, relative: bool = False) -> dict[str, Any]:

@@ -9,6 +9,9 @@ from typing import Any
 import xarray
 
 from gearsweep import _core
+from gearsweep._errors import InputError
+from gearsweep._place import count_of, number_of
+from gearsweep._progress import Watch
 from gearsweep._run import run
 from gearsweep._study import Study
 from gearsweep._study_source import study_of
@@ -21,7 +24,9 @@ def tolerance(
     tolerance_class: int = 7,
     percentile: float = 99.0,
     set: Mapping[str, Any] | None = None,
-    **options: Any,
+    progress: Watch = True,
+    journal: str | os.PathLike[str] | None = None,
+    device: int | str | None = None,
 ) -> xarray.Dataset:
     """Compute what tolerances make of a gear over a speed.
 
@@ -41,8 +46,8 @@ def tolerance(
         Which percentile, and that as far from the other end, become maps beside the median.
     set : mapping of str to object, optional
         Changes of the study before its tolerances.
-    **options
-        `progress`, `journal` and `device` of `run`.
+    progress, journal, device
+        As `run` takes them.
 
     Returns
     -------
@@ -59,6 +64,12 @@ def tolerance(
     >>> dict(maps.dmf_max_p99.sizes)
     {'omega': 3}
     """
-    asked = study_of(study, set)
-    built = _core.as_built(asked._core, gears, tolerance_class, percentile)
-    return run(Study._of(built), **options)
+    drawn = count_of(gears, "gears", 2, 100_000)
+    flanks = count_of(tolerance_class, "tolerance_class", 1, 11)
+    if drawn is None or flanks is None:
+        raise InputError("gears and tolerance_class are numbers")
+    judged = number_of(percentile, "percentile")
+    if not 50.0 < judged < 100.0:
+        raise InputError(f"percentile: expected a number between 50 and 100, not {judged}")
+    built = _core.as_built(study_of(study, set)._core, drawn, flanks, judged)
+    return run(Study._of(built), progress=progress, journal=journal, device=device)

@@ -243,7 +243,7 @@ def _draw_spectrum(
     has_clock = layers[0].has_clock
     whole = layers[0].data.attrs
     other = float(whole.get("other_mesh_order", 0.0))
-    places = numpy.arange(other, last, other) if other > 0.0 else ()
+    places = numpy.arange(other, last, other) if other > 0.0 else numpy.array([])
     style = {"linestyle": "--", "linewidth": 0.8, "color": OTHER_MESH_COLOUR}
     marks = [ax.axvline(place, **style, label="_") for place in places]
     for mark in marks[:1]:

@@ -13,7 +13,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy
 import pytest
-from conftest import MAP
+from conftest import MAP, SMALL
 
 import gearsweep
 from gearsweep import InputError, RunError, Study
@@ -60,12 +60,23 @@ GOOD: dict[str, Mapping[str, object]] = {
         "e0": 0.5,
     },
     "explore": {"study": "coarse-map", "set": MAP, "device": None, "height": 400, "memory": 64, "port": None},
+    "tolerance": {
+        "study": "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [1.0]\n"
+        "[uncertain]\nmu = {distribution = 'normal', std = 0.001}\n",
+        "gears": 20,
+        "tolerance_class": 7,
+        "percentile": 90.0,
+        "set": SMALL,
+        "progress": None,
+        "journal": None,
+        "device": None,
+    },
     "verify": {"device": None, "progress": None},
     "model": {"name": "gear5"},
     "models": {},
     "studies": {},
     "devices": {},
-    "normal": {"std": 0.1, "mean": None, "relative": False},
+    "normal": {"std": 0.1, "mean": None, "relative": False, "folded": False},
     "triangular": {"from_": 0.1, "mode": 0.2, "to": 0.3, "relative": False},
     "uniform": {"from_": 0.1, "to": 0.3, "relative": False},
     "values": {"numbers": [0.1, 0.2], "relative": False},

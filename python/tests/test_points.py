@@ -14,7 +14,7 @@ import gearsweep
 from gearsweep import InputError, Study
 
 POINTS = {"omega": [0.62, 0.71, 1.3], "mu": [0.05, 0.08, 0.02], "x1": [1.0, 0.2, 0.5]}
-STUDY = Study.gear5("coarse").integrate(settle=20, record=12).observe("x1_rms", "dmf_max")
+STUDY = Study.gear5("coarse").integrate(settle=20, record=12, stop="never").observe("x1_rms", "dmf_max")
 
 
 def test_are_those_of_the_command(tmp_path):
