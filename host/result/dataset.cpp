@@ -14,7 +14,6 @@
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
 #include "result/load_spectrum.hpp"
-#include "result/load_spectrum.hpp"
 #include "result/result_size.hpp"
 #include "study/draw_quantities.hpp"
 #include "sweep_types.h"

@@ -76,10 +76,10 @@ void add_study(py::module_* module) {
   });
   module->attr("MOST_AXIS_VALUES") =
       static_cast<std::size_t>(find_key(study_table("axes"), "count")->max);
-  module->def("as_built", [](const Study& study, std::size_t gears, int tolerance_class,
-                             double percentile) {
-    return as_built(study, {gears, tolerance_class, percentile}).study;
-  });
+  module->def("as_built",
+              [](const Study& study, std::size_t gears, int tolerance_class, double percentile) {
+                return as_built(study, {gears, tolerance_class, percentile}).study;
+              });
   module->def("builtin_study_names", &builtin_study_names);
   module->def("is_netcdf", &is_netcdf);
   module->def("read_pilot_step", &read_pilot_step);

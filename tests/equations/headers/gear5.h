@@ -798,7 +798,8 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
   }
   if (curves.torque_swing.at) {
     const double order = 1.0 / std::round(p.zp);
-    out.torque = p.rho_p * curves.torque_swing.at(order * (period + psi), order * (period + inside));
+    out.torque =
+        p.rho_p * curves.torque_swing.at(order * (period + psi), order * (period + inside));
   }
   gear5_add_pairs(p, options, curves, false, period, psi, inside, &out);
   const bool is_fourier = options.stiffness == STIFFNESS_FOURIER;
