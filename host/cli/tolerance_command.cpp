@@ -31,13 +31,22 @@ std::string tolerance_command_line(const ToleranceArguments& arguments) {
   return line + " -o " + shell_quoted(arguments.output);
 }
 
+// Files whose names begin so.
+void remove_all_from(const std::string& path) {
+  const std::filesystem::path whole = std::filesystem::absolute(path);
+  for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path())) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(whole.filename().string())) std::filesystem::remove(entry.path());
+  }
+}
+
 int run_tolerance(ToleranceArguments* arguments, SignalWatch* signals) {
   ToleranceOptions& options = arguments->options;
   const Study study = load_study(arguments->study, arguments->overrides);
   options.devices = chosen_devices(arguments->device);
   options.command_line = tolerance_command_line(*arguments);
   options.journal_path = arguments->output + ".journal";
-  if (arguments->restart) std::filesystem::remove(options.journal_path);
+  if (arguments->restart) remove_all_from(options.journal_path);
   return tell_several_runs(&options, arguments->output, arguments->quiet, signals, [&] {
     return write_tolerance_report(study, arguments->output, options);
   });

@@ -1,6 +1,7 @@
 #include "study/usual_tolerances.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <array>
@@ -61,6 +62,40 @@ std::array<FlankTolerances, 2> flanks_of(const GearDrawing& drawing, int toleran
     gears[i] = *own;
   }
   return gears;
+}
+
+// Whether the axis gives the parameter, itself or through a column in proportion to it.
+bool gives_in_proportion(const Axis& axis, std::size_t parameter) {
+  for (const Swept& one : axis.swept()) {
+    if (one.is_state || one.index != parameter || axis.swept().size() > 1) continue;
+    const double ratio = one.values.front() / axis.values.front();
+    for (std::size_t i = 0; i < axis.values.size(); ++i) {
+      const double off = one.values[i] - ratio * axis.values[i];
+      if (std::abs(off) > 1e-12 * std::abs(one.values[i])) return false;  // rounding
+    }
+    return true;
+  }
+  return false;
+}
+
+// The override that multiplies the values of the axis that gives a parameter.
+std::string scaled_axis(const Study& study, std::size_t parameter, double factor) {
+  bool is_found = false;
+  std::vector<std::string> axes;
+  for (const Axis& axis : study.axes) {
+    const bool scales = gives_in_proportion(axis, parameter);
+    is_found = is_found || scales;
+    std::vector<double> values = axis.values;
+    for (double& value : values) value *= scales ? factor : 1.0;
+    axes.push_back(
+        fmt::format("{{name = \"{}\", values = [{}]}}", axis.name, fmt::join(values, ", ")));
+  }
+  if (!is_found) {
+    throw InputError(fmt::format(
+        "{0} scatters about what an axis gives, which is not in proportion to it: sweep {0} itself",
+        study.model->parameters[parameter].name));
+  }
+  return fmt::format("axes=[{}]", fmt::join(axes, ", "));
 }
 
 }  // namespace
@@ -163,7 +198,10 @@ std::vector<std::string> overrides_of_draw(const Study& study, std::size_t draw)
       continue;
     }
     if (parameter.is_factor) {
-      if (study.find_on_axes(draws.index) != nullptr) continue;  // of each speed its own
+      if (study.find_on_axes(draws.index) != nullptr) {
+        overrides.push_back(scaled_axis(study, draws.index, value));
+        continue;
+      }
       value *= study.setting.parameters[draws.index];
     }
     overrides.push_back(fmt::format("parameters.{}={}", draws.name, value));

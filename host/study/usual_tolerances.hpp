@@ -25,7 +25,9 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
 // middle, as TOML has it; empty for measured values, which have no width. The name must be there.
 std::string scaled_tolerance(const Study& study, const std::string& name, double factor);
 
-// What makes a study the one of a draw (from 0), as overrides of it: "gear.torque_N_m=61.2".
+// What makes a study the one of a draw (from 0), as overrides of it: "gear.torque_N_m=61.2". Where
+// draws are factors of what an axis gives, the axis has its values times the factor. Throws
+// InputError where that is not the draw: the parameter is not in proportion to the axis.
 std::vector<std::string> overrides_of_draw(const Study& study, std::size_t draw);
 
 }  // namespace gearsweep

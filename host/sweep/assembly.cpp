@@ -82,17 +82,19 @@ std::vector<double> Assembly::initial_states(const Plan& plan, const Tile& tile)
   initial.reserve(tile.points.size() * states);
   for (const std::size_t point : tile.points) {
     const std::optional<std::size_t> before = plan.points().predecessor(point);
-    std::vector<double> start = plan.own_initial_state(point);
-    if (before && has_values(result_.status[*before])) {
-      const std::span<const double> end = Array2(final_states_, states)[*before];
-      if (plan.study().is_chained()) {
-        start.assign(end.begin(), end.end());
-      } else {
-        // A draw of other loads rests elsewhere, and so does its motion.
-        const std::vector<double> nominal = plan.own_initial_state(*before);
-        for (std::size_t i = 0; i < states; ++i) start[i] += end[i] - nominal[i];
-      }
+    if (!before || !has_values(result_.status[*before])) {
+      append(plan.own_initial_state(point), &initial);
+      continue;
     }
+    const std::span<const double> end = Array2(final_states_, states)[*before];
+    if (plan.study().is_chained()) {
+      append(end, &initial);
+      continue;
+    }
+    // A draw of other loads rests elsewhere, and so does its motion.
+    std::vector<double> start = plan.own_initial_state(point);
+    const std::vector<double> nominal = plan.own_initial_state(*before);
+    for (std::size_t i = 0; i < states; ++i) start[i] += end[i] - nominal[i];
     append(start, &initial);
   }
   return initial;

@@ -54,13 +54,8 @@ inline Table without(Table table, const GearKey& key) {
   return table;
 }
 
-// words: of keys that take one, "body": "solid".
-inline GearConversion convert(const Table& table,
-                              const std::map<std::string_view, std::string>& words = {}) {
+inline GearDrawing drawing_of(const Table& table) {
   GearDrawing drawing("[gear]");
-  for (const GearKey& key : kGearKeys) {
-    if (words.contains(key.name)) drawing.set_word(key, words.at(key.name));
-  }
   for (const GearKey& key : kGearKeys) {
     const auto given = table.find(key.name);
     if (given == table.end()) continue;
@@ -69,6 +64,16 @@ inline GearConversion convert(const Table& table,
     } else {
       drawing.set_numbers(key, given->second);
     }
+  }
+  return drawing;
+}
+
+// words: of keys that take one, "body": "solid".
+inline GearConversion convert(const Table& table,
+                              const std::map<std::string_view, std::string>& words = {}) {
+  GearDrawing drawing = drawing_of(table);
+  for (const GearKey& key : kGearKeys) {
+    if (words.contains(key.name)) drawing.set_word(key, words.at(key.name));
   }
   return convert_gear(drawing, *find_model("gear5"));
 }

@@ -19,7 +19,6 @@ constexpr double kUm = 50.0;  // the half backlash
 // Of teeth that overlap by so many base pitches; 0: spur teeth.
 GearConversion pair_with(double overlap, const std::vector<TablePoint>& removed) {
   constexpr double kHelixDeg = 20.0;
-  GearDrawing drawing("[gear]");
   Table table = with(table_1(), kTransmissionError, {0.0});
   table = with(table, kContactRatio, {kEps});
   if (overlap > 0.0) {
@@ -27,15 +26,7 @@ GearConversion pair_with(double overlap, const std::vector<TablePoint>& removed)
     table = with(table, kHelix, {kHelixDeg});
     table = with(table, kFaceWidth, {overlap * std::numbers::pi * 3.0 / sine});
   }
-  for (const GearKey& key : kGearKeys) {
-    const auto given = table.find(key.name);
-    if (given == table.end()) continue;
-    if (key.form == KeyForm::teeth) {
-      drawing.set_numbers(key, given->second);
-    } else {
-      drawing.set_number(key, given->second.front());
-    }
-  }
+  GearDrawing drawing = drawing_of(table);
   drawing.set_measured(kProfileFile, {"w.csv", removed, {}});
   return convert_gear(drawing, *find_model("gear5"));
 }

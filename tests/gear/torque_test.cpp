@@ -26,23 +26,14 @@ Measured swinging_torque() {
   return measured;
 }
 
-GearDrawing drawing_of(const Table& table, bool has_file) {
-  GearDrawing drawing("[gear]");
-  for (const GearKey& key : kGearKeys) {
-    const auto given = table.find(key.name);
-    if (given == table.end()) continue;
-    if (key.form == KeyForm::teeth) {
-      drawing.set_numbers(key, given->second);
-    } else {
-      drawing.set_number(key, given->second.front());
-    }
-  }
+GearDrawing swinging_drawing(const Table& table, bool has_file) {
+  GearDrawing drawing = drawing_of(table);
   if (has_file) drawing.set_measured(kTorqueFile, swinging_torque());
   return drawing;
 }
 
 GearConversion converted(const Table& table, bool has_file = true) {
-  return convert_gear(drawing_of(table, has_file), *find_model("gear5"));
+  return convert_gear(swinging_drawing(table, has_file), *find_model("gear5"));
 }
 
 TEST(Torque, OfATurnHasItsMeanAsTheLoad) {
@@ -76,7 +67,7 @@ TEST(Torque, IsNeededOnce) {
 
 // A torque that brakes: the mean load of the model is on the drive flank.
 TEST(Torque, ThatBrakesIsRefused) {
-  GearDrawing drawing = drawing_of(without(table_1(), kTorque), false);
+  GearDrawing drawing = drawing_of(without(table_1(), kTorque));
   drawing.set_measured(kTorqueFile, {"t.csv", {{0.0, -50.0}, {2.0, -60.0}, {4.0, -55.0}}, {}});
   try {
     convert_gear(drawing, *find_model("gear5"));

@@ -134,6 +134,24 @@ TEST(ToleranceReport, IsAPageWithGearsThatRun) {
               scatter.worst_gears.front().value, 2e-3);
 }
 
+// Gears that have no value are told, and a speed at which all diverge is not the worst.
+TEST(ToleranceReport, TellsOfGearsWithoutAValue) {
+  ToleranceOptions options;
+  options.gears = 40;
+  const Scatter scatter = scatter_of(
+      "[model]\ntext = '''\n[model]\nname = \"grows\"\ndiverged_above = 1e3\n[states]\nx = {}\n"
+      "v = {}\n[parameters]\nw = {value = 0.5, min = 0.1}\nz = 0.1\n[equations]\nx = \"v\"\n"
+      "v = \"-2*z*v - x + cos(phase)\"\n[forcing]\nperiod = \"2*pi/w\"\n'''\n[[axes]]\nname = 'w'\n"
+      "from = 0.5\nto = 0.7\ncount = 2\n[integrate]\nmax_step = 0.02\n[uncertain]\n"
+      "z = {values = [0.1, -0.1]}\n",
+      options);
+  const std::vector<double>& damping = scatter.study.uncertain.parameters.front().draws.values;
+  EXPECT_EQ(scatter.without_value, static_cast<std::size_t>(std::ranges::count(damping, -0.1)));
+  EXPECT_GT(scatter.without_value, 0U);
+  EXPECT_NEAR(scatter.percentiles[1].value, amplitude(0.7, 1.0, 0.1), 1e-3);
+  EXPECT_THAT(scatter_page(scatter, options).text(), HasSubstr("have no value at some speed"));
+}
+
 TEST(ToleranceReport, SaysWhatItNeeds) {
   const ToleranceOptions options;
   const auto write = [&](const std::string& toml) {

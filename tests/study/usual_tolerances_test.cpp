@@ -111,6 +111,23 @@ TEST(UsualTolerances, TheStudyOfADrawHasItsNumbers) {
   }
 }
 
+// A speed that scatters is that of the axis times the draw.
+TEST(UsualTolerances, TheStudyOfADrawHasItsSpeeds) {
+  for (const char* speed : {"omega", "pinion_speed_rpm"}) {
+    const bool is_rpm = std::string(speed) != "omega";
+    const Study study = study_of(
+        kGear + (is_rpm ? kSpeeds : "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7, 1.1]\n") +
+        "[uncertain]\nsamples = 4\nomega = {distribution = 'normal', std = 0.01, relative = "
+        "true}\n");
+    const Study one = read_study(study.toml, "test.toml", overrides_of_draw(study, 2));
+    const double factor = study.uncertain.parameters.front().draws.values[2];
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(one.axes.front().swept().front().values[i],
+                  factor * study.axes.front().swept().front().values[i], 1e-12);
+    }
+  }
+}
+
 // An amplitude has no sign.
 TEST(UsualTolerances, FoldedDrawsAreNotNegative) {
   const Study study = study_of(kGear + kSpeeds +

@@ -103,6 +103,21 @@ TEST(Pilot, IsLeftOutWhereItDoesNotPay) {
   EXPECT_EQ(result.study.integrate.max_step, result.study.model->max_step);
 }
 
+// What it saves, it saves of each draw.
+TEST(Pilot, PaysForFewPointsOfManyDraws) {
+  const std::string draws =
+      "[uncertain]\nsamples = 20000\nstart = 'nominal'\nzeta = {distribution = 'uniform', from = "
+      "0.04, to = 0.06}\n";
+  const std::optional<SteppedStudy> stepped = choose_step(
+      read_study("[model]\npreset = 'consistent'\n[[axes]]\nname = 'omega'\nfrom = 0.9\nto = 1.2\n"
+                 "count = 5\n[observe]\nquantities = ['x1_rms']\n" +
+                     draws,
+                 "test.toml"),
+      SweepOptions());
+  ASSERT_TRUE(stepped && stepped->pilot);
+  EXPECT_GT(stepped->pilot->step, stepped->study.model->max_step);
+}
+
 // Where basins are interwoven, any change of the step sends some points to another orbit. The step
 // is judged by the others.
 TEST(Pilot, TellsWhichShareNoStepSettles) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "model/error.hpp"
 #include "model/version.hpp"
@@ -37,25 +38,36 @@ void judge_speeds(const ToleranceOptions& options, Scatter* scatter) {
   for (std::vector<double>& row : by_speed(scatter->result, scatter->target)) {
     scatter->percentiles.push_back(percentile_with_error(std::move(row), options.percentile));
   }
-  const auto largest = std::ranges::max_element(scatter->percentiles, {}, &Percentile::value);
+  const auto largest =
+      std::ranges::max_element(scatter->percentiles, {}, [](const Percentile& one) {
+        return std::isnan(one.value) ? -std::numeric_limits<double>::infinity() : one.value;
+      });
   scatter->worst = static_cast<std::size_t>(largest - scatter->percentiles.begin());
 }
 
 void judge_contact(Scatter* scatter) {
   const std::vector<Quantity>& quantities = scatter->study.selection.quantities;
-  if (std::ranges::find(quantities, kContact, &Quantity::name) == quantities.end()) return;
-  std::vector<std::uint8_t> parts(scatter->study.uncertain.draws(), 0);
+  const auto contact = std::ranges::find(quantities, kContact, &Quantity::name);
+  if (contact == quantities.end()) return;
+  const auto loses_contact = [&](double value) {
+    const std::string& name = contact->flags.at(static_cast<std::size_t>(value));
+    return name == "single_sided" || name == "double_sided";
+  };
+  std::set<std::size_t> known, parting;  // draws
   for (const std::vector<double>& row : by_speed(scatter->result, kContact)) {
-    std::size_t count = 0;
+    double all = 0.0, lost = 0.0;
     for (std::size_t draw = 0; draw < row.size(); ++draw) {
-      if (!(row[draw] > 0.0)) continue;  // the first class has no impact
-      ++count;
-      parts[draw] = 1;
+      if (std::isnan(row[draw])) continue;
+      known.insert(draw);
+      ++all;
+      if (!loses_contact(row[draw])) continue;
+      parting.insert(draw);
+      ++lost;
     }
-    scatter->parting.push_back(static_cast<double>(count) / static_cast<double>(row.size()));
+    scatter->parting.push_back(lost / all);
   }
-  scatter->parting_anywhere = static_cast<double>(std::ranges::count(parts, std::uint8_t{1})) /
-                              static_cast<double>(parts.size());
+  scatter->parting_anywhere =
+      static_cast<double>(parting.size()) / static_cast<double>(known.size());
 }
 
 void find_worst_gears(Scatter* scatter) {
@@ -71,6 +83,8 @@ void find_worst_gears(Scatter* scatter) {
       gear.value = rows[point][draw];
       gear.point = point;
     }
+    const auto has_none = [draw](const std::vector<double>& row) { return std::isnan(row[draw]); };
+    if (std::ranges::any_of(rows, has_none)) ++scatter->without_value;
     if (std::isfinite(gear.value)) gears.push_back(std::move(gear));
   }
   std::ranges::stable_sort(gears, std::greater{}, &WorstGear::value);
@@ -87,7 +101,10 @@ class ScatterRuns {
   bool run_gears() {
     for (;;) {
       SweepOptions sweep = options_.sweep_options();
-      sweep.journal_path = options_.journal_path;
+      // Each number of gears is a sweep of its own.
+      if (!options_.journal_path.empty()) {
+        sweep.journal_path = fmt::format("{}-{}", options_.journal_path, out_.gears());
+      }
       std::optional<SweepResult> result =
           run(out_.study, sweep,
               fmt::format("{} gears at {} speeds", out_.gears(), out_.study.points()));
@@ -205,10 +222,18 @@ ResultMap Scatter::map(const std::string& quantity) const {
   return map;
 }
 
+double Scatter::scale_of(const std::string& quantity) const {
+  ResultMap one = ResultFile(file("bands.nc")).read(quantity);
+  one.values.assign(one.values.size(), 1.0);
+  if (study.scales.known()) convert_to_si(study.scales, &one);
+  return one.values.front();
+}
+
 std::optional<Scatter> find_scatter(const Study& study, const ToleranceOptions& options) {
   find_speed_axis(study);
   Scatter scatter;
   static_cast<AsBuilt&>(scatter) = as_built(study, options);
+  overrides_of_draw(scatter.study, 0);  // throws, before it takes time, where there are none
   ScatterRuns runs(options, &scatter);
   if (!runs.run_gears()) return std::nullopt;
   runs.keep();

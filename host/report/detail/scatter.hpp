@@ -41,8 +41,13 @@ struct Scatter : AsBuilt {
   SweepResult result;                   // the values in each draw included
   std::size_t worst = 0;                // the speed with the largest percentile
   std::vector<Percentile> percentiles;  // [speed] of the target
-  std::vector<double> parting;          // [speed] share of the gears that lose contact there
+  // [speed] share of the gears that lose contact there, and that at any speed; empty of a model
+  // without contact classes. Gears without a value count in neither.
+  std::vector<double> parting;
   double parting_anywhere = 0.0;
+  // Gears that have no value at some speed (they diverge, or outgrow their step); they count in no
+  // percentile there.
+  std::size_t without_value = 0;
   std::vector<WorstGear> worst_gears;  // at most ten
   std::vector<RankedTolerance> ranking;
   std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
@@ -51,6 +56,8 @@ struct Scatter : AsBuilt {
   std::size_t gears() const { return study.uncertain.samples; }
   // A map of bands.nc, in SI units where these are known.
   ResultMap map(const std::string& quantity) const;
+  // What its numbers in `result` are multiplied by there.
+  double scale_of(const std::string& quantity) const;
 };
 
 // Nothing when stopped.

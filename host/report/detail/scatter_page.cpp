@@ -19,9 +19,9 @@ std::string speed_cell(const ResultMap& map, std::size_t point) {
   return fmt::format("{}\u00a0{}", html_number(speed.values[point]), html_unit(speed.unit));
 }
 
-// "2.31 ± 0.03", with as many digits as the error has; "2.31 or more" where that is not known.
+// "2.31 ± 0.03", with as many digits as the error has; "about 2.31" where that is not known.
 std::string with_error(double value, double error) {
-  if (std::isinf(error)) return html_number(value) + " or more";
+  if (std::isinf(error)) return "about " + html_number(value);
   if (!(error > 0.0)) return html_number(value);
   const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
   return fmt::format("{:.{}f}\u00a0±\u00a0{:.{}f}", value, digits, error, digits);
@@ -34,13 +34,16 @@ std::string scatter_answer(const Scatter& scatter, const ToleranceOptions& optio
                            const ResultMap& target) {
   const Percentile& worst = scatter.percentiles[scatter.worst];
   const std::string unit = html_unit(target.unit);
-  const double scale = scatter.map(scatter.target).values[scatter.worst] /
-                       map_of(scatter.result, scatter.target)[scatter.worst];
+  const double scale = scatter.scale_of(scatter.target);
+  const std::string contact =
+      scatter.parting.empty()
+          ? ""
+          : fmt::format("{} lose contact at some speed; ", html_percent(scatter.parting_anywhere));
   return fmt::format(
-      "Of {} gears as built, {} lose contact at some speed; the worst speed is {}, where {:g} % of "
-      "the gears have a {} of at most {}{} (nominal: {})",
-      scatter.gears(), html_percent(scatter.parting_anywhere), speed_cell(target, scatter.worst),
-      options.percentile, target_html(target), with_error(worst.value * scale, worst.error * scale),
+      "Of {} gears as built, {}the worst speed is {}, where {:g} % have a {} of at most {}{} "
+      "(nominal: {})",
+      scatter.gears(), contact, speed_cell(target, scatter.worst), options.percentile,
+      target_html(target), with_error(worst.value * scale, worst.error * scale),
       unit.empty() ? "" : " " + unit, html_number(target.values[scatter.worst]));
 }
 
@@ -90,7 +93,7 @@ void add_speeds(const Scatter& scatter, const ToleranceOptions& options, const R
   table.head = {"speed", "nominal", "median", fmt::format("{:g} % stay below", options.percentile),
                 "lose contact"};
   const ResultMap median = scatter.map(scatter.target + "_p50");
-  const double unit = target.values.front() / map_of(scatter.result, scatter.target).front();
+  const double unit = scatter.scale_of(scatter.target);
   std::vector<std::size_t> order(values.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return values[i]; });
@@ -105,7 +108,7 @@ void add_speeds(const Scatter& scatter, const ToleranceOptions& options, const R
   page->table(table);
   page->small(fmt::format(
       "{}. ± is half of the 95 % interval that {} gears leave (ranks of a binomial distribution); "
-      "\"or more\": these are too few gears to say.",
+      "\"about\": these are too few gears to say.",
       quantity_cell(target), scatter.gears()));
 }
 
@@ -129,8 +132,7 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
   HtmlTable table;
   table.is_numbers = true;
   table.head = {"tolerance", "alone", "with others", "half as wide"};
-  const double scale =
-      target.values[scatter.worst] / map_of(scatter.result, scatter.target)[scatter.worst];
+  const double scale = scatter.scale_of(scatter.target);
   const double now = scatter.percentiles[scatter.worst].value;
   for (const RankedTolerance& one : scatter.ranking) {
     table.rows.push_back(
@@ -168,11 +170,10 @@ void add_worst_gears(const Scatter& scatter, const ResultMap& target, HtmlPage* 
   for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
     table.rows.push_back({html_text(parameter.draws.name)});
   }
+  const double scale = scatter.scale_of(scatter.target);
   std::vector<std::string> commands;
   for (std::size_t i = 0; i < scatter.worst_gears.size(); ++i) {
     const WorstGear& gear = scatter.worst_gears[i];
-    const double scale =
-        target.values[gear.point] / map_of(scatter.result, scatter.target)[gear.point];
     table.head.push_back(fmt::format("{}", i + 1));
     table.rows[0].push_back(html_number(gear.value * scale));
     table.rows[1].push_back(html_number(speed.values[gear.point]));
@@ -207,7 +208,14 @@ HtmlPage scatter_page(const Scatter& scatter, const ToleranceOptions& options) {
   const Study& study = scatter.study;
   HtmlPage page((study.title.empty() ? study.model->name : study.title) + ": gears as built");
   const ResultMap target = scatter.map(scatter.target);
-  page.answer(scatter_answer(scatter, options, target));
+  std::vector<std::string> remarks;
+  if (scatter.without_value > 0) {
+    remarks.push_back(fmt::format(
+        "{} of the gears have no value at some speed: they diverge there, or outgrow their step. "
+        "They count in no percentile and no share of that speed.",
+        scatter.without_value));
+  }
+  page.answer(scatter_answer(scatter, options, target), remarks);
   add_band_pictures(scatter, options, &page);
   add_speeds(scatter, options, target, &page);
   add_ranking(scatter, options, target, &page);
