@@ -38,7 +38,7 @@ add_library(gearsweep_library INTERFACE)
 add_library(gearsweep::gearsweep ALIAS gearsweep_library)
 set_target_properties(gearsweep_library PROPERTIES EXPORT_NAME gearsweep)
 set(library_folders model expression equations gear rexs study plan engine opencl reference tile journal orbits attractors scheduler
-                    sweep point orders result plot report)
+                    sweep point borders orders result plot report)
 # A folder's detail/ is not for users of the library.
 foreach(folder ${library_folders})
   list(APPEND library_targets gearsweep_${folder})

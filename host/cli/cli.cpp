@@ -53,6 +53,7 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
   add_export_command(app);
   add_top_command(app);
   add_floquet_command(app);
+  add_curves_command(app, signals, status);
   add_report_command(app, signals, status);
   add_tolerance_command(app, signals, status);
   add_reproduce_command(app, signals, status);

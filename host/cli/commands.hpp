@@ -29,6 +29,7 @@ void add_explore_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_orders_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_report_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_tolerance_command(CLI::App* app, SignalWatch* signals, int* status);
+void add_curves_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_reproduce_command(CLI::App* app, SignalWatch* signals, int* status);
 void add_plot_command(CLI::App* app);
 void add_export_command(CLI::App* app);

@@ -1,0 +1,101 @@
+// Points of a plane of two parameters at which a periodic orbit bifurcates: the equations of
+// shooting, and one more that says that a multiplier is on the unit circle at a given angle. It is
+// the scalar that borders the singular matrix (W. Govaerts, Numerical Methods for Bifurcations of
+// Dynamical Equilibria, 2000, chapter 3), so that nothing of it is singular at the border.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+#include <optional>
+#include <string>
+
+#include "borders/orbit_map.hpp"
+#include "borders/parameter_plane.hpp"
+
+namespace gearsweep {
+
+enum class BorderKind {
+  fold,            // a multiplier at +1: two orbits meet and vanish
+  flip,            // at -1: the period doubles
+  neimark_sacker,  // a pair at e^(+-i angle): the orbit becomes a torus
+};
+
+// "fold", "flip", "Neimark-Sacker".
+std::string name_of(BorderKind kind);
+
+// What the states, the angle and the parameters of a border are measured in.
+struct BorderScale {
+  Eigen::VectorXd sizes;  // of states, above 0
+  PlanePlace ranges{};    // of the parameters
+};
+
+// Where a matrix is nearly singular: its left and its right null vector, of length 1.
+struct NullVectors {
+  Eigen::VectorXcd left, right;
+};
+
+struct BorderPoint {
+  PlanePlace place{};
+  Eigen::VectorXd state;  // of the orbit, at phase 0
+  double angle = 0.0;     // of the multiplier: 0 of a fold, pi of a flip
+  Eigen::VectorXcd multipliers;
+  double residual = 0.0;  // of all equations, states in their sizes
+  // Where they pass 0 the curve has a special point. fold_bend: the quadratic coefficient of the
+  // motion across a fold (0 at a cusp). overlap: of the left and the right eigenvector, which are
+  // orthogonal where a second multiplier is at the same place (resonances 1:1 and 1:2).
+  double fold_bend = 0.0, overlap = 0.0;
+  Eigen::VectorXd tangent;   // of the curve, in scaled unknowns, of length 1
+  NullVectors null_vectors;  // of the return map less the multiplier, in scaled states
+  int iterations = 0;
+};
+
+class BorderEquations {
+ public:
+  // All must outlive it. period: of the orbit that bifurcates, in forcing periods.
+  BorderEquations(const ParameterPlane& plane, OrbitMap* map, BorderKind kind, std::size_t period,
+                  BorderScale scale);
+
+  BorderKind kind() const { return kind_; }
+  std::size_t period() const { return period_; }
+  const ParameterPlane& plane() const { return plane_; }
+  const BorderScale& scale() const { return scale_; }
+  // Scaled unknowns: states in their sizes, the angle of a Neimark-Sacker border, both parameters
+  // in their ranges.
+  Eigen::Index unknowns() const { return states() + (has_angle() ? 3 : 2); }
+  Eigen::VectorXd unknowns_of(const BorderPoint& point) const;
+  PlanePlace place_of(const Eigen::VectorXd& unknowns) const;
+
+  // Newton's method from a guess to the border in the plane across `across` through the guess. The
+  // tangent of the point goes along it. near: the null vectors of a neighbour. Nothing where it does
+  // not converge, the parameters are not allowed, or it goes more than `reach` from the guess.
+  std::optional<BorderPoint> correct(const Eigen::VectorXd& guess, const Eigen::VectorXd& across,
+                                     const NullVectors& near, double reach) const;
+  // The null vectors near a guess: its singular vectors of the smallest value.
+  std::optional<NullVectors> null_vectors_near(const Eigen::VectorXd& guess) const;
+
+ private:
+  struct Linearized {
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd slope;      // by the unknowns
+    Eigen::MatrixXd monodromy;  // scaled
+    double fold_bend = 0.0, overlap = 0.0;
+    NullVectors null_vectors;
+  };
+
+  Eigen::Index states() const { return scale_.sizes.size(); }
+  bool has_angle() const { return kind_ == BorderKind::neimark_sacker; }
+  double angle_of(const Eigen::VectorXd& unknowns) const;
+  OrbitQuery query_at(const Eigen::VectorXd& unknowns) const;
+  Eigen::MatrixXd scaled(const Eigen::MatrixXd& derivative) const;
+  Eigen::VectorXd return_of(const OrbitAnswer& answer, const Eigen::VectorXd& unknowns) const;
+  std::optional<Linearized> at(const Eigen::VectorXd& unknowns, const NullVectors& near) const;
+
+  const ParameterPlane& plane_;
+  OrbitMap* map_;
+  BorderKind kind_;
+  std::size_t period_;
+  BorderScale scale_;
+};
+
+}  // namespace gearsweep

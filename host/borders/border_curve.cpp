@@ -1,0 +1,234 @@
+#include "borders/border_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace gearsweep {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Arclength is measured in scaled unknowns: states in their sizes, angles, window ranges.
+constexpr double kFirstStep = 2e-3, kMinStep = 1e-6, kMaxStep = 0.1;
+constexpr int kQuickCorrection = 3;
+constexpr double kStraight = 0.9;    // smallest cosine of the angle between neighbours
+constexpr double kFarLanding = 0.3;  // correction, as a share of the step
+constexpr std::size_t kMaxPoints = 2000;
+constexpr double kNearAxis = 1e-3;  // of the angle of a pair: a resonance ends its curve
+
+int real_beyond(const BorderPoint& point, double sign) {
+  return static_cast<int>(std::ranges::count_if(point.multipliers, [&](const auto& m) {
+    return m.imag() == 0.0 && sign * m.real() > 1.0;
+  }));
+}
+
+// How many complex multipliers lie outside the circle, the pair of the curve itself left out.
+int pairs_beyond(const BorderPoint& point, bool has_own) {
+  std::vector<double> sizes;
+  for (const auto& m : point.multipliers) {
+    if (m.imag() > 0.0) sizes.push_back(std::abs(m));
+  }
+  std::ranges::sort(sizes, [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
+  if (has_own && !sizes.empty()) sizes.erase(sizes.begin());
+  return static_cast<int>(std::ranges::count_if(sizes, [](double size) { return size > 1.0; }));
+}
+
+class Tracer {
+ public:
+  Tracer(const BorderEquations& equations, const BorderPoint& start)
+      : equations_(equations), start_(start) {}
+
+  // One way; `sign` of the start's tangent.
+  std::vector<BorderPoint> go(double sign) {
+    std::vector<BorderPoint> points;
+    BorderPoint last = start_;
+    last.tangent *= sign;
+    double length = kFirstStep;
+    while (points.size() < kMaxPoints) {
+      const double allowed = length_of_step(last, length);
+      std::optional<BorderPoint> next = step(last, allowed);
+      if (!next) {
+        length = 0.5 * allowed;
+        if (length < kMinStep) return ended("no smooth way on", std::move(points));
+        continue;
+      }
+      if (!equations_.plane().contains(next->place)) {
+        if (const auto edge = at_edge(last, *next)) points.push_back(*edge);
+        return ended("leaves the window", std::move(points));
+      }
+      if (is_closed(last, *next, points.size())) {
+        is_closed_ = true;
+        return ended("closes", std::move(points));
+      }
+      points.push_back(*next);
+      if (meets_axis(*next)) {
+        const bool is_front = std::cos(next->angle) > 0.0;
+        return ended(is_front ? "ends at a resonance 1:1" : "ends at a resonance 1:2",
+                     std::move(points));
+      }
+      last = *std::move(next);
+      length = last.iterations <= kQuickCorrection ? 1.5 * allowed : allowed;
+    }
+    return ended("stopped: too many points", std::move(points));
+  }
+
+  const std::string& reason() const { return reason_; }
+  bool is_closed() const { return is_closed_; }
+
+ private:
+  std::vector<BorderPoint> ended(const std::string& why, std::vector<BorderPoint> points) {
+    reason_ = why;
+    return points;
+  }
+
+  // No farther than a picture needs it.
+  double length_of_step(const BorderPoint& last, double length) const {
+    const double in_plane = last.tangent.tail(2).norm();
+    const double visible = in_plane > 0.0 ? kMaxCurveStep / in_plane : kMaxStep;
+    return std::min({length, visible, kMaxStep});
+  }
+
+  std::optional<BorderPoint> step(const BorderPoint& last, double length) const {
+    const VectorXd guess = equations_.unknowns_of(last) + length * last.tangent;
+    std::optional<BorderPoint> next =
+        equations_.correct(guess, last.tangent, last.null_vectors, kFarLanding * length);
+    if (!next || next->tangent.dot(last.tangent) < kStraight) return std::nullopt;
+    return next;
+  }
+
+  // Where the curve leaves the window.
+  std::optional<BorderPoint> at_edge(const BorderPoint& inside, const BorderPoint& outside) const {
+    const ParameterPlane& plane = equations_.plane();
+    double share = 1.0;
+    std::size_t axis = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (const double edge : {plane.from[i], plane.to[i]}) {
+        const double way = outside.place[i] - inside.place[i];
+        const double at = (edge - inside.place[i]) / way;
+        if (at >= 0.0 && at < share) {
+          share = at;
+          axis = i;
+        }
+      }
+    }
+    if (share <= 0.0) return std::nullopt;  // the curve began there
+    const VectorXd from = equations_.unknowns_of(inside), to = equations_.unknowns_of(outside);
+    const Index n = from.size();
+    const VectorXd guess = from + share * (to - from);
+    return equations_.correct(guess, VectorXd::Unit(n, n - 2 + static_cast<Index>(axis)),
+                              inside.null_vectors, kFarLanding * (to - from).norm());
+  }
+
+  // Whether the start lies between two neighbours.
+  bool is_closed(const BorderPoint& last, const BorderPoint& next, std::size_t points) const {
+    if (points < 4) return false;
+    const VectorXd from = equations_.unknowns_of(last), to = equations_.unknowns_of(next);
+    const VectorXd way = to - from, start = equations_.unknowns_of(start_) - from;
+    const double share = start.dot(way) / way.squaredNorm();
+    return share >= 0.0 && share <= 1.0 && (start - share * way).norm() < 0.1 * way.norm();
+  }
+
+  bool meets_axis(const BorderPoint& point) const {
+    return equations_.kind() == BorderKind::neimark_sacker &&
+           std::abs(std::sin(point.angle)) < kNearAxis;
+  }
+
+  const BorderEquations& equations_;
+  const BorderPoint& start_;
+  std::string reason_;
+  bool is_closed_ = false;
+};
+
+// Adds the special points between two neighbours.
+void add_special(const BorderPoint& a, const BorderPoint& b, BorderCurve* curve) {
+  const auto add = [&](SpecialKind kind, double share) {
+    SpecialPoint special{kind, {}};
+    for (std::size_t i = 0; i < 2; ++i) {
+      special.place[i] = a.place[i] + share * (b.place[i] - a.place[i]);
+    }
+    curve->special.push_back(special);
+  };
+  const auto where_zero = [&](double before, double after, SpecialKind kind) {
+    if ((before < 0.0) != (after < 0.0)) add(kind, before / (before - after));
+  };
+  const auto where_counted = [&](int before, int after, SpecialKind kind) {
+    if (before != after) add(kind, 0.5);
+  };
+  switch (curve->kind) {
+    case BorderKind::fold:
+      where_zero(a.fold_bend, b.fold_bend, SpecialKind::cusp);
+      where_zero(a.overlap, b.overlap, SpecialKind::resonance_1_1);
+      where_counted(real_beyond(a, -1.0), real_beyond(b, -1.0), SpecialKind::fold_flip);
+      where_counted(pairs_beyond(a, false), pairs_beyond(b, false), SpecialKind::fold_neimark);
+      return;
+    case BorderKind::flip:
+      where_zero(a.overlap, b.overlap, SpecialKind::resonance_1_2);
+      where_counted(real_beyond(a, 1.0), real_beyond(b, 1.0), SpecialKind::fold_flip);
+      where_counted(pairs_beyond(a, false), pairs_beyond(b, false), SpecialKind::fold_neimark);
+      return;
+    case BorderKind::neimark_sacker:
+      where_zero(std::cos(a.angle) + 0.5, std::cos(b.angle) + 0.5, SpecialKind::resonance_1_3);
+      where_zero(std::cos(a.angle), std::cos(b.angle), SpecialKind::resonance_1_4);
+      where_counted(real_beyond(a, 1.0), real_beyond(b, 1.0), SpecialKind::fold_neimark);
+      where_counted(real_beyond(a, -1.0), real_beyond(b, -1.0), SpecialKind::fold_neimark);
+      return;
+  }
+}
+
+}  // namespace
+
+std::string name_of(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::cusp:
+      return "cusp";
+    case SpecialKind::resonance_1_1:
+      return "resonance 1:1";
+    case SpecialKind::resonance_1_2:
+      return "resonance 1:2";
+    case SpecialKind::resonance_1_3:
+      return "resonance 1:3";
+    case SpecialKind::resonance_1_4:
+      return "resonance 1:4";
+    case SpecialKind::fold_flip:
+      return "fold-flip";
+    case SpecialKind::fold_neimark:
+      break;
+  }
+  return "with a Neimark-Sacker pair";
+}
+
+double BorderCurve::max_residual() const {
+  double out = 0.0;
+  for (const BorderPoint& point : points) out = std::max(out, point.residual);
+  return out;
+}
+
+BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& start) {
+  BorderCurve curve{.kind = equations.kind(), .period = equations.period(), .points = {},
+                    .is_closed = false, .begins = "", .ends = "", .special = {}};
+  Tracer onwards(equations, start);
+  const std::vector<BorderPoint> after = onwards.go(1.0);
+  curve.ends = onwards.reason();
+  curve.is_closed = onwards.is_closed();
+  std::vector<BorderPoint> before;
+  if (curve.is_closed) {
+    curve.begins = curve.ends;
+  } else {
+    Tracer back(equations, start);
+    before = back.go(-1.0);
+    curve.begins = back.reason();
+  }
+  curve.points.assign(before.rbegin(), before.rend());
+  curve.points.push_back(start);
+  curve.points.insert(curve.points.end(), after.begin(), after.end());
+  if (curve.is_closed) curve.points.push_back(start);
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+    add_special(curve.points[i], curve.points[i + 1], &curve);
+  }
+  return curve;
+}
+
+}  // namespace gearsweep

@@ -1,0 +1,52 @@
+#include "borders/curve_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gearsweep {
+namespace {
+
+double column_of(const std::vector<double>& axis, bool is_logarithmic, double value) {
+  const double last = static_cast<double>(axis.size() - 1);
+  if (is_logarithmic) return last * std::log(value / axis.front()) / std::log(axis.back() / axis.front());
+  return last * (value - axis.front()) / (axis.back() - axis.front());
+}
+
+double distance_to_line(const PixelPlace& a, const PixelPlace& b, const PixelPlace& place) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1];
+  const double length = dx * dx + dy * dy;
+  double share = 0.0;
+  if (length > 0.0) {
+    share = std::clamp(((place[0] - a[0]) * dx + (place[1] - a[1]) * dy) / length, 0.0, 1.0);
+  }
+  return std::hypot(place[0] - a[0] - share * dx, place[1] - a[1] - share * dy);
+}
+
+}  // namespace
+
+PixelPlace pixel_place(const PeriodPixels& pixels, const PlanePlace& place) {
+  return {column_of(pixels.axes[0], pixels.is_logarithmic[0], place[0]),
+          column_of(pixels.axes[1], pixels.is_logarithmic[1], place[1])};
+}
+
+PixelPlace middle_of(const PeriodPixels& pixels, const BorderEdge& edge) {
+  PixelPlace out{};
+  for (const std::size_t pixel : edge.pixels) {
+    out[0] += 0.5 * static_cast<double>(pixel % pixels.columns());
+    out[1] += 0.5 * static_cast<double>(pixel / pixels.columns());
+  }
+  return out;
+}
+
+double distance_to(const PeriodPixels& pixels, const BorderCurve& curve, const PixelPlace& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+    nearest = std::min(nearest, distance_to_line(pixel_place(pixels, curve.points[i].place),
+                                                 pixel_place(pixels, curve.points[i + 1].place),
+                                                 place));
+  }
+  return nearest;
+}
+
+}  // namespace gearsweep

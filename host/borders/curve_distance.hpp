@@ -1,0 +1,19 @@
+// How far curves are from places of a map, in its pixels.
+#pragma once
+
+#include <array>
+
+#include "borders/border_curve.hpp"
+#include "borders/map_borders.hpp"
+
+namespace gearsweep {
+
+using PixelPlace = std::array<double, 2>;  // columns and rows, 0 at the first pixel's middle
+
+PixelPlace pixel_place(const PeriodPixels& pixels, const PlanePlace& place);
+// The middle of an edge.
+PixelPlace middle_of(const PeriodPixels& pixels, const BorderEdge& edge);
+// From the line through the curve's points.
+double distance_to(const PeriodPixels& pixels, const BorderCurve& curve, const PixelPlace& place);
+
+}  // namespace gearsweep

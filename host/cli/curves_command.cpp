@@ -1,0 +1,170 @@
+// gearsweep curves: the bifurcation curves that border the motions of a map.
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "borders/border_search.hpp"
+#include "cli/commands.hpp"
+#include "cli/detail/arguments.hpp"
+#include "cli/detail/stop_on_signals.hpp"
+#include "cli/detail/study_source.hpp"
+#include "cli/standard_streams.hpp"
+#include "model/error.hpp"
+#include "model/version.hpp"
+#include "point/point_trace.hpp"
+#include "result/border_file.hpp"
+#include "result/result_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+struct CurvesArguments {
+  std::string map, output, device;
+  std::optional<std::size_t> steps;
+  bool quiet = false;
+};
+
+std::string curves_command_line(const CurvesArguments& arguments) {
+  std::string line = "gearsweep curves " + shell_quoted(arguments.map);
+  if (arguments.steps) line += fmt::format(" --steps {}", *arguments.steps);
+  return line + " -o " + shell_quoted(arguments.output);
+}
+
+PeriodPixels read_periods(const std::string& path) {
+  const ResultFile file(path);
+  const ResultMap map = file.read("period");
+  if (map.axes.size() != 2) {
+    throw InputError(fmt::format("'{}' is no map of two axes: curves are borders in a plane", path));
+  }
+  PeriodPixels pixels;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pixels.axes[i] = map.axes[i].values;
+    pixels.is_logarithmic[i] = map.axes[i].logarithmic;
+  }
+  pixels.period = map.values;
+  return pixels;
+}
+
+std::string label_of(int period) {
+  return period == 0 ? "no period" : fmt::format("period {}", period);
+}
+
+std::string describe_curves(const BorderFindings& findings) {
+  std::string out;
+  const Study& study = findings.study;
+  const std::string &x = study.axes[0].name, &y = study.axes[1].name;
+  double residual = 0.0;
+  for (const BorderCurve& curve : findings.curves) {
+    residual = std::max(residual, curve.max_residual());
+    const PlanePlace &first = curve.points.front().place, &last = curve.points.back().place;
+    out += fmt::format("{} of period {}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
+                       name_of(curve.kind), curve.period, curve.points.size(), x, first[0], y,
+                       first[1], curve.begins, last[0], last[1], curve.ends);
+    for (const SpecialPoint& special : curve.special) {
+      out += fmt::format("    {} near {} = {:.5g}, {} = {:.5g}\n", name_of(special.kind), x,
+                         special.place[0], y, special.place[1]);
+    }
+  }
+  if (!findings.curves.empty()) {
+    out += fmt::format("{} curves; residuals of at most {:.1g} of the states' sizes, with {} steps "
+                       "a period\n",
+                       findings.curves.size(), residual, findings.steps);
+  }
+  std::size_t pairs = 0;
+  std::array<std::size_t, kEdgeReasons> counts{};
+  out += "borders of the map, in pairs of pixels:\n";
+  for (const ExplainedBorder& border : findings.borders) {
+    out += fmt::format("  {} | {}: {}", label_of(border.border.labels[0]),
+                       label_of(border.border.labels[1]), border.reasons.size());
+    const char* mark = " = ";
+    pairs += border.reasons.size();
+    for (std::size_t i = 0; i < kEdgeReasons; ++i) {
+      const std::size_t count = border.count(static_cast<EdgeReason>(i));
+      counts[i] += count;
+      if (count == 0) continue;
+      out += fmt::format("{}{} {}", mark, count, describe(static_cast<EdgeReason>(i)));
+      mark = " + ";
+    }
+    out += "\n";
+  }
+  out += fmt::format("of {} pairs in {} borders:", pairs, findings.borders.size());
+  for (std::size_t i = 0; i < kEdgeReasons && pairs > 0; ++i) {
+    out += fmt::format("{} {:.1f} % {}", i > 0 ? "," : "",
+                       100.0 * static_cast<double>(counts[i]) / static_cast<double>(pairs),
+                       describe(static_cast<EdgeReason>(i)));
+  }
+  return out + "\n";
+}
+
+int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
+  if (!is_netcdf(arguments.map)) {
+    throw InputError(fmt::format(
+        "'{}' is no result file: compute the map first, with period among its quantities "
+        "(gearsweep run STUDY -o MAP.nc), and give MAP.nc",
+        arguments.map));
+  }
+  if (!arguments.output.ends_with(".nc")) {
+    throw InputError(fmt::format("cannot write curves to '{}': its name must end in .nc",
+                                 arguments.output));
+  }
+  ensure_writable(arguments.output);
+  Study study = load_study(arguments.map, {});
+  settle_step(read_pilot_step(arguments.map), &study);
+  BorderRequest request;
+  request.pixels = read_periods(arguments.map);
+  request.steps = arguments.steps.value_or(0);
+  if (!arguments.quiet) request.tell = [](const std::string& line) { tell("{}\n", line); };
+  SweepOptions options;
+  options.devices = chosen_devices(arguments.device);
+  options.stop = stop_on_signals(signals, arguments.quiet, options.scheduler);
+  const std::optional<BorderFindings> findings = find_borders(study, request, options);
+  if (!findings) {
+    tell("gearsweep: interrupted\n");
+    return kInterrupted;
+  }
+  write_borders(*findings, arguments.output,
+                {curves_command_line(arguments), version(), source_hash()});
+  answer("{}", describe_curves(*findings));
+  if (!arguments.quiet) {
+    tell("{}: {} curves in {:.1f} s\n", arguments.output, findings->curves.size(),
+         findings->seconds);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
+  CLI::App* command = app->add_subcommand(
+      "curves", "The bifurcation curves that border the periods of a map, exact and classified");
+  const auto arguments = std::make_shared<CurvesArguments>();
+  command->add_option("map", arguments->map, "A result file over two parameters, with its period")
+      ->type_name(kResultValue)
+      ->required();
+  command->add_option("-o,--output", arguments->output, "The curves: .nc")
+      ->type_name(kFileValue)
+      ->required();
+  command
+      ->add_option("--steps", arguments->steps,
+                   fmt::format("Integration steps per forcing period (default: {}, or the "
+                               "study's, if that is more)",
+                               kBorderSteps))
+      ->type_name(kNumberValue)
+      ->check(whole_number(16, 65536));
+  add_device_option(command, &arguments->device, false);
+  command->add_flag("--quiet", arguments->quiet, "No progress");
+  command->footer(
+      "Examples:\n"
+      "  gearsweep run coarse-backlash -o map.nc\n"
+      "  gearsweep curves map.nc -o curves.nc\n"
+      "  gearsweep plot map.nc --curves curves.nc -q period -o borders.pdf\n\n"
+      "Where neighbouring pixels differ in their period, Newton's method finds the bifurcation\n"
+      "between them: a fold, a flip (the period doubles) or a Neimark-Sacker bifurcation (a torus\n"
+      "is born). Its curve is followed through the plane. Of all other pairs the summary says\n"
+      "whether the orbit of one goes on, stable, beyond the other: then the border is one between\n"
+      "basins, and no bifurcation.");
+  command->callback([arguments, signals, status] { *status = run_curves(*arguments, signals); });
+}
+
+}  // namespace gearsweep

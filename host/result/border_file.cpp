@@ -1,0 +1,237 @@
+#include "result/border_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "model/error.hpp"
+#include "result/detail/dataset_file.hpp"
+#include "result/detail/file_notes.hpp"
+#include "result/detail/netcdf_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+constexpr const char* kContentOfBorders = "border curves of gearsweep";
+
+// Puts the dataset together, variable by variable.
+class BorderDescription {
+ public:
+  explicit BorderDescription(const BorderFindings& findings)
+      : findings_(findings),
+        model_(*findings.study.model),
+        notes_(findings.study, {parameter(0).name, parameter(1).name}) {
+    for (const BorderCurve& curve : findings.curves) {
+      for (const BorderPoint& point : curve.points) points_.push_back(&point);
+    }
+  }
+
+  Dataset make(const Provenance& provenance) {
+    out_.attributes = {{"content", kContentOfBorders}};
+    for (Attribute& own : notes_.provenance(provenance)) out_.attributes.push_back(std::move(own));
+    out_.attributes.push_back({"x", parameter(0).name});
+    out_.attributes.push_back({"y", parameter(1).name});
+    out_.attributes.push_back(
+        {"steps_per_period", static_cast<double>(findings_.steps)});
+    const std::size_t states = model_.states.size();
+    out_.dimensions = {{"curve", findings_.curves.size()},
+                       {"point", points_.size()},
+                       {"state", states},
+                       {"multiplier", states},
+                       {"border", findings_.borders.size()},
+                       {"side", 2}};
+    add_points();
+    add_curves();
+    add_special();
+    add_borders();
+    return std::move(out_);
+  }
+
+ private:
+  const ParameterInfo& parameter(std::size_t axis) const {
+    return model_.parameters[findings_.study.axes[axis].index];
+  }
+
+  void add(const std::string& name, Stored stored, const std::vector<std::string>& dimensions,
+           const std::string& unit, const std::string& meaning, std::vector<double> numbers) {
+    out_.variables.push_back({.name = name,
+                              .stored = stored,
+                              .dimensions = dimensions,
+                              .attributes = notes_.describe(unit, meaning),
+                              .elements = std::move(numbers)});
+  }
+
+  std::vector<double> each_point(const std::function<double(const BorderPoint&)>& part) const {
+    std::vector<double> out;
+    for (const BorderPoint* point : points_) out.push_back(part(*point));
+    return out;
+  }
+
+  void add_points() {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      add(parameter(axis).name, Stored::real, {"point"}, parameter(axis).unit,
+          parameter(axis).meaning,
+          each_point([axis](const BorderPoint& point) { return point.place[axis]; }));
+    }
+    add_texts("state", "state of the model", "state", model_.state_names(), &out_);
+    notes_.add_channels(model_.states, "state", "state", &out_);
+    std::vector<double> sections, real, imag;
+    for (const BorderPoint* point : points_) {
+      sections.insert(sections.end(), point->state.begin(), point->state.end());
+      for (const std::complex<double>& m : point->multipliers) {
+        real.push_back(m.real());
+        imag.push_back(m.imag());
+      }
+    }
+    add("section", Stored::real, {"point", "state"}, "", "states of the orbit at phase 0", sections);
+    out_.variables.back().attributes =
+        notes_.describe(model_.states, "state", "states of the orbit at phase 0");
+    add("multiplier_real", Stored::real, {"point", "multiplier"}, "1",
+        "Floquet multipliers of the orbit, largest modulus first, real part", real);
+    add("multiplier_imag", Stored::real, {"point", "multiplier"}, "1",
+        "Floquet multipliers of the orbit, largest modulus first, imaginary part", imag);
+    add("angle", Stored::real, {"point"}, "rad", "angle of the multiplier on the unit circle",
+        each_point([](const BorderPoint& point) { return point.angle; }));
+    add("residual", Stored::real, {"point"}, "1",
+        "largest residual of the equations that the point solves, in sizes of the states",
+        each_point([](const BorderPoint& point) { return point.residual; }));
+  }
+
+  void add_curves() {
+    std::vector<std::string> kinds, begins, ends;
+    std::vector<double> periods, counts, closed;
+    for (const BorderCurve& curve : findings_.curves) {
+      kinds.push_back(name_of(curve.kind));
+      begins.push_back(curve.begins);
+      ends.push_back(curve.ends);
+      periods.push_back(static_cast<double>(curve.period));
+      counts.push_back(static_cast<double>(curve.points.size()));
+      closed.push_back(curve.is_closed ? 1.0 : 0.0);
+    }
+    add_texts("curve_kind", "what happens at the curve", "curve", kinds, &out_);
+    add_texts("curve_begins", "why the curve begins where it does", "curve", begins, &out_);
+    add_texts("curve_ends", "why the curve ends where it does", "curve", ends, &out_);
+    add("curve_period", Stored::integer, {"curve"}, "1",
+        "forcing periods of the orbit that bifurcates", periods);
+    add("curve_points", Stored::integer, {"curve"}, "1", "how many points the curve has", counts);
+    out_.variables.back().attributes.push_back({"sample_dimension", "point"});
+    add("curve_closed", Stored::byte, {"curve"}, "1", "1: the curve is closed", closed);
+  }
+
+  void add_special() {
+    std::vector<std::string> kinds;
+    std::vector<double> curves;
+    std::array<std::vector<double>, 2> places;
+    for (std::size_t i = 0; i < findings_.curves.size(); ++i) {
+      for (const SpecialPoint& special : findings_.curves[i].special) {
+        kinds.push_back(name_of(special.kind));
+        curves.push_back(static_cast<double>(i));
+        for (std::size_t axis = 0; axis < 2; ++axis) places[axis].push_back(special.place[axis]);
+      }
+    }
+    if (kinds.empty()) return;
+    out_.dimensions.push_back({"special", kinds.size()});
+    add_texts("special_kind", "what meets at a special point", "special", kinds, &out_);
+    add("special_curve", Stored::integer, {"special"}, "1", "the curve it lies on, from 0", curves);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      add("special_" + parameter(axis).name, Stored::real, {"special"}, parameter(axis).unit,
+          parameter(axis).meaning, places[axis]);
+    }
+  }
+
+  void add_borders() {
+    std::vector<double> labels, pairs;
+    for (const ExplainedBorder& border : findings_.borders) {
+      for (const int label : border.border.labels) labels.push_back(label);
+      pairs.push_back(static_cast<double>(border.reasons.size()));
+    }
+    add("border_period", Stored::integer, {"border", "side"}, "1",
+        "periods on both sides of a border of the map; 0: none", labels);
+    add("border_pairs", Stored::integer, {"border"}, "1",
+        "pairs of neighbouring pixels that the border parts", pairs);
+    const std::array<std::string, kEdgeReasons> names = {"border_on_curve", "border_basin",
+                                                         "border_lost", "border_unsettled"};
+    for (std::size_t i = 0; i < kEdgeReasons; ++i) {
+      const auto reason = static_cast<EdgeReason>(i);
+      std::vector<double> counts;
+      for (const ExplainedBorder& border : findings_.borders) {
+        counts.push_back(static_cast<double>(border.count(reason)));
+      }
+      add(names[i], Stored::integer, {"border"}, "1", "of these pairs: " + describe(reason), counts);
+    }
+  }
+
+  const BorderFindings& findings_;
+  const Model& model_;
+  const FileNotes notes_;
+  std::vector<const BorderPoint*> points_;
+  Dataset out_;
+};
+
+[[noreturn]] void refuse_no_curves(const std::string& path) {
+  throw InputError(
+      fmt::format("'{}' holds no curves; give a file that 'gearsweep curves' wrote", path));
+}
+
+}  // namespace
+
+Dataset dataset_of(const BorderFindings& findings, const Provenance& provenance) {
+  return BorderDescription(findings).make(provenance);
+}
+
+void write_borders(const BorderFindings& findings, const std::string& path,
+                   const Provenance& provenance) {
+  write_dataset(dataset_of(findings, provenance), path);
+}
+
+StoredCurves read_borders(const std::string& path) {
+  const NetcdfFile file = NetcdfFile::open(path);
+  const auto note = [&](const char* name) {
+    return file.text_attribute(NC_GLOBAL, name).value_or("");
+  };
+  if (note("content") != kContentOfBorders) refuse_no_curves(path);
+  StoredCurves out;
+  out.x = note("x");
+  out.y = note("y");
+  const auto find = [&](const std::string& name) {
+    const int variable = file.find_variable(name);
+    if (variable < 0) refuse_no_curves(path);
+    return variable;
+  };
+  const auto row = [&](const std::string& name) {
+    const int variable = find(name);
+    const std::vector<int> dimensions = file.dimensions_of(variable);
+    if (dimensions.size() != 1) refuse_no_curves(path);
+    return file.read(variable, {0}, {file.dimension_size(dimensions.front())});
+  };
+  const std::vector<double> x = row(out.x), y = row(out.y), counts = row("curve_points");
+  const std::vector<double> periods = row("curve_period");
+  const std::vector<std::string> kinds = file.read_texts(find("curve_kind"));
+  if (x.size() != y.size() || kinds.size() != counts.size() || periods.size() != counts.size()) {
+    refuse_no_curves(path);
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double left = static_cast<double>(x.size() - next);
+    if (!(counts[i] >= 0.0 && counts[i] <= left)) refuse_no_curves(path);
+    StoredCurve curve{kinds[i], static_cast<int>(periods[i]), {}};
+    for (const std::size_t end = next + static_cast<std::size_t>(counts[i]); next < end; ++next) {
+      curve.places.emplace_back(x[next], y[next]);
+    }
+    out.curves.push_back(std::move(curve));
+  }
+  if (file.find_variable("special_kind") < 0) return out;
+  const std::vector<std::string> names = file.read_texts(find("special_kind"));
+  const std::vector<double> special_x = row("special_" + out.x), special_y = row("special_" + out.y);
+  if (special_x.size() != names.size() || special_y.size() != names.size()) refuse_no_curves(path);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    out.special.push_back({names[i], {special_x[i], special_y[i]}});
+  }
+  return out;
+}
+
+}  // namespace gearsweep

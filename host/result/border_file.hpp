@@ -1,0 +1,42 @@
+// Files of border curves: NetCDF-4, curves as contiguous ragged arrays (as the CF conventions have
+// them), with the special points and what parts the pixels of the map.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "borders/border_search.hpp"
+#include "result/dataset.hpp"
+
+namespace gearsweep {
+
+// Along `point`, curve after curve: the two parameters, `state` (point, state) at phase 0,
+// `multiplier_real` and `multiplier_imag` (point, multiplier), largest modulus first, `angle` of the
+// critical multiplier, `residual` of all equations in sizes of the states. Along `curve`:
+// `curve_kind`, `curve_period` in forcing periods, `curve_points` (how many points it has),
+// `curve_closed`, `curve_begins`, `curve_ends`. Along `special`: `special_kind`, `special_curve`
+// and the two parameters as special_NAME. Along `border`: `border_period` (border, side), 0: none,
+// `border_pairs`, and how many of these are `border_on_curve`, `border_basin`, `border_lost`,
+// `border_unsettled`.
+Dataset dataset_of(const BorderFindings& findings, const Provenance& provenance);
+
+void write_borders(const BorderFindings& findings, const std::string& path,
+                   const Provenance& provenance);
+
+// A curve as a file has it.
+struct StoredCurve {
+  std::string kind;
+  int period = 1;
+  std::vector<std::pair<double, double>> places;  // x, y
+};
+struct StoredCurves {
+  std::string x, y;  // names of the parameters
+  std::vector<StoredCurve> curves;
+  std::vector<std::pair<std::string, std::pair<double, double>>> special;  // kind and place
+};
+
+// Throws InputError when the file holds no curves.
+StoredCurves read_borders(const std::string& path);
+
+}  // namespace gearsweep
