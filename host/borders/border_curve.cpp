@@ -17,6 +17,11 @@ constexpr int kQuickCorrection = 3;
 constexpr double kStraight = 0.9;    // smallest cosine of the angle between neighbours
 constexpr double kFarLanding = 0.3;  // correction, as a share of the step
 constexpr std::size_t kMaxPoints = 2000;
+// Around a corner, in shares of the window: how far from it the way on is looked for, in how many
+// directions, and the largest cosine of the angle to the way that the curve came.
+constexpr double kOverCorner = 3e-3, kFarFromCorner = 0.1, kBackwards = 0.9;
+constexpr int kDirections = 16;
+constexpr std::size_t kMaxCorners = 12;
 constexpr double kNearAxis = 1e-3;  // of the angle of a pair: a resonance ends its curve
 
 int real_beyond(const BorderPoint& point, double sign) {
@@ -52,8 +57,11 @@ class Tracer {
       std::optional<BorderPoint> next = step(last, allowed);
       if (!next) {
         length = 0.5 * allowed;
-        if (length < kMinStep) return ended("no smooth way on", std::move(points));
-        continue;
+        if (length >= kMinStep) continue;
+        if (corners_.size() < kMaxCorners) next = over_corner(last);
+        if (!next) return ended("no way on", std::move(points));
+        corners_.push_back(last.place);
+        length = kFirstStep;
       }
       if (!equations_.plane().contains(next->place)) {
         if (const auto edge = at_edge(last, *next)) points.push_back(*edge);
@@ -76,6 +84,7 @@ class Tracer {
   }
 
   const std::string& reason() const { return reason_; }
+  const std::vector<PlanePlace>& corners() const { return corners_; }
   bool is_closed() const { return is_closed_; }
 
  private:
@@ -97,6 +106,37 @@ class Tracer {
         equations_.correct(guess, last.tangent, last.null_vectors, kFarLanding * length);
     if (!next || next->tangent.dot(last.tangent) < kStraight) return std::nullopt;
     return next;
+  }
+
+  // Where an orbit begins to touch a limit of a contact, its multipliers change with the root of how
+  // deep it goes: a curve goes on there along the places where the orbit only just touches, at any
+  // angle to where it came from. Looks for it all around.
+  std::optional<BorderPoint> over_corner(const BorderPoint& corner) const {
+    const VectorXd from = equations_.unknowns_of(corner);
+    const Index x = from.size() - 2, y = x + 1;
+    const double came = std::atan2(-corner.tangent[y], -corner.tangent[x]);
+    std::optional<BorderPoint> best;
+    double most_straight = kBackwards;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kDirections;
+      if (std::cos(angle - came) > kBackwards) continue;
+      VectorXd across = VectorXd::Zero(from.size()), guess = from;
+      across[x] = std::cos(angle);
+      across[y] = std::sin(angle);
+      guess += kOverCorner * across;
+      std::optional<BorderPoint> found =
+          equations_.correct(guess, across, corner.null_vectors, kFarFromCorner);
+      if (!found) continue;
+      const VectorXd gone = equations_.unknowns_of(*found) - from;
+      const double turned = std::cos(std::atan2(gone[y], gone[x]) - came);
+      if (std::hypot(gone[x], gone[y]) > 2.0 * kOverCorner || turned >= most_straight) continue;
+      if (found->tangent[x] * gone[x] + found->tangent[y] * gone[y] < 0.0) {
+        found->tangent = -found->tangent;
+      }
+      most_straight = turned;
+      best = std::move(found);
+    }
+    return best;
   }
 
   // Where the curve leaves the window.
@@ -139,6 +179,7 @@ class Tracer {
   const BorderEquations& equations_;
   const BorderPoint& start_;
   std::string reason_;
+  std::vector<PlanePlace> corners_;
   bool is_closed_ = false;
 };
 
@@ -195,9 +236,11 @@ std::string name_of(SpecialKind kind) {
     case SpecialKind::fold_flip:
       return "fold-flip";
     case SpecialKind::fold_neimark:
+      return "with a Neimark-Sacker pair";
+    case SpecialKind::corner:
       break;
   }
-  return "with a Neimark-Sacker pair";
+  return "corner";
 }
 
 double BorderCurve::max_residual() const {
@@ -212,6 +255,12 @@ BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& s
   Tracer onwards(equations, start);
   const std::vector<BorderPoint> after = onwards.go(1.0);
   curve.ends = onwards.reason();
+  const auto add_corners = [&](const Tracer& tracer) {
+    for (const PlanePlace& place : tracer.corners()) {
+      curve.special.push_back({SpecialKind::corner, place});
+    }
+  };
+  add_corners(onwards);
   curve.is_closed = onwards.is_closed();
   std::vector<BorderPoint> before;
   if (curve.is_closed) {
@@ -220,6 +269,7 @@ BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& s
     Tracer back(equations, start);
     before = back.go(-1.0);
     curve.begins = back.reason();
+    add_corners(back);
   }
   curve.points.assign(before.rbegin(), before.rend());
   curve.points.push_back(start);

@@ -19,9 +19,10 @@ enum class SpecialKind {
   resonance_1_4,   // a quarter
   fold_flip,       // multipliers at +1 and at -1
   fold_neimark,    // a pair on the circle, too: a fold, or a flip, meets a Neimark-Sacker curve
+  corner,          // the curve bends: the orbit touches a limit there that it did not touch before
 };
 
-// "cusp", "resonance 1:1", "fold-flip", "with a Neimark-Sacker pair".
+// "cusp", "resonance 1:1", "fold-flip", "with a Neimark-Sacker pair", "corner".
 std::string name_of(SpecialKind kind);
 
 // Between two neighbours of the curve, on the straight line through both.

@@ -34,6 +34,8 @@ constexpr double kFarCrossing = 2.0;     // in scaled unknowns: from a pixel to 
 constexpr double kBeyond = 1.5;          // pixels from the middle of an edge
 constexpr double kStillStable = 1.001;   // other multipliers at the border of a stable motion
 constexpr int kPartsOfWay = 4;           // in which an orbit is carried from pixel to pixel
+constexpr double kNearestShare = 1e-5;   // of that way: how near to its end
+constexpr double kSmallAngle = 0.02;     // of a pair: a resonance, or none at all
 constexpr double kNearReach = 0.5;       // sizes of the states, in one of them
 
 // A pair of pixels, seen from the one whose orbit is known.
@@ -61,7 +63,6 @@ class BorderSearch {
   }
 
   BorderFindings find() {
-    const auto begin = std::chrono::steady_clock::now();
     for (MapBorder& border : find_map_borders(pixels_, request_.min_edges)) {
       const std::size_t edges = border.edges.size();
       borders_.push_back({std::move(border), std::vector<EdgeReason>(edges, EdgeReason::unsettled)});
@@ -85,7 +86,7 @@ class BorderSearch {
     out.curves = std::move(curves_);
     out.borders = std::move(borders_);
     out.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     return out;
   }
 
@@ -129,7 +130,9 @@ class BorderSearch {
   }
 
   void tell(const std::string& line) const {
-    if (request_.tell) request_.tell(line);
+    if (!request_.tell) return;
+    const std::chrono::duration<double> past = std::chrono::steady_clock::now() - begin_;
+    request_.tell(fmt::format("{:.1f} s: {}", past.count(), line));
   }
 
   std::size_t explained() const {
@@ -212,16 +215,47 @@ class BorderSearch {
 
   // Whether a border between a pixel and its neighbour was found.
   bool grow_from(const HeldOrbit& orbit, const Seed& seed, std::size_t to) {
+    std::optional<HeldOrbit> nearer;
     for (const BorderKind kind : {BorderKind::flip, BorderKind::fold, BorderKind::neimark_sacker}) {
       const BorderEquations equations(plane_, joined_.get(), kind, orbit.period,
                                       {orbit.sizes, {plane_.range(0), plane_.range(1)}});
-      const std::optional<BorderPoint> found = crossing(equations, orbit, to);
+      std::optional<BorderPoint> found = crossing(equations, orbit, to);
+      if (!found || !is_beside(*found, seed)) {
+        if (!nearer) nearer = last_stable(orbit, to);
+        found = crossing(equations, *nearer, to);
+      }
       if (!found || !is_beside(*found, seed)) continue;
       if (is_known(kind, orbit.period, *found)) return true;
       add(follow_border(equations, *found), *found);
       return true;
     }
     return false;
+  }
+
+  // The orbit on the way to a pixel, as near as it is found to where it ends or loses its
+  // stability.
+  HeldOrbit last_stable(const HeldOrbit& start, std::size_t to) {
+    const PlanePlace there = pixels_.place(to);
+    HeldOrbit at = start;
+    VectorXd slope = VectorXd::Zero(start.state.size());  // by the share of the way
+    double share = 0.0, step = 0.125;
+    while (step > kNearestShare && share < 2.0) {
+      HeldOrbit guess = at;
+      for (std::size_t k = 0; k < 2; ++k) {
+        guess.place[k] = start.place[k] + (share + step) * (there[k] - start.place[k]);
+      }
+      guess.state += step * slope;
+      const std::optional<HeldOrbit> next =
+          hold_orbits(plane_, joined_.get(), {guess}, kNearReach).front();
+      if (next && next->is_stable()) {
+        slope = (next->state - at.state) / step;
+        at = *next;
+        share += step;
+      } else {
+        step *= 0.5;
+      }
+    }
+    return at;
   }
 
   // Where the line from the orbit's place to that of a pixel meets a border of the orbit.
@@ -242,7 +276,9 @@ class BorderSearch {
     across[guess.size() - 1] = -(there[0] - orbit.place[0]) / plane_.range(0);
     std::optional<BorderPoint> found =
         equations.correct(guess, across.normalized(), *vectors, kFarCrossing);
-    if (!found || !leaves_stability(equations.kind(), *found)) return std::nullopt;
+    if (!found || !leaves_stability(*found)) return std::nullopt;
+    const bool is_pair = equations.kind() == BorderKind::neimark_sacker;
+    if (is_pair && std::abs(std::sin(found->angle)) < kSmallAngle) return std::nullopt;
     return found;
   }
 
@@ -260,11 +296,9 @@ class BorderSearch {
   }
 
   // A stable motion has the border in front of it: no other multiplier is outside.
-  static bool leaves_stability(BorderKind kind, const BorderPoint& point) {
-    const std::size_t own = kind == BorderKind::neimark_sacker ? 2 : 1;
-    const auto outside = std::ranges::count_if(
-        point.multipliers, [](const auto& m) { return std::abs(m) > kStillStable; });
-    return static_cast<std::size_t>(outside) == 0 || own == 0;
+  static bool leaves_stability(const BorderPoint& point) {
+    return std::ranges::none_of(point.multipliers,
+                                [](const auto& m) { return std::abs(m) > kStillStable; });
   }
 
   bool is_beside(const BorderPoint& point, const Seed& seed) const {
@@ -356,6 +390,7 @@ class BorderSearch {
     for (const Way& way : ways) *way.reason = EdgeReason::basin;
   }
 
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   const BorderRequest& request_;
   const PeriodPixels& pixels_;
   const std::atomic<bool>* const stop_;
