@@ -23,7 +23,8 @@ constexpr double kResidual = 1e-10;
 // A residual that no step makes smaller is rounding, if it is at most this.
 constexpr double kRounding = 1e-8;
 constexpr double kBetter = 0.5;
-constexpr int kMaxIterations = 12;
+constexpr double kWorse = 2.0;  // than the residual before: it does not converge
+constexpr int kMaxIterations = 10;
 
 MatrixXcd less_multiplier(const MatrixXd& monodromy, double angle) {
   MatrixXcd out = monodromy.cast<std::complex<double>>();
@@ -113,6 +114,22 @@ std::optional<NullVectors> BorderEquations::null_vectors_near(const VectorXd& gu
   return NullVectors{svd.matrixU().col(last), svd.matrixV().col(last)};
 }
 
+VectorXd BorderEquations::residual_of(const OrbitAnswer& answer, const VectorXd& unknowns,
+                                      const NullVectors& near, State* state) const {
+  const Index n = states();
+  state->monodromy = scaled(answer.derivative);
+  const Bordered bordered =
+      solve_bordered(less_multiplier(state->monodromy, angle_of(unknowns)), near);
+  state->null_vectors = {bordered.left.normalized(), bordered.right.normalized()};
+  state->overlap = state->null_vectors.left.real().dot(state->null_vectors.right.real());
+  state->stretch = {bordered.left, bordered.right};
+  VectorXd out(n + (has_angle() ? 2 : 1));
+  out.head(n) = return_of(answer, unknowns);
+  out[n] = bordered.value.real();
+  if (has_angle()) out[n + 1] = bordered.value.imag();
+  return out;
+}
+
 std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& unknowns,
                                                                const NullVectors& near) const {
   const Index n = states(), all = this->unknowns();
@@ -134,88 +151,92 @@ std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& u
   if (std::ranges::any_of(answers, [](const auto& answer) { return !answer; })) return std::nullopt;
 
   Linearized out;
-  out.monodromy = scaled(answers[0]->derivative);
+  out.residual = residual_of(*answers[0], unknowns, near, &out.state);
+  const NullVectors& stretch = out.state.stretch;
   const auto change = [&](std::size_t query) -> MatrixXd {
-    return (scaled(answers[query]->derivative) - out.monodromy) / kDifference;
+    return (scaled(answers[query]->derivative) - out.state.monodromy) / kDifference;
   };
-  const double angle = angle_of(unknowns);
-  const Bordered bordered = solve_bordered(less_multiplier(out.monodromy, angle), near);
-  out.null_vectors = {bordered.left.normalized(), bordered.right.normalized()};
-
-  const Index equations = n + (has_angle() ? 2 : 1);
-  out.residual.resize(equations);
-  out.slope.setZero(equations, all);
+  out.slope.setZero(out.residual.size(), all);
   const auto set_value = [&](Index column, std::complex<double> slope) {
     out.slope(n, column) = slope.real();
     if (has_angle()) out.slope(n + 1, column) = slope.imag();
   };
-  out.residual.head(n) = return_of(*answers[0], unknowns);
-  out.residual[n] = bordered.value.real();
-  if (has_angle()) out.residual[n + 1] = bordered.value.imag();
-  out.slope.topLeftCorner(n, n) = out.monodromy - MatrixXd::Identity(n, n);
+  out.slope.topLeftCorner(n, n) = out.state.monodromy - MatrixXd::Identity(n, n);
   for (Index i = 1; i <= 2; ++i) {
     const auto query = static_cast<std::size_t>(i);
     out.slope.col(all - i).head(n) =
         (return_of(*answers[query], unknowns) - out.residual.head(n)) / kDifference;
-    set_value(all - i, -bordered.left.dot(change(query) * bordered.right));
+    set_value(all - i, -stretch.left.dot(change(query) * stretch.right));
   }
   // The second derivative is symmetric: its change along the null vector is the change of its
   // product with the null vector along each state.
   MatrixXcd bend = change(3).cast<std::complex<double>>();
   if (has_angle()) bend += std::complex<double>(0.0, 1.0) * change(4);
-  bend *= bordered.right.norm();
-  const Eigen::RowVectorXcd by_state = -bordered.left.adjoint() * bend;
+  bend *= stretch.right.norm();
+  const Eigen::RowVectorXcd by_state = -stretch.left.adjoint() * bend;
   for (Index i = 0; i < n; ++i) set_value(i, by_state[i]);
   if (has_angle()) {
     const std::complex<double> turned(0.0, 1.0);
-    set_value(n, bordered.left.dot(bordered.right) * turned * std::polar(1.0, angle));
+    set_value(n, stretch.left.dot(stretch.right) * turned * std::polar(1.0, angle_of(unknowns)));
   }
-  const VectorXd left = out.null_vectors.left.real(), right = out.null_vectors.right.real();
-  out.overlap = left.dot(right);
-  out.fold_bend = left.dot(bend.real() / bordered.right.norm() * right);
+  const NullVectors& unit = out.state.null_vectors;
+  out.fold_bend = unit.left.real().dot(bend.real() / stretch.right.norm() * unit.right.real());
   return out;
 }
 
 std::optional<BorderPoint> BorderEquations::correct(const VectorXd& guess, const VectorXd& across,
                                                     const NullVectors& near, double reach) const {
   const Index all = unknowns();
-  VectorXd z = guess;
-  NullVectors vectors = near;
+  if (!plane_.is_allowed(place_of(guess))) return std::nullopt;
+  std::optional<Linearized> first = at(guess, near);
+  if (!first || !first->slope.allFinite()) return std::nullopt;
+  // One derivative, which Broyden's updates keep up with the residuals: these take a fraction of
+  // what derivatives do.
+  MatrixXd slope(all, all);
+  slope << first->slope, across.transpose();
+  const VectorXd tangent = Eigen::FullPivLU<MatrixXd>(slope).solve(VectorXd::Unit(all, all - 1));
+  VectorXd z = guess, residual = VectorXd::Zero(all);
+  residual.head(all - 1) = first->residual;
+  State now = first->state;
   double before = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
-    if (!z.allFinite() || (z - guess).norm() > reach || !plane_.is_allowed(place_of(z))) {
-      return std::nullopt;
-    }
-    const std::optional<Linearized> now = at(z, vectors);
-    if (!now || !now->slope.allFinite()) return std::nullopt;
-    VectorXd residual(all);
-    residual << now->residual, across.dot(z - guess);
-    MatrixXd slope(all, all);
-    slope << now->slope, across.transpose();
-    const Eigen::FullPivLU<MatrixXd> solver(slope);
     const double off = residual.cwiseAbs().maxCoeff();
     if (off <= kResidual || (off <= kRounding && off > kBetter * before)) {
-      BorderPoint point;
-      point.place = place_of(z);
-      point.state = scale_.sizes.cwiseProduct(z.head(states()));
-      point.angle = angle_of(z);
-      point.multipliers = now->monodromy.eigenvalues();
-      std::ranges::sort(point.multipliers, [](const auto& a, const auto& b) {
-        return std::abs(a) > std::abs(b);
-      });
+      BorderPoint point = point_at(z, now);
       point.residual = off;
-      point.fold_bend = now->fold_bend;
-      point.overlap = now->overlap;
-      point.tangent = solver.solve(VectorXd::Unit(all, all - 1)).normalized();
-      point.null_vectors = now->null_vectors;
+      point.fold_bend = first->fold_bend;
+      point.tangent = tangent.normalized();
       point.iterations = iteration;
       return point;
     }
+    if (!(off < kWorse * before)) return std::nullopt;
     before = off;
-    z -= solver.solve(residual);
-    vectors = now->null_vectors;
+    const VectorXd step = Eigen::FullPivLU<MatrixXd>(slope).solve(-residual);
+    z += step;
+    if (!z.allFinite() || (z - guess).norm() > reach || !plane_.is_allowed(place_of(z))) {
+      return std::nullopt;
+    }
+    const std::optional<OrbitAnswer> answer = map_->answer({query_at(z)}).front();
+    if (!answer) return std::nullopt;
+    VectorXd next(all);
+    next << residual_of(*answer, z, near, &now), across.dot(z - guess);
+    slope += (next - residual - slope * step) * step.transpose() / step.squaredNorm();
+    residual = next;
   }
   return std::nullopt;
+}
+
+BorderPoint BorderEquations::point_at(const VectorXd& unknowns, const State& state) const {
+  BorderPoint point;
+  point.place = place_of(unknowns);
+  point.state = scale_.sizes.cwiseProduct(unknowns.head(states()));
+  point.angle = angle_of(unknowns);
+  point.multipliers = state.monodromy.eigenvalues();
+  std::ranges::sort(point.multipliers,
+                    [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
+  point.overlap = state.overlap;
+  point.null_vectors = state.null_vectors;
+  return point;
 }
 
 }  // namespace gearsweep

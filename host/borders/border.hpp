@@ -75,12 +75,18 @@ class BorderEquations {
   std::optional<NullVectors> null_vectors_near(const Eigen::VectorXd& guess) const;
 
  private:
+  // What the return map's derivative at a guess tells of the multiplier.
+  struct State {
+    Eigen::MatrixXd monodromy;  // scaled
+    NullVectors null_vectors;
+    NullVectors stretch;  // the same as the bordered matrix gives them
+    double overlap = 0.0;
+  };
   struct Linearized {
     Eigen::VectorXd residual;
-    Eigen::MatrixXd slope;      // by the unknowns
-    Eigen::MatrixXd monodromy;  // scaled
-    double fold_bend = 0.0, overlap = 0.0;
-    NullVectors null_vectors;
+    Eigen::MatrixXd slope;  // by the unknowns
+    State state;
+    double fold_bend = 0.0;
   };
 
   Eigen::Index states() const { return scale_.sizes.size(); }
@@ -89,7 +95,11 @@ class BorderEquations {
   OrbitQuery query_at(const Eigen::VectorXd& unknowns) const;
   Eigen::MatrixXd scaled(const Eigen::MatrixXd& derivative) const;
   Eigen::VectorXd return_of(const OrbitAnswer& answer, const Eigen::VectorXd& unknowns) const;
+  // The residual at a guess; state: what else it tells.
+  Eigen::VectorXd residual_of(const OrbitAnswer& answer, const Eigen::VectorXd& unknowns,
+                              const NullVectors& near, State* state) const;
   std::optional<Linearized> at(const Eigen::VectorXd& unknowns, const NullVectors& near) const;
+  BorderPoint point_at(const Eigen::VectorXd& unknowns, const State& state) const;
 
   const ParameterPlane& plane_;
   OrbitMap* map_;

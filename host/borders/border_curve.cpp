@@ -12,8 +12,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 // Arclength is measured in scaled unknowns: states in their sizes, angles, window ranges.
-constexpr double kFirstStep = 2e-3, kMinStep = 1e-6, kMaxStep = 0.1;
-constexpr int kQuickCorrection = 3;
+constexpr double kFirstStep = 2e-3, kMinStep = 2e-5, kMaxStep = 0.1;
+constexpr double kShorter = 0.3;  // a step that is tried again
+constexpr int kQuickCorrection = 4;
 constexpr double kStraight = 0.9;    // smallest cosine of the angle between neighbours
 constexpr double kFarLanding = 0.3;  // correction, as a share of the step
 constexpr std::size_t kMaxPoints = 2000;
@@ -56,7 +57,7 @@ class Tracer {
       const double allowed = length_of_step(last, length);
       std::optional<BorderPoint> next = step(last, allowed);
       if (!next) {
-        length = 0.5 * allowed;
+        length = kShorter * allowed;
         if (length >= kMinStep) continue;
         if (corners_.size() < kMaxCorners) next = over_corner(last);
         if (!next) return ended("no way on", std::move(points));

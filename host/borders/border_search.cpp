@@ -29,7 +29,7 @@ using Eigen::VectorXd;
 constexpr double kHalfPixel = 0.5, kOnCurve = 0.05;  // pixels
 constexpr std::size_t kMaxRounds = 12;
 constexpr std::size_t kMaxTries = 8;     // seeds of a border that find nothing
-constexpr std::size_t kAtOnce = 24;      // threads, which mostly wait for the device
+constexpr std::size_t kAtOnce = 8;       // threads, which mostly wait for the device
 constexpr double kFarCrossing = 2.0;     // in scaled unknowns: from a pixel to a border beside it
 constexpr double kBeyond = 1.5;          // pixels from the middle of an edge
 constexpr double kStillStable = 1.001;   // other multipliers at the border of a stable motion

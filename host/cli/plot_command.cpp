@@ -81,6 +81,7 @@ constexpr const char* kPlotFooter =
     "  gearsweep plot map.nc -q contact_class -o class.png\n"
     "  gearsweep plot map.nc -o figure.pdf --width 85mm --title '' --colormap cividis\n"
     "  gearsweep plot map.nc -o figure.tex --style thesis.toml --range 0:2\n"
+    "  gearsweep plot map.nc --curves curves.nc -q period -o borders.pdf\n"
     "  gearsweep plot line.nc -q poincare,x1_rms,dmf_max -o stack.pdf\n"
     "  gearsweep plot line.nc other.nc -q x1_rms -o both.png\n"
     "  gearsweep plot map.nc -q x1_rms --at e0=0.3 -o cut.svg --script cut.gp\n"
@@ -144,12 +145,17 @@ void add_plot_command(CLI::App* app) {
                    "Orders that an order map has as lines: 1,2,1/2, of a second mesh 1:second, or "
                    "none (default: 1,2,3,4 of each)")
       ->type_name("N,N/N,...");
+  command
+      ->add_option("--curves", request->curves_path,
+                   "Bifurcation curves that gearsweep curves found, drawn over a map of two axes")
+      ->type_name(kResultValue);
   add_style_options(command, style.get(), style_file.get());
   command->footer(kPlotFooter);
   command->callback([request, cut, style, style_file] {
     if (!cut->empty()) request->at = parse_cut(*cut);
     request->style = style_of(*style, *style_file);
     for (const std::string& path : request->paths) ensure_not_broken(path);
+    if (!request->curves_path.empty()) ensure_not_broken(request->curves_path);
     plot_files(*request);
   });
 }

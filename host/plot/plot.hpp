@@ -34,6 +34,7 @@ struct PlotRequest {
   std::optional<double> orders = {};  // the highest of `spectrum`; without, 10; or of an order map
   // Orders that an order map has as lines: "1,2,1/2", "none"; empty: 1 to 4.
   std::string rays = {};
+  std::string curves_path = {};  // of border curves, to be drawn over a map of two axes
   PlotStyle style = {};
 };
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 
+#include "borders/border_search.hpp"
 #include "model/error.hpp"
 #include "result/detail/dataset_file.hpp"
 #include "result/detail/file_notes.hpp"

@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "borders/border_search.hpp"
 #include "result/dataset.hpp"
 
 namespace gearsweep {
+
+struct BorderFindings;  // borders/border_search.hpp
 
 // Along `point`, curve after curve: the two parameters, `state` (point, state) at phase 0,
 // `multiplier_real` and `multiplier_imag` (point, multiplier), largest modulus first, `angle` of the

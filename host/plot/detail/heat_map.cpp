@@ -162,8 +162,8 @@ std::string add_lines(const Picture& picture, PlotScript* script) {
   std::string text;
   for (const MapLine& line : picture.lines) {
     text += fmt::format(
-        ", \\\n     {} using 1:2 with lines linewidth 1.6 dashtype {} linecolor rgb '{}' notitle",
-        next_records(*script, line.points.size(), 2), line.dashes, line.colour);
+        ", \\\n     {} using 1:2 with lines linewidth {} dashtype {} linecolor rgb '{}' notitle",
+        next_records(*script, line.points.size(), 2), line.width, line.dashes, line.colour);
     for (const auto& [x, y] : line.points) append_numbers({x, y}, &script->data);
   }
   return text;

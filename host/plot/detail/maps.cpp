@@ -10,6 +10,7 @@
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "plot/band.hpp"
+#include "plot/detail/curves.hpp"
 #include "plot/detail/names.hpp"
 #include "plot/detail/panels.hpp"
 #include "plot/detail/sources.hpp"
@@ -256,6 +257,9 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
   }
   if (is_one) {
     Picture picture = read_picture(request.paths.front(), request.quantity, request);
+    if (!request.curves_path.empty()) {
+      add_curves(request.curves_path, request.paths.front(), &picture);
+    }
     if (picture.map.axes.size() == 2) {
       request.style.refuse_band();
       return plot_heat_map(page, picture);
@@ -264,6 +268,7 @@ PlotScript draw_maps(const Page& page, const PlotRequest& request) {
     ensure_band(stack.panels, request.style);
     return plot_stack(page, stack);
   }
+  if (!request.curves_path.empty()) throw InputError("--curves is for one map of two axes");
   ensure_tellable(request.paths.size());
   constexpr std::size_t kMaxPanels = 8;
   if (quantities.size() > kMaxPanels) {

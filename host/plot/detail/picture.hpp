@@ -36,6 +36,7 @@ struct MapLine {
   std::vector<std::pair<double, double>> points;  // in the axes' units
   std::string colour, dashes;
   std::string label;  // markup, at the last point in the picture; may be empty
+  double width = 1.6;
 };
 
 // The band of tolerances around a curve.

@@ -1,0 +1,77 @@
+#include "plot/detail/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "model/error.hpp"
+#include "plot/detail/text.hpp"
+#include "result/border_file.hpp"
+
+namespace gearsweep {
+namespace {
+
+// Told apart by their dashes, too, where there are no colours.
+struct CurveStyle {
+  const char* kind;
+  const char* colour;
+  const char* dashes;
+};
+constexpr std::array<CurveStyle, 3> kStyles = {{{"fold", "#c8102e", "1"},
+                                                {"flip", "#000000", "(14,4)"},
+                                                {"Neimark-Sacker", "#7b2fd0", "(3,3)"}}};
+constexpr double kLineWidth = 1.8, kRimWidth = 3.4;
+
+double largest(const std::vector<double>& values) {
+  double out = 0.0;
+  for (const double value : values) {
+    if (std::abs(value) > std::abs(out)) out = value;
+  }
+  return out;
+}
+
+// Of a picture in other units, what they make of the file's numbers.
+double scale_of(const ResultAxis& shown, const ResultAxis& own) {
+  const double file = largest(own.values);
+  return file == 0.0 ? 1.0 : largest(shown.values) / file;
+}
+
+}  // namespace
+
+void add_curves(const std::string& path, const std::string& map_path, Picture* picture) {
+  const StoredCurves stored = read_borders(path);
+  const std::vector<ResultAxis>& axes = picture->map.axes;
+  if (axes.size() != 2) throw InputError("--curves takes a map of two axes, without --at");
+  if (stored.x != axes[0].name || stored.y != axes[1].name) {
+    throw InputError(fmt::format("--curves {}: its curves are over {} and {}, the map is over {} and {}",
+                                 path, stored.x, stored.y, axes[0].name, axes[1].name));
+  }
+  const std::vector<ResultAxis> own = ResultFile(map_path).axes();
+  const double x = scale_of(axes[0], own[0]), y = scale_of(axes[1], own[1]);
+  std::vector<MapLine> lines;
+  for (const CurveStyle& style : kStyles) {
+    bool is_there = false;
+    for (const StoredCurve& curve : stored.curves) {
+      if (curve.kind != style.kind) continue;
+      is_there = true;
+      MapLine line{{}, style.colour, style.dashes, "", kLineWidth};
+      for (const auto& [px, py] : curve.places) line.points.emplace_back(x * px, y * py);
+      // Seen on any colour.
+      MapLine rim = line;
+      rim.colour = "#ffffff";
+      rim.dashes = "1";
+      rim.width = kRimWidth;
+      picture->lines.push_back(std::move(rim));
+      lines.push_back(std::move(line));
+    }
+    if (is_there) {
+      picture->key.push_back({KeyEntry::Kind::kLine, style.colour, style.dashes, style.kind});
+    }
+  }
+  picture->lines.insert(picture->lines.end(), lines.begin(), lines.end());
+}
+
+}  // namespace gearsweep
