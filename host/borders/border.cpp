@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "borders/held_orbits.hpp"
+
 namespace gearsweep {
 namespace {
 
@@ -22,6 +24,7 @@ constexpr double kDifference = 1e-6;
 constexpr double kResidual = 1e-10;
 // A residual that no step makes smaller is rounding, if it is at most this.
 constexpr double kRounding = 1e-8;
+constexpr double kOnCircle = 1e-6;  // a modulus that differs from 1 by no more
 constexpr double kBetter = 0.5;
 constexpr double kWorse = 2.0;  // than the residual before: it does not converge
 constexpr int kMaxIterations = 10;
@@ -63,6 +66,11 @@ std::string name_of(BorderKind kind) {
   return "Neimark-Sacker";
 }
 
+bool BorderPoint::is_of_stable_motion() const {
+  return std::ranges::none_of(multipliers,
+                              [](const auto& m) { return std::abs(m) > 1.0 + kOnCircle; });
+}
+
 BorderEquations::BorderEquations(const ParameterPlane& plane, OrbitMap* map, BorderKind kind,
                                  std::size_t period, BorderScale scale)
     : plane_(plane), map_(map), kind_(kind), period_(period), scale_(std::move(scale)) {}
@@ -89,7 +97,8 @@ double BorderEquations::angle_of(const VectorXd& unknowns) const {
 
 OrbitQuery BorderEquations::query_at(const VectorXd& unknowns) const {
   const PlanePlace place = place_of(unknowns);
-  return {{place.begin(), place.end()}, scale_.sizes.cwiseProduct(unknowns.head(states())), period_};
+  return {
+      {place.begin(), place.end()}, scale_.sizes.cwiseProduct(unknowns.head(states())), period_};
 }
 
 MatrixXd BorderEquations::scaled(const MatrixXd& derivative) const {
@@ -97,12 +106,7 @@ MatrixXd BorderEquations::scaled(const MatrixXd& derivative) const {
 }
 
 VectorXd BorderEquations::return_of(const OrbitAnswer& answer, const VectorXd& unknowns) const {
-  VectorXd out = answer.image - scale_.sizes.cwiseProduct(unknowns.head(states()));
-  for (const std::size_t angle : plane_.model->angles) {
-    double& turn = out[static_cast<Index>(angle)];
-    turn = std::remainder(turn, 2.0 * std::numbers::pi);
-  }
-  return out.cwiseQuotient(scale_.sizes);
+  return gearsweep::residual_of(plane_, answer, query_at(unknowns).state, scale_.sizes);
 }
 
 std::optional<NullVectors> BorderEquations::null_vectors_near(const VectorXd& guess) const {

@@ -48,6 +48,9 @@ struct BorderPoint {
   Eigen::VectorXd tangent;   // of the curve, in scaled unknowns, of length 1
   NullVectors null_vectors;  // of the return map less the multiplier, in scaled states
   int iterations = 0;
+
+  // Whether no other multiplier is outside the unit circle: a motion that settles bifurcates here.
+  bool is_of_stable_motion() const;
 };
 
 class BorderEquations {
@@ -67,8 +70,8 @@ class BorderEquations {
   PlanePlace place_of(const Eigen::VectorXd& unknowns) const;
 
   // Newton's method from a guess to the border in the plane across `across` through the guess. The
-  // tangent of the point goes along it. near: the null vectors of a neighbour. Nothing where it does
-  // not converge, the parameters are not allowed, or it goes more than `reach` from the guess.
+  // tangent of the point goes along it. near: the null vectors of a neighbour. Nothing where it
+  // does not converge, the parameters are not allowed, or it goes more than `reach` from the guess.
   std::optional<BorderPoint> correct(const Eigen::VectorXd& guess, const Eigen::VectorXd& across,
                                      const NullVectors& near, double reach) const;
   // The null vectors near a guess: its singular vectors of the smallest value.

@@ -26,9 +26,8 @@ constexpr std::size_t kMaxCorners = 12;
 constexpr double kNearAxis = 1e-3;  // of the angle of a pair: a resonance ends its curve
 
 int real_beyond(const BorderPoint& point, double sign) {
-  return static_cast<int>(std::ranges::count_if(point.multipliers, [&](const auto& m) {
-    return m.imag() == 0.0 && sign * m.real() > 1.0;
-  }));
+  return static_cast<int>(std::ranges::count_if(
+      point.multipliers, [&](const auto& m) { return m.imag() == 0.0 && sign * m.real() > 1.0; }));
 }
 
 // How many complex multipliers lie outside the circle, the pair of the curve itself left out.
@@ -37,7 +36,8 @@ int pairs_beyond(const BorderPoint& point, bool has_own) {
   for (const auto& m : point.multipliers) {
     if (m.imag() > 0.0) sizes.push_back(std::abs(m));
   }
-  std::ranges::sort(sizes, [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
+  std::ranges::sort(sizes,
+                    [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
   if (has_own && !sizes.empty()) sizes.erase(sizes.begin());
   return static_cast<int>(std::ranges::count_if(sizes, [](double size) { return size > 1.0; }));
 }
@@ -109,9 +109,9 @@ class Tracer {
     return next;
   }
 
-  // Where an orbit begins to touch a limit of a contact, its multipliers change with the root of how
-  // deep it goes: a curve goes on there along the places where the orbit only just touches, at any
-  // angle to where it came from. Looks for it all around.
+  // Where an orbit begins to touch a limit of a contact, its multipliers change with the root of
+  // how deep it goes: a curve goes on there along the places where the orbit only just touches, at
+  // any angle to where it came from. Looks for it all around.
   std::optional<BorderPoint> over_corner(const BorderPoint& corner) const {
     const VectorXd from = equations_.unknowns_of(corner);
     const Index x = from.size() - 2, y = x + 1;
@@ -251,8 +251,13 @@ double BorderCurve::max_residual() const {
 }
 
 BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& start) {
-  BorderCurve curve{.kind = equations.kind(), .period = equations.period(), .points = {},
-                    .is_closed = false, .begins = "", .ends = "", .special = {}};
+  BorderCurve curve{.kind = equations.kind(),
+                    .period = equations.period(),
+                    .points = {},
+                    .is_closed = false,
+                    .begins = "",
+                    .ends = "",
+                    .special = {}};
   Tracer onwards(equations, start);
   const std::vector<BorderPoint> after = onwards.go(1.0);
   curve.ends = onwards.reason();

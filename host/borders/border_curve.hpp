@@ -1,6 +1,6 @@
 // Follows a border through the plane of two parameters by pseudo-arclength continuation, both ways
-// from a point of it, and names the points at which something else bifurcates, too (Y. A. Kuznetsov,
-// Elements of Applied Bifurcation Theory, chapter 9).
+// from a point of it, and names the points at which something else bifurcates, too (Y. A.
+// Kuznetsov, Elements of Applied Bifurcation Theory, chapter 9).
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace gearsweep {
 
 // Special points of a curve.
 enum class SpecialKind {
-  cusp,            // of a fold: two folds meet
-  resonance_1_1,   // two multipliers at +1
-  resonance_1_2,   // two at -1
-  resonance_1_3,   // of a Neimark-Sacker curve: its angle is a third of a turn
-  resonance_1_4,   // a quarter
-  fold_flip,       // multipliers at +1 and at -1
-  fold_neimark,    // a pair on the circle, too: a fold, or a flip, meets a Neimark-Sacker curve
-  corner,          // the curve bends: the orbit touches a limit there that it did not touch before
+  cusp,           // of a fold: two folds meet
+  resonance_1_1,  // two multipliers at +1
+  resonance_1_2,  // two at -1
+  resonance_1_3,  // of a Neimark-Sacker curve: its angle is a third of a turn
+  resonance_1_4,  // a quarter
+  fold_flip,      // multipliers at +1 and at -1
+  fold_neimark,   // a pair on the circle, too: a fold, or a flip, meets a Neimark-Sacker curve
+  corner,         // the curve bends: the orbit touches a limit there that it did not touch before
 };
 
 // "cusp", "resonance 1:1", "fold-flip", "with a Neimark-Sacker pair", "corner".

@@ -28,15 +28,14 @@ using Eigen::VectorXd;
 
 constexpr double kHalfPixel = 0.5, kOnCurve = 0.05;  // pixels
 constexpr std::size_t kMaxRounds = 12;
-constexpr std::size_t kMaxTries = 8;     // seeds of a border that find nothing
-constexpr std::size_t kAtOnce = 8;       // threads, which mostly wait for the device
-constexpr double kFarCrossing = 2.0;     // in scaled unknowns: from a pixel to a border beside it
-constexpr double kBeyond = 1.5;          // pixels from the middle of an edge
-constexpr double kStillStable = 1.001;   // other multipliers at the border of a stable motion
-constexpr int kPartsOfWay = 4;           // in which an orbit is carried from pixel to pixel
-constexpr double kNearestShare = 1e-5;   // of that way: how near to its end
-constexpr double kSmallAngle = 0.02;     // of a pair: a resonance, or none at all
-constexpr double kNearReach = 0.5;       // sizes of the states, in one of them
+constexpr std::size_t kMaxTries = 8;    // seeds of a border that find nothing
+constexpr std::size_t kAtOnce = 8;      // threads, which mostly wait for the device
+constexpr double kFarCrossing = 2.0;    // in scaled unknowns: from a pixel to a border beside it
+constexpr double kBeyond = 1.5;         // pixels from the middle of an edge
+constexpr int kPartsOfWay = 4;          // in which an orbit is carried from pixel to pixel
+constexpr double kNearestShare = 1e-5;  // of that way: how near to its end
+constexpr double kSmallAngle = 0.02;    // of a pair: a resonance, or none at all
+constexpr double kNearReach = 0.5;      // sizes of the states, in one of them
 
 // A pair of pixels, seen from the one whose orbit is known.
 struct Seed {
@@ -49,12 +48,12 @@ class BorderSearch {
   BorderSearch(const Study& study, const BorderRequest& request, const SweepOptions& options)
       : request_(request), pixels_(request.pixels), stop_(options.stop) {
     prepare(study);
-    engine_ = make_engine(*settling_,
-                          options.devices.empty() ? std::nullopt
-                                                  : std::optional(options.devices.front()),
-                          options.scheduler.get());
+    engine_ = make_engine(
+        *settling_, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()),
+        options.scheduler.get());
     if (engine_->orbits() == nullptr) {
-      throw InputError("curves take an engine that looks for orbits: integrate.engine = \"opencl\"");
+      throw InputError(
+          "curves take an engine that looks for orbits: integrate.engine = \"opencl\"");
     }
     device_ = std::make_unique<DeviceOrbitMap>(following_, engine_.get(), stop_);
     joined_ = std::make_unique<JoinedOrbitMap>(device_.get());
@@ -65,7 +64,8 @@ class BorderSearch {
   BorderFindings find() {
     for (MapBorder& border : find_map_borders(pixels_, request_.min_edges)) {
       const std::size_t edges = border.edges.size();
-      borders_.push_back({std::move(border), std::vector<EdgeReason>(edges, EdgeReason::unsettled)});
+      borders_.push_back(
+          {std::move(border), std::vector<EdgeReason>(edges, EdgeReason::unsettled)});
     }
     is_tried_.resize(borders_.size());
     tries_.resize(borders_.size());
@@ -85,8 +85,7 @@ class BorderSearch {
     out.steps = following_->integrate.steps_per_period;
     out.curves = std::move(curves_);
     out.borders = std::move(borders_);
-    out.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     return out;
   }
 
@@ -264,7 +263,8 @@ class BorderSearch {
     BorderPoint near;
     near.place = orbit.place;
     near.state = orbit.state;
-    const std::optional<std::complex<double>> critical = critical_multiplier(equations.kind(), orbit);
+    const std::optional<std::complex<double>> critical =
+        critical_multiplier(equations.kind(), orbit);
     if (!critical) return std::nullopt;
     near.angle = std::arg(*critical);
     const VectorXd guess = equations.unknowns_of(near);
@@ -276,7 +276,7 @@ class BorderSearch {
     across[guess.size() - 1] = -(there[0] - orbit.place[0]) / plane_.range(0);
     std::optional<BorderPoint> found =
         equations.correct(guess, across.normalized(), *vectors, kFarCrossing);
-    if (!found || !leaves_stability(*found)) return std::nullopt;
+    if (!found || !found->is_of_stable_motion()) return std::nullopt;
     const bool is_pair = equations.kind() == BorderKind::neimark_sacker;
     if (is_pair && std::abs(std::sin(found->angle)) < kSmallAngle) return std::nullopt;
     return found;
@@ -293,12 +293,6 @@ class BorderSearch {
       if (fits && (!out || std::abs(m) > std::abs(*out))) out = m;
     }
     return out;
-  }
-
-  // A stable motion has the border in front of it: no other multiplier is outside.
-  static bool leaves_stability(const BorderPoint& point) {
-    return std::ranges::none_of(point.multipliers,
-                                [](const auto& m) { return std::abs(m) > kStillStable; });
   }
 
   bool is_beside(const BorderPoint& point, const Seed& seed) const {
@@ -324,7 +318,8 @@ class BorderSearch {
       for (std::size_t i = 0; i < border.reasons.size(); ++i) {
         if (border.reasons[i] == EdgeReason::curve) continue;
         const PixelPlace middle = middle_of(pixels_, border.border.edges[i]);
-        if (distance_to(pixels_, curve, middle) <= kHalfPixel) border.reasons[i] = EdgeReason::curve;
+        if (distance_to(pixels_, curve, middle, true) <= kHalfPixel)
+          border.reasons[i] = EdgeReason::curve;
       }
     }
     curves_.push_back(std::move(curve));
@@ -363,7 +358,8 @@ class BorderSearch {
         for (const bool is_back : {false, true}) {
           const HeldOrbit* orbit = settled_->orbit(is_back ? b : a);
           if (orbit == nullptr) continue;
-          const PlanePlace here = pixels_.place(is_back ? b : a), there = pixels_.place(is_back ? a : b);
+          const PlanePlace here = pixels_.place(is_back ? b : a),
+                           there = pixels_.place(is_back ? a : b);
           border.reasons[i] = EdgeReason::lost;
           PlanePlace step{};
           for (std::size_t k = 0; k < 2; ++k) step[k] = (there[k] - here[k]) / kPartsOfWay;

@@ -9,7 +9,8 @@ namespace {
 
 double column_of(const std::vector<double>& axis, bool is_logarithmic, double value) {
   const double last = static_cast<double>(axis.size() - 1);
-  if (is_logarithmic) return last * std::log(value / axis.front()) / std::log(axis.back() / axis.front());
+  if (is_logarithmic)
+    return last * std::log(value / axis.front()) / std::log(axis.back() / axis.front());
   return last * (value - axis.front()) / (axis.back() - axis.front());
 }
 
@@ -39,12 +40,14 @@ PixelPlace middle_of(const PeriodPixels& pixels, const BorderEdge& edge) {
   return out;
 }
 
-double distance_to(const PeriodPixels& pixels, const BorderCurve& curve, const PixelPlace& place) {
+double distance_to(const PeriodPixels& pixels, const BorderCurve& curve, const PixelPlace& place,
+                   bool of_stable) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    nearest = std::min(nearest, distance_to_line(pixel_place(pixels, curve.points[i].place),
-                                                 pixel_place(pixels, curve.points[i + 1].place),
-                                                 place));
+    const BorderPoint &a = curve.points[i], &b = curve.points[i + 1];
+    if (of_stable && !(a.is_of_stable_motion() && b.is_of_stable_motion())) continue;
+    nearest = std::min(nearest, distance_to_line(pixel_place(pixels, a.place),
+                                                 pixel_place(pixels, b.place), place));
   }
   return nearest;
 }

@@ -53,7 +53,8 @@ std::vector<std::optional<OrbitAnswer>> DeviceOrbitMap::answer(
     for (std::size_t i = 0; i < tile.points.size(); ++i) {
       OrbitAnswer answer;
       answer.image = Eigen::VectorXd::Map(maps->states.data() + i * states, n);
-      answer.derivative = Eigen::MatrixXd::Map(maps->derivatives.data() + i * states * states, n, n);
+      answer.derivative =
+          Eigen::MatrixXd::Map(maps->derivatives.data() + i * states * states, n, n);
       if (!study_->model->is_within_limits({answer.image.data(), states}) ||
           !answer.derivative.allFinite()) {
         continue;

@@ -13,6 +13,16 @@ constexpr int kMaxSteps = 10;
 
 }  // namespace
 
+Eigen::VectorXd residual_of(const ParameterPlane& plane, const OrbitAnswer& answer,
+                            const Eigen::VectorXd& state, const Eigen::VectorXd& sizes) {
+  Eigen::VectorXd out = answer.image - state;
+  for (const std::size_t angle : plane.model->angles) {
+    double& turn = out[static_cast<Eigen::Index>(angle)];
+    turn = std::remainder(turn, 2.0 * std::numbers::pi);
+  }
+  return out.cwiseQuotient(sizes);
+}
+
 std::vector<std::optional<HeldOrbit>> hold_orbits(const ParameterPlane& plane, OrbitMap* map,
                                                   const std::vector<HeldOrbit>& guesses,
                                                   double reach) {
@@ -32,16 +42,10 @@ std::vector<std::optional<HeldOrbit>> hold_orbits(const ParameterPlane& plane, O
     for (std::size_t k = 0; k < open.size(); ++k) {
       const std::size_t i = open[k];
       if (!answers[k]) continue;
-      Eigen::VectorXd residual = answers[k]->image - at[i].state;
-      for (const std::size_t angle : plane.model->angles) {
-        double& turn = residual[static_cast<Eigen::Index>(angle)];
-        turn = std::remainder(turn, 2.0 * std::numbers::pi);
-      }
-      residual = residual.cwiseQuotient(at[i].sizes);
+      const Eigen::VectorXd residual = residual_of(plane, *answers[k], at[i].state, at[i].sizes);
       const Eigen::Index n = residual.size();
-      const Eigen::MatrixXd monodromy =
-          at[i].sizes.cwiseInverse().asDiagonal() * answers[k]->derivative *
-          at[i].sizes.asDiagonal();
+      const Eigen::MatrixXd monodromy = at[i].sizes.cwiseInverse().asDiagonal() *
+                                        answers[k]->derivative * at[i].sizes.asDiagonal();
       if (residual.cwiseAbs().maxCoeff() <= kCloseEnough) {
         at[i].multipliers = monodromy.eigenvalues();
         out[i] = at[i];

@@ -66,9 +66,8 @@ std::vector<MapBorder> find_map_borders(const PeriodPixels& pixels, std::size_t 
       if (border.edges.size() >= min_edges) out.push_back(std::move(border));
     }
   }
-  std::ranges::stable_sort(out, [](const MapBorder& a, const MapBorder& b) {
-    return a.edges.size() > b.edges.size();
-  });
+  std::ranges::stable_sort(
+      out, [](const MapBorder& a, const MapBorder& b) { return a.edges.size() > b.edges.size(); });
   return out;
 }
 

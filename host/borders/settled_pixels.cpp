@@ -10,7 +10,8 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kNearby = 0.3;             // of the sizes: from where a motion settled to its orbit
+constexpr double kNearby = 0.3;      // of the sizes: from where a motion settled to its orbit
+constexpr double kSameState = 1e-5;  // of the sizes: it is back
 constexpr std::size_t kStepsForSizes = 128;
 
 // The sizes of the states along a motion; nothing where it leaves its range. What the host knows of
@@ -22,7 +23,8 @@ std::optional<Eigen::VectorXd> sizes_along(const ParameterPlane& plane, const He
     const std::optional<PeriodImage> image = map.linearize(guess.state, guess.period);
     return image ? std::optional(sizes_of(*image)) : std::nullopt;
   }
-  Eigen::VectorXd state = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.whole->states.size()));
+  Eigen::VectorXd state =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.whole->states.size()));
   std::vector<Eigen::Index> kept(model.reduction.kept.begin(), model.reduction.kept.end());
   state(kept) = guess.state;
   for (const MirrorPairs::Pair& pair : model.reduction.mirrors) {
@@ -96,6 +98,31 @@ void SettledPixels::settle(const std::vector<std::size_t>& pixels) {
   const auto found = hold_orbits(plane_, held_, guesses, kNearby);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i] && found[i]->is_stable()) known_[owners[i]] = found[i];
+  }
+  forget_shorter(asked);
+}
+
+void SettledPixels::forget_shorter(const std::vector<std::size_t>& pixels) {
+  std::vector<std::size_t> owners;
+  std::vector<OrbitQuery> queries;
+  for (const std::size_t pixel : pixels) {
+    const HeldOrbit* found = orbit(pixel);
+    if (found == nullptr) continue;
+    for (const std::size_t prime : {2, 3, 5, 7, 11, 13}) {
+      if (found->period % prime != 0) continue;
+      owners.push_back(pixel);
+      queries.push_back(
+          {{found->place.begin(), found->place.end()}, found->state, found->period / prime});
+    }
+  }
+  if (queries.empty()) return;
+  const auto answers = held_->answer(queries);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const HeldOrbit* found = orbit(owners[i]);
+    if (found == nullptr || !answers[i]) continue;
+    const double off =
+        residual_of(plane_, *answers[i], found->state, found->sizes).cwiseAbs().maxCoeff();
+    if (off < kSameState) known_[owners[i]].reset();
   }
 }
 

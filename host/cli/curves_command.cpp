@@ -35,7 +35,8 @@ PeriodPixels read_periods(const std::string& path) {
   const ResultFile file(path);
   const ResultMap map = file.read("period");
   if (map.axes.size() != 2) {
-    throw InputError(fmt::format("'{}' is no map of two axes: curves are borders in a plane", path));
+    throw InputError(
+        fmt::format("'{}' is no map of two axes: curves are borders in a plane", path));
   }
   PeriodPixels pixels;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -58,18 +59,20 @@ std::string describe_curves(const BorderFindings& findings) {
   for (const BorderCurve& curve : findings.curves) {
     residual = std::max(residual, curve.max_residual());
     const PlanePlace &first = curve.points.front().place, &last = curve.points.back().place;
-    out += fmt::format("{} of period {}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
-                       name_of(curve.kind), curve.period, curve.points.size(), x, first[0], y,
-                       first[1], curve.begins, last[0], last[1], curve.ends);
+    out += fmt::format(
+        "{} of period {}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
+        name_of(curve.kind), curve.period, curve.points.size(), x, first[0], y, first[1],
+        curve.begins, last[0], last[1], curve.ends);
     for (const SpecialPoint& special : curve.special) {
       out += fmt::format("    {} near {} = {:.5g}, {} = {:.5g}\n", name_of(special.kind), x,
                          special.place[0], y, special.place[1]);
     }
   }
   if (!findings.curves.empty()) {
-    out += fmt::format("{} curves; residuals of at most {:.1g} of the states' sizes, with {} steps "
-                       "a period\n",
-                       findings.curves.size(), residual, findings.steps);
+    out += fmt::format(
+        "{} curves; residuals of at most {:.1g} of the states' sizes, with {} steps "
+        "a period\n",
+        findings.curves.size(), residual, findings.steps);
   }
   std::size_t pairs = 0;
   std::array<std::size_t, kEdgeReasons> counts{};
@@ -105,8 +108,8 @@ int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
         arguments.map));
   }
   if (!arguments.output.ends_with(".nc")) {
-    throw InputError(fmt::format("cannot write curves to '{}': its name must end in .nc",
-                                 arguments.output));
+    throw InputError(
+        fmt::format("cannot write curves to '{}': its name must end in .nc", arguments.output));
   }
   ensure_writable(arguments.output);
   Study study = load_study(arguments.map, {});

@@ -36,8 +36,7 @@ class BorderDescription {
     for (Attribute& own : notes_.provenance(provenance)) out_.attributes.push_back(std::move(own));
     out_.attributes.push_back({"x", parameter(0).name});
     out_.attributes.push_back({"y", parameter(1).name});
-    out_.attributes.push_back(
-        {"steps_per_period", static_cast<double>(findings_.steps)});
+    out_.attributes.push_back({"steps_per_period", static_cast<double>(findings_.steps)});
     const std::size_t states = model_.states.size();
     out_.dimensions = {{"curve", findings_.curves.size()},
                        {"point", points_.size()},
@@ -88,7 +87,8 @@ class BorderDescription {
         imag.push_back(m.imag());
       }
     }
-    add("section", Stored::real, {"point", "state"}, "", "states of the orbit at phase 0", sections);
+    add("section", Stored::real, {"point", "state"}, "", "states of the orbit at phase 0",
+        sections);
     out_.variables.back().attributes =
         notes_.describe(model_.states, "state", "states of the orbit at phase 0");
     add("multiplier_real", Stored::real, {"point", "multiplier"}, "1",
@@ -97,6 +97,10 @@ class BorderDescription {
         "Floquet multipliers of the orbit, largest modulus first, imaginary part", imag);
     add("angle", Stored::real, {"point"}, "rad", "angle of the multiplier on the unit circle",
         each_point([](const BorderPoint& point) { return point.angle; }));
+    add("stable", Stored::byte, {"point"}, "1",
+        "1: no other multiplier is outside the unit circle, so that a stable motion bifurcates",
+        each_point(
+            [](const BorderPoint& point) { return point.is_of_stable_motion() ? 1.0 : 0.0; }));
     add("residual", Stored::real, {"point"}, "1",
         "largest residual of the equations that the point solves, in sizes of the states",
         each_point([](const BorderPoint& point) { return point.residual; }));
@@ -162,7 +166,8 @@ class BorderDescription {
       for (const ExplainedBorder& border : findings_.borders) {
         counts.push_back(static_cast<double>(border.count(reason)));
       }
-      add(names[i], Stored::integer, {"border"}, "1", "of these pairs: " + describe(reason), counts);
+      add(names[i], Stored::integer, {"border"}, "1", "of these pairs: " + describe(reason),
+          counts);
     }
   }
 
@@ -210,24 +215,27 @@ StoredCurves read_borders(const std::string& path) {
     return file.read(variable, {0}, {file.dimension_size(dimensions.front())});
   };
   const std::vector<double> x = row(out.x), y = row(out.y), counts = row("curve_points");
-  const std::vector<double> periods = row("curve_period");
+  const std::vector<double> periods = row("curve_period"), stable = row("stable");
   const std::vector<std::string> kinds = file.read_texts(find("curve_kind"));
-  if (x.size() != y.size() || kinds.size() != counts.size() || periods.size() != counts.size()) {
+  if (x.size() != y.size() || x.size() != stable.size() || kinds.size() != counts.size() ||
+      periods.size() != counts.size()) {
     refuse_no_curves(path);
   }
   std::size_t next = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double left = static_cast<double>(x.size() - next);
     if (!(counts[i] >= 0.0 && counts[i] <= left)) refuse_no_curves(path);
-    StoredCurve curve{kinds[i], static_cast<int>(periods[i]), {}};
+    StoredCurve curve{kinds[i], static_cast<int>(periods[i]), {}, {}};
     for (const std::size_t end = next + static_cast<std::size_t>(counts[i]); next < end; ++next) {
       curve.places.emplace_back(x[next], y[next]);
+      curve.is_stable.push_back(stable[next] == 1.0);
     }
     out.curves.push_back(std::move(curve));
   }
   if (file.find_variable("special_kind") < 0) return out;
   const std::vector<std::string> names = file.read_texts(find("special_kind"));
-  const std::vector<double> special_x = row("special_" + out.x), special_y = row("special_" + out.y);
+  const std::vector<double> special_x = row("special_" + out.x),
+                            special_y = row("special_" + out.y);
   if (special_x.size() != names.size() || special_y.size() != names.size()) refuse_no_curves(path);
   for (std::size_t i = 0; i < names.size(); ++i) {
     out.special.push_back({names[i], {special_x[i], special_y[i]}});

@@ -13,13 +13,13 @@ namespace gearsweep {
 struct BorderFindings;  // borders/border_search.hpp
 
 // Along `point`, curve after curve: the two parameters, `state` (point, state) at phase 0,
-// `multiplier_real` and `multiplier_imag` (point, multiplier), largest modulus first, `angle` of the
-// critical multiplier, `residual` of all equations in sizes of the states. Along `curve`:
-// `curve_kind`, `curve_period` in forcing periods, `curve_points` (how many points it has),
-// `curve_closed`, `curve_begins`, `curve_ends`. Along `special`: `special_kind`, `special_curve`
-// and the two parameters as special_NAME. Along `border`: `border_period` (border, side), 0: none,
-// `border_pairs`, and how many of these are `border_on_curve`, `border_basin`, `border_lost`,
-// `border_unsettled`.
+// `multiplier_real` and `multiplier_imag` (point, multiplier), largest modulus first, `angle` of
+// the critical multiplier, `stable`, `residual` of all equations in sizes of the states. Along
+// `curve`: `curve_kind`, `curve_period` in forcing periods, `curve_points` (how many points it
+// has), `curve_closed`, `curve_begins`, `curve_ends`. Along `special`: `special_kind`,
+// `special_curve` and the two parameters as special_NAME. Along `border`: `border_period` (border,
+// side), 0: none, `border_pairs`, and how many of these are `border_on_curve`, `border_basin`,
+// `border_lost`, `border_unsettled`.
 Dataset dataset_of(const BorderFindings& findings, const Provenance& provenance);
 
 void write_borders(const BorderFindings& findings, const std::string& path,
@@ -30,6 +30,7 @@ struct StoredCurve {
   std::string kind;
   int period = 1;
   std::vector<std::pair<double, double>> places;  // x, y
+  std::vector<bool> is_stable;                    // [place] a motion that settles bifurcates there
 };
 struct StoredCurves {
   std::string x, y;  // names of the parameters

@@ -3,30 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "borders/curve_distance.hpp"
 #include "borders/host_orbit_map.hpp"
+#include "model/error.hpp"
 #include "orbits/floquet.hpp"
 #include "study/study.hpp"
 #include "sweep/sweep.hpp"
 
 namespace gearsweep::testing {
 namespace {
-
-PeriodPixels pixels_of(const SweepResult& result) {
-  PeriodPixels pixels;
-  for (std::size_t i = 0; i < 2; ++i) pixels.axes[i] = result.study.axes[i].values;
-  pixels.period = map_of(result, "period");
-  return pixels;
-}
-
-BorderFindings findings_of(const std::string& toml) {
-  const Study study = read_study(toml, "study");
-  const SweepResult result = run_sweep(study, {}).value();
-  BorderRequest request;
-  request.pixels = pixels_of(result);
-  return find_borders(study, request, {}).value();
-}
 
 // Flips, folds and tori of the coarse gear, whose teeth part and meet on both flanks.
 constexpr const char* kCoarse = R"(
@@ -35,14 +24,14 @@ name = "gear5"
 preset = "coarse"
 [[axes]]
 name = "omega"
-from = 1.1
+from = 1.3
 to = 1.45
-count = 40
+count = 20
 [[axes]]
 name = "b"
-from = 0.45
-to = 0.8
-count = 40
+from = 0.48
+to = 0.62
+count = 20
 [integrate]
 max_step = 0.1
 states = "all"
@@ -50,26 +39,137 @@ states = "all"
 quantities = ["period"]
 )";
 
-// The engine corrects steps that cross a limit of the backlash; the host cuts them there.
-TEST(BorderSearch, CurvesOfTheEngineAreThoseOfTheHost) {
-  const BorderFindings findings = findings_of(kCoarse);
-  ASSERT_GE(findings.curves.size(), 4U);
-  ParameterPlane plane{findings.study.model, findings.study.setting, {}, {1.1, 0.45}, {1.45, 0.8}};
+struct Searched {
+  PeriodPixels pixels;
+  BorderFindings findings;
+};
+
+Searched search(const std::string& toml, std::size_t min_edges) {
+  const SweepResult result = run_sweep(read_study(toml, "study"), {}).value();
+  BorderRequest request;
+  for (std::size_t i = 0; i < 2; ++i) request.pixels.axes[i] = result.study.axes[i].values;
+  request.pixels.period = map_of(result, "period");
+  request.min_edges = min_edges;
+  return {request.pixels, find_borders(result.study, request, {}).value()};
+}
+
+class BorderSearchOfAGear : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { searched_ = std::make_unique<Searched>(search(kCoarse, 6)); }
+  static void TearDownTestSuite() { searched_.reset(); }
+  static std::unique_ptr<Searched> searched_;
+};
+std::unique_ptr<Searched> BorderSearchOfAGear::searched_;
+
+// The engine corrects steps that cross a limit of the backlash; the host cuts them there, and takes
+// twice as many.
+TEST_F(BorderSearchOfAGear, CurvesOfTheEngineAreThoseOfTheHost) {
+  const BorderFindings& findings = searched_->findings;
+  ASSERT_GE(findings.curves.size(), 2U);
+  ParameterPlane plane{findings.study.model, findings.study.setting, {}, {1.3, 0.48}, {1.45, 0.62}};
   for (std::size_t i = 0; i < 2; ++i) plane.parameters[i] = findings.study.axes[i].index;
-  HostOrbitMap host(plane, 2048);
-  for (const BorderCurve& curve : findings.curves) {
+  HostOrbitMap host(plane, 1024);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BorderCurve& curve = findings.curves[i];
     const BorderPoint& point = curve.points[curve.points.size() / 2];
-    const HostOrbitMap sizes_map(plane, 256);
-    const auto image = sizes_map.map_at(point.place).linearize(point.state, curve.period);
+    const auto image = host.map_at(point.place).linearize(point.state, curve.period);
     const BorderEquations equations(plane, &host, curve.kind, curve.period,
                                     {sizes_of(*image), {plane.range(0), plane.range(1)}});
-    const Eigen::VectorXd guess = equations.unknowns_of(point);
-    const auto found = equations.correct(guess, point.tangent, point.null_vectors, 0.1);
-    if (!found) { printf("%s %zu NOT FOUND\n", name_of(curve.kind).c_str(), curve.period); continue; }
-    printf("%s %zu  %.2g %.2g  res %.2g\n", name_of(curve.kind).c_str(), curve.period,
-           (found->place[0] - point.place[0]) / plane.range(0),
-           (found->place[1] - point.place[1]) / plane.range(1), point.residual);
+    const auto found =
+        equations.correct(equations.unknowns_of(point), point.tangent, point.null_vectors, 0.1);
+    ASSERT_TRUE(found) << name_of(curve.kind);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(found->place[k], point.place[k], 2e-6 * plane.range(k)) << name_of(curve.kind);
+    }
   }
+}
+
+TEST_F(BorderSearchOfAGear, ACurveThatExplainsAPairPassesBetweenThem) {
+  std::size_t explained = 0, all = 0;
+  for (const ExplainedBorder& border : searched_->findings.borders) {
+    all += border.reasons.size();
+    explained += border.count(EdgeReason::curve);
+    for (std::size_t i = 0; i < border.reasons.size(); ++i) {
+      if (border.reasons[i] != EdgeReason::curve) continue;
+      const PixelPlace middle = middle_of(searched_->pixels, border.border.edges[i]);
+      double nearest = 10.0;
+      for (const BorderCurve& curve : searched_->findings.curves) {
+        nearest = std::min(nearest, distance_to(searched_->pixels, curve, middle, true));
+      }
+      EXPECT_LE(nearest, 0.5);
+    }
+  }
+  EXPECT_GT(2 * explained, all);
+}
+
+TEST_F(BorderSearchOfAGear, ResidualsAreSmallAndMultipliersOnTheCircle) {
+  for (const BorderCurve& curve : searched_->findings.curves) {
+    EXPECT_LE(curve.max_residual(), 1e-8);
+    for (const BorderPoint& point : curve.points) {
+      const std::complex<double> critical = std::polar(1.0, point.angle);
+      double nearest = 10.0;
+      for (const std::complex<double>& m : point.multipliers) {
+        nearest = std::min(nearest, std::abs(m - critical));
+      }
+      EXPECT_LT(nearest, 1e-4) << name_of(curve.kind);
+    }
+  }
+}
+
+// The only motion of a linear oscillator is stable everywhere. A map that shows it in one half
+// alone has a border without a bifurcation; one that gives it three periods shows no motion of its
+// own.
+constexpr const char* kLinear = R"(
+[model]
+name = "duffing"
+[parameters]
+damping = 0.2
+linear = 1.0
+cubic = 0.0
+[[axes]]
+name = "omega"
+from = 0.5
+to = 2.0
+count = 6
+[[axes]]
+name = "amplitude"
+from = 0.5
+to = 1.0
+count = 4
+[observe]
+quantities = ["period"]
+)";
+
+ExplainedBorder only_border_of_linear(double left_period) {
+  const Study study = read_study(kLinear, "study", {"integrate.tolerance=0"});
+  BorderRequest request;
+  for (std::size_t i = 0; i < 2; ++i) request.pixels.axes[i] = study.axes[i].values;
+  for (std::size_t pixel = 0; pixel < 24; ++pixel) {
+    request.pixels.period.push_back(pixel % 6 < 3 ? left_period : std::nan(""));
+  }
+  request.min_edges = 2;
+  const BorderFindings findings = find_borders(study, request, {}).value();
+  EXPECT_TRUE(findings.curves.empty());
+  EXPECT_EQ(findings.borders.size(), 1U);
+  return findings.borders.front();
+}
+
+TEST(BorderSearch, AMotionThatGoesOnHasNoBifurcationThere) {
+  EXPECT_EQ(only_border_of_linear(1.0).count(EdgeReason::basin), 4U);
+}
+
+TEST(BorderSearch, AMotionOfAnotherPeriodIsNotTheOneThatTheMapShows) {
+  EXPECT_EQ(only_border_of_linear(3.0).count(EdgeReason::unsettled), 4U);
+}
+
+TEST(BorderSearch, RefusesAMapOfOneAxisAndOfStates) {
+  const std::string head =
+      "[model]\nname = \"duffing\"\n[[axes]]\nname = \"omega\"\nfrom = 1\nto = 2\ncount = 3\n";
+  const Study line = read_study(head, "study");
+  EXPECT_THROW(find_borders(line, {}, {}), InputError);
+  const Study basin =
+      read_study(head + "[[axes]]\nname = \"x\"\nfrom = 0\nto = 1\ncount = 3\n", "study");
+  EXPECT_THROW(find_borders(basin, {}, {}), InputError);
 }
 
 }  // namespace

@@ -24,6 +24,23 @@ constexpr std::array<CurveStyle, 3> kStyles = {{{"fold", "#c8102e", "1"},
                                                 {"flip", "#000000", "(14,4)"},
                                                 {"Neimark-Sacker", "#7b2fd0", "(3,3)"}}};
 constexpr double kLineWidth = 1.8, kRimWidth = 3.4;
+constexpr double kThinWidth = 0.6;  // where no motion settles that bifurcates
+
+// The stretches of a curve along which it is of stable motions, or of others. Neighbours share a
+// point.
+struct Stretch {
+  std::size_t first, last;
+  bool is_stable;
+};
+std::vector<Stretch> stretches_of(const StoredCurve& curve) {
+  std::vector<Stretch> out;
+  for (std::size_t i = 0; i + 1 < curve.places.size(); ++i) {
+    const bool is_stable = curve.is_stable[i] && curve.is_stable[i + 1];
+    if (out.empty() || out.back().is_stable != is_stable) out.push_back({i, i + 1, is_stable});
+    out.back().last = i + 1;
+  }
+  return out;
+}
 
 double largest(const std::vector<double>& values) {
   double out = 0.0;
@@ -46,8 +63,9 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
   const std::vector<ResultAxis>& axes = picture->map.axes;
   if (axes.size() != 2) throw InputError("--curves takes a map of two axes, without --at");
   if (stored.x != axes[0].name || stored.y != axes[1].name) {
-    throw InputError(fmt::format("--curves {}: its curves are over {} and {}, the map is over {} and {}",
-                                 path, stored.x, stored.y, axes[0].name, axes[1].name));
+    throw InputError(
+        fmt::format("--curves {}: its curves are over {} and {}, the map is over {} and {}", path,
+                    stored.x, stored.y, axes[0].name, axes[1].name));
   }
   const std::vector<ResultAxis> own = ResultFile(map_path).axes();
   const double x = scale_of(axes[0], own[0]), y = scale_of(axes[1], own[1]);
@@ -57,15 +75,24 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
     for (const StoredCurve& curve : stored.curves) {
       if (curve.kind != style.kind) continue;
       is_there = true;
-      MapLine line{{}, style.colour, style.dashes, "", kLineWidth};
-      for (const auto& [px, py] : curve.places) line.points.emplace_back(x * px, y * py);
-      // Seen on any colour.
-      MapLine rim = line;
-      rim.colour = "#ffffff";
-      rim.dashes = "1";
-      rim.width = kRimWidth;
-      picture->lines.push_back(std::move(rim));
-      lines.push_back(std::move(line));
+      for (const Stretch& stretch : stretches_of(curve)) {
+        MapLine line{
+            {}, style.colour, style.dashes, "", stretch.is_stable ? kLineWidth : kThinWidth};
+        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+          line.points.emplace_back(x * curve.places[i].first, y * curve.places[i].second);
+        }
+        if (stretch.is_stable) {
+          MapLine rim = line;  // so that it is seen on any colour
+          rim.colour = "#ffffff";
+          rim.dashes = "1";
+          rim.width = kRimWidth;
+          picture->lines.push_back(std::move(rim));
+          lines.push_back(std::move(line));
+        } else {
+          line.dashes = "1";
+          picture->lines.insert(picture->lines.begin(), std::move(line));
+        }
+      }
     }
     if (is_there) {
       picture->key.push_back({KeyEntry::Kind::kLine, style.colour, style.dashes, style.kind});
