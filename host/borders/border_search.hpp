@@ -10,31 +10,12 @@
 #include <vector>
 
 #include "borders/border_curve.hpp"
-#include "borders/map_borders.hpp"
+#include "borders/border_setting.hpp"
+#include "borders/edge_reasons.hpp"
 #include "study/study.hpp"
 #include "sweep/sweep_options.hpp"
 
 namespace gearsweep {
-
-// What parts two neighbouring pixels of different periods.
-enum class EdgeReason {
-  curve,      // a curve passes between them, within half a pixel of the middle, and a stable
-              // motion of theirs bifurcates there
-  basin,      // the orbit of one goes on beyond the other, stable: they start in different basins
-  lost,       // the orbit loses its stability or ends between them, and no curve was found there
-  unsettled,  // neither motion was found again
-};
-inline constexpr std::size_t kEdgeReasons = 4;
-
-// "a curve", "a change of basin", ...
-std::string describe(EdgeReason reason);
-
-struct ExplainedBorder {
-  MapBorder border;
-  std::vector<EdgeReason> reasons;  // [edge]
-
-  std::size_t count(EdgeReason reason) const;
-};
 
 struct BorderFindings {
   Study study;
@@ -52,11 +33,9 @@ struct BorderRequest {
   std::function<void(const std::string&)> tell = {};
 };
 
-inline constexpr std::size_t kBorderSteps = 512;
-
 // study: that of the map, with the step that it was computed with. Of `options`, the first device,
-// the scheduler and stop are used; nothing when stopped. Throws InputError for a map that has no
-// plane of two parameters, RunError when the device fails.
+// the scheduler and stop are used; nothing when stopped. Throws InputError as make_border_setting()
+// does, RunError when the device fails.
 std::optional<BorderFindings> find_borders(const Study& study, const BorderRequest& request,
                                            const SweepOptions& options);
 

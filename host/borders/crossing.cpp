@@ -1,0 +1,116 @@
+#include "borders/crossing.hpp"
+
+#include <cmath>
+#include <complex>
+
+#include "borders/curve_distance.hpp"
+
+namespace gearsweep {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kFarCrossing = 2.0;    // in scaled unknowns: from a pixel to a border beside it
+constexpr double kBeyond = 1.5;         // pixels from the middle of an edge
+constexpr double kNearestShare = 1e-5;  // of the way between two pixels: how near to its end
+constexpr double kSmallAngle = 0.02;    // of a pair: a resonance, or none at all
+constexpr double kNearReach = 0.5;      // sizes of the states: from one orbit to the next
+
+// The multiplier of the orbit that would make the bifurcation; nothing where none is of its kind.
+std::optional<std::complex<double>> critical_multiplier(BorderKind kind, const HeldOrbit& orbit) {
+  std::optional<std::complex<double>> out;
+  for (const std::complex<double>& m : orbit.multipliers) {
+    const bool fits = kind == BorderKind::neimark_sacker ? m.imag() > 0.0
+                      : kind == BorderKind::fold         ? m.imag() == 0.0 && m.real() > 0.0
+                                                         : m.imag() == 0.0 && m.real() < 0.0;
+    if (fits && (!out || std::abs(m) > std::abs(*out))) out = m;
+  }
+  return out;
+}
+
+class CrossingSearch {
+ public:
+  CrossingSearch(const ParameterPlane& plane, OrbitMap* map, const PlanePlace& to)
+      : plane_(plane), map_(map), there_(to) {}
+
+  // Where the line from the orbit's place to that of a pixel meets a border of the orbit.
+  std::optional<BorderPoint> crossing(const BorderEquations& equations,
+                                      const HeldOrbit& orbit) const {
+    BorderPoint near;
+    near.place = orbit.place;
+    near.state = orbit.state;
+    const std::optional<std::complex<double>> critical =
+        critical_multiplier(equations.kind(), orbit);
+    if (!critical) return std::nullopt;
+    near.angle = std::arg(*critical);
+    const VectorXd guess = equations.unknowns_of(near);
+    const std::optional<NullVectors> vectors = equations.null_vectors_near(guess);
+    if (!vectors) return std::nullopt;
+    VectorXd across = VectorXd::Zero(guess.size());
+    across[guess.size() - 2] = (there_[1] - orbit.place[1]) / plane_.range(1);
+    across[guess.size() - 1] = -(there_[0] - orbit.place[0]) / plane_.range(0);
+    std::optional<BorderPoint> found =
+        equations.correct(guess, across.normalized(), *vectors, kFarCrossing);
+    if (!found || !found->is_of_stable_motion()) return std::nullopt;
+    const bool is_pair = equations.kind() == BorderKind::neimark_sacker;
+    if (is_pair && std::abs(std::sin(found->angle)) < kSmallAngle) return std::nullopt;
+    return found;
+  }
+
+  // The orbit on the way to a pixel, as near as it is found to where it ends or loses its
+  // stability.
+  HeldOrbit last_stable(const HeldOrbit& start) const {
+    HeldOrbit at = start;
+    VectorXd slope = VectorXd::Zero(start.state.size());  // by the share of the way
+    double share = 0.0, step = 0.125;
+    while (step > kNearestShare && share < 2.0) {
+      HeldOrbit guess = at;
+      for (std::size_t k = 0; k < 2; ++k) {
+        guess.place[k] = start.place[k] + (share + step) * (there_[k] - start.place[k]);
+      }
+      guess.state += step * slope;
+      const std::optional<HeldOrbit> next = hold_orbits(plane_, map_, {guess}, kNearReach).front();
+      if (next && next->is_stable()) {
+        slope = (next->state - at.state) / step;
+        at = *next;
+        share += step;
+      } else {
+        step *= 0.5;
+      }
+    }
+    return at;
+  }
+
+ private:
+  const ParameterPlane& plane_;
+  OrbitMap* const map_;
+  const PlanePlace there_;
+};
+
+}  // namespace
+
+std::optional<Crossing> find_crossing(const ParameterPlane& plane, const PeriodPixels& pixels,
+                                      OrbitMap* map, const HeldOrbit& orbit, std::size_t to,
+                                      const BorderEdge& edge) {
+  const CrossingSearch search(plane, map, pixels.place(to));
+  const PixelPlace middle = middle_of(pixels, edge);
+  const auto is_beside = [&](const std::optional<BorderPoint>& point) {
+    if (!point) return false;
+    const PixelPlace at = pixel_place(pixels, point->place);
+    return std::hypot(at[0] - middle[0], at[1] - middle[1]) <= kBeyond;
+  };
+  std::optional<HeldOrbit> nearer;
+  for (const BorderKind kind : {BorderKind::flip, BorderKind::fold, BorderKind::neimark_sacker}) {
+    const BorderScale scale = {orbit.sizes, {plane.range(0), plane.range(1)}};
+    auto equations = std::make_unique<BorderEquations>(plane, map, kind, orbit.period, scale);
+    std::optional<BorderPoint> found = search.crossing(*equations, orbit);
+    if (!is_beside(found)) {
+      if (!nearer) nearer = search.last_stable(orbit);
+      found = search.crossing(*equations, *nearer);
+    }
+    if (is_beside(found)) return Crossing{std::move(equations), *std::move(found)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearsweep

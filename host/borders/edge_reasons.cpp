@@ -1,0 +1,81 @@
+#include "borders/edge_reasons.hpp"
+
+#include <algorithm>
+
+namespace gearsweep {
+namespace {
+
+constexpr int kPartsOfWay = 4;      // in which an orbit is carried from pixel to pixel
+constexpr double kNextReach = 0.5;  // sizes of the states, in one of them
+
+// An orbit on its way from a pixel over its neighbour.
+struct Carried {
+  EdgeReason* reason;
+  HeldOrbit at;
+  PlanePlace step;
+};
+
+}  // namespace
+
+std::string describe(EdgeReason reason) {
+  switch (reason) {
+    case EdgeReason::curve:
+      return "a curve passes between them";
+    case EdgeReason::basin:
+      return "a change of basin";
+    case EdgeReason::lost:
+      return "an orbit is lost, and no curve was found";
+    case EdgeReason::unsettled:
+      break;
+  }
+  return "neither motion was found again";
+}
+
+std::size_t ExplainedBorder::count(EdgeReason reason) const {
+  return static_cast<std::size_t>(std::ranges::count(reasons, reason));
+}
+
+void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pixels, OrbitMap* map,
+                            SettledPixels* settled, std::vector<ExplainedBorder>* borders) {
+  const auto each_open = [&](const auto& take) {
+    for (ExplainedBorder& border : *borders) {
+      for (std::size_t i = 0; i < border.reasons.size(); ++i) {
+        if (border.reasons[i] == EdgeReason::curve) continue;
+        const auto [a, b] = border.border.edges[i].pixels;
+        take(a, b, &border.reasons[i]);
+        take(b, a, &border.reasons[i]);
+      }
+    }
+  };
+  std::vector<std::size_t> ends;
+  each_open([&](std::size_t from, std::size_t, EdgeReason*) { ends.push_back(from); });
+  settled->settle(ends);
+  std::vector<Carried> under_way;
+  each_open([&](std::size_t from, std::size_t to, EdgeReason* reason) {
+    const HeldOrbit* orbit = settled->orbit(from);
+    if (orbit == nullptr) return;
+    *reason = EdgeReason::lost;
+    const PlanePlace here = pixels.place(from), there = pixels.place(to);
+    PlanePlace step{};
+    for (std::size_t k = 0; k < 2; ++k) step[k] = (there[k] - here[k]) / kPartsOfWay;
+    under_way.push_back({reason, *orbit, step});
+  });
+  for (int part = 0; part < 2 * kPartsOfWay && !under_way.empty(); ++part) {
+    std::vector<HeldOrbit> guesses;
+    for (const Carried& carried : under_way) {
+      guesses.push_back(carried.at);
+      for (std::size_t k = 0; k < 2; ++k) guesses.back().place[k] += carried.step[k];
+    }
+    const auto found = hold_orbits(plane, map, guesses, kNextReach);
+    std::vector<Carried> left;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i] && found[i]->is_stable()) {
+        left.push_back({under_way[i].reason, *found[i], under_way[i].step});
+      }
+    }
+    under_way = std::move(left);
+  }
+  for (const Carried& carried : under_way) *carried.reason = EdgeReason::basin;
+}
+
+}  // namespace gearsweep
