@@ -289,6 +289,17 @@ std::string new_pair(const std::string& more) {
          "['x1_rms']\n";
 }
 
+// A file may stand for a key that was a guess; a name that is no key is a slip of the pen.
+TEST(Report, TakesEstimatesThatAreGone) {
+  const Study study = read_study(new_pair("estimated = ['torque_N_m', 'mass_kg']\n"), "test");
+  const auto is_guess = [&](const std::string& key) {
+    const auto datum = std::ranges::find(study.gear_data, key, &GearDatum::key);
+    return datum != study.gear_data.end() && datum->origin == DatumOrigin::estimated;
+  };
+  EXPECT_TRUE(is_guess("torque_N_m"));
+  EXPECT_THROW(read_study(new_pair("estimated = ['torque_Nm']\n"), "test"), InputError);
+}
+
 TEST(Report, SaysWhoseEachNumberIs) {
   const std::string html = report_of(
       read_study(new_pair("estimated = ['torque_N_m']\npinion_speed_rpm = 12000\n"), "test"));
