@@ -56,11 +56,10 @@ void ensure_report(const ReportStudies& studies, const std::string& path) {
   ensure_page_file(path);
   for (const ReportStudy& one : studies) {
     if (!one.study.spectrum) find_speed_axis(one.study);
-    if (one.study.spectrum && studies.size() > 1) {
+    if (one.study.spectrum.has_value() != studies.front().study.spectrum.has_value()) {
       throw InputError(
-          "the report of a load spectrum is of one study: make one of each, or compare studies "
-          "over "
-          "the speed");
+          "one of the studies is a load spectrum and the other goes over a speed: compare two "
+          "spectra, or two studies over a speed");
     }
   }
   if (studies.front().study.scales.known() != studies.back().study.scales.known()) {
@@ -76,7 +75,7 @@ bool write_report(const ReportStudies& studies, const std::string& path,
                   const ReportOptions& options) {
   ensure_report(studies, path);
   const Study& first = studies.front().study;
-  if (first.spectrum) return write_spectrum_report(first, title_of(studies), path, options);
+  if (first.spectrum) return write_spectrum_report(studies, title_of(studies), path, options);
   Sides sides;
   for (std::size_t i = 0; i < studies.size(); ++i) {
     std::optional<ReportFindings> findings = find_side(studies, i, options);

@@ -1,6 +1,7 @@
 #include "rexs/gear_unit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,10 +207,12 @@ class UnitReader {
     }
     const UnitGear& a = out_.gears[*stage.gears[0]];
     const UnitGear& b = out_.gears[*stage.gears[1]];
+    std::vector<std::string> missing;
     for (const UnitGear* one : {&a, &b}) {
-      if (!one->teeth) return fmt::format("{} has no number_of_teeth", one->name);
+      if (!one->teeth) missing.push_back(fmt::format("{} has no number_of_teeth", one->name));
     }
-    if (!a.module && !b.module) return "its gears have no normal_module";
+    if (!a.module && !b.module) missing.emplace_back("its gears have no normal_module");
+    if (!missing.empty()) return fmt::format("{}", fmt::join(missing, ", and "));
     if (a.module && b.module && std::fabs(*a.module - *b.module) > 1e-6 * *a.module) {
       return fmt::format("its gears have two modules, {:g} and {:g} mm", *a.module, *b.module);
     }

@@ -52,7 +52,6 @@ class StageDrawer {
     read_load();
     out_.contact_ratio = stage_.contact_ratio;
     out_.about = about();
-    out_.loads = loads();
     return std::move(out_);
   }
 
@@ -195,6 +194,10 @@ class StageDrawer {
       width = std::min(*gears_[0]->face_width, *gears_[1]->face_width);
       origin = "from the file: the narrower gear";
     }
+    if (!width && (gears_[0]->face_width || gears_[1]->face_width)) {
+      width = gears_[0]->face_width ? gears_[0]->face_width : gears_[1]->face_width;
+      origin = "ESTIMATE: that of the one gear of which the file has it";
+    }
     if (!width || *width <= 0.0) return note("no face_width of both gears; ten modules are taken");
     out_.face_width = width;
     set(kFaceWidth, fmt::format("{:.10g}", *width), origin);
@@ -279,7 +282,14 @@ class StageDrawer {
       note("the torque on this mesh follows from no external_load of the file");
     }
     for (const UnitCase& one : unit_.cases) {
-      out_.fastest = std::max(out_.fastest, speed_of(one).value_or(0.0));
+      const auto speed = speed_of(one);
+      out_.fastest = std::max(out_.fastest, speed.value_or(0.0));
+      out_.cases.push_back({one.id, torque_of(one), speed, one.share});
+    }
+    if (out_.fastest == 0.0) {
+      note(
+          "the speed of this mesh follows from no rotational_speed of the file: the study goes up "
+          "to the resonance of the teeth");
     }
   }
 
@@ -294,20 +304,6 @@ class StageDrawer {
     if (stage_.contact_ratio) {
       text +=
           fmt::format("The file has the transverse contact ratio {:.4g}.\n", *stage_.contact_ratio);
-    }
-    return text;
-  }
-
-  std::string loads() const {
-    std::string text;
-    for (const UnitCase& one : unit_.cases) {
-      const auto torque = torque_of(one), speed = speed_of(one);
-      if (!torque && !speed) continue;
-      text += fmt::format(
-          "{}:{}{}{}\n", one.id.empty() ? "Its loads" : fmt::format("Load case {}", one.id),
-          torque ? fmt::format(" torque_N_m = {:.6g}", *torque) : "",
-          speed ? fmt::format(" at pinion_speed_rpm = {:.6g}", *speed) : "",
-          one.share ? fmt::format(", {:.4g} % of the time", 100.0 * *one.share) : "");
     }
     return text;
   }
@@ -328,6 +324,19 @@ class StageDrawer {
 };
 
 }  // namespace
+
+std::string text_of(const std::vector<DrawnLoad>& cases) {
+  std::string text;
+  for (const DrawnLoad& one : cases) {
+    if (!one.torque && !one.speed) continue;
+    text += fmt::format("{}:{}{}{}\n",
+                        one.id.empty() ? "Its loads" : fmt::format("Load case {}", one.id),
+                        one.torque ? fmt::format(" torque_N_m = {:.6g}", *one.torque) : "",
+                        one.speed ? fmt::format(" at pinion_speed_rpm = {:.6g}", *one.speed) : "",
+                        one.share ? fmt::format(", {:.4g} % of the time", 100.0 * *one.share) : "");
+  }
+  return text;
+}
 
 StageDrawing stage_drawing(const GearUnit& unit, std::size_t stage, std::size_t load_case,
                            const StageView& view) {

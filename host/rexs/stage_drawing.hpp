@@ -16,6 +16,12 @@ struct DrawnKey {
   std::string origin;  // "from the file", "computed: ...", "ESTIMATE: ..."
 };
 
+// A load case, as the drawing's pinion has it: N m, rpm, share of the time.
+struct DrawnLoad {
+  std::string id;
+  std::optional<double> torque, speed, share;
+};
+
 struct StageDrawing {
   std::map<std::string_view, DrawnKey> keys;  // by the names of drawing_keys.hpp
   int teeth[2] = {0, 0};
@@ -28,9 +34,9 @@ struct StageDrawing {
   double fastest = 0.0;                       // rpm of the pinion in all load cases; 0: not known
   std::map<std::string, std::string> tables;  // the numbers of files that keys name
   std::string about;                          // what was read, lines for a comment
-  std::string loads;                          // the same of all load cases
-  std::vector<std::string> notes;             // what disagrees, and what is not in the file
-  std::vector<std::string> bearing_notes;     // the same of bearings
+  std::vector<DrawnLoad> cases;
+  std::vector<std::string> notes;          // what disagrees, and what is not in the file
+  std::vector<std::string> bearing_notes;  // the same of bearings
 };
 
 // How a stage is looked at.
@@ -38,6 +44,9 @@ struct StageView {
   std::optional<std::size_t> first;  // the gear that stands first; otherwise that of fewer teeth
   int meshes = 1;                    // that share the torque of the first gear
 };
+
+// Lines for a comment, one for each.
+std::string text_of(const std::vector<DrawnLoad>& cases);
 
 // Numbers of stages count from 0, as those of load cases do. Throws InputError for a stage of which
 // no study can be made.

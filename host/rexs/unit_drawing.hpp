@@ -12,6 +12,7 @@ namespace gearsweep {
 
 struct DrawnParameter {
   std::string name, value, origin;
+  bool is_default = false;  // of the model: told, and not set
 };
 
 struct UnitDrawing {

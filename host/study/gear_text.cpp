@@ -22,8 +22,12 @@ std::string gear_text(GearText text, const std::string& source) {
   const std::string drawing = drawing_table("gear", takes, text);
   const Study draft = read_draft(model + drawing, source);
   return comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + model +
-         drawing + speed_axis("pinion_speed_rpm", text, draft.scales.rpm_per_omega, 200) +
-         "[observe]\nquantities = [\"dmf_max\", \"dmf_min\", \"contact_class\", \"x1_rms\"]\n";
+         drawing +
+         (text.spectrum.empty()
+              ? speed_axis("pinion_speed_rpm", text, draft.scales.rpm_per_omega, 200) +
+                    "[observe]\nquantities = [\"dmf_max\", \"dmf_min\", \"contact_class\", "
+                    "\"x1_rms\"]\n"
+              : spectrum_table("", text));
 }
 
 std::string unit_text(UnitText text, const std::string& source) {
@@ -40,14 +44,18 @@ std::string unit_text(UnitText text, const std::string& source) {
     study += drawing_table("gear." + name, takes, drawing);
   }
   if (!text.parameters.empty()) study += "[parameters]\n";
-  for (const auto& [name, value, origin] : text.parameters) {
-    study += comment(origin) + fmt::format("{} = {}\n", name, value);
+  for (const UnitTextParameter& one : text.parameters) {
+    study += comment(one.origin) +
+             fmt::format("{}{} = {}\n", one.is_default ? "# " : "", one.name, one.value);
   }
   const Study draft = read_draft(study, source);
   const auto& [first, drawing] = text.drawings.front();
   std::vector<std::string> quantities;
   for (const std::string& name : text.quantities) quantities.push_back(toml_quoted(name));
-  return comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + study +
+  const std::string head =
+      comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + study;
+  if (!drawing.spectrum.empty()) return head + spectrum_table("_" + first, drawing);
+  return head +
          speed_axis("pinion_speed_rpm_" + first, drawing, draft.scales.rpm_per_omega, kSpeeds) +
          fmt::format("[observe]\nquantities = [{}]\n", fmt::join(quantities, ", "));
 }

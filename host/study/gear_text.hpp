@@ -17,6 +17,11 @@ struct GearTextKey {
 };
 using GearTextKeys = std::map<std::string_view, GearTextKey>;
 
+// Of a load spectrum: N m, rpm, share of the time.
+struct GearTextLoad {
+  double torque = 0.0, speed = 0.0, share = 0.0;
+};
+
 struct GearText {
   std::string title;
   std::string about;  // lines, which become a comment at the top
@@ -25,6 +30,7 @@ struct GearText {
   double module_mm = 0.0;
   std::optional<double> face_width_mm;
   double fastest_rpm = 0.0;                   // of the pinion, that the axis has to reach
+  std::vector<GearTextLoad> spectrum;         // in place of that axis
   std::map<std::string, std::string> tables;  // the numbers of files that keys name
 };
 
@@ -37,6 +43,7 @@ std::string gear_text(GearText text, const std::string& source);
 struct UnitTextParameter {
   std::string name;
   std::string value, origin;  // of its comment
+  bool is_default = false;    // it stands behind a #
 };
 
 // Of a model with several drawings.

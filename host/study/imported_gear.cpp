@@ -1,6 +1,7 @@
 #include "study/imported_gear.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -20,6 +21,31 @@ constexpr const char* kEstimates =
 double parameter_of(const Study& study, const std::string& name) {
   const int index = study.model->find_parameter(name);
   return index < 0 ? 0.0 : study.setting.parameters[static_cast<std::size_t>(index)];
+}
+
+// All load cases; throws InputError with all that is missing.
+std::vector<GearTextLoad> spectrum_of(const std::vector<DrawnLoad>& cases,
+                                      const std::string& source) {
+  if (cases.size() < 2) {
+    throw InputError(fmt::format(
+        "{}: it has one load, which is no load spectrum: leave out --spectrum", source));
+  }
+  std::vector<GearTextLoad> loads;
+  std::string missing;
+  for (const DrawnLoad& one : cases) {
+    loads.push_back({one.torque.value_or(0.0), one.speed.value_or(0.0), one.share.value_or(0.0)});
+    std::vector<std::string> lacks;
+    if (!one.torque) lacks.emplace_back("a torque (torque_around_u_axis of its external loads)");
+    if (!one.speed) lacks.emplace_back("a speed (rotational_speed of a shaft)");
+    if (!one.share) lacks.emplace_back("a share of the time (load_duration_fraction)");
+    if (lacks.empty()) continue;
+    missing += fmt::format("\n  load case {} has not {}", one.id, fmt::join(lacks, ", nor "));
+  }
+  if (missing.empty()) return loads;
+  throw InputError(fmt::format(
+      "{}: its load cases make no load spectrum, for{}\nLeave out --spectrum, and write the loads "
+      "as [points] with the columns torque_N_m, pinion_speed_rpm and time_share",
+      source, missing));
 }
 
 GearText text_of(const StageDrawing& drawing) {
@@ -72,11 +98,14 @@ std::vector<std::string> quantities_of(const std::string& model) {
 
 }  // namespace
 
-ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string& source) {
+ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string& source,
+                                 ImportedPoints points) {
+  const bool is_spectrum = points == ImportedPoints::load_spectrum;
   GearText text = text_of(drawing);
+  if (is_spectrum) text.spectrum = spectrum_of(drawing.cases, source);
   text.title = fmt::format("{}: {}/{} teeth, module {:g} mm", source, drawing.teeth[0],
                            drawing.teeth[1], drawing.module);
-  text.about = drawing.about + drawing.loads + kEstimates;
+  text.about = drawing.about + (is_spectrum ? "" : text_of(drawing.cases)) + kEstimates;
   if (drawing.stiffness_factor != 1.0) {
     soften(drawing, read_draft(gear_text(text, source), source).scales.k0, &text);
   }
@@ -88,17 +117,22 @@ ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string&
   return out;
 }
 
-ImportedGear imported_unit_study(const UnitDrawing& drawing, const std::string& source) {
+ImportedGear imported_unit_study(const UnitDrawing& drawing, const std::string& source,
+                                 ImportedPoints points) {
   UnitText text;
   text.title = fmt::format("{}: {}", source, drawing.summary);
   text.about = drawing.about + kEstimates;
   text.model = drawing.model;
   text.options = drawing.options;
   text.quantities = quantities_of(drawing.model);
-  for (const auto& [name, value, origin] : drawing.parameters) {
-    text.parameters.push_back({name, value, origin});
+  for (const DrawnParameter& one : drawing.parameters) {
+    text.parameters.push_back({one.name, one.value, one.origin, one.is_default});
   }
   for (const auto& [name, one] : drawing.drawings) text.drawings.emplace_back(name, text_of(one));
+  if (points == ImportedPoints::load_spectrum) {
+    text.drawings.front().second.spectrum =
+        spectrum_of(drawing.drawings.front().second.cases, source);
+  }
   const std::string draft_text = unit_text(text, source);
   const Study draft = read_draft(draft_text, source);
   bool is_soft = false;

@@ -61,6 +61,33 @@ TEST(GearCommand, ImportsAWholeUnitThatRuns) {
   EXPECT_EQ(gearsweep(folder, "gear import unit.rexs --all --stage 1").status, 2);
 }
 
+// 40 and 20 teeth on the middle shaft: after one more tooth of the gear the pinion is half a pitch
+// further on, so that half a mesh period of the phase is the same motion, and a quarter is not.
+TEST(GearCommand, ImportsAUnitWhosePhaseCountsByThePitchThatItsTeethShare) {
+  UnitBuilder built = two_stages();
+  built.unit.set("21", "number_of_teeth", "none", "40");
+  built.unit.set("22", "number_of_teeth", "none", "20");
+  built.unit.set("50", "center_distance", "mm", "90");
+  built.unit.set("51", "center_distance", "mm", "130");
+  const Folder folder;
+  folder.write("unit.rexs", xml_of(built.unit));
+  ASSERT_EQ(gearsweep(folder, "gear import unit.rexs --all -o unit.toml").status, 0);
+  const auto largest_force = [&](const std::string& shift) {
+    const Outcome run = gearsweep(
+        folder,
+        "run unit.toml -o unit.nc --set axes.0.from=3500 --set axes.0.to=4000 --set axes.0.count=2 "
+        "--set parameters.shift=" +
+            shift);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(gearsweep(folder, "export unit.nc -q dmf1_max -o unit.csv").status, 0);
+    const std::string csv = read_all(folder / "unit.csv");
+    return std::stod(csv.substr(csv.rfind(',') + 1));
+  };
+  const double own = largest_force("0");
+  EXPECT_NEAR(largest_force("0.5") / own, 1.0, 1e-6);
+  EXPECT_GT(std::abs(largest_force("0.25") / own - 1.0), 1e-4);
+}
+
 // Two discs on very stiff bearings that roll on each other through one spring: its frequency is
 // sqrt(k0/me), and at the critical speed the teeth meet so often.
 TEST(GearCommand, TellsCriticalSpeeds) {

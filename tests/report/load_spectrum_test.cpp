@@ -37,9 +37,24 @@ TEST(Report, OfALoadSpectrumHasTheAnswerOverAllLoads) {
   EXPECT_THAT(html, Not(HasSubstr("Worst speeds")));
 }
 
-TEST(Report, OfTwoLoadSpectraIsRefused) {
-  const ReportStudies two = {{still_spectrum(), "one"}, {still_spectrum(), "other"}};
-  EXPECT_THROW(ensure_report(two, "r.html"), InputError);
+// Twice the loads do the same by the same factors.
+TEST(Report, OfTwoLoadSpectraHasTheAnswersOfBoth) {
+  const Study twice = read_study(still_spectrum().toml, "test",
+                                 {"points.numbers=0.2, 0.8, 0.75\n0.4, 0.8, 0.25\n"});
+  const testing::Folder folder;
+  ASSERT_TRUE(write_report({{still_spectrum(), "one"}, {twice, "twice"}}, folder / "r.html",
+                           ReportOptions()));
+  const std::string html = testing::read_all(folder / "r.html");
+  EXPECT_THAT(html, HasSubstr("one: The largest force"));
+  EXPECT_THAT(html, HasSubstr("twice: The largest force"));
+  EXPECT_THAT(html, HasSubstr("A load of 0.1323"));
+  EXPECT_THAT(html, HasSubstr("A load of 0.2646"));
+}
+
+TEST(Report, OfASpectrumAndASpeedIsRefused) {
+  const Study speed = read_study(
+      "[model]\nname = 'gear1'\n[[axes]]\nname = 'omega'\nfrom = 0.5\nto = 1\ncount = 3\n", "test");
+  EXPECT_THROW(ensure_report({{still_spectrum(), "one"}, {speed, "other"}}, "r.html"), InputError);
 }
 
 }  // namespace

@@ -248,6 +248,25 @@ TEST(Report, BeginsWithItsWorstSpeed) {
   EXPECT_NEAR(std::stod(first[1]), factor, 0.03 * factor);  // a run through the speeds may have 2 %
 }
 
+// The mesh with the larger error vibrates more, be it the first or the second.
+TEST(Report, AnswersForTheWorseOfTwoMeshes) {
+  const auto report = [](const std::string& first, const std::string& second) {
+    return report_of(read_study(
+        "[model]\nname = \"two_stages\"\n[parameters]\nzp_first = 10\nteeth_ratio_first = 1\n"
+        "zp_second = 10\nteeth_ratio_second = 1\ne0_first = [" +
+            first + "]\ne0_second = [" + second +
+            "]\n[[axes]]\nname = \"omega\"\nfrom = 0.3\nto = 0.9\ncount = 3\n[integrate]\n"
+            "settle = 10\nrecord = 4\n",
+        "two.toml"));
+  };
+  const std::string of_first = report("0.5", "0.0"), of_second = report("0.0", "0.5");
+  EXPECT_THAT(of_first, HasSubstr(": the largest force of the first mesh is "));
+  EXPECT_THAT(of_first, HasSubstr("The largest force of the second mesh is at most "));
+  EXPECT_THAT(of_second, HasSubstr(": the largest force of the second mesh is "));
+  EXPECT_THAT(of_second, HasSubstr("The largest force of the first mesh is at most "));
+  EXPECT_THAT(of_second, HasSubstr("Peaks of the largest"));
+}
+
 // A linear gear under its load keeps contact: no error, no friction, a stiffness that varies
 // little.
 TEST(Report, SaysThatTeethStayInContact) {
@@ -268,6 +287,17 @@ std::string new_pair(const std::string& more) {
          "[[axes]]\nname = 'omega'\nfrom = 0.3\nto = 1.2\ncount = 10\n"
          "[integrate]\nsettle = 30\nrecord = 10\nstop = 'never'\n[observe]\nquantities = "
          "['x1_rms']\n";
+}
+
+// A file may stand for a key that was a guess; a name that is no key is a slip of the pen.
+TEST(Report, TakesEstimatesThatAreGone) {
+  const Study study = read_study(new_pair("estimated = ['torque_N_m', 'mass_kg']\n"), "test");
+  const auto is_guess = [&](const std::string& key) {
+    const auto datum = std::ranges::find(study.gear_data, key, &GearDatum::key);
+    return datum != study.gear_data.end() && datum->origin == DatumOrigin::estimated;
+  };
+  EXPECT_TRUE(is_guess("torque_N_m"));
+  EXPECT_THROW(read_study(new_pair("estimated = ['torque_Nm']\n"), "test"), InputError);
 }
 
 TEST(Report, SaysWhoseEachNumberIs) {

@@ -117,12 +117,37 @@ TEST(StageDetails, TakeTheTipReliefOfSpurGears) {
   const Study study = read_study(imported.toml, "stage.toml");
   const auto second = static_cast<std::size_t>(study.model->find_parameter("e0_2"));
   EXPECT_GT(study.setting.parameters[second], 0.0);
-  // Helical teeth have no such table.
-  for (const char* gear : {"20", "21"}) {
-    built.unit.set(gear, "helix_angle_reference_diameter", "deg", gear[1] == '0' ? "8" : "-8");
-  }
-  built.unit.set("50", "center_distance", "mm", "92.4");
-  EXPECT_THAT(first_stage(built.unit).notes, Contains(HasSubstr("tip_relief 98")));
+}
+
+// Of helical teeth in the transverse section: its reference circle is wider by 1/cos(beta), its
+// pressure angle that of tan(alpha)/cos(beta).
+TEST(StageDetails, TakeTheTipReliefOfHelicalGears) {
+  UnitBuilder built = two_stages();
+  built.add("98", "tip_relief",
+            {{"tip_relief_depth", "mum", "20"}, {"tip_relief_datum_diameter", "mm", "64.2"}});
+  built.relate("flank_modification", {{"flank", "9220"}, {"modification", "98"}});
+  const double helix = 8.0 * std::numbers::pi / 180.0,
+               alpha = std::atan(std::tan(kAlpha) / std::cos(helix));
+  const double centre = 91.5 / std::cos(helix);
+  built.unit.set("20", "helix_angle_reference_diameter", "deg", "8");
+  built.unit.set("21", "helix_angle_reference_diameter", "deg", "-8");
+  built.unit.set("50", "center_distance", "mm", fmt::format("{:.12g}", centre));
+  const StageDrawing drawing = first_stage(built.unit);
+  const double pinion = 30.0 / std::cos(helix), gear = 61.5 / std::cos(helix);
+  const double base = pinion * std::cos(alpha), other = gear * std::cos(alpha);
+  const auto way = [](double radius, double of) { return std::sqrt(radius * radius - of * of); };
+  const double path = way(pinion + 3.0, base) + way(gear + 3.0, other) - centre * std::sin(alpha);
+  double share[3] = {}, depth[3] = {};
+  ASSERT_EQ(std::sscanf(drawing.tables.at("tip-relief.csv").c_str(),
+                        "share, um\n%lf, %lf\n%lf, %lf\n%lf, %lf", &share[0], &depth[0], &share[1],
+                        &depth[1], &share[2], &depth[2]),
+            6);
+  EXPECT_NEAR(share[1], 1.0 - (way(pinion + 3.0, base) - way(32.1, base)) / path, 1e-6);
+  EXPECT_THAT(depth, ::testing::ElementsAre(0.0, 0.0, 20.0));
+  // The mean over the slices of a pair is smoother than the relief of spur teeth, and not nothing.
+  const Study study = read_study(imported_gear_study(drawing, "unit").toml, "stage.toml");
+  const auto second = static_cast<std::size_t>(study.model->find_parameter("e0_2"));
+  EXPECT_GT(study.setting.parameters[second], 0.0);
 }
 
 // Programs may leave out the sign that says which hand it is.

@@ -202,6 +202,102 @@ TEST(WholeUnit, TellsWhatCannotBePlacedAndWhatToDo) {
   EXPECT_THAT(refusal(read_unit(both.unit)), HasSubstr("others beside it"));
 }
 
+// Another maker's file: SI units and older ones, blanks for units, no names of versions after 1.0,
+// other order; the second stage lacks teeth and modules, and its centre distance has a unit that
+// nobody knows. All that is missing is told at once, and the other stages are studies.
+TEST(WholeUnit, OfAnotherMakerTellsAllThatIsMissing) {
+  UnitBuilder built = three_stages();
+  for (const char* gear : {"22", "23"}) {
+    std::erase_if(built.unit.at(gear).attributes, [](const TextAttribute& one) {
+      return one.id == "normal_module" || one.id == "number_of_teeth";
+    });
+  }
+  std::erase_if(built.unit.at("21").attributes,
+                [](const TextAttribute& one) { return one.id == "face_width"; });
+  TextUnit unit = with_older_names(in_other_units(shuffled(built.unit, 7)), "1.0");
+  unit.set("51", "center_distance", "furlong", "0.6");
+  std::erase_if(unit.at("952").attributes,
+                [](const TextAttribute& one) { return one.id == "torque_around_u_axis"; });
+  unit.set("952", "power", "PS",
+           fmt::format("{:.12g}", 50.0 * 1230.0 * kPi / 30000.0 / 0.73549875));
+  const GearUnit read = read_unit(json_of(unit));
+  EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("'furlong', which is none of mm, m, cm"))));
+  const std::size_t second = static_cast<std::size_t>(
+      std::ranges::find(read.stages, "cylindrical_stage 51", &UnitStage::name) -
+      read.stages.begin());
+  EXPECT_THAT(read.stages[second].refusal,
+              AllOf(HasSubstr("cylindrical_gear 22 has no number_of_teeth"),
+                    HasSubstr("cylindrical_gear 23 has no number_of_teeth"),
+                    HasSubstr("no normal_module")));
+  const StageDrawing first = stage_drawing(read, chosen_stage(read, "cylindrical_stage 50"), 0);
+  EXPECT_NEAR(std::stod(first.keys.at("torque_N_m").value), 50.0, 1e-3);
+  EXPECT_NEAR(first.fastest, 1230.0, 1e-6);
+  EXPECT_EQ(first.keys.at("face_width_mm").value, "30");
+  EXPECT_THAT(first.keys.at("face_width_mm").origin, HasSubstr("ESTIMATE"));
+  // No ratio of the second stage, so no torque and no speed of the third.
+  const StageDrawing third = stage_drawing(read, chosen_stage(read, "cylindrical_stage 52"), 0);
+  EXPECT_THAT(third.notes, AllOf(Contains(HasSubstr("the torque on this mesh follows from no")),
+                                 Contains(HasSubstr("the speed of this mesh follows from no")),
+                                 Contains(HasSubstr("neither center_distance")).Times(0)));
+  EXPECT_EQ(study_of(imported_gear_study(third, "unit")).axes[0].name, "pinion_speed_rpm");
+}
+
+// 41 and 18 teeth on the middle shaft have no common divisor; 40 and 20 meet in two phases.
+TEST(WholeUnit, TellsHowFarThePhaseOfItsMeshesCounts) {
+  const ImportedGear coprime = whole(read_unit(two_stages().unit));
+  EXPECT_THAT(coprime.notes, Contains(AllOf(HasSubstr("shift, is 0 here"),
+                                            HasSubstr("differ by 1/41 make the same motion"))));
+  EXPECT_EQ(value_of(study_of(coprime), "shift"), 0.0);
+  UnitBuilder even = two_stages();
+  even.unit.set("21", "number_of_teeth", "none", "40");
+  even.unit.set("22", "number_of_teeth", "none", "20");
+  even.unit.set("50", "center_distance", "mm", "90");
+  even.unit.set("51", "center_distance", "mm", "130");
+  EXPECT_THAT(whole(read_unit(even.unit)).notes, Contains(HasSubstr("sweep it from 0 to 1/2")));
+}
+
+// Each load case's torque and speed, through the ratios of the unit.
+TEST(WholeUnit, HasItsLoadCasesAsALoadSpectrum) {
+  RexsDocument document = read_rexs(xml_of(two_stages().unit), "unit.rexs");
+  const auto one_case = [&](const std::string& id, const char* torque, const char* speed,
+                            const char* share) {
+    TextUnit unit;
+    if (*share != '\0') {
+      unit.components.push_back({"1", "gear_unit", "", {{"load_duration_fraction", "%", share}}});
+    }
+    unit.components.push_back({"2", "shaft", "", {{"rotational_speed", "1 / min", speed}}});
+    unit.components.push_back(
+        {"952", "external_load", "", {{"torque_around_u_axis", "N m", torque}}});
+    document.load_cases.push_back({id, read_rexs(xml_of(unit), "case").components});
+  };
+  one_case("1", "40", "820", "25");
+  one_case("2", "-60", "410", "75");
+  const GearUnit unit = gear_unit_of(document);
+  const Study study = study_of(
+      imported_gear_study(stage_drawing(unit, 1, 0), "unit.rexs", ImportedPoints::load_spectrum));
+  ASSERT_TRUE(study.spectrum.has_value());
+  EXPECT_THAT(study.spectrum->shares, ::testing::ElementsAre(0.25, 0.75));
+  const auto column = [&](const Study& of, const std::string& name) {
+    return of.axes[0].find_column(name)->values;
+  };
+  EXPECT_NEAR(column(study, "torque_N_m")[0], 40.0 * 41.0 / 20.0, 1e-6);
+  EXPECT_NEAR(column(study, "torque_N_m")[1], 60.0 * 41.0 / 20.0, 1e-6);
+  EXPECT_NEAR(column(study, "pinion_speed_rpm")[1], 200.0, 1e-6);
+  const Study both = study_of(
+      imported_unit_study(unit_drawing(unit, ""), "unit.rexs", ImportedPoints::load_spectrum));
+  EXPECT_EQ(column(both, "torque_N_m_first")[1], 60.0);
+  EXPECT_EQ(column(both, "pinion_speed_rpm_first")[0], 820.0);
+  one_case("3", "10", "0", "");
+  const StageDrawing drawing = stage_drawing(gear_unit_of(document), 0, 0);
+  try {
+    imported_gear_study(drawing, "unit.rexs", ImportedPoints::load_spectrum);
+    ADD_FAILURE() << "a case without a share is a spectrum";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("load case 3 has not a speed"),
+                                    HasSubstr("nor a share of the time")));
+  }
+}
+
 // Each stage of a unit of three is a study of its own; its torque and speed follow from the ratios.
 TEST(WholeUnit, OfThreeStagesHasAStudyOfEach) {
   const GearUnit unit = read_unit(json_of(shuffled(three_stages().unit, 3)));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -26,7 +27,7 @@ using Json = nlohmann::json;
 
 struct ImportArguments {
   std::string file, stage, load_case, output;
-  bool as_json = false, as_list = false, is_whole = false;
+  bool as_json = false, as_list = false, is_whole = false, as_spectrum = false;
 };
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
@@ -134,16 +135,24 @@ void list(const GearUnit& unit) {
   for (const std::string& note : unit.notes) answer("note: {}\n", note);
 }
 
+bool has_shares(const GearUnit& unit) {
+  return unit.cases.size() > 1 &&
+         std::ranges::all_of(unit.cases, [](const UnitCase& one) { return one.share.has_value(); });
+}
+
 // The study, and in words what it is of.
 std::pair<ImportedGear, std::string> study_of(const ImportArguments& arguments,
                                               const GearUnit& unit) {
   const std::string name = std::filesystem::path(arguments.file).filename().string();
+  const ImportedPoints points =
+      arguments.as_spectrum ? ImportedPoints::load_spectrum : ImportedPoints::speeds;
   if (arguments.is_whole) {
-    return {imported_unit_study(unit_drawing(unit, arguments.load_case), name), "the whole unit"};
+    return {imported_unit_study(unit_drawing(unit, arguments.load_case), name, points),
+            "the whole unit"};
   }
   const std::size_t stage = chosen_stage(unit, arguments.stage);
   const std::size_t load_case = chosen_case(unit, stage, arguments.load_case);
-  return {imported_gear_study(stage_drawing(unit, stage, load_case), name),
+  return {imported_gear_study(stage_drawing(unit, stage, load_case), name, points),
           fmt::format("stage {}", stage + 1)};
 }
 
@@ -151,6 +160,12 @@ void write_study(const ImportArguments& arguments, const GearUnit& unit) {
   const auto [study, what] = study_of(arguments, unit);
   for (const std::string& note : unit.notes) tell("note: {}\n", note);
   for (const std::string& note : study.notes) tell("note: {}\n", note);
+  if (!arguments.as_spectrum && has_shares(unit)) {
+    tell(
+        "note: the file has {} load cases with their shares of the time: --spectrum makes a study "
+        "of them all\n",
+        unit.cases.size());
+  }
   if (arguments.output.empty()) {
     answer("{}", study.toml);
     return;
@@ -193,10 +208,14 @@ void add_gear_import_command(CLI::App* gear) {
       ->add_flag("--all", arguments->is_whole,
                  "The whole unit: two stages, or a planetary stage, as a model with a drawing each")
       ->excludes(stage);
+  CLI::Option* load_case = command
+                               ->add_option("--case", arguments->load_case,
+                                            "Load case (default: the one of the highest torque)")
+                               ->type_name("CASE");
   command
-      ->add_option("--case", arguments->load_case,
-                   "Load case (default: the one of the highest torque)")
-      ->type_name("CASE");
+      ->add_flag("--spectrum", arguments->as_spectrum,
+                 "All load cases, as a load spectrum, in place of a range of speeds")
+      ->excludes(load_case);
   command->add_flag("--list", arguments->as_list, "Print what was read, and write no study");
   command->add_flag("--json", arguments->as_json, "The same as JSON");
   command->add_option("-o,--output", arguments->output, "A file to write (default: to the screen)")
@@ -206,6 +225,7 @@ void add_gear_import_command(CLI::App* gear) {
       "estimated; masses are estimates of shaft sections and gear discs.\n\n"
       "Examples:\n  gearsweep gear import unit.rexs --list\n"
       "  gearsweep gear import unit.rexs --stage 1 -o stage1.toml\n"
+      "  gearsweep gear import unit.rexs --stage 1 --spectrum -o loads.toml\n"
       "  gearsweep gear import unit.rexs --all -o unit.toml");
   command->callback([arguments] { import(*arguments); });
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "model/error.hpp"
@@ -38,6 +39,8 @@ void choose_quantities(const Model& model, ReportFindings* findings) {
     if (!quantity.divided_by) continue;
     wanted.push_back(quantity.name);
     if (findings->load_factor.empty()) findings->load_factor = quantity.name;
+    const bool is_of_load = quantity.divided_by == model.parameter_of(Role::load);
+    if (findings->iso_load_factor.empty() && is_of_load) findings->iso_load_factor = quantity.name;
   }
   for (const Quantity& quantity : offered) {
     if (!quantity.name.ends_with("contact_gap")) continue;
@@ -82,6 +85,36 @@ std::vector<double> dynamic_factors_of(const Study& study) {
   return factors;
 }
 
+// The largest finite value of a map; minus infinity without one.
+double most_of(const SweepResult& line, const std::string& quantity) {
+  const std::vector<Quantity>& all = line.study.selection.quantities;
+  const auto found = std::ranges::find(all, quantity, &Quantity::name);
+  double most = -std::numeric_limits<double>::infinity();
+  if (found == all.end()) return most;
+  for (const double value : line.values[static_cast<std::size_t>(found - all.begin())]) {
+    if (std::isfinite(value)) most = std::max(most, value);
+  }
+  return most;
+}
+
+// Of several meshes the one of the largest load factor: forces of meshes with other loads and radii
+// cannot be compared.
+void choose_mesh(const SweepResult& line, ReportFindings* findings) {
+  const std::vector<ChannelInfo> forces = line.study.model->signals_of(Role::mesh_force);
+  if (forces.size() < 2) return;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const ChannelInfo& force : forces) {
+    const std::string factor = load_factor_of(*line.study.model, force);
+    const double own = most_of(line, factor);
+    if (!(own > most)) continue;
+    most = own;
+    findings->mesh = mesh_words(force);
+    findings->load_factor = factor;
+    findings->force = force.name + "_max";
+    findings->vibration = findings->force;
+  }
+}
+
 void choose_ranking(const SweepResult& line, ReportFindings* findings) {
   constexpr double kClearly = 1.2;
   const Study& study = findings->line;
@@ -112,11 +145,12 @@ class Runs {
   bool run_line() {
     std::optional<SweepResult> result = sweep(out_.line, "line.nc", "curves over speed");
     if (!result) return false;
+    choose_mesh(*result, &out_);
     choose_ranking(*result, &out_);
     if (!out_.line.dynamic_factor) return true;
     out_.dynamic_factors = dynamic_factors_of(out_.line);
     const std::vector<Quantity>& quantities = result->study.selection.quantities;
-    const auto load_factor = std::ranges::find(quantities, out_.load_factor, &Quantity::name);
+    const auto load_factor = std::ranges::find(quantities, out_.iso_load_factor, &Quantity::name);
     result->values[static_cast<std::size_t>(load_factor - quantities.begin())] =
         out_.dynamic_factors;
     write_result(*result, out_.file("factor.nc"), provenance());
@@ -193,6 +227,18 @@ std::vector<std::string> tolerated(const std::vector<std::string>& quantities) {
 }
 
 }  // namespace
+
+std::string load_factor_of(const Model& model, const ChannelInfo& force) {
+  for (const Quantity& quantity : offered_quantities(model)) {
+    if (quantity.divided_by && quantity.name.starts_with(force.name + "_")) return quantity.name;
+  }
+  return "";
+}
+
+std::string mesh_words(const ChannelInfo& force) {
+  if (force.meaning.empty()) return force.name;
+  return force.meaning.substr(0, force.meaning.find(','));
+}
 
 Study changed(const Study& study, const std::vector<std::string>& overrides,
               const std::vector<std::string>& zooms) {

@@ -18,6 +18,12 @@ namespace gearsweep {
 Study changed(const Study& study, const std::vector<std::string>& overrides,
               const std::vector<std::string>& zooms = {});
 
+// What a model says of a force between teeth, up to the first comma: "force of the second mesh".
+std::string mesh_words(const ChannelInfo& force);
+
+// The load factor of one of several forces between teeth; empty where it names no load.
+std::string load_factor_of(const Model& model, const ChannelInfo& force);
+
 // The axis that changes the period of the forcing. Throws InputError when there is none.
 std::size_t find_speed_axis(const Study& study);
 
@@ -29,8 +35,12 @@ struct ReportFindings {
   std::size_t speed = 0;
   std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other
   std::vector<std::string> quantities;               // those of the list below that the model has
-  std::string force;                                 // the largest force
-  std::string load_factor;         // the first of those that the model has; may be empty
+  // Of several meshes the one that has the largest load factor at any speed: its force in words,
+  // "force of the second mesh", and the maps below. Of one mesh without words.
+  std::string mesh;
+  std::string force;               // the largest force
+  std::string load_factor;         // may be empty
+  std::string iso_load_factor;     // the one that K_v is of: that of the model's load
   std::vector<std::string> apart;  // shares of time without contact, of each contact
   std::string vibration;  // standard deviation of the force; of a model without, the largest value
   double jump = 1.0;      // static_jump() at the first of the speeds

@@ -34,6 +34,10 @@ std::string force_html(const ReportFindings& findings, const std::string& file, 
                             ? std::nan("")
                             : findings.over_speed(file, findings.load_factor).values[point];
   if (std::isfinite(factor)) {
+    if (!findings.mesh.empty()) {
+      return fmt::format("the largest {} is {:.3g} times its mean load", html_text(findings.mesh),
+                         factor);
+    }
     return fmt::format("the largest force between the teeth is {:.3g} times the mean load", factor);
   }
   const ResultMap force = findings.over_speed(file, findings.force);
@@ -52,13 +56,29 @@ bool is_on_back_flank(const ReportFindings& findings, const std::string& file, s
          contact.values[point] == static_cast<double>(both - contact.flags.begin());
 }
 
+// Of several contacts the one whose teeth are apart longest: "second".
+std::string contact_apart_html(const ReportFindings& findings, const std::string& file,
+                               std::size_t point) {
+  const auto share = [&](const std::string& quantity) {
+    const double value = findings.over_speed(file, quantity).values[point];
+    return std::isnan(value) ? 0.0 : value;
+  };
+  const auto longest = std::ranges::max_element(findings.apart, {}, share);
+  return html_text(longest->substr(0, longest->find("_contact_gap")));
+}
+
 // ", and the teeth lose contact for 23 % of the time". HTML; empty without a contact.
 std::string contact_html(const ReportFindings& findings, const std::string& file,
                          std::size_t point) {
   const std::vector<double> apart = time_apart(findings, file);
   if (apart.empty() || std::isnan(apart[point])) return "";
-  if (apart[point] <= 0.0) return ", and the teeth stay in contact";
-  return fmt::format(", and the teeth lose contact: they are apart for {} of the time{}",
+  const bool has_several = findings.apart.size() > 1;
+  if (apart[point] <= 0.0) {
+    return has_several ? ", and the teeth of all meshes stay in contact"
+                       : ", and the teeth stay in contact";
+  }
+  return fmt::format(", and the teeth{} lose contact: they are apart for {} of the time{}",
+                     has_several ? " of " + contact_apart_html(findings, file, point) : "",
                      html_percent(apart[point]),
                      is_on_back_flank(findings, file, point) ? " and hit the back flank, too" : "");
 }
@@ -128,6 +148,35 @@ std::string larger_force_html(const ReportFindings& findings, const WorstSpeed& 
   if (!largest || !(map.values[*largest] > kClearly * own)) return "";
   return fmt::format("The force vibrates most at the worst speed; it is largest at {}: {}.",
                      speed_at(findings, *largest), force_html(findings, "line.nc", *largest));
+}
+
+// What the other meshes have, each at its worst speed. Of more than a few the largest of them.
+std::string other_meshes_html(const ReportFindings& findings) {
+  constexpr std::size_t kMany = 3;
+  struct OtherMesh {
+    std::string words;
+    double factor;
+    std::size_t point;
+  };
+  std::vector<OtherMesh> others;
+  for (const ChannelInfo& force : findings.study.model->signals_of(Role::mesh_force)) {
+    const std::string factor = load_factor_of(*findings.study.model, force);
+    const bool is_known =
+        std::ranges::find(findings.quantities, factor) != findings.quantities.end();
+    if (findings.mesh.empty() || factor == findings.load_factor || !is_known) continue;
+    const ResultMap map = findings.over_speed("line.nc", factor);
+    const std::optional<std::size_t> point = largest_of(map.values);
+    if (point) others.push_back({mesh_words(force), map.values[*point], *point});
+  }
+  std::ranges::sort(others, std::ranges::greater(), &OtherMesh::factor);
+  if (others.size() >= kMany) others.resize(1);
+  std::string text;
+  for (const OtherMesh& one : others) {
+    text += fmt::format("{}The largest {} is at most {:.3g} times its mean load, at {}.",
+                        text.empty() ? "" : " ", html_text(one.words), one.factor,
+                        speed_at(findings, one.point));
+  }
+  return text;
 }
 
 std::string missing_html(const ReportFindings& findings) {
@@ -205,6 +254,7 @@ std::string answer_html(const ReportFindings& findings) {
 std::vector<std::string> remarks_html(const ReportFindings& findings) {
   std::vector<std::string> remarks = {use_html(findings), missing_html(findings)};
   if (const std::optional<WorstSpeed> worst = find_worst(findings)) {
+    remarks.push_back(other_meshes_html(findings));
     remarks.push_back(range_of_loss_html(findings));
     remarks.push_back(larger_force_html(findings, *worst));
     if (worst->is_edge) {

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "model/version.hpp"
 #include "plot/labels.hpp"
 #include "report/detail/assumptions.hpp"
+#include "report/detail/findings.hpp"
 #include "report/detail/html.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/page_file.hpp"
@@ -43,16 +46,34 @@ std::string parting_html(const SpectrumAnswers& answers) {
                      html_percent(*answers.parting_share));
 }
 
-std::string spectrum_html(const SpectrumAnswers& answers) {
+// Of several forces the one with the largest factor; one that is not known comes before all.
+const SpectrumForce& worst_of(const SpectrumAnswers& answers) {
+  return *std::ranges::max_element(answers.forces, {}, [](const SpectrumForce& one) {
+    return std::isnan(one.max_factor) ? std::numeric_limits<double>::infinity() : one.max_factor;
+  });
+}
+
+// "force between the teeth", of several "force of the second mesh".
+std::string force_words(const Study& study, const SpectrumForce& force) {
+  const std::vector<ChannelInfo> all = study.model->signals_of(Role::mesh_force);
+  const auto own = std::ranges::find_if(
+      all, [&](const ChannelInfo& one) { return force.factor.starts_with(one.name + "_"); });
+  return all.size() < 2 || own == all.end() ? "force between the teeth"
+                                            : html_text(mesh_words(*own));
+}
+
+std::string spectrum_html(const Study& study, const SpectrumAnswers& answers) {
   if (answers.forces.empty()) return "The model has no load factor.";
-  const SpectrumForce& force = answers.forces.front();
+  const SpectrumForce& force = worst_of(answers);
   if (std::isnan(force.mean_factor)) {
     return "The load factor of the spectrum is not known: a load that lasts has no value.";
   }
   return fmt::format(
-      "The largest force between the teeth is {:.3g} times the load on average over the time, and "
-      "{:.3g} times under load {}, where it is largest{}.",
-      force.mean_factor, force.max_factor, force.max_point + 1, parting_html(answers));
+      "The largest {} is {:.3g} times the load on average over the time, and {:.3g} times under "
+      "load "
+      "{}, where it is largest{}.",
+      force_words(study, force), force.mean_factor, force.max_factor, force.max_point + 1,
+      parting_html(answers));
 }
 
 std::vector<std::string> equivalents_html(const Study& study, const SpectrumAnswers& answers) {
@@ -115,26 +136,37 @@ HtmlTable loads_of(const Study& study, const ResultFile& file) {
   return table;
 }
 
-}  // namespace
+// One study of the page, computed.
+struct SpectrumSide {
+  std::string name;  // of one of several
+  Study study;       // as it was given
+  Study observed;
+  SpectrumAnswers answers;
+  std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
 
-bool write_spectrum_report(const Study& study, const std::string& title, const std::string& path,
-                           const ReportOptions& options) {
+  std::string file() const { return (folder->path() / "loads.nc").string(); }
+  std::string of(const std::string& heading) const {
+    return name.empty() ? heading : fmt::format("{}: {}", html_text(name), heading);
+  }
+};
+
+// Nothing when stopped.
+std::optional<SpectrumSide> run_side(const ReportStudy& given, bool is_alone,
+                                     const ReportOptions& options) {
+  SpectrumSide side;
+  side.name = is_alone ? "" : given.name;
+  side.study = given.study;
   // What it observes does not matter.
-  const Study observed = read_study(study.toml, "the study of the report", {"observe={}"});
-  if (options.on_step) options.on_step("loads of the spectrum");
-  const std::optional<SweepResult> result = run_sweep(observed, options.sweep_options());
-  if (!result) return false;
-  const TemporaryFolder folder;
-  const std::string stored = (folder.path() / "loads.nc").string();
-  write_result(*result, stored, {options.command_line, version(), source_hash()});
+  side.observed = read_study(given.study.toml, "the study of the report", {"observe={}"});
+  if (options.on_step) options.on_step(side.of("loads of the spectrum"));
+  const std::optional<SweepResult> result = run_sweep(side.observed, options.sweep_options());
+  if (!result) return std::nullopt;
+  write_result(*result, side.file(), {options.command_line, version(), source_hash()});
+  side.answers = spectrum_answers(*result);
+  return side;
+}
 
-  const SpectrumAnswers answers = spectrum_answers(*result);
-  HtmlPage page(title);
-  page.answer(spectrum_html(answers), equivalents_html(observed, answers));
-  page.heading("Loads");
-  page.table(loads_of(observed, ResultFile(stored)));
-  page.heading("What was given, and what was assumed");
-  add_assumed_values(study, &page);
+void add_notes(const Study& study, HtmlPage* page) {
   std::vector<std::string> notes;
   for (const std::string& assumption : study.model->assumptions) {
     notes.push_back(html_text(assumption));
@@ -143,9 +175,35 @@ bool write_spectrum_report(const Study& study, const std::string& title, const s
       fmt::format("Up to {} forcing periods settle, {} are recorded. Each load starts {}.",
                   study.integrate.settle, study.integrate.record,
                   html_text(info_of(study.initial.policy).meaning)));
-  page.begin_columns();
-  page.small_list(notes);
-  page.end_columns();
+  page->begin_columns();
+  page->small_list(notes);
+  page->end_columns();
+}
+
+}  // namespace
+
+bool write_spectrum_report(const ReportStudies& studies, const std::string& title,
+                           const std::string& path, const ReportOptions& options) {
+  std::vector<SpectrumSide> sides;
+  for (const ReportStudy& one : studies) {
+    std::optional<SpectrumSide> side = run_side(one, studies.size() == 1, options);
+    if (!side) return false;
+    sides.push_back(*std::move(side));
+  }
+  HtmlPage page(title);
+  for (const SpectrumSide& one : sides) {
+    page.answer(one.of(spectrum_html(one.observed, one.answers)),
+                equivalents_html(one.observed, one.answers));
+  }
+  for (const SpectrumSide& one : sides) {
+    page.heading(one.of("Loads"));
+    page.table(loads_of(one.observed, ResultFile(one.file())));
+  }
+  for (const SpectrumSide& one : sides) {
+    page.heading(one.of("What was given, and what was assumed"));
+    add_assumed_values(one.study, &page);
+    add_notes(one.study, &page);
+  }
   page.small(fmt::format("gearsweep {}: <code>{}</code>", html_text(version()),
                          html_text(options.command_line)));
   write_page(page, path);

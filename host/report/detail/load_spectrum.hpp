@@ -1,4 +1,5 @@
-// The report of a study whose points are a load spectrum: an answer, the loads, what was assumed.
+// The report of a study whose points are a load spectrum, or of two: an answer, the loads, what was
+// assumed.
 #pragma once
 
 #include <string>
@@ -7,8 +8,8 @@
 
 namespace gearsweep {
 
-// Runs the study and writes the page. Throws and returns as write_report().
-bool write_spectrum_report(const Study& study, const std::string& title, const std::string& path,
-                           const ReportOptions& options);
+// Runs the studies and writes the page. Throws and returns as write_report().
+bool write_spectrum_report(const ReportStudies& studies, const std::string& title,
+                           const std::string& path, const ReportOptions& options);
 
 }  // namespace gearsweep

@@ -71,7 +71,7 @@ std::vector<HtmlFigure> curves(const Sides& sides) {
     const bool is_told =
         (is_of_force && !first.load_factor.empty()) || is_never_apart(sides, quantity);
     if (is_told || quantity == "contact_class" || !all_have(sides, quantity)) continue;
-    if (quantity == first.load_factor && all_have_factors(sides)) {
+    if (quantity == first.iso_load_factor && all_have_factors(sides)) {
       append(figures_of(sides,
                         {"factor",
                          {"line.nc", "factor.nc"},

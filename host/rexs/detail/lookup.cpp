@@ -1,6 +1,7 @@
 #include "rexs/detail/lookup.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace gearsweep {
 namespace {
@@ -92,7 +93,7 @@ std::optional<std::vector<double>> RexsLookup::numbers(const RexsComponent& comp
   const std::optional<double> factor = rexs_unit(quantity, found->unit);
   if (!factor) {
     note(fmt::format("{} has the unit '{}', which is none of {}; not taken", where, found->unit,
-                     unit_name(quantity)));
+                     fmt::join(unit_names(quantity), ", ")));
     return std::nullopt;
   }
   std::vector<double> numbers = found->numbers;

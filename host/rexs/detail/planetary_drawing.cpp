@@ -38,7 +38,7 @@ class PlanetarySet {
             "The whole unit: {}. Speeds are those of the sun relative to the carrier, the torque "
             "is that on the sun.\n",
             set_->name) +
-        drawing.loads;
+        text_of(drawing.cases);
     out_.drawings.emplace_back("sun", std::move(drawing));
     out_.notes.emplace_back(
         "the ring is rigid here; its mesh is as stiff as that of the sun (k0_ring), and free of "

@@ -46,10 +46,13 @@ void add_bearings(const GearUnit& unit, const std::array<const UnitGear*, 2>& ge
       sums[i] += one.radial_stiffness.value_or(0.0);
     }
     are_known = are_known && sums[i] > 0.0;
-    if (sums[i] == 0.0) {
+    const char* const gear = i == 0 ? "pinion" : "gear";
+    if (names.empty()) {
       drawing->bearing_notes.push_back(
-          fmt::format("bearings of the {}, without a stiffness that can be used: {}",
-                      i == 0 ? "pinion" : "gear", names.empty() ? "none" : names));
+          fmt::format("the file has no bearings of the {}: see bearing_stiffness_N_per_mm", gear));
+    } else if (sums[i] == 0.0) {
+      drawing->bearing_notes.push_back(
+          fmt::format("bearings of the {}, without a stiffness that can be used: {}", gear, names));
     }
   }
   if (!are_known) return;

@@ -19,10 +19,11 @@ struct Involute {
   double base = 0.0, tip = 0.0;  // radius; way of the tip
 };
 
+// In the transverse section.
 Involute involute_of(const UnitGear& gear, const StageGeometry& geometry) {
-  const double reference = geometry.module * *gear.teeth;
+  const double reference = geometry.module * *gear.teeth / std::cos(geometry.helix);
   const double usual = reference + 2.0 * geometry.module * (1.0 + gear.shift.value_or(0.0));
-  const double base = 0.5 * reference * std::cos(geometry.alpha);
+  const double base = 0.5 * reference * std::cos(geometry.transverse_alpha());
   const double tip = gear.tip_diameter ? *gear.tip_diameter
                      : gear.addendum   ? usual + 2.0 * (*gear.addendum - geometry.module)
                                        : usual;
@@ -39,8 +40,8 @@ double way_of(const TipRelief& relief, const Involute& flank) {
 std::optional<std::string> tip_relief_table(const std::array<const UnitGear*, 2>& gears,
                                             const StageGeometry& geometry) {
   constexpr int kPieces = 8;  // of a parabola
-  if (geometry.helix != 0.0) return std::nullopt;
-  const double working = geometry.centre > 0.0 ? geometry.working_alpha() : geometry.alpha;
+  const double working =
+      geometry.centre > 0.0 ? geometry.working_alpha() : geometry.transverse_alpha();
   const Involute flanks[2] = {involute_of(*gears[0], geometry), involute_of(*gears[1], geometry)};
   const double path =
       flanks[0].tip + flanks[1].tip - (flanks[0].base + flanks[1].base) * std::tan(working);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "gear/drawing_keys.hpp"
@@ -39,8 +40,9 @@ class TwoStages {
     StageDrawing second = stage_drawing(unit_, second_.stage, case_, {second_.in, 1});
     split_inertia(&first, &second);
     choose_shaft();
+    tell_phase();
     describe();
-    out_.about += first.loads;
+    out_.about += text_of(first.cases);
     out_.drawings.emplace_back("first", std::move(first));
     out_.drawings.emplace_back("second", std::move(second));
     note_other_shafts();
@@ -170,15 +172,41 @@ class TwoStages {
              middle().shear_modulus ? "of its material" : "of steel")});
   }
 
+  // A file has no angle between the teeth of two gears. In a turn of their shaft the second mesh
+  // goes through z_pinion periods while the first goes through z_gear: where each begins in the
+  // other's are all multiples of gcd/z_gear, so that only the remainder of the phase by it makes
+  // another motion.
+  void tell_phase() {
+    const int gear = static_cast<int>(teeth(first_.out)),
+              pinion = static_cast<int>(teeth(second_.in));
+    const int meetings = gear / std::gcd(gear, pinion);
+    constexpr int kMany = 10;
+    const std::string counts =
+        meetings == 1 ? "all of it counts: sweep it from 0 to 1"
+                      : fmt::format(
+                            "values that differ by 1/{} make the same motion, for in a turn "
+                            "of {} the meshes meet in {} phases{}",
+                            meetings, middle().name, meetings,
+                            meetings < kMany ? fmt::format(": sweep it from 0 to 1/{}", meetings)
+                                             : ", so that it hardly counts");
+    out_.parameters.push_back(
+        {"shift", "0",
+         "by how much of its mesh period the second mesh is ahead; ASSUMED: the file has no angle "
+         "between the teeth of both gears on one shaft. Of perfect teeth " +
+             counts,
+         true});
+    out_.notes.push_back(
+        fmt::format("the phase between the meshes, shift, is 0 here: the file has "
+                    "no angle between the teeth of {} and {}. Of perfect teeth {}",
+                    unit_.gears[first_.out].name, unit_.gears[second_.in].name, counts));
+  }
+
   void describe() {
     out_.about = fmt::format(
         "The whole unit: {} drives {}, and that {}. The stages are {} and {} of the file.\n",
         unit_.shafts[first_.in_shaft].name, middle().name, unit_.shafts[second_.out_shaft].name,
         first_.stage + 1, second_.stage + 1);
-    out_.about +=
-        "The torque of [gear.first] is the load of both meshes. How far the second mesh is ahead "
-        "of the "
-        "first is not in the file; the parameter shift has it.\n";
+    out_.about += "The torque of [gear.first] is the load of both meshes.\n";
   }
 
   void note_other_shafts() {

@@ -31,6 +31,7 @@ constexpr RexsUnit kRexsUnits[] = {{number, "none", 1.0},
                                    {length, "\u03bcm", 1e-3},
                                    {length, "in", 25.4},
                                    {length, "inch", 25.4},
+                                   {length, "ft", 304.8},
                                    {angle, "deg", 1.0},
                                    {angle, "\u00b0", 1.0},
                                    {angle, "degree", 1.0},
@@ -40,6 +41,7 @@ constexpr RexsUnit kRexsUnits[] = {{number, "none", 1.0},
                                    {mass, "g", 1e-3},
                                    {mass, "mg", 1e-6},
                                    {mass, "t", 1e3},
+                                   {mass, "lb", 0.45359237},
                                    {inertia, "kgm^2", 1e6},
                                    {inertia, "kgm2", 1e6},
                                    {inertia, "kgmm^2", 1.0},
@@ -81,6 +83,8 @@ constexpr RexsUnit kRexsUnits[] = {{number, "none", 1.0},
                                    {power, "kW", 1.0},
                                    {power, "W", 1e-3},
                                    {power, "MW", 1e3},
+                                   {power, "PS", 0.73549875},
+                                   {power, "hp", 0.745699872},
                                    {share, "%", 0.01},
                                    {share, "none", 1.0},
                                    {share, "1", 1.0}};
@@ -98,35 +102,12 @@ std::optional<double> rexs_unit(RexsQuantity quantity, std::string_view unit) {
   return std::nullopt;
 }
 
-std::string_view unit_name(RexsQuantity quantity) {
-  switch (quantity) {
-    case number:
-    case share:
-      return "1";
-    case length:
-      return "mm";
-    case angle:
-      return "degree";
-    case mass:
-      return "kg";
-    case inertia:
-      return "kg mm^2";
-    case density:
-      return "kg/dm^3";
-    case stiffness:
-      return "N/mm";
-    case line_stiffness:
-      return "N/(mm um)";
-    case pressure:
-      return "N/mm^2";
-    case speed:
-      return "rpm";
-    case torque:
-      return "N m";
-    case power:
-      return "kW";
+std::vector<std::string_view> unit_names(RexsQuantity quantity) {
+  std::vector<std::string_view> names;
+  for (const RexsUnit& one : kRexsUnits) {
+    if (one.quantity == quantity) names.push_back(one.name);
   }
-  return "";
+  return names;
 }
 
 }  // namespace gearsweep

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace gearsweep {
 
@@ -28,7 +29,7 @@ enum class RexsQuantity : std::uint8_t {
 // quantity. Nothing for a unit that is not one of the quantity.
 std::optional<double> rexs_unit(RexsQuantity quantity, std::string_view unit);
 
-// The unit that rexs_unit() turns into, "mm".
-std::string_view unit_name(RexsQuantity quantity);
+// All that rexs_unit() takes, without blanks: "mm", "m", "in".
+std::vector<std::string_view> unit_names(RexsQuantity quantity);
 
 }  // namespace gearsweep

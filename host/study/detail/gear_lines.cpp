@@ -153,4 +153,16 @@ std::string speed_axis(const std::string& name, const GearText& text, double rpm
                      name, rounded(0.05 * to), to, count);
 }
 
+std::string spectrum_table(const std::string& suffix, const GearText& text) {
+  std::string lines = fmt::format(
+      "# A load spectrum: each load with its share of the time.\n[points]\n"
+      "names = [\"torque_N_m{0}\", \"pinion_speed_rpm{0}\", \"time_share\"]\n"
+      "numbers = \"\"\"\n",
+      suffix);
+  for (const GearTextLoad& one : text.spectrum) {
+    lines += fmt::format("{:.10g}, {:.10g}, {:.10g}\n", one.torque, one.speed, one.share);
+  }
+  return lines + "\"\"\"\n";
+}
+
 }  // namespace gearsweep

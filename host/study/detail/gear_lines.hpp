@@ -32,4 +32,7 @@ std::string drawing_table(const std::string& name, const TakesKey& takes, const 
 std::string speed_axis(const std::string& name, const GearText& text, double rpm_per_omega,
                        int count);
 
+// The loads as a list of points. suffix: of the drawing, "_first".
+std::string spectrum_table(const std::string& suffix, const GearText& text);
+
 }  // namespace gearsweep

@@ -47,21 +47,20 @@ void refuse_other_words(const toml::table& table) {
   }
 }
 
-// The names of the keys that are guesses.
+// The names of the keys that are guesses. One that is gone, because something else stands in its
+// place now, is none any more.
 void read_estimated(const toml::table& gear, GearDrawing* drawing) {
   const toml::node* const node = gear.get(kEstimated);
   if (node == nullptr) return;
-  const std::string right = fmt::format("{} is a list of keys that the table has, as in [\"{}\"]",
-                                        kEstimated, kTorque.name);
+  const std::string right =
+      fmt::format("{} is a list of keys of the table, as in [\"{}\"]", kEstimated, kTorque.name);
   const toml::array* const names = node->as_array();
   if (names == nullptr) fail_at(*node, right);
   for (const toml::node& name : *names) {
     const std::string text = name.value_or(std::string());
     const auto key = std::ranges::find(kGearKeys, text, &GearKey::name);
-    if (key == std::end(kGearKeys) || !gear.contains(text)) {
-      fail_at(name, fmt::format("{}, and '{}' is none", right, text));
-    }
-    drawing->set_estimated(*key);
+    if (key == std::end(kGearKeys)) fail_at(name, fmt::format("{}, and '{}' is none", right, text));
+    if (gear.contains(text)) drawing->set_estimated(*key);
   }
 }
 
