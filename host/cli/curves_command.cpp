@@ -1,7 +1,8 @@
 // gearsweep curves: the bifurcation curves that border the motions of a map.
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
+#include <array>
 #include <memory>
 
 #include "borders/border_search.hpp"
@@ -33,6 +34,13 @@ std::string curves_command_line(const CurvesArguments& arguments) {
 
 PeriodPixels read_periods(const std::string& path) {
   const ResultFile file(path);
+  const std::vector<std::string> known = file.quantities();
+  if (std::ranges::find(known, "period") == known.end()) {
+    throw InputError(fmt::format(
+        "'{}' has no 'period', by which borders are found: compute the map again with it among its "
+        "quantities, as in gearsweep run STUDY --set 'observe.quantities=[\"period\"]' -o MAP.nc",
+        path));
+  }
   const ResultMap map = file.read("period");
   if (map.axes.size() != 2) {
     throw InputError(

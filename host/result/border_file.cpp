@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <string_view>
 
 #include "borders/border_search.hpp"
 #include "model/error.hpp"
@@ -18,6 +19,17 @@ namespace gearsweep {
 namespace {
 
 constexpr const char* kContentOfBorders = "border curves of gearsweep";
+
+// A parameter with the name of something else here gives way.
+std::string variable_of(const std::string& parameter) {
+  constexpr std::array<std::string_view, 8> kOwn = {"point", "state",  "section",  "multiplier",
+                                                    "angle", "stable", "residual", "side"};
+  const bool is_taken = std::ranges::find(kOwn, parameter) != kOwn.end() ||
+                        parameter.starts_with("curve") || parameter.starts_with("special") ||
+                        parameter.starts_with("border") || parameter.starts_with("multiplier_") ||
+                        parameter.starts_with("state_");
+  return is_taken ? "parameter_" + parameter : parameter;
+}
 
 // Puts the dataset together, variable by variable.
 class BorderDescription {
@@ -73,7 +85,7 @@ class BorderDescription {
 
   void add_points() {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      add(parameter(axis).name, Stored::real, {"point"}, parameter(axis).unit,
+      add(variable_of(parameter(axis).name), Stored::real, {"point"}, parameter(axis).unit,
           parameter(axis).meaning,
           each_point([axis](const BorderPoint& point) { return point.place[axis]; }));
     }
@@ -214,7 +226,8 @@ StoredCurves read_borders(const std::string& path) {
     if (dimensions.size() != 1) refuse_no_curves(path);
     return file.read(variable, {0}, {file.dimension_size(dimensions.front())});
   };
-  const std::vector<double> x = row(out.x), y = row(out.y), counts = row("curve_points");
+  const std::vector<double> x = row(variable_of(out.x)), y = row(variable_of(out.y)),
+                            counts = row("curve_points");
   const std::vector<double> periods = row("curve_period"), stable = row("stable");
   const std::vector<std::string> kinds = file.read_texts(find("curve_kind"));
   if (x.size() != y.size() || x.size() != stable.size() || kinds.size() != counts.size() ||
