@@ -39,7 +39,7 @@ struct UnitTextParameter {
   std::string value, origin;  // of its comment
 };
 
-// Of a model with several drawings.
+// The text for a model with several drawings.
 struct UnitText {
   std::string title, about;
   std::string model;                                         // of the zoo

@@ -32,7 +32,7 @@ class FileNotesTest : public gearsweep::testing::IoTest {
  protected:
   std::string written(const Study& study) { return write(random_result(study, 2, &random_)); }
 
-  // Of all channels, with these parameters beside them.
+  // A file of all channels, with these parameters beside them.
   std::string traced(const Study& study, const std::vector<std::string>& placed) const {
     const std::string path = in_folder("trace.nc");
     write_traces({trace_of_all(study)}, {"a point"}, placed, study, path, kProvenance);

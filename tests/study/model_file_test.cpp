@@ -191,7 +191,7 @@ std::shared_ptr<const Model> table_model(const std::string& table,
   return read_model_text(with_table(table), "pair.toml", swept, table_points);
 }
 
-// Of the model's teeth, at a moment.
+// That of the model's teeth, at a moment.
 double stiffness_at(const Model& model, const ModelSetting& setting, double psi, double inside) {
   std::vector<double> row(model.phase_coefs.size()), direction(2), x(2);
   model.phase_coefs_at(setting, psi, inside, row.data());

@@ -9,7 +9,7 @@
 
 namespace gearsweep::testing {
 
-// Of a file s.toml; empty when the study is accepted.
+// What is said of a file s.toml; empty when the study is accepted.
 inline std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {},
                            const std::vector<std::string>& zooms = {}) {
   try {

@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Of the second mesh there are no load and no bearings.
+// The second mesh has no load and no bearings.
 const char* const kModel =
     "[model]\ntext = '''\n[model]\nname = \"train\"\n"
     "[drawings]\nfirst = \"input stage\"\nsecond = \"output stage\"\n"
@@ -201,7 +201,7 @@ TEST(TwoMeshes, HaveTheDynamicFactorOfTheDrawingThatGivesTheUnits) {
                                     kOmega,
                                 "pair.toml");
   ASSERT_TRUE(study.dynamic_factor && pair.dynamic_factor);
-  // Of several forces none has the one factor that K_v stands beside.
+  // Where there are several forces, none has the one factor that K_v stands beside.
   std::string two = in_units("first");
   two.insert(two.find("force = {"), "other = { expression = \"2*x\", role = \"mesh_force\" }\n");
   EXPECT_THAT(refusal(with("first", two) + kOmega), HasSubstr("one signal of the role"));

@@ -45,7 +45,7 @@ std::vector<Attribute> turns_of(const Study& study) {
   return notes;
 }
 
-// Of a second mesh whose frequency is the same share of the first one's at all points.
+// What is said of a second mesh whose frequency is the same share of the first one's at all points.
 std::vector<Attribute> other_mesh_of(const Study& study) {
   const std::optional<std::size_t> order = study.model->parameter_of(Role::mesh_order);
   if (!order || study.differs(*order)) return {};
