@@ -1,6 +1,6 @@
 // Prints benchmarks as the tables of doc/speed.md, one for each first part of their names, as soon
 // as it is whole: a row for each run, but for "matrix/ROW/COLUMN", which become rows and columns.
-// Of the counters only those that a table has a heading for; a run that could not be done gets its
+// It shows only counters that a table has a heading for; a run that could not be done gets its
 // reason instead of numbers. The error stream tells how far it is.
 #pragma once
 

@@ -53,7 +53,7 @@ void advance(const Grid& grid, std::size_t periods, Pack* pack) {
   pack->x = x;
 }
 
-// Of a point, with the steps that it has in the plan.
+// The grid of a point, with the steps that it has in the plan.
 inline Grid make_grid(const Plan& plan, std::size_t point) {
   Grid result{plan.phase_grid_of(point), {}};
   const std::vector<double> coefs = header_coefs(result.grid, header_setting(plan, point));
@@ -67,7 +67,7 @@ inline Grid make_grid(const Plan& plan, std::size_t point) {
   return result;
 }
 
-// Of kLanes points from the first on.
+// kLanes points from the first on.
 inline Pack make_pack(const Plan& plan, const PointList& points, std::size_t first,
                       std::size_t grid) {
   std::vector<ModelSetting> settings;

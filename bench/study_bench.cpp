@@ -51,7 +51,7 @@ std::vector<std::string> with_counts(std::vector<std::string> overrides, std::si
 
 ProgramCost run(const ProgramCall& call) { return run_program(GEARSWEEP_BINARY, call); }
 
-// Of the machine.
+// How many the machine has.
 unsigned cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 void add_figures(const ProgramCost& cost, Figures* figures) {
@@ -152,8 +152,8 @@ void add_memory(const std::string& name, int turns, const ProgramCall& little,
   });
 }
 
-// Of one map, of six, and in tiles. little: points along each axis; the other study has four times
-// as many.
+// The memory of one map, of six, and in tiles. little: points along each axis; the other study has
+// four times as many.
 void add_memory(int turns, std::size_t little) {
   const auto map = [](std::size_t count, const std::string& override) {
     std::vector<std::string> overrides = with_counts(kFewest, count, count);

@@ -14,5 +14,5 @@ endfunction()
 # Several files are compiled as one: what they include takes longer than they do themselves. So names
 # that are local to a file differ within a folder.
 function(gearsweep_join target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
 endfunction()

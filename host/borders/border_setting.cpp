@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kMargin = 0.1;  // of the window: curves and differences reach a little beyond it
 
+constexpr std::size_t kMinSettle = 64;  // periods: enough for orbits to be looked for
+
 void require_plane(const Study& study) {
   if (study.axes.size() != 2) throw InputError("curves take a map of two axes");
   for (const Axis& axis : study.axes) {
@@ -57,6 +59,8 @@ BorderSetting make_border_setting(const Study& study, std::size_t steps) {
   base.selection = select_quantities(*base.model, {"poincare"}, {base.model->states.front().name});
   base.integrate.record = 1;
   base.integrate.fp64 = true;
+  base.integrate.stop = Stop::orbit;
+  base.integrate.settle = std::max(base.integrate.settle, kMinSettle);
   base.integrate.tolerance = base.integrate.exponent_tolerance = 0.0;
   BorderSetting out{{base.model, base.setting, {}, {}, {}}, nullptr, nullptr};
   for (std::size_t i = 0; i < 2; ++i) {

@@ -16,7 +16,8 @@ bool does_for_a_cycle(const Study& study) {
          });
 }
 
-// Of a model that nothing drives: other motions end on their orbits (tile/detail/orbit_search.hpp).
+// A model that nothing drives has these; other motions end on their orbits
+// (tile/detail/orbit_search.hpp).
 std::vector<Window> early_windows(const Study& study) {
   constexpr std::size_t kFewest = 32;  // periods of a record that tell a cycle of some returns
   const Integrate& integrate = study.integrate;

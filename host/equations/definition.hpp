@@ -61,7 +61,8 @@ struct ModelDefinition {
   std::vector<double> diverged_above;     // [state] as in Model
   std::vector<ParameterInfo> parameters;  // shapes_phase: found by make_model()
   std::vector<ExpressionText> symbols;    // [parameter]: its name in expressions
-  // Of parameters that have no number of their own: by their names, in symbols of the others.
+  // What parameters without a number of their own follow from: by their names, in symbols of the
+  // others.
   ParameterExpressions expressions;
   // `option.choice` is a condition in expressions.
   std::vector<OptionInfo> options;
@@ -82,7 +83,7 @@ struct ModelDefinition {
   std::vector<SurfaceDefinition> surfaces;
   std::vector<SectionDefinition> sections;
   ExpressionText period;  // in dimensionless time; of parameters alone
-  // Of a model without forcing: what its time is counted in, of which `period` is the text.
+  // What the time of a model without forcing is counted in, of which `period` is the text.
   std::optional<double> clock;
   std::optional<std::size_t> looked_at = {};  // Binding::looked_at
   // The rate of the last state, `phase2`, of parameters alone. Empty: there is no such state.

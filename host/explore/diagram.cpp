@@ -25,7 +25,7 @@ std::vector<double> values_on(const Scene& scene, const Line& line, const Strip&
   return values;
 }
 
-// Of a motion that rests, and comes to no section: where it rests.
+// A motion that rests comes to no section: its sample is where it rests.
 std::vector<double> samples_at(const SweepResult& result, std::size_t cell, std::size_t state) {
   const Model& model = *result.study.model;
   if (model.is_clockless && map_of(result, "motion_class")[cell] == double{MOTION_equilibrium}) {

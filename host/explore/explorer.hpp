@@ -54,7 +54,7 @@ class Explorer {
                                  const std::atomic<bool>& stop);
   // Points a second that previews had, or tiles; 0: there was none yet.
   double preview_rate() const;
-  // Of the file that explore was started with; null for other scenes.
+  // The numbers of the file that explore was started with; null for other scenes.
   const ResultData* data(const Scene& scene) const;
   // Nothing when stopped. Throws as compute_strip() does.
   std::optional<StripMaps> strip(const Scene& scene, const Line& line, const Strip& strip,

@@ -26,7 +26,7 @@ void add_trace(const SweepOptions& options, Motion* motion) {
   motion->samples_per_period = kSamplesPerPeriod;
 }
 
-// Of a point alone.
+// The study of one point alone.
 Study study_at(const Scene& scene, const Cell& cell) {
   return scene.at(
       {{{scene.value_at(0, cell.k[0], cell.depth)}, {scene.value_at(1, cell.k[1], cell.depth)}}});

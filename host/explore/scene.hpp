@@ -52,7 +52,7 @@ struct ExploredStudy {
   Study study;
   std::optional<double> pilot_step;
   bool has_one_axis = false;  // the study itself: a diagram tells more of it than a map
-  // Of the study.
+  // Those of the study.
   std::shared_ptr<LateStateRanges> state_ranges = std::make_shared<LateStateRanges>();
 };
 

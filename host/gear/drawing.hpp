@@ -30,8 +30,8 @@ class DrawingError : public InputError {
 // What was measured, in the unit of scale 1 of its key.
 struct Measured {
   std::string source;  // what messages call it: the name of its file
-  // Of a mesh_curve as PeriodicTable wants them; of a path_curve from 0, where contact begins, to
-  // 1, rising.
+  // A mesh_curve has them as PeriodicTable wants them; a path_curve from 0, where contact begins,
+  // to 1, rising.
   std::vector<TablePoint> points;
   std::vector<double> teeth;  // of a tooth_list, in the order in which they enter
 };
@@ -52,7 +52,7 @@ class GearDrawing {
     entries_[key.name].measured = std::move(measured);
   }
   // In place of what the key has, a number that differs from point to point: the one of this point.
-  // Of harmonics it is the first.
+  // A key of harmonics stands for the first.
   void vary(const GearKey& key, double value);
 
   // What the key has is a guess.

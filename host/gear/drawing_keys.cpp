@@ -5,7 +5,7 @@
 namespace gearsweep {
 
 std::string GearKey::unit() const {
-  // Of two that fit, the longer one.
+  // The longer one stands first: it is taken where two fit.
   static constexpr std::pair<std::string_view, std::string_view> kWritten[] = {
       {"_N_s_per_mm", "N s/mm"},
       {"_N_per_mm", "N/mm"},

@@ -48,7 +48,7 @@ struct GearKey {
     if (form == KeyForm::harmonics) return 0;
     return form == KeyForm::number ? 1 : form == KeyForm::bearings ? 4 : 2;
   }
-  // Of its numbers: "N s/mm" of mesh_damping_N_s_per_mm, otherwise "1".
+  // What its numbers are in: "N s/mm" for mesh_damping_N_s_per_mm; "1" without a unit.
   std::string unit() const;
 };
 

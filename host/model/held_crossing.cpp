@@ -17,7 +17,8 @@ using held::kNear;
 using held::kRounding;
 using held::RowMajor;
 
-// Of a step: a flight that is shorter ends in contact; and in one that has been cut so often.
+// A flight that takes less of a step than this ends in contact; the second is for a step that has
+// been cut often.
 constexpr double kShortFlight = 1e-3, kShortOfMany = 2e-2;
 constexpr int kManyCuts = 64;
 
@@ -219,7 +220,7 @@ void HeldField::rebound(const Met& met, double rate_behind, double level_there, 
   // The reset leaves the level what it was, but for rounding.
   const double reach = level_there + kNear * step_ * std::max(std::fabs(rate), step_ * push);
   const bool is_at = std::fabs(level) <= 2.0 * reach;
-  // Of a reset that leaves no speed the rate is rounding. Thrown back, and driven against it again
+  // Where a reset leaves no speed the rate is rounding. Thrown back, and driven against it again
   // by another surface, it is met anew.
   const bool goes_on = std::min(rate, rate_behind) > kNear * met.rate;
   sides_[surface] = (is_at ? goes_on : level > 0.0) ? 1.0 : 0.0;

@@ -41,8 +41,8 @@ class HeldField {
   // Where a motion slides, with the sides that its field mixes.
   void signals(const double* coefs, const double* x, double* out);
 
-  // Of all surfaces, their rates along the motion, and the sizes of their terms, of which rounding
-  // is.
+  // The levels of all surfaces, their rates along the motion, and the sizes of their terms, which
+  // say how large rounding is.
   struct Levels {
     std::vector<double> value, rate, size;
   };
@@ -55,7 +55,7 @@ class HeldField {
     std::size_t surface;
     double value;
   };
-  // Of all that it may leave; as many, and in the same order, until it passes a surface.
+  // One for each surface that it may leave; as many, in the same order, until it passes a surface.
   const std::vector<Clearance>& clearances(const double* coefs, const double* x);
   // A surface on whose side a state is not any more, or along which it slid and does not; after
   // the surfaces, the limits of the contacts.
@@ -97,12 +97,12 @@ class HeldField {
     Eigen::VectorXd field;
   };
 
-  // Of all surfaces, so many numbers each.
+  // This value of all surfaces, so many numbers each.
   std::vector<double> values(SurfaceValue value, const double* coefs, const double* x,
                              std::size_t each) const;
-  // Of the levels, along dx.
+  // How fast the levels change along dx.
   std::vector<double> rates(const double* coefs, const double* x, const double* dx) const;
-  // Of what a motion at this surface keeps, along dx.
+  // How fast what a motion at this surface keeps changes along dx.
   double held_rate(std::size_t surface, const double* coefs, const double* x,
                    const double* dx) const;
   std::vector<double> field_with(const std::vector<double>& sides, const double* coefs,

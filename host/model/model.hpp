@@ -22,10 +22,9 @@ namespace gearsweep {
 struct ChannelInfo {
   std::string name, unit, meaning;
   Role role = Role::none;
-  // Of a state, the state that its derivative is, by its equation; empty: none.
+  // The state that is the derivative of this state, by its equation; empty: none.
   std::string velocity = {};
-  // Of a signal with the role mesh_force, the parameter that is its load where the signal names
-  // one.
+  // The parameter that is the load of a signal with the role mesh_force, where it names one.
   std::string load = {};
   bool is_hidden = false;  // a signal that nobody looks at
 };
@@ -217,7 +216,7 @@ struct Binding {
   Curves curves;
   std::vector<int> options;          // the choices; kernels have nothing of the others
   std::set<std::string> parameters;  // in which points differ
-  // Of derived parameters: the equations have these in their place.
+  // What derived parameters follow from: the equations have these in their place.
   ParameterExpressions expressions = {};
   double clock = 1.0;  // of a model without forcing, in its time
   // The state whose maxima such a model is judged by, where its file names no section; nothing: the
@@ -241,7 +240,7 @@ struct Model {
   std::vector<PresetInfo> presets;
   std::vector<KnownAnswer> answers;  // of a model that was read from its file
   std::vector<std::string> curves;   // names of those that a study may give
-  // Of gear pairs whose drawing a study may give: [gear.first]. In what follows from one, names of
+  // Gear pairs whose drawing a study may give: [gear.first]. In what follows from one, names of
   // the model end in its name: eps_first.
   std::vector<std::string> drawings;
   // The one of them in whose b_n, k0 and varpi the model is; empty: it does not say.

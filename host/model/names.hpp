@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const std::vector<Info>& infos) {
 // name, but nothing else there begins so: no word of C or OpenCL C, no macro, and no function.
 std::string kernel_name(std::string_view name);
 
-// Of the entry number i of a list, counted from 0: a, a_2, a_3, ...
+// What the entry number i of a list is called, counted from 0: a, a_2, a_3, ...
 std::string name_in_list(const std::string& list, std::size_t i);
 
 // The words of a list such as "consistent printed".

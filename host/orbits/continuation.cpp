@@ -25,8 +25,8 @@ constexpr double kSmallCycle = 2e-3;   // of the largest cycle: near its birth
 constexpr double kShrinking = 0.6;     // a step makes a cycle no smaller than that
 constexpr double kAlong = 1e-3;        // off 1, of the multiplier along a cycle
 constexpr double kMostSlack = 0.01;    // multipliers tell nothing then
-// Of the range: what rounding makes of a parameter that stays; and the arclength from a fold to
-// where its parameter has changed by more.
+// Shares of the range: what rounding makes of a parameter that stays; and the arclength from a fold
+// to where its parameter has changed by more.
 constexpr double kOneValue = 1e-10, kApart = 1e-4;
 constexpr double kLonger = 3.0;      // lengths of the first one: worth telling
 constexpr double kUnstable = 300.0;  // a multiplier that is worth telling

@@ -147,7 +147,7 @@ class Returns {
     }
   }
   const Visits& visits() const { return visits_; }
-  // Of the way so far.
+  // The sizes of the states on the way so far.
   VectorXd sizes() const { return sizes_of(extent_); }
 
  private:

@@ -15,8 +15,8 @@ constexpr double kResidual = 1e-12;  // of the states' sizes
 constexpr double kOffset = 0.1;      // of the largest offset: how much of it all states get
 constexpr double kBetter = 0.5;      // of a residual that may be rounding: one that is not
 constexpr int kMaxIterations = 40;
-// Of an equilibrium: a start may lie on the other side of a place where the Jacobian is singular,
-// which the method leaves by chance.
+// An equilibrium may take many: a start may lie on the other side of a place where the Jacobian is
+// singular, which the method leaves by chance.
 constexpr int kMaxRestIterations = 400;
 constexpr int kMaxHalvings = 10;          // of a Newton step
 constexpr double kLongerOrShorter = 4.0;  // a cycle than what it is looked for by

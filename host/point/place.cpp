@@ -149,7 +149,7 @@ std::optional<double> own_value(const Study& study, const Axis& axis) {
     if (axis.is_state) return std::nullopt;
     return study.setting.parameters[axis.index];
   }
-  // Of [gear], or of [gear.first], whose axes are called KEY_first.
+  // What axes of [gear], or of [gear.first], end in: these are called KEY_first.
   std::map<std::string, std::string> suffixes = {{"[gear]", ""}};
   for (const std::string& name : study.model->drawings) {
     suffixes[fmt::format("[gear.{}]", name)] = "_" + name;

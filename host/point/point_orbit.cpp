@@ -89,7 +89,7 @@ std::optional<Eigen::VectorXd> end_state(const Study& study, const SweepOptions&
   return state;
 }
 
-// Of a model without a phase.
+// The orbit of a model without a phase.
 Orbit find_free(const PeriodMap& map, const Eigen::VectorXd& start, const Eigen::VectorXd& settled,
                 const CycleSearch& search) {
   if (!search.period) {

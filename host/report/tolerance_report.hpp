@@ -16,7 +16,8 @@ struct ToleranceOptions : ReportOptions, AsBuiltOptions {
   std::optional<double> width;
   std::string worst_folder;  // where the ten worst gears go as studies; empty: nowhere
   std::string bands_path;    // where the maps go, .nc; empty: nowhere
-  // Of the runs over all speeds, each with "-" and its number of gears behind it; empty: nowhere.
+  // Where the runs over all speeds keep their journals, each with "-" and its number of gears
+  // behind it; empty: nowhere.
   std::string journal_path;
 };
 

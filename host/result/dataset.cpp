@@ -4,16 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "model/names.hpp"
+#include "result/detail/attractor_list.hpp"
 #include "result/detail/dataset_file.hpp"
 #include "result/detail/derived_coordinates.hpp"
 #include "result/detail/file_names.hpp"
 #include "result/detail/file_notes.hpp"
-#include "result/load_spectrum.hpp"
+#include "result/detail/spectrum_numbers.hpp"
 #include "result/result_size.hpp"
 #include "study/draw_quantities.hpp"
 #include "sweep_types.h"
@@ -28,18 +30,6 @@ std::vector<double> numbers_to(std::size_t last) {
   std::vector<double> numbers(last);
   std::iota(numbers.begin(), numbers.end(), 1.0);
   return numbers;
-}
-
-std::vector<signed char> codes_of(const std::vector<std::string>& flags) {
-  std::vector<signed char> codes(flags.size());
-  std::iota(codes.begin(), codes.end(), static_cast<signed char>(0));
-  return codes;
-}
-
-void add_flags(const std::vector<signed char>& codes, const std::vector<std::string>& names,
-               std::vector<Attribute>* attributes) {
-  attributes->push_back({"flag_values", codes});
-  attributes->push_back({"flag_meanings", fmt::format("{}", fmt::join(names, " "))});
 }
 
 // Puts the dataset together, variable by variable.
@@ -58,7 +48,10 @@ class Description {
     }
     if (study_.spectrum) add_spectrum();
     if (study_.uncertain.keep) add_draws();
-    if (study_.selection.census) add_attractors();
+    if (study_.selection.census) {
+      add_numbered(kAttractorNumber, result_.attractors.size());
+      add_attractors(result_, notes_, &out_);
+    }
     if (!study_.selection.poincare.empty()) add_poincare();
     return std::move(out_);
   }
@@ -135,33 +128,12 @@ class Description {
             .elements = std::span(swept.values)};
   }
 
-  // What the loads come to, as attributes; what each does of the damage, as a map.
   void add_spectrum() {
-    const SpectrumAnswers answers = spectrum_answers(result_);
-    const auto add = [&](const std::string& name, double value) {
-      out_.attributes.push_back({"spectrum_" + name, value});
-    };
-    add("slope", study_.spectrum->slope);
-    if (answers.parting_share) add("parting_share", *answers.parting_share);
-    for (const SpectrumForce& force : answers.forces) {
-      const std::string before =
-          answers.forces.size() == 1 ? "" : force.factor.substr(0, force.factor.find('_') + 1);
-      add(force.factor + "_mean", force.mean_factor);
-      add(force.factor + "_max", force.max_factor);
-      add(before + "equivalent_load", force.equivalent_load);
-      add(before + "equivalent_force", force.equivalent_force);
-      if (const std::optional<double> torque = torque_per_load(study_, force)) {
-        add(before + "equivalent_torque_N_m", *torque * force.equivalent_load);
-        add(before + "equivalent_force_torque_N_m", *torque * force.equivalent_force);
-      }
-      DataVariable damage = {
-          .name = before + "damage_share",
-          .stored = Stored::real,
-          .dimensions = map_dimensions_,
-          .attributes = notes_.describe("1", "share of the damage that the load does"),
-          .elements = force.damage};
-      add_columns(&damage);
-      out_.variables.push_back(std::move(damage));
+    SpectrumNumbers numbers = numbers_of_spectrum(result_, notes_, map_dimensions_);
+    std::ranges::move(numbers.attributes, std::back_inserter(out_.attributes));
+    for (DataVariable& map : numbers.maps) {
+      add_columns(&map);
+      out_.variables.push_back(std::move(map));
     }
   }
 
@@ -209,7 +181,7 @@ class Description {
                               ? notes_.describe(study_.model->states, kComponents, quantity.meaning)
                               : notes_.describe(quantity.unit, quantity.meaning);
     variable.attributes.push_back(fill_of(variable.stored));
-    if (is_class) add_flags(codes_of(quantity.flags), quantity.flags, &variable.attributes);
+    if (is_class) add_flags(quantity.flags, &variable.attributes);
     add_pilot_error(quantity.name, &variable);
     add_columns(&variable);
     out_.variables.push_back(std::move(variable));
@@ -222,51 +194,6 @@ class Description {
     variable->attributes.push_back({"pilot_error", error->second});
   }
 
-  // The list that `attractor` numbers, along a dimension of its own.
-  void add_attractors() {
-    const std::string number = "attractor_number";
-    const std::vector<Attractor>& list = result_.attractors;
-    add_numbered(number, list.size());
-    const auto add = [&](const std::string& name, const std::string& unit,
-                         const std::string& meaning, const auto& value) {
-      std::vector<double> values;
-      for (const Attractor& attractor : list) values.push_back(value(attractor));
-      out_.variables.push_back({.name = name,
-                                .stored = Stored::real,
-                                .dimensions = {number},
-                                .attributes = notes_.describe(unit, meaning),
-                                .elements = std::move(values)});
-    };
-    const ChannelInfo& first = study_.model->states.front();
-    add("attractor_motion_class", "", "kind of motion of each attractor",
-        [](const Attractor& a) { return static_cast<double>(a.motion); });
-    add_flags(codes_of(motion_names()), motion_names(), &out_.variables.back().attributes);
-    add("attractor_period", "1", "period in forcing periods; 0: none",
-        [](const Attractor& a) { return a.period; });
-    add(fmt::format("attractor_{}_rms", first.name), first.unit,
-        fmt::format("root mean square of {}, mean over the attractor's trajectories", first.name),
-        [](const Attractor& a) { return a.rms; });
-    if (const ChannelInfo* force = study_.model->contact_force()) {
-      add(fmt::format("attractor_{}_max", force->name), force->unit,
-          "largest dynamic meshing force of the attractor",
-          [](const Attractor& a) { return a.peak; });
-    }
-    std::vector<std::string> impacts;
-    for (const Attractor& attractor : list) impacts.push_back(attractor.impacts);
-    if (std::ranges::any_of(impacts, [](const std::string& text) { return !text.empty(); })) {
-      add_texts("attractor_impacts",
-                "forcing periods, impacts on the drive flank and on the back flank of the motion",
-                number, impacts, &out_);
-    }
-    add("attractor_lyapunov_max", "1/tau",
-        "largest Lyapunov exponent, mean over the attractor's trajectories",
-        [](const Attractor& a) { return a.exponent; });
-    add("attractor_share", "1", "share of all trajectories that reached the attractor",
-        [&](const Attractor& a) {
-          return static_cast<double>(a.trajectories) / static_cast<double>(study_.trajectories());
-        });
-  }
-
   // The dimension of this name with the coordinate 1, 2, ..., unless it is there already.
   void add_numbered(const std::string& name, std::size_t size) {
     const bool is_known =
@@ -277,7 +204,7 @@ class Description {
       add_orders();
       return;
     }
-    const std::string what = name == "attractor_number"    ? "attractor"
+    const std::string what = name == kAttractorNumber      ? "attractor"
                              : name == kUncertainDimension ? "uncertain parameter"
                                                            : name;
     add_count(name, size, fmt::format("number of the {}", what));

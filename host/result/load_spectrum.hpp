@@ -11,8 +11,8 @@
 
 namespace gearsweep {
 
-// Of a force between teeth. NaN where a load that lasts has no value. A load of 0 has no load
-// factor: the factor is that of the time under load.
+// What becomes of a force between teeth. NaN where a load that lasts has no value. A load of 0 has
+// no load factor: the factor is that of the time under load.
 struct SpectrumForce {
   std::string factor;    // the quantity: dynamic_load_factor
   std::size_t load = 0;  // the parameter
@@ -34,7 +34,7 @@ struct SpectrumAnswers {
   std::vector<std::size_t> failed;   // points that last and have no values
 };
 
-// Of a study with a spectrum. The load factors that it computes say which forces there are.
+// For a study with a spectrum. The load factors that it computes say which forces there are.
 SpectrumAnswers spectrum_answers(const SweepResult& result);
 
 // The torque in N m that makes a mean load of 1, where the list has a column torque_N_m, or one of

@@ -10,9 +10,9 @@ namespace gearsweep {
 // of one orbit, without it:
 //   the parameters that the point was given, `period` in forcing periods, `stable`, `section`
 //   (state), `multiplier_real` and `multiplier_imag` (multiplier), largest modulus first.
-// Of a cycle `period` counts its returns, and there are `cycle_time` and `multiplier_along`. Of an
-// equilibrium there is no `period`, and `eigenvalue` stands for `multiplier`. The attribute `kind`
-// says what it is.
+// The `period` of a cycle counts its returns, and it has `cycle_time` and `multiplier_along`. An
+// equilibrium has no `period`, and `eigenvalue` in place of `multiplier`. The attribute `kind` says
+// what it is.
 // It has, of the orbit at the start, `section_error` (state), `multiplier_error` (multiplier),
 // `grazing`. With a range, along the dimension `bifurcation`, by the parameter's value:
 // `bifurcation_kind`, `bifurcation_value` of the parameter, `bifurcation_error` of that,

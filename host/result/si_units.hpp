@@ -32,7 +32,7 @@ Scales scales_of(const std::function<std::optional<double>(const std::string& na
 Scales read_scales(const NetcdfFile& file);
 // The meshes that excite, as the file says: one without a name where it tells of no other.
 std::vector<ExcitingMesh> read_meshes(const NetcdfFile& file);
-// Of a file of results, traces or orders; unknown of any other.
+// The scales in a file of results, traces or orders; unknown in any other.
 Scales scales_in(const std::string& path);
 
 // Throws InputError when the scales are not known; `path`: of the file, for messages.

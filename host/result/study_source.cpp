@@ -39,7 +39,7 @@ bool is_result(const std::string& path) {
   return is_netcdf(path);
 }
 
-// Of a file of TOML or a built-in study.
+// The text of a file of TOML or of a built-in study.
 std::string text_of_study(const std::string& name_or_path) {
   if (has_regular_file(name_or_path, "a study")) return read_text(name_or_path);
   const bool is_builtin = builtin_studies().count(name_or_path + ".toml") > 0;

@@ -135,7 +135,7 @@ class UnitReader {
     out_.stages.push_back(std::move(stage));
   }
 
-  // Of two lengths; nothing where one is missing.
+  // The mean of two lengths; nothing where one is missing.
   std::optional<double> mean_of(const RexsComponent& component, const char* least,
                                 const char* most) {
     const auto a = lookup_.number(component, least, RexsQuantity::length);

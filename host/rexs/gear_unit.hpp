@@ -78,13 +78,13 @@ struct UnitPlanetary {
   std::optional<std::size_t> sun, ring;  // gears
   std::vector<std::size_t> planets;      // gears
   bool is_ring_held = false;             // by the casing
-  // Of its shafts, side plates and pins, which stand on the circle of the planets; 0: not known.
+  // With its shafts, side plates and pins, which stand on the circle of the planets; 0: not known.
   double carrier_mass = 0.0, carrier_inertia = 0.0;
   std::vector<std::string> carrier_bodies;
   std::vector<std::size_t> carrier_shafts;  // with the pins
 };
 
-// Of one load case, or of the unit itself where the file has none.
+// What one load case says, or the unit itself where the file has none.
 struct UnitCase {
   std::string id;
   std::optional<double> share;                 // of the time

@@ -256,7 +256,7 @@ class StageDrawer {
     }
   }
 
-  // Of the first gear turned to the pinion.
+  // The torque of the first gear, turned to the pinion.
   std::optional<double> torque_of(const UnitCase& one) const {
     const auto torque = one.torques[index_];
     if (!torque) return torque;

@@ -25,10 +25,10 @@ struct UnitDrawing {
   std::vector<std::string> notes;
 };
 
-// Of two stages, each external, that share a shaft and no gear; or of a planetary stage with three
-// planets that are alike, a sun that drives and a ring that is held. load_case: its id; empty: that
-// of the highest torque on the first of the meshes. Throws InputError, with a list of the stages
-// and what can be done instead, for any other unit.
+// For two stages, each external, that share a shaft and no gear; or for a planetary stage with
+// three planets that are alike, a sun that drives and a ring that is held. load_case: its id;
+// empty: that of the highest torque on the first of the meshes. Throws InputError, with a list of
+// the stages and what can be done instead, for any other unit.
 UnitDrawing unit_drawing(const GearUnit& unit, const std::string& load_case);
 
 }  // namespace gearsweep

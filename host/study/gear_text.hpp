@@ -46,7 +46,7 @@ struct UnitTextParameter {
   bool is_default = false;    // it stands behind a #
 };
 
-// Of a model with several drawings.
+// The text for a model with several drawings.
 struct UnitText {
   std::string title, about;
   std::string model;                                         // of the zoo

@@ -25,7 +25,7 @@ const std::vector<InitialPolicyInfo>& initial_policies();
 const InitialPolicyInfo& info_of(InitialPolicy policy);
 
 std::vector<std::string> policy_names();
-// Of those whose points go on from a neighbour, or of those whose points do not.
+// Policies whose points go on from a neighbour, or those whose points do not.
 std::vector<std::string> policy_names(bool has_neighbour);
 
 }  // namespace gearsweep

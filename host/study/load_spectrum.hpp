@@ -8,7 +8,8 @@ namespace gearsweep {
 // The column of a list of points that makes it one.
 inline constexpr const char* kTimeShare = "time_share";
 
-// Of the damage line by which Miner's rule counts loads, a torque to this power times its cycles:
+// The slope of the damage line by which Miner's rule counts loads, a torque to this power times its
+// cycles:
 // ISO 6336-6, Table A.1, pitting of case-hardened and of through-hardened steel.
 inline constexpr double kUsualSlope = 6.61;
 

@@ -48,7 +48,7 @@ std::vector<int> choices_of(const ModelDefinition& definition, const ModelKeys& 
   return choices;
 }
 
-// Of derived parameters: numbers are checked where they are read.
+// Derived parameters alone: numbers are checked where they are read.
 void check_defaults(const Model& model) {
   for (const DerivedParameter& derived : model.derived) {
     const ParameterInfo& info = model.parameters[derived.parameter];

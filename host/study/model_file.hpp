@@ -16,7 +16,7 @@ namespace gearsweep {
 // The text of the file at `path`. Throws InputError.
 std::string model_file_text(const std::string& path);
 
-// Of a study's [model]: the preset and the options that it names.
+// The preset and the options that a study's [model] names.
 using ModelKeys = std::map<std::string, std::string>;
 
 // source: names the text in messages. swept: names in which the points of a study differ

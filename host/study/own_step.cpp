@@ -20,7 +20,8 @@ constexpr double kLocalError = 1e-7, kLocalErrorOfTransient = 1e-5;  // of each 
 // differ by what its steps are wrong by, and not by what that changes by.
 constexpr double kLocalErrorOfCuts = 1e-8;
 constexpr double kRate = 0.3, kRateOfTransient = 2.0;  // times the step
-// Of the range of a surface's level, at its fastest, in a step: 20 steps in a turn of a sine. Where
+// A share of the range of a surface's level, the most that it goes in a step: 20 steps in a turn of
+// a sine. Where
 // a level goes there and back within a step, both crossings are missed.
 constexpr double kLevelWay = 0.15;
 constexpr std::size_t kSteps = 1000;       // of either half of a motion

@@ -33,7 +33,7 @@ struct OwnStep {
   MotionReach reach;     // of those motions
 };
 
-// Of a study whose axes, setting and start are known. The same study has the same step: it depends
+// For a study whose axes, setting and start are known. The same study has the same step: it depends
 // on no device. The step divides the period of the study's first point into a number of the ladder
 // 2^(k/4), so that a unit of time does not change how it is rounded. Takes some milliseconds for
 // each of up to nine points.

@@ -47,7 +47,7 @@ struct CensusOutputs {
   std::size_t rms = 0;                                           // of the model's first state
   std::size_t exponent = 0;                                      // lyapunov_max
   std::optional<std::size_t> peak;  // of Model::contact_force(), where there is one
-  // Of the model's only contact, where the study asks for them anyway.
+  // Places of the impacts of the model's only contact, where the study asks for them anyway.
   std::optional<std::size_t> impacts_drive, impacts_back;
 };
 
@@ -61,8 +61,8 @@ struct Selection {
   std::vector<Quantity> quantities;   // without status (always there) and poincare
   std::vector<std::size_t> poincare;  // states sampled at phase 0; empty: not asked for
   std::string section;                // at which they are, instead; empty: at phase 0
-  // Of which amplitudes and phases are asked for, in multiples of the mesh frequency
-  // (Model::mesh_periods); empty: of none.
+  // Orders whose amplitudes and phases are asked for, in multiples of the mesh frequency
+  // (Model::mesh_periods); empty: none.
   std::vector<double> orders;
   // Output of motion_class, when an observer looks for kinds of motion.
   std::optional<std::size_t> motion;

@@ -27,7 +27,7 @@ struct Swept {
   bool is_state = false;
   std::size_t index = 0;  // of the parameter or state in the model
   std::vector<double> values;
-  // Of a parameter that follows from columns of a list that are keys of [gear]: from which of them.
+  // The columns, keys of [gear], that a parameter of a list follows from.
   std::string follows;
 };
 
@@ -39,8 +39,8 @@ struct Axis : Swept {
   bool logarithmic = false;
   bool is_list = false;
   std::vector<Swept> columns;
-  // Of a list: those of its columns that the model does not have, keys of [gear], from which
-  // columns follow, and the share of time of each point; and the names of all, in the list's order.
+  // The columns of a list that the model does not have: keys of [gear], from which columns follow,
+  // and the share of time of each point. Then the names of all, in the list's order.
   std::vector<Swept> others;
   std::vector<std::string> listed;
 
@@ -130,9 +130,9 @@ struct Study {
   const Model* model = nullptr;
   std::shared_ptr<const Model> own_model;  // what `model` points to, where no other owns it
   std::string preset;
-  // Of every point, before the axes. Derived parameters have what they come to here.
+  // What every point has before the axes. Derived parameters have what they come to here.
   ModelSetting setting;
-  // Of derived parameters: the model is bound to them.
+  // What derived parameters follow from: the model is bound to them.
   ParameterExpressions expressions;
   std::vector<std::string>
       parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
@@ -184,7 +184,7 @@ struct Study {
   void take_nominal();
   // Makes each point start on its own, and once: without chain, ensemble or draws.
   void separate_points();
-  // Of each point: the members of an ensemble, or the nominal parameters and their draws.
+  // How many each point has: the members of an ensemble, or the nominal parameters and their draws.
   std::size_t members() const { return initial.ensemble + uncertain.draws(); }
   std::size_t trajectories() const { return points() * members(); }
 };

@@ -7,15 +7,15 @@
 
 namespace gearsweep {
 
-// Of what a study may ask for by integrate.tolerance, but for 0, which is none.
+// The least that a study may ask for by integrate.tolerance, but for 0, which is none.
 inline constexpr double kMinTolerance = 1e-10;
 
-// Of what a state may begin with, and of what it may be limited to.
+// The most that a state may begin with, and that it may be limited to.
 inline constexpr double kMaxState = 1e300;
-// Of a step, in the model's time, whose unit may be anything from a nanosecond to a year.
+// Bounds of a step, in the model's time, whose unit may be anything from a nanosecond to a year.
 inline constexpr double kMinMaxStep = 1e-15, kMaxMaxStep = 1e15;
 
-// Of a study that names no model.
+// The model of a study that names none.
 inline constexpr const char* kDefaultModel = "gear5";
 
 struct StudyKey {
@@ -40,7 +40,7 @@ struct StudyTable {
 // The study itself first, then its tables in the order in which studies have them.
 const std::vector<StudyTable>& study_tables();
 
-// Of a name that is there; throws std::logic_error otherwise.
+// The table of a name that is there; throws std::logic_error otherwise.
 const StudyTable& study_table(const std::string& name);
 
 // nullptr when the table has no such key.

@@ -111,7 +111,7 @@ void bind_limits(const toml::table* integrate, Study* study) {
   study->model = study->own_model.get();
 }
 
-// Of all points that the study names a start of, there must be one to begin with.
+// There must be a first one among the points that the study names a start of.
 void check_starts(const toml::table& root, const Study& study) {
   const auto check = [&](const toml::node& place, std::size_t state, double start) {
     if (std::abs(start) < study.model->diverged_above[state]) return;

@@ -14,7 +14,7 @@ struct UsualTolerance {
   std::string reason;        // what it rests on, a sentence without its full stop
 };
 
-// Of a study with one [gear] table: what its drawing leaves open. Errors of the flanks are those of
+// What the drawing of a study with one [gear] table leaves open. Errors of the flanks are those of
 // ISO 1328-1:2013 of this class (gear/tolerance_class.hpp), of which three standard deviations are
 // the tolerance; all others are estimates, which the reasons say. What an axis gives is left out.
 // Throws InputError for a study without such a table, or gears to which the standard does not

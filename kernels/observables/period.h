@@ -11,7 +11,7 @@
 
 enum {
   period_recurrence,
-  // Of each state during a period, the largest.
+  // The largest range of each state during a period.
   period_ranges = (int)(period_recurrence) + (int)(recurrence_accumulators),
   period_accumulators = period_ranges + PER_STATE
 };

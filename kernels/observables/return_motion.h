@@ -45,8 +45,8 @@ enum { return_motion_accumulators = return_motion_early_max + PER_STATE };
 #ifdef __OPENCL_VERSION__
 enum { return_motion_outputs = RETURN_MOTION_OUTPUTS(COUNT_OUTPUT) };
 enum { return_motion_enough = 16 };  // returns of a torus
-// Of the box of the returns. The 32 first returns of a circle come as near for one torus in 200;
-// what drifts comes back by the error of some steps.
+// A share of the box of the returns. The 32 first returns of a circle come as near for one torus in
+// 200; what drifts comes back by the error of some steps.
 #define RETURN_MOTION_NEAR ((scalar)(3e-4))
 #define RETURN_MOTION_SETTLED ((scalar)(0.1) * (scalar)(PERIOD_TOLERANCE))
 // Whether there is room for a torus, or for chaos: in the plane there is neither (Poincare and

@@ -3,7 +3,7 @@
 #ifndef GEARSWEEP_LEVEL_CROSS_H
 #define GEARSWEEP_LEVEL_CROSS_H
 
-// Of the distance that a level goes in a step: what rounding does not make.
+// A share of the distance that a level goes in a step, which rounding does not make.
 #define LEVEL_NEAR ((scalar)(REAL_BITS == 64 ? 1e-9 : 1e-4))
 
 // The cubic of a level over a part of a step: its values and slopes at both ends.

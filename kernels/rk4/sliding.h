@@ -18,7 +18,7 @@ typedef struct {
   // [j][k] What turn k adds to the rate of what surface j holds.
   real gain[MODEL_SURFACES][MODEL_SURFACES];
   real share[MODEL_SURFACES];
-  // Of a jump that holds what a surface holds that the motion rests against: its share is `edge`.
+  // A jump that holds what a surface holds that the motion rests against: its share is `edge`.
   mask bound[MODEL_SURFACES];
   real edge[MODEL_SURFACES];
 } Sliding;
@@ -30,7 +30,7 @@ SHARED_FN mask sliding_any(const ModelPoint* point) {
   return any;
 }
 
-// Of two gains of a pair of surfaces that hold the same.
+// How near two gains of a pair of surfaces come that hold the same.
 #define SLIDING_SAME ((scalar)(REAL_BITS == 64 ? 1e-9 : 1e-4))
 
 // Dry friction of a mass that rests against a wall holds its speed, as the wall does: what each of

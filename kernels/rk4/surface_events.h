@@ -5,7 +5,8 @@
 
 #ifdef MODEL_SURFACES
 
-// Of the distance that a level goes in a step: nearer than that to a surface a motion is on it.
+// A share of the distance that a level goes in a step: nearer than that to a surface a motion is on
+// it.
 #define SURFACE_NEAR LEVEL_NEAR
 // The same where the state is reset: a motion that has just met it must not count as beyond it.
 #define SURFACE_ON ((scalar)(REAL_BITS == 64 ? 1e-6 : 1e-3))
@@ -14,8 +15,8 @@
 typedef struct {
   mask any;
   real after;  // share of the part at which it lies
-  // Of each surface: whether it is this one that is crossed, or that the motion leaves, along which
-  // it slid; and the side on which it goes on.
+  // Whether this surface is crossed; whether the motion leaves it after it slid along it; and the
+  // side on which it goes on.
   mask crossed[MODEL_SURFACES], left[MODEL_SURFACES];
   real side[MODEL_SURFACES];
 } SurfaceEvent;

@@ -325,7 +325,7 @@ SHARED_FN void surface_rebound(ModelPoint* point, const PhaseAt* moment, real h,
       const real reach = came_to + surface_normal(point, moment, x, k, normal) +
                          SURFACE_NEAR * h * lane_max(lane_abs(rate), h * push);
       const mask is_at = met->in_place[k] | (lane_abs(levels[k]) <= (scalar)(2) * reach);
-      // Of a reset that leaves no speed the rate is rounding.
+      // Where a reset leaves no speed the rate is rounding.
       const real smallest =
           SURFACE_NEAR * met->rate[k] + surface_rate_rounding(point, moment, x, k, field);
       // Thrown back, and driven against it again by another surface, it is met anew.

@@ -27,7 +27,7 @@ std::vector<double> vector_of(const Numbers& numbers) {
   return {numbers.data(), numbers.data() + numbers.size()};
 }
 
-// Of a Dataset's attributes; None without a [gear] table.
+// The scales in a Dataset's attributes; none without a [gear] table.
 std::optional<Scales> scales_in(const py::dict& attributes) {
   const Scales scales = scales_of([&](const std::string& name) -> std::optional<double> {
     const py::str key(name);

@@ -20,7 +20,7 @@ class Session {
   // forked from one that uses them.
   void enter();
 
-  // Of a computation on these devices, "0,1"; empty: the default one. Enters. Throws InputError.
+  // For a computation on these devices, "0,1"; empty: the default one. Enters. Throws InputError.
   SweepOptions options_for(const std::string& device);
 
  private:

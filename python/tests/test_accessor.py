@@ -42,7 +42,7 @@ def gear() -> xarray.Dataset:
 def bad() -> xarray.Dataset:
     """A map whose stiffer points diverge."""
     study = gearsweep.Study.gear5("coarse").sweep(k1=(1.0, 1e6, 6, "log"), omega=[0.7, 0.8, 0.9])
-    study = study.integrate(settle=20, record=10, states="all")
+    study = study.integrate(settle=20, record=10, states="all", stop="never")
     with pytest.warns(RuntimeWarning, match="diverged at"):
         return study.observe("x1_rms", "contact_class").run()
 
@@ -294,8 +294,8 @@ def test_what_is_no_map_says_how_it_is_drawn(gear):
 
 
 def test_plot_has_the_band_of_tolerances():
-    study = gearsweep.Study.gear5("coarse").sweep(omega=(0.6, 0.9, 4)).observe("x1_rms")
-    study = study.integrate(settle=20, record=8)
+    study = gearsweep.Study.gear5("coarse").sweep(omega=(0.6, 0.9, 4)).observe("x1_rms", "dmf_max")
+    study = study.integrate(settle=20, record=8, stop="never")
     mass = {"distribution": "uniform", "from": 0.3, "to": 0.4}
     maps = study.uncertain(samples=5, m1=mass, percentiles=[10, 90]).run()
     ax = maps.gear.plot("x1_rms")

@@ -32,6 +32,7 @@ state = { x1 = 0.2 }
 [integrate]
 settle = 20
 record = 10
+stop = "never"
 [observe]
 quantities = ["x1_rms", "dmf_max"]
 """
@@ -42,7 +43,7 @@ def built() -> Study:
         Study.gear5(preset="coarse", mu=0.05, stiffness="rectangular")
         .sweep(omega=(0.4, 2.0, 6), b=numpy.array([0.3, 0.9, 1.5]))
         .initial(policy="fixed", state={"x1": 0.2})
-        .integrate(settle=20, record=10)
+        .integrate(settle=20, record=10, stop="never")
         .observe("x1_rms", "dmf_max")
     )
 
@@ -62,7 +63,7 @@ def test_the_order_of_steps_does_not_matter():
     other = (
         Study.of("gear5", "coarse")
         .observe("x1_rms", "dmf_max")
-        .integrate(record=10)
+        .integrate(record=10, stop="never")
         .integrate(settle=20)
         .initial(policy="fixed", state={"x1": 0.2})
         .sweep(omega=(0.4, 2.0, 6), b=[0.3, 0.9, 1.5])
@@ -74,7 +75,7 @@ def test_the_order_of_steps_does_not_matter():
 def test_the_first_keyword_is_x():
     study = Study.gear5().sweep(b=[0.5, 1.0], omega=(0.4, 2.0, 3))
     assert list(study.axes) == ["b", "omega"]
-    made = study.integrate(settle=5, record=5).observe("x1_rms").run()
+    made = study.integrate(settle=5, record=5, stop="never").run()
     assert made.x1_rms.dims == ("omega", "b")
 
 
@@ -91,12 +92,12 @@ def test_the_first_keyword_is_x():
     ],
 )
 def test_an_axis_takes_what_is_like_an_array(values):
-    made = Study.gear5().sweep(omega=values).integrate(settle=2, record=2).run()
+    made = Study.gear5().sweep(omega=values).integrate(settle=2, record=2, stop="never").run()
     numpy.testing.assert_array_equal(made.omega, numpy.atleast_1d(numpy.asarray(values, float)))
 
 
 def test_an_axis_takes_a_range_and_its_scale():
-    study = Study.gear5().integrate(settle=2, record=2)
+    study = Study.gear5().integrate(settle=2, record=2, stop="never")
     linear = study.sweep(omega=(numpy.float64(0.5), 2, numpy.int64(4))).run()
     numpy.testing.assert_allclose(linear.omega, [0.5, 1.0, 1.5, 2.0], rtol=1e-15)
     even_ratios = study.sweep(omega=(0.5, 4.0, 4, "log")).run()
@@ -119,7 +120,7 @@ def test_samples_need_not_be_named_twice():
 
 def test_a_list_fills_numbered_parameters():
     study = Study.gear5(stiffness="fourier", kappa=[0.1, 0.02]).sweep(omega=[1.0, 1.1])
-    settings = study.integrate(settle=2, record=2).run().attrs["settings"]
+    settings = study.integrate(settle=2, record=2, stop="never").run().attrs["settings"]
     assert "kappa = 0.1\n" in settings
     assert "kappa_2 = 0.02\n" in settings
 

@@ -101,8 +101,8 @@ def test_bad_points_have_a_status_and_no_values():
     # The stiffer bearing is too much for the step.
     study = gearsweep.Study(
         "[model]\npreset = 'coarse'\n[[axes]]\nname = 'k1'\nvalues = [1.0, 1e6]\n"
-        "[integrate]\nsettle = 20\nrecord = 10\nstates = 'all'\n"
-        "[observe]\nquantities = ['x1_rms']\n"
+        "[integrate]\nsettle = 20\nrecord = 10\nstates = 'all'\nstop = 'never'\n"
+        "[observe]\nquantities = ['x1_rms', 'contact_class']\n"
     )
     with pytest.warns(RuntimeWarning, match="diverged"):
         made = study.run()

@@ -179,7 +179,8 @@ def test_a_child_that_was_forked_before_can_compute():
 
 
 def test_draws_that_are_kept_make_the_statistics_of_the_run():
-    study = gearsweep.Study.gear5("coarse").sweep(omega=(0.6, 0.9, 3)).integrate(settle=30, record=8)
+    study = gearsweep.Study.gear5("coarse").sweep(omega=(0.6, 0.9, 3))
+    study = study.integrate(settle=30, record=8, stop="never")
     study = study.observe("x1_rms", "contact_class", poincare=["x1"])
     tolerances = {"m1": gearsweep.uniform(0.3, 0.4), "omega": gearsweep.normal(0.01, relative=True)}
     maps = study.uncertain(samples=9, keep=True, **tolerances).run()
@@ -194,7 +195,8 @@ def test_draws_that_are_kept_make_the_statistics_of_the_run():
     # The point of the very parameters of a draw has its value.
     mass, factor = (maps.uncertain_value[4, names.index(name)].item() for name in ("m1", "omega"))
     alone = gearsweep.Study.gear5("coarse", m1=mass).sweep(omega=maps.omega.values * factor)
-    alone = alone.integrate(settle=30, record=8).observe("x1_rms")
+    alone = alone.integrate(settle=30, record=8, stop="never")
+    alone = alone.observe("x1_rms", "contact_class", poincare=["x1"])
     numpy.testing.assert_array_equal(alone.run().x1_rms, draws[:, 4])
 
 

@@ -87,7 +87,7 @@ std::vector<TrajectorySummary> crowd(std::size_t attractors, std::size_t of_each
                                      double known_error) {
   constexpr double kError = 0.01;
   std::mt19937_64 random(7);
-  // Of unit variance, by the central limit.
+  // A normal number of unit variance, by the central limit.
   const auto normal = [&] {
     double sum = -6.0;
     for (int i = 0; i < 12; ++i) sum += static_cast<double>(random() >> 11U) * 0x1p-53;

@@ -9,6 +9,7 @@
 #include "journal/journal.hpp"
 #include "study/builtin_models.hpp"
 #include "study/selection.hpp"
+#include "support/each_model.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
@@ -187,16 +188,19 @@ std::set<std::string> listed_quantities(const std::string& text, const nlohmann:
   return names;
 }
 
-TEST(Commands, AModelListsEveryQuantityThatAStudyMayAskForAndNoOther) {
+class ListedModel : public OfEachModel {};
+
+TEST_P(ListedModel, HasEveryQuantityThatAStudyMayAskForAndNoOther) {
   const Folder folder;
-  for (const Model& model : models()) {
-    const std::string show = "model " + model.name;
-    const nlohmann::json json = nlohmann::json::parse(gearsweep(folder, show + " --json").out);
-    std::set<std::string> offered;
-    for (const Quantity& quantity : offered_quantities(model)) offered.insert(quantity.name);
-    EXPECT_EQ(listed_quantities(gearsweep(folder, show).out, json), offered) << model.name;
-  }
+  const std::string show = "model " + its_model().name;
+  const nlohmann::json json = nlohmann::json::parse(gearsweep(folder, show + " --json").out);
+  std::set<std::string> offered;
+  for (const Quantity& quantity : offered_quantities(its_model())) offered.insert(quantity.name);
+  EXPECT_EQ(listed_quantities(gearsweep(folder, show).out, json), offered);
 }
+
+INSTANTIATE_TEST_SUITE_P(Few, ListedModel, ::testing::ValuesIn(few_models()), name_of_model);
+INSTANTIATE_TEST_SUITE_P(Others, ListedModel, ::testing::ValuesIn(other_models()), name_of_model);
 
 TEST(Commands, ColumnsOfAListStandUnderEachOther) {
   const Folder folder;

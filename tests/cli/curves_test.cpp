@@ -46,20 +46,20 @@ TEST(CurvesCommand, FindsTheDoublingOfAPendulumAndDrawsIt) {
                     HasSubstr("residuals of at most")));
   const Outcome plot = gearsweep(folder, "plot map.nc --curves curves.nc -q period -o map.svg");
   EXPECT_EQ(plot.status, 0) << plot.err;
-  EXPECT_THAT(folder.read("map.svg"), HasSubstr("flip"));
+  EXPECT_THAT(read_all(folder / "map.svg"), HasSubstr("flip"));
   EXPECT_THAT(gearsweep(folder, "plot map.nc --curves map.nc -o m.png").err,
               HasSubstr("'map.nc' holds no curves"));
   EXPECT_THAT(gearsweep(folder, "plot map.nc --curves curves.nc --at drive=1.5 -o m.png").err,
               HasSubstr("--curves takes a map of two axes"));
 }
 
-struct Refusal {
+struct WrongCurves {
   const char* study;
   const char* arguments;
   const char* message;
 };
 
-class CurvesRefusal : public ::testing::TestWithParam<Refusal> {};
+class CurvesRefusal : public ::testing::TestWithParam<WrongCurves> {};
 
 TEST_P(CurvesRefusal, SaysWhatIsWrong) {
   const Folder folder;
@@ -83,11 +83,11 @@ constexpr const char* kOneAxis =
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, CurvesRefusal,
-    ::testing::Values(Refusal{kOneAxis, "curves map.nc -o curves.nc", "no map of two axes"},
-                      Refusal{kOneAxis, "curves study.toml -o curves.nc", "compute the map first"},
-                      Refusal{kTwoAxes, "curves map.nc -o curves.png", "must end in .nc"},
-                      Refusal{kTwoAxes, "curves map.nc -o missing/curves.nc", "missing"},
-                      Refusal{kTwoAxes, "curves map.nc -o curves.nc", "'period'"}),
+    ::testing::Values(WrongCurves{kOneAxis, "curves map.nc -o curves.nc", "no map of two axes"},
+                      WrongCurves{kOneAxis, "curves study.toml -o curves.nc", "compute the map first"},
+                      WrongCurves{kTwoAxes, "curves map.nc -o curves.png", "must end in .nc"},
+                      WrongCurves{kTwoAxes, "curves map.nc -o missing/curves.nc", "missing"},
+                      WrongCurves{kTwoAxes, "curves map.nc -o curves.nc", "'period'"}),
     [](const auto& refusal) { return "number_" + std::to_string(refusal.index); });
 
 }  // namespace

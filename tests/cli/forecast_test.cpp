@@ -119,7 +119,7 @@ TEST_F(ForecastTest, TheFilesAreAsLargeAsTold) {
   const auto size = [&](const char* name) {
     return static_cast<double>(std::filesystem::file_size(folder_ / name));
   };
-  // Of eight bytes of a number of known magnitude, sign and exponent compress: a byte and a half.
+  // The sign and the exponent of a number of known magnitude compress: a byte and a half of eight.
   EXPECT_LE(size("out.nc"), json["result_bytes"]);
   EXPECT_GE(size("out.nc"), 0.75 * json["result_bytes"].get<double>());
   // The last page of each blob is half empty on average, and counted as if it were all empty.

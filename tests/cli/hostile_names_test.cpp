@@ -24,7 +24,7 @@ const char* const kHostileNamesStudy =
 TEST(HostileNames, RunNothingInAnyCommand) {
   const Folder folder;
   for (const std::string name :
-       {"|touch pwned;", "<touch pwned;", "`touch pwned`", "$(touch pwned)", "a\\b",
+       {"|touch pwned;", "<touch pwned;", "`touch pwned`$(touch pwned)a\\b",
         "';system('touch pwned');'", "line\n!touch pwned\n"}) {
     SCOPED_TRACE(name);
     folder.write(name + ".toml", kHostileNamesStudy);

@@ -142,7 +142,7 @@ TEST(Impacts, AgreeWithTheReferenceEngine) {
         replaced(kImpacts, ", 'dmf_min', 'dmf_max'", ""));
 }
 
-// Of a periodic motion in single precision: the same counts, and what is measured to its digits.
+// A periodic motion has the same counts in single precision, and what is measured to its digits.
 TEST(Impacts, AreCountedInSinglePrecision) {
   const std::string study =
       "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [0.65, 1.0]\n[integrate]\n"
@@ -158,7 +158,7 @@ TEST(Impacts, AreCountedInSinglePrecision) {
   }
 }
 
-// Of each attractor the list has the forcing periods of its motion, and the impacts on each flank.
+// The list has the forcing periods of the motion of each attractor, and its impacts on each flank.
 TEST(Impacts, StandInTheListOfAttractors) {
   const std::string study =
       "[model]\npreset = 'consistent'\n[[axes]]\nname = 'omega'\nvalues = [0.7, 1.2]\n"

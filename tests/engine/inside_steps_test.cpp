@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "study/builtin_models.hpp"
+#include "support/each_model.hpp"
 #include "support/run.hpp"
 #include "support/study_text.hpp"
 #include "support/text.hpp"
@@ -70,36 +70,39 @@ double median_error(const std::string& study, const Model& model, double steps,
 
 // At the ends of the steps alone extremes would be of second order, and so would averages by the
 // trapezoidal rule where the equations jump: half the step would leave a quarter.
-TEST(InsideSteps, ExtremesAndAveragesOfEveryModelAreOfFourthOrder) {
-  for (const Model& model : models()) {
-    SCOPED_TRACE(model.name);
-    // Two periods of so many meshes are enough for chaos. Known answers judge these models.
-    if (model.mesh_periods(model.default_setting()) > 10.0) continue;
-    std::mt19937 random(20261123);  // the same, whichever models there are
-    double coarse = 0.0, usual = 0.0, compared = 0.0;
-    // To find the clock of a model that has none takes longer than all else here.
-    for (int i = 0; i < (model.is_clockless ? 2 : 3); ++i) {
-      const std::string study = any_study(model, &random);
-      SCOPED_TRACE(study);
-      const SweepResult fine = run(study, {"integrate.max_step=" + digits(model.max_step / 8.0)});
-      // A clock that is a part of a slow cycle is a number of steps: other steps, another record.
-      if (fine.study.clock_reason == "a part of a return") continue;
-      const double at_twice = median_error(study, model, 2.0, fine);
-      const double at_once = median_error(study, model, 1.0, fine);
-      coarse += std::log2(at_twice);
-      usual += std::log2(at_once);
-      compared += 1.0;
-      EXPECT_LT(at_once, 1e-4);
-    }
-    // A force of the power 3/2 bends without limit where it begins: steps there are of order 5/2.
-    // Without forcing, averages look through a window that has one weight for a step: of second
-    // order in the step over the record, which is short here.
-    const bool has_window = model.is_clockless;
-    const double order = has_window ? 1.5 : model.name == "hertz" ? 2.3 : 3.5;
-    if (compared == 0.0) continue;
-    EXPECT_GT((coarse - usual) / compared, order) << "mean order of " << compared;
+class InsideSteps : public OfEachModel {};
+
+TEST_P(InsideSteps, ExtremesAndAveragesAreOfFourthOrder) {
+  const Model& model = its_model();
+  // Two periods of so many meshes are enough for chaos. Known answers judge these models.
+  if (model.mesh_periods(model.default_setting()) > 10.0) GTEST_SKIP();
+  std::mt19937 random(20261123);
+  double coarse = 0.0, usual = 0.0, compared = 0.0;
+  // To find the clock of a model that has none takes longer than all else here.
+  for (int i = 0; i < (model.is_clockless ? 2 : 3); ++i) {
+    const std::string study = any_study(model, &random);
+    SCOPED_TRACE(study);
+    const SweepResult fine = run(study, {"integrate.max_step=" + digits(model.max_step / 8.0)});
+    // A clock that is a part of a slow cycle is a number of steps: other steps, another record.
+    if (fine.study.clock_reason == "a part of a return") continue;
+    const double at_twice = median_error(study, model, 2.0, fine);
+    const double at_once = median_error(study, model, 1.0, fine);
+    coarse += std::log2(at_twice);
+    usual += std::log2(at_once);
+    compared += 1.0;
+    EXPECT_LT(at_once, 1e-4);
   }
+  // A force of the power 3/2 bends without limit where it begins: steps there are of order 5/2.
+  // Without forcing, averages look through a window that has one weight for a step: of second
+  // order in the step over the record, which is short here.
+  const bool has_window = model.is_clockless;
+  const double order = has_window ? 1.5 : model.name == "hertz" ? 2.3 : 3.5;
+  if (compared == 0.0) GTEST_SKIP();
+  EXPECT_GT((coarse - usual) / compared, order) << "mean order of " << compared;
 }
+
+INSTANTIATE_TEST_SUITE_P(Few, InsideSteps, ::testing::ValuesIn(few_models()), name_of_model);
+INSTANTIATE_TEST_SUITE_P(Others, InsideSteps, ::testing::ValuesIn(other_models()), name_of_model);
 
 }  // namespace
 }  // namespace gearsweep::testing

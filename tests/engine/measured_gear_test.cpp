@@ -221,7 +221,8 @@ TEST(MeasuredGear, AMeasuredErrorBecomesItsHarmonics) {
   EXPECT_EQ(option_of(study.setting, "error"), "series");
 }
 
-// Of the pairs in contact, by their loads. The harmonic is integrated anew, piece by piece.
+// Those of the pairs in contact add up, by their loads. The harmonic is integrated anew, piece by
+// piece.
 TEST(MeasuredGear, DeviationsOfTheProfileAddToTheErrorByTheLoad) {
   // Tip relief of both gears: 12 um at the ends of contact, nothing between 0.2 and 0.8.
   const auto removed = [](double share) {

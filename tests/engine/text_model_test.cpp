@@ -175,7 +175,7 @@ TEST(TextModel, HasTheMotionOfWhatItsTableHolds) {
   }
 }
 
-// Of both engines, with an argument that a swept parameter moves, too.
+// An argument that a swept parameter moves is among them.
 TEST(TextModel, ReadsTablesOnBothEngines) {
   const std::string rest =
       "[[axes]]\nname = 'Fm'\nfrom = 0.05\nto = 0.2\ncount = 5\n" + kFewPeriods;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "study/builtin_models.hpp"
+#include "support/each_model.hpp"
 #include "support/run.hpp"
 #include "support/settings.hpp"
 #include "support/study_text.hpp"
@@ -176,29 +176,32 @@ TEST(EveryModel, JacobianIsTheDerivativeOfTheRightHandSide) {
 // ends of a step the kernels take the phase from a parabola, so where steps are cut at surfaces the
 // engines differ by an error of the steps' own order: 7e-8 with 128 steps, 1.3e-9 with 512
 // (rattle). A model without a clock is sampled inside its steps, at a section.
-TEST(EveryModel, KernelAndReferenceEngineAgree) {
-  for (const Model& model : models()) {
-    SCOPED_TRACE(model.name);
-    const bool is_cut = !model.surfaces.empty();
-    const double tolerance = model.is_clockless ? 1e-6 : is_cut ? 1e-8 : 1e-11;
-    const std::string study =
-        "[model]\nname = '" + model.name + "'\n[[axes]]\nname = '" + model.states[0].name +
-        "'\nfrom = 0.5\nto = 1.5\ncount = 16\n[integrate]\nsettle = 0\nrecord = 2\n"
-        "steps_per_period = " +
-        std::string(model.is_clockless ? "2048"
-                    : is_cut           ? "512"
-                                       : "128") +
-        "\nstop = 'never'\n" + observe_all_of(model);
-    const SweepResult kernel = run(study);
-    const SweepResult reference = run(study, {"integrate.engine=reference"});
-    ASSERT_EQ(kernel.samples.size(), reference.samples.size());
-    for (std::size_t i = 0; i < kernel.samples.size(); ++i) {
-      ASSERT_EQ(std::isnan(kernel.samples[i]), std::isnan(reference.samples[i]));
-      if (std::isnan(kernel.samples[i])) continue;
-      ASSERT_NEAR(kernel.samples[i], reference.samples[i], tolerance);
-    }
+class EachModel : public OfEachModel {};
+
+TEST_P(EachModel, IsTheSameInBothEngines) {
+  const Model& model = its_model();
+  const bool is_cut = !model.surfaces.empty();
+  const double tolerance = model.is_clockless ? 1e-6 : is_cut ? 1e-8 : 1e-11;
+  const std::string study =
+      "[model]\nname = '" + model.name + "'\n[[axes]]\nname = '" + model.states[0].name +
+      "'\nfrom = 0.5\nto = 1.5\ncount = 16\n[integrate]\nsettle = 0\nrecord = 2\n"
+      "steps_per_period = " +
+      std::string(model.is_clockless ? "2048"
+                  : is_cut           ? "512"
+                                     : "128") +
+      "\nstop = 'never'\n" + observe_all_of(model);
+  const SweepResult kernel = run(study);
+  const SweepResult reference = run(study, {"integrate.engine=reference"});
+  ASSERT_EQ(kernel.samples.size(), reference.samples.size());
+  for (std::size_t i = 0; i < kernel.samples.size(); ++i) {
+    ASSERT_EQ(std::isnan(kernel.samples[i]), std::isnan(reference.samples[i]));
+    if (std::isnan(kernel.samples[i])) continue;
+    ASSERT_NEAR(kernel.samples[i], reference.samples[i], tolerance);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Few, EachModel, ::testing::ValuesIn(few_models()), name_of_model);
+INSTANTIATE_TEST_SUITE_P(Others, EachModel, ::testing::ValuesIn(other_models()), name_of_model);
 
 struct Rest {
   const char* model;

@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Of a point.
+// The exponents of a point.
 std::vector<double> spectrum_of(const SweepResult& result, std::size_t point) {
   const std::vector<double>& all = map_of(result, "lyapunov_spectrum");
   const std::size_t width = all.size() / 3;

@@ -25,9 +25,10 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// Of an undamped model with the equilibrium 0, in 1/s of the model's time, from the multipliers
-// over one forcing period, which must be shorter than half of the shortest natural period. The
-// smallest first; multipliers of 1 left out. state: any of the model's; axis: of one value.
+// Those of an undamped model with the equilibrium 0, in 1/s of the model's time, from the
+// multipliers over one forcing period, which must be shorter than half of the shortest natural
+// period. The smallest first; multipliers of 1 left out. state: any of the model's; axis: of one
+// value.
 std::vector<double> natural_frequencies(const std::string& model, const std::string& state,
                                         const std::string& parameters, const std::string& axis) {
   const Study study = read_study(fmt::format("[model]\ntext = '''\n{}'''\n[parameters]\n{}\n"
@@ -210,7 +211,7 @@ struct Balance {
   }
 };
 
-// Of the published method, with one harmonic, the run-up's jump is right to half a percent; the
+// With one harmonic, as published, the run-up's jump is right to half a percent; the
 // run-down's is off by more the farther the teeth part, up to 12 % of ours here. That is its
 // series: with five harmonics either is ours. The force has corners, so that the coefficients of x
 // fall with the cube of their number or faster: what is left out is of the order of 1e-3 of the

@@ -156,7 +156,7 @@ TEST(Explorable, SweepsOtherParametersWhereAxesAreMissing) {
   EXPECT_EQ(line.selection.quantities[0].name, "motion_class");
   EXPECT_THAT(line.notices, Contains(HasSubstr("'damping' is swept, too")));
 
-  // Of a model with one parameter a state is the second axis.
+  // Where a model has one parameter, a state is the second axis.
   const Study lone = explorable(read_draft("[model]\nname = 'relay'\n", "test.toml"));
   EXPECT_EQ(lone.axes[0].name, "zeta");
   EXPECT_TRUE(lone.axes[1].is_state);

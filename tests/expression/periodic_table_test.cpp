@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kPlaces = 1000;
 
-// Of a curve, from one phase on, with distances that differ: up to `bent` of their mean.
+// Points of a curve, from one phase on, with distances that differ by up to `bent` of their mean.
 template <class Curve>
 std::vector<TablePoint> points_of(const Curve& curve, int count, double from, double to,
                                   double bent) {

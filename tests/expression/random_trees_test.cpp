@@ -164,7 +164,7 @@ bool is_finite_throughout(const ExpressionGraph& graph, NodeId root,
   return std::ranges::all_of(parts_of(graph, {root}), [&](NodeId part) {
     const Dual dual = dual_value(graph, part, at);
     if (!std::isfinite(dual.value) || !std::isfinite(dual.slope)) return false;
-    // Of a power with an exponent that may change, the logarithm of the base is a part.
+    // The logarithm of the base is a part of a power whose exponent may change.
     const Node& node = graph[part];
     return node.operation != Operation::power || graph.is_number(node.arguments[1]) ||
            dual_value(graph, node.arguments[0], at).value > 0.0;
@@ -189,7 +189,7 @@ TEST(RandomTrees, ArePrintedAndParsedAsTheSame) {
   }
 }
 
-// Of several thousand trees: many others have no finite value at a random place.
+// For several thousand trees: many others have no finite value at a random place.
 TEST(RandomTrees, HaveTheDerivativesOfDualNumbers) {
   RandomTrees trees(2);
   int compared = 0, close = 0;

@@ -30,13 +30,14 @@ struct Example {
   double angle() const {
     return std::atan(std::tan(20.0 * std::numbers::pi / 180.0) / std::cos(helix));
   }
-  // Of a steel disc whose diameter is the mean of tip and root, as the standard has it; kg mm^2.
+  // That of a steel disc whose diameter is the mean of tip and root, as the standard has it; kg
+  // mm^2.
   double inertia(int i) const {
     const double tip = diameter(i) + 2.0 * module * (1.0 + shift[i]);
     const double root = diameter(i) - 2.0 * module * (1.4 - shift[i]);
     return std::numbers::pi / 32.0 * 7.83e-6 * width * std::pow(0.5 * (tip + root), 4);
   }
-  // Of grade 5 by ISO 1328-1:1995, of the wheel, which has the larger ones; um.
+  // By grade 5 of ISO 1328-1:1995, for the wheel, which has the larger ones; um.
   double pitch_deviation() const {
     return (0.3 * (module + 0.4 * std::sqrt(diameter(1))) + 4.0) * std::cos(angle());
   }

@@ -11,8 +11,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// Of 20 and 30 teeth of module 4 with x1 + x2 = 0.28 by bisection elsewhere: 101.0777 mm without
-// play. Drawings round.
+// 20 and 30 teeth of module 4 with x1 + x2 = 0.28 stand 101.0777 mm apart without play, by
+// bisection elsewhere. Drawings round.
 TEST(Geometry, RefusesWhatCannotBeAssembled) {
   const Table shifted =
       with(with(with(table_1(), kTeeth, {20, 30}), kModule, {4}), kProfileShift, {0.28, 0});

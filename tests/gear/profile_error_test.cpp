@@ -16,7 +16,7 @@ namespace {
 constexpr double kEps = 1.3;
 constexpr double kUm = 50.0;  // the half backlash
 
-// Of teeth that overlap by so many base pitches; 0: spur teeth.
+// Two gears whose teeth overlap by so many base pitches; 0: spur teeth.
 GearConversion pair_with(double overlap, const std::vector<TablePoint>& removed) {
   constexpr double kHelixDeg = 20.0;
   Table table = with(table_1(), kTransmissionError, {0.0});

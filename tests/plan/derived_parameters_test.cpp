@@ -35,7 +35,7 @@ std::size_t index_of(const Study& study, const std::string& name) {
   return static_cast<std::size_t>(study.model->find_parameter(name));
 }
 
-// Of a parameter, at all trajectories of the study.
+// The values of a parameter at all trajectories of the study.
 std::vector<double> values_of(const Study& study, const std::string& name) {
   const Plan plan(study, 100);
   std::vector<double> values;

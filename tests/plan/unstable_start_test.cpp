@@ -12,7 +12,7 @@
 namespace gearsweep::testing {
 namespace {
 
-// Of the first point.
+// Whether the first point is.
 bool is_unstable(const std::string& toml) {
   const Plan plan(read_study(toml, "test.toml"), 16);
   return plan.is_autonomous() && starts_unstable(plan, 0, plan.own_initial_state(0));

@@ -321,7 +321,7 @@ TEST_F(PlotTraceTest, NoLineJoinsBothSidesOfAnImpact) {
               AllOf(HasSubstr(fmt::format("record=({})", moments + 1)), HasSubstr("record=(2)"),
                     HasSubstr("\"at a surface\"")));
   EXPECT_TRUE(std::isnan(data()[2 * 5]));
-  // Of even moments the one behind it is marked.
+  // Where moments are even, the one behind it is marked.
   Trace even = made_trace(study_, 2, 16);
   even.channels.push_back(trace.channels.back());
   even.values.emplace_back(moments);

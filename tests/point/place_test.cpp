@@ -87,7 +87,7 @@ TEST(Place, KnowsTheNearestPointOfTheAxes) {
   EXPECT_EQ(nearest(0.8, 1.0), "");
 }
 
-// Of [gear] the table's, though the axis stands in its place.
+// That of [gear] is the table's, though the axis stands in its place.
 TEST(Place, OfAnAxisIsTheStudysOwnWithoutIt) {
   const Study study = read_study(
       "[model]\nname = 'gear5'\n[gear]\nteeth = [40, 40]\nmodule_mm = 3.0\n"

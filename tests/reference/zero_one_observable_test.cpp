@@ -9,7 +9,7 @@
 namespace gearsweep::testing {
 namespace {
 
-// Of a motion that goes through a range of 1 in each period, and is sampled so.
+// For a motion that goes through a range of 1 in each period, and is sampled so.
 double zero_one_of(std::size_t record, const std::function<double(std::size_t)>& sample) {
   const std::unique_ptr<ReferenceObservable> observable = make_zero_one(1e-6, {{0, 1}, {}});
   observable->begin(Eigen::Vector2d(0.0, 7.0));

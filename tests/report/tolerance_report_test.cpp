@@ -58,7 +58,7 @@ TEST(ToleranceReport, ItsPercentilesAreThoseOfTheDraws) {
   EXPECT_NEAR(scatter.worst_gears.front().value, *worst, 1e-3);
 }
 
-// Of a product of two factors the variance is nearly that of the wider one; half as wide, it leaves
+// The variance of a product of two factors is nearly that of the wider one; half as wide, it leaves
 // a percentile that the closed form gives.
 TEST(ToleranceReport, RanksTolerancesByWhatTheyMake) {
   ToleranceOptions options;
@@ -80,7 +80,7 @@ TEST(ToleranceReport, RanksTolerancesByWhatTheyMake) {
   EXPECT_NEAR(force.tightened.value(), percentile_with_error(tightened, 99.0).value, 1e-3);
 }
 
-// Of n independent numbers the interval of a percentile holds the true one in 95 of 100 cases.
+// The interval of a percentile of n independent numbers holds the true one in 95 of 100 cases.
 TEST(ToleranceReport, ItsErrorIsWhatRepetitionsShow) {
   constexpr int kTrials = 400, kNumbers = 500;
   std::uint64_t state = 1;

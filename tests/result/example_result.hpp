@@ -1,9 +1,11 @@
 // Results made by hand for the tests of this folder, and a folder of its own for each test.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -92,9 +94,10 @@ inline const Provenance kProvenance = {"gearsweep run study.toml -o 'map one.nc'
 class IoTest : public ::testing::Test {
  protected:
   IoTest() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("gearsweep_io_" + std::string(test->name()) + "_" + std::to_string(getpid()));
+    std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ranges::replace(test, '/', '_');  // before a parameter
+    folder_ =
+        std::filesystem::temp_directory_path() / fmt::format("gearsweep_io_{}_{}", test, getpid());
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

@@ -12,19 +12,22 @@
 #include "result/random_result.hpp"
 #include "result/trace_file.hpp"
 #include "study/builtin_models.hpp"
+#include "support/each_model.hpp"
 #include "support/study_text.hpp"
 
 namespace gearsweep {
 namespace {
 
+using gearsweep::testing::few_models;
 using gearsweep::testing::kProvenance;
 using gearsweep::testing::kPushed;
+using gearsweep::testing::name_of_model;
+using gearsweep::testing::other_models;
 using gearsweep::testing::random_result;
 using gearsweep::testing::studies_over_each;
 using gearsweep::testing::study_of_all;
 using gearsweep::testing::trace_of_all;
 using ::testing::Contains;
-using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 
 class FileNames : public gearsweep::testing::IoTest {
@@ -46,41 +49,6 @@ class FileNames : public gearsweep::testing::IoTest {
 
   std::mt19937_64 random_{1};
 };
-
-TEST_F(FileNames, EveryAxisOfEveryModelStandsBesideEveryQuantity) {
-  std::set<std::pair<std::string, std::string>> renamed;
-  for (const Model& model : models()) {
-    for (const Study& study : studies_over_each(model)) {
-      const std::string& name = study.axes[0].name;
-      SCOPED_TRACE(model.name + " over " + name);
-      if (name_in_result(study.axes[0], study) == name) continue;
-      renamed.emplace(model.name, name);
-      written(study);
-    }
-  }
-  // A clash of a new model shows here.
-  EXPECT_THAT(renamed, IsEmpty());
-}
-
-// No axis can meet what is not known of the file.
-TEST_F(FileNames, AllOfTheFileIsTaken) {
-  for (const Model& model : models()) {
-    SCOPED_TRACE(model.name);
-    Study study = study_of_all(model, {model.parameters.front().name});
-    const NetcdfFile file = NetcdfFile::open(written(study));
-    const std::string own = study.axes[0].name;
-    for (const std::string& variable : file.variables()) {
-      std::vector<std::string> names = {variable};
-      for (const int dimension : file.dimensions_of(file.find_variable(variable))) {
-        names.push_back(file.dimension_name(dimension));
-      }
-      for (const std::string& name : names) {
-        study.axes[0].name = name;
-        EXPECT_TRUE(name == own || name_in_result(study.axes[0], study) != name) << name;
-      }
-    }
-  }
-}
 
 TEST_F(FileNames, AnAxisGivesWayOnlyToWhatItsFileHas) {
   const Study alone =
@@ -107,30 +75,60 @@ TEST_F(FileNames, OfTheFilesOwnVariablesAreNotAnAxis) {
   }
 }
 
-TEST_F(FileNames, EveryParameterOfEveryModelStandsBesideTheTracesOfItsChannels) {
-  for (const Model& model : models()) {
-    SCOPED_TRACE(model.name);
-    const Study study = study_of_all(model, {model.states.front().name});
-    const Trace trace = trace_of_all(study);
-    std::vector<std::string> parameters;
-    for (const ParameterInfo& info : model.parameters) parameters.push_back(info.name);
-    const std::string path = in_folder("trace.nc");
-    write_traces({trace}, {"a point"}, parameters, study, path, kProvenance);
-    const StoredTrace stored = read_traces(path).at(0);
-    EXPECT_EQ(stored.trace.period, 1.0);
-    EXPECT_EQ(stored.trace.channels.size(), trace.channels.size());
+class NamesOfModel : public FileNames, public ::testing::WithParamInterface<std::string> {
+ protected:
+  static const Model& its_model() { return *find_model(GetParam()); }
+};
 
-    const std::string table = in_folder("trace.csv");
-    write_traces({trace}, {"a point"}, parameters, study, table, kProvenance);
-    std::string header = content(table);
-    header.resize(header.find('\n'));
-    const std::vector<std::string> columns = split(header, ',');
-    EXPECT_EQ(std::set<std::string>(columns.begin(), columns.end()).size(), columns.size());
-    if (model.find_parameter("period") >= 0) {
-      EXPECT_THAT(columns, Contains("parameter_period [1]"));
+// A clash of a new model shows here.
+TEST_P(NamesOfModel, StandBesideEachOther) {
+  for (const Study& study : studies_over_each(its_model())) {
+    EXPECT_EQ(name_in_result(study.axes[0], study), study.axes[0].name);
+  }
+}
+
+// No axis can meet what is not known of the file.
+TEST_P(NamesOfModel, AllOfTheFileIsTaken) {
+  Study study = study_of_all(its_model(), {its_model().parameters.front().name});
+  const NetcdfFile file = NetcdfFile::open(written(study));
+  const std::string own = study.axes[0].name;
+  for (const std::string& variable : file.variables()) {
+    std::vector<std::string> names = {variable};
+    for (const int dimension : file.dimensions_of(file.find_variable(variable))) {
+      names.push_back(file.dimension_name(dimension));
+    }
+    for (const std::string& name : names) {
+      study.axes[0].name = name;
+      EXPECT_TRUE(name == own || name_in_result(study.axes[0], study) != name) << name;
     }
   }
 }
+
+TEST_P(NamesOfModel, ParametersStandBesideTheTracesOfChannels) {
+  const Model& model = its_model();
+  const Study study = study_of_all(model, {model.states.front().name});
+  const Trace trace = trace_of_all(study);
+  std::vector<std::string> parameters;
+  for (const ParameterInfo& info : model.parameters) parameters.push_back(info.name);
+  const std::string path = in_folder("trace.nc");
+  write_traces({trace}, {"a point"}, parameters, study, path, kProvenance);
+  const StoredTrace stored = read_traces(path).at(0);
+  EXPECT_EQ(stored.trace.period, 1.0);
+  EXPECT_EQ(stored.trace.channels.size(), trace.channels.size());
+
+  const std::string table = in_folder("trace.csv");
+  write_traces({trace}, {"a point"}, parameters, study, table, kProvenance);
+  std::string header = content(table);
+  header.resize(header.find('\n'));
+  const std::vector<std::string> columns = split(header, ',');
+  EXPECT_EQ(std::set<std::string>(columns.begin(), columns.end()).size(), columns.size());
+  if (model.find_parameter("period") >= 0) {
+    EXPECT_THAT(columns, Contains("parameter_period [1]"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Few, NamesOfModel, ::testing::ValuesIn(few_models()), name_of_model);
+INSTANTIATE_TEST_SUITE_P(Others, NamesOfModel, ::testing::ValuesIn(other_models()), name_of_model);
 
 }  // namespace
 }  // namespace gearsweep

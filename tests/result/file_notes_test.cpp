@@ -11,12 +11,16 @@
 #include "result/random_result.hpp"
 #include "result/trace_file.hpp"
 #include "study/builtin_models.hpp"
+#include "support/each_model.hpp"
 
 namespace gearsweep {
 namespace {
 
 using gearsweep::testing::example_result;
+using gearsweep::testing::few_models;
 using gearsweep::testing::kProvenance;
+using gearsweep::testing::name_of_model;
+using gearsweep::testing::other_models;
 using gearsweep::testing::random_result;
 using gearsweep::testing::studies_over_each;
 using gearsweep::testing::study_of_all;
@@ -28,7 +32,7 @@ class FileNotesTest : public gearsweep::testing::IoTest {
  protected:
   std::string written(const Study& study) { return write(random_result(study, 2, &random_)); }
 
-  // Of all channels, with these parameters beside them.
+  // A file of all channels, with these parameters beside them.
   std::string traced(const Study& study, const std::vector<std::string>& placed) const {
     const std::string path = in_folder("trace.nc");
     write_traces({trace_of_all(study)}, {"a point"}, placed, study, path, kProvenance);
@@ -98,43 +102,45 @@ void expect_notes(const std::string& path, bool has_scales) {
   }
 }
 
-TEST_F(FileNotesTest, EveryQuantityOfAResultSaysWhatItIs) {
-  for (const Model& model : models()) {
-    for (const bool has_scales : {false, true}) {
-      if (has_scales && !model.name.starts_with("gear")) continue;
-      SCOPED_TRACE(model.name);
-      Study study = study_of_all(model, {model.parameters.front().name, model.states.back().name});
-      if (has_scales) study.scales = kScales;
-      expect_notes(written(study), has_scales);
+class NotesOfModel : public FileNotesTest, public ::testing::WithParamInterface<std::string> {
+ protected:
+  static const Model& its_model() { return *find_model(GetParam()); }
+  static bool may_have_scales() { return its_model().name.starts_with("gear"); }
+};
+
+TEST_P(NotesOfModel, EveryQuantityOfAResultSaysWhatItIs) {
+  const Model& model = its_model();
+  for (const bool has_scales : {false, true}) {
+    if (has_scales && !may_have_scales()) continue;
+    Study study = study_of_all(model, {model.parameters.front().name, model.states.back().name});
+    if (has_scales) study.scales = kScales;
+    expect_notes(written(study), has_scales);
+  }
+}
+
+TEST_P(NotesOfModel, EveryAxisOfAResultSaysWhatItIs) {
+  for (Study study : studies_over_each(its_model())) {
+    SCOPED_TRACE(study.axes[0].name);
+    study.selection = select_quantities(its_model(), {}, {});
+    if (may_have_scales()) study.scales = kScales;
+    expect_notes(written(study), may_have_scales());
+  }
+}
+
+TEST_P(NotesOfModel, EveryVariableOfTracesSaysWhatItIs) {
+  for (const bool has_scales : {false, true}) {
+    if (has_scales && !may_have_scales()) continue;
+    Study study = study_of_all(its_model(), {its_model().states.front().name});
+    if (has_scales) study.scales = kScales;
+    for (const ParameterInfo& info : its_model().parameters) {
+      SCOPED_TRACE(info.name);
+      expect_notes(traced(study, {info.name}), has_scales);
     }
   }
 }
 
-TEST_F(FileNotesTest, EveryAxisOfAResultSaysWhatItIs) {
-  for (const Model& model : models()) {
-    for (Study study : studies_over_each(model)) {
-      SCOPED_TRACE(model.name + " over " + study.axes[0].name);
-      study.selection = select_quantities(model, {}, {});
-      const bool has_scales = model.name.starts_with("gear");
-      if (has_scales) study.scales = kScales;
-      expect_notes(written(study), has_scales);
-    }
-  }
-}
-
-TEST_F(FileNotesTest, EveryVariableOfTracesSaysWhatItIs) {
-  for (const Model& model : models()) {
-    for (const bool has_scales : {false, true}) {
-      if (has_scales && !model.name.starts_with("gear")) continue;
-      Study study = study_of_all(model, {model.states.front().name});
-      if (has_scales) study.scales = kScales;
-      for (const ParameterInfo& info : model.parameters) {
-        SCOPED_TRACE(model.name + " with " + info.name);
-        expect_notes(traced(study, {info.name}), has_scales);
-      }
-    }
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Few, NotesOfModel, ::testing::ValuesIn(few_models()), name_of_model);
+INSTANTIATE_TEST_SUITE_P(Others, NotesOfModel, ::testing::ValuesIn(other_models()), name_of_model);
 
 TEST_F(FileNotesTest, SamplesOfSeveralStatesHaveAScaleForEach) {
   Study study = study_of_all(*find_model("gear5"), {"omega"});

@@ -43,7 +43,7 @@ inline double value_of(const Model& model, const std::string& name) {
   return parameter < 0 ? 0.5 : model.parameters[static_cast<std::size_t>(parameter)].default_value;
 }
 
-// Of all that a study can ask for, at the places of these tables.
+// A study that asks for all that it can, at the places of these tables.
 inline Study study_at(const Model& model, const std::string& places) {
   const std::string own = find_model(model.name) != nullptr
                               ? fmt::format("name = '{}'", model.name)
@@ -63,7 +63,7 @@ inline Study study_of_all(const Model& model, const std::vector<std::string>& ax
   return study_at(model, tables);
 }
 
-// Of each parameter and each initial state a study over it alone. The model is read once, with all
+// A study over each parameter and each initial state alone. The model is read once, with all
 // of them in a list of points: it takes longer than all else that is done here.
 inline std::vector<Study> studies_over_each(const Model& model) {
   const std::vector<std::string> names = sweepable(model);

@@ -20,7 +20,7 @@ using gearsweep::testing::random_result;
 
 class ResultSizeTest : public gearsweep::testing::IoTest {
  protected:
-  // Of a result of random numbers, which nothing compresses.
+  // The size of a result of random numbers, which nothing compresses.
   double written(const Study& study, std::size_t attractors) {
     SweepResult result = random_result(study, attractors, &random_);
     result.engine.macros.assign(1000, 'm');
@@ -32,7 +32,7 @@ class ResultSizeTest : public gearsweep::testing::IoTest {
     return values[random_() % values.size()];
   }
 
-  // Of any model, shape, precision and choice of quantities, of a few hundred thousand numbers.
+  // With any model, shape, precision and choice of quantities, and a few hundred thousand numbers.
   Study random_study() {
     const Model& model = models()[random_() % models().size()];
     const bool is_map = random_() % 2 == 0;

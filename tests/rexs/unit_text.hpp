@@ -241,7 +241,7 @@ class UnitBuilder {
     relate("assembly", {{"assembly", "1"}, {"part", id}});
   }
 
-  // Of a gear in a stage.
+  // Whether a gear drives in a stage.
   void drives(const std::string& stage, const std::string& gear, bool is_driver) {
     const std::string data = "94" + stage + gear;
     add(data, "cylindrical_stage_gear_data",

@@ -22,7 +22,7 @@ TEST(Draws, QuantilesAreThoseOfBoost) {
   }
 }
 
-// Of 10^6 numbers the mean is known to 0.0003 (one standard error), and so are the others.
+// The mean of 10^6 numbers is known to 0.0003 (one standard error), and so are the others.
 TEST(Draws, UniformNumbersHaveTheMomentsAndNoMemory) {
   constexpr std::size_t kCount = 1000000;
   double mean = 0.0, square = 0.0, neighbours = 0.0, streams = 0.0, seeds = 0.0, tenth = 0.0;

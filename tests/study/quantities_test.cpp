@@ -68,7 +68,7 @@ TEST(Quantities, OrdersHaveANumberForEachThatTheStudyNames) {
   EXPECT_EQ(selection.quantities[2].output, 2U);
   EXPECT_EQ(selection.quantities[1].output, 5U);  // after the mean
   EXPECT_EQ(with_orders("7").selection.orders, std::vector<double>{7.0});
-  // Of a study that does not ask for them there are none.
+  // A study that does not ask for them has none.
   const Selection without = select_quantities(*find_model("gear5"), {"x1_rms"}, {}, {1.0, 2.0});
   EXPECT_TRUE(without.orders.empty());
 }

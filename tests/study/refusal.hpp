@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "model/error.hpp"
+#include "study/model_file.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep::testing {
 
-// Of a file s.toml; empty when the study is accepted.
+// What is said of a file s.toml; empty when the study is accepted.
 inline std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {},
                            const std::vector<std::string>& zooms = {}) {
   try {
@@ -18,6 +19,16 @@ inline std::string refusal(const std::string& text, const std::vector<std::strin
     return error.what();
   }
   return "";
+}
+
+// What is said of a model as a text; "accepted" when it is.
+inline std::string refusal_of_model(const std::string& text) {
+  try {
+    read_model_text(text, "pair.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
 }
 
 }  // namespace gearsweep::testing

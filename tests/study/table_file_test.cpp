@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kTurnOfTable = 2.0 * std::numbers::pi;
 
 std::vector<TablePoint> points(const std::string& text) { return parse_table(text, "m.csv"); }
 
@@ -51,10 +51,10 @@ TEST(TableFile, HasColumnsOfSeveralKinds) {
 
 TEST(TableFile, HasPhasesInSeveralUnits) {
   EXPECT_THAT(points("share,k\n0,1\n0.25,2\n"),
-              ElementsAre(TablePoint{0.0, 1.0}, TablePoint{0.25 * kTurn, 2.0}));
+              ElementsAre(TablePoint{0.0, 1.0}, TablePoint{0.25 * kTurnOfTable, 2.0}));
   const std::vector<TablePoint> degrees = points("degree k\n90 1\n180 2\n");
-  EXPECT_DOUBLE_EQ(degrees[0].phase, 0.25 * kTurn);
-  EXPECT_DOUBLE_EQ(degrees[1].phase, 0.5 * kTurn);
+  EXPECT_DOUBLE_EQ(degrees[0].phase, 0.25 * kTurnOfTable);
+  EXPECT_DOUBLE_EQ(degrees[1].phase, 0.5 * kTurnOfTable);
 }
 
 // A last point that repeats the first one is left out, also where a decimal is rounded.
@@ -138,7 +138,7 @@ TEST(TableFile, IsTheSameWhenWrittenAndReadAgain) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (const std::string unit : {"phase", "share", "degree"}) {
-    const double turn = unit == "phase" ? kTurn : unit == "share" ? 1.0 : 360.0;
+    const double turn = unit == "phase" ? kTurnOfTable : unit == "share" ? 1.0 : 360.0;
     std::string text = unit + ",k\n";
     for (int i = 0; i < 1000; ++i) {
       const double value = std::ldexp(share(random) - 0.5, i % 600 - 300);

@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Of the second mesh there are no load and no bearings.
+// The second mesh has no load and no bearings.
 const char* const kModel =
     "[model]\ntext = '''\n[model]\nname = \"train\"\n"
     "[drawings]\nfirst = \"input stage\"\nsecond = \"output stage\"\n"
@@ -45,12 +45,12 @@ const std::string kFirst = "teeth = [20, 40]\n" + kPair +
                            "transmission_error_um = [6, 2]\n";
 const std::string kSecond =
     "teeth = [24, 30]\n" + kPair + "transmission_error_um = 3\nstiffness_file = 'k.csv'\n";
-const std::string kMeasured = "'k.csv' = '''\n0 4e8\n2 5e8\n4 3e8\n'''\n";
+const std::string kMeasuredSecond = "'k.csv' = '''\n0 4e8\n2 5e8\n4 3e8\n'''\n";
 const std::string kOmega = "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7]\n";
 
 std::string drawings(const std::string& of_first = "", const std::string& of_second = "") {
   return kModel + ("[gear.first]\n" + kFirst) + of_first + "[gear.second]\n" + kSecond + of_second +
-         "[gear.second.tables]\n" + kMeasured;
+         "[gear.second.tables]\n" + kMeasuredSecond;
 }
 
 double parameter_of(const Study& study, const std::string& name) {
@@ -71,7 +71,7 @@ TEST(TwoMeshes, HaveWhatEachDrawingGivesToGear5) {
   const std::string bearings = "bearing_stiffness_N_per_mm = 1e5\nbearing_damping_N_s_per_mm = 1\n";
   const Study first = read_study("[gear]\n" + kFirst + bearings + kOmega, "first.toml");
   const Study second = read_study("[gear]\n" + kSecond + "torque_N_m = 9\nmass_kg = 1\n" +
-                                      bearings + "[gear.tables]\n" + kMeasured + kOmega,
+                                      bearings + "[gear.tables]\n" + kMeasuredSecond + kOmega,
                                   "second.toml");
   for (const char* name : {"eps", "F1", "m1", "m2", "e0", "e0_2", "zeta"}) {
     const std::string own =
@@ -201,7 +201,7 @@ TEST(TwoMeshes, HaveTheDynamicFactorOfTheDrawingThatGivesTheUnits) {
                                     kOmega,
                                 "pair.toml");
   ASSERT_TRUE(study.dynamic_factor && pair.dynamic_factor);
-  // Of several forces none has the one factor that K_v stands beside.
+  // Where there are several forces, none has the one factor that K_v stands beside.
   std::string two = in_units("first");
   two.insert(two.find("force = {"), "other = { expression = \"2*x\", role = \"mesh_force\" }\n");
   EXPECT_THAT(refusal(with("first", two) + kOmega), HasSubstr("one signal of the role"));

@@ -93,7 +93,7 @@ TEST(Uncertain, DrawsDoNotDependOnTheOtherParameters) {
   EXPECT_EQ(alone.uncertain.parameters.front().draws.values, of_mu->draws.values);
 }
 
-// Of Saltelli's scheme: the rows of A, of B, and for each parameter those of A with its column of
+// Saltelli's scheme has the rows of A, of B, and for each parameter those of A with its column of
 // B.
 TEST(Uncertain, SobolIndicesTakeTheirMatrices) {
   const Study study = read_with(

@@ -21,7 +21,7 @@ const std::string kGear =
     "'solid'\nface_width_mm = 25\nbearing_stiffness_N_per_mm = 200000\n"
     "bearing_damping_N_s_per_mm = 2\nmesh_damping_ratio = 0.07\nhalf_backlash_mm = 0.0625\n"
     "torque_N_m = 59\ntransmission_error_um = 5\n";
-const std::string kSpeeds =
+const std::string kToleranceSpeeds =
     "[[axes]]\nname = 'pinion_speed_rpm'\nfrom = 14000\nto = 18000\ncount = 3\n";
 
 std::vector<std::string> names_of(const std::vector<UsualTolerance>& tolerances) {
@@ -35,7 +35,8 @@ Study study_of(const std::string& toml) { return read_study(toml, "test.toml"); 
 // Class 7 by the formulas of ISO 1328-1:2013, with d = 47.5 and 152.5 mm, m = 2.5 mm: slopes of
 // 10 um, forms of 13 um, of each gear.
 TEST(UsualTolerances, AreThoseOfTheClass) {
-  const std::vector<UsualTolerance> tolerances = usual_tolerances(study_of(kGear + kSpeeds), 7);
+  const std::vector<UsualTolerance> tolerances =
+      usual_tolerances(study_of(kGear + kToleranceSpeeds), 7);
   EXPECT_THAT(names_of(tolerances),
               ElementsAre("torque_N_m", "transmission_error_um", "mu", "half_backlash_mm",
                           "mesh_damping_ratio", "bearing_stiffness_N_per_mm"));
@@ -53,11 +54,11 @@ TEST(UsualTolerances, LeaveOutWhatAnAxisHas) {
 }
 
 TEST(UsualTolerances, RefuseWhatTheStandardDoesNotHave) {
-  EXPECT_THAT([] { usual_tolerances(study_of(kGear + kSpeeds), 12); },
+  EXPECT_THAT([] { usual_tolerances(study_of(kGear + kToleranceSpeeds), 12); },
               ThrowsMessage<InputError>(HasSubstr("from 1 to 11")));
   EXPECT_THAT(
       [] {
-        usual_tolerances(study_of("[model]\npreset = 'coarse'\n" + kSpeeds.substr(0, 9) +
+        usual_tolerances(study_of("[model]\npreset = 'coarse'\n" + kToleranceSpeeds.substr(0, 9) +
                                   "name = 'omega'\nfrom = 0.5\nto = 1\ncount = 3\n"),
                          7);
       },
@@ -66,7 +67,7 @@ TEST(UsualTolerances, RefuseWhatTheStandardDoesNotHave) {
 
 TEST(UsualTolerances, CanBeMadeNarrower) {
   const Study study = study_of(
-      kGear + kSpeeds +
+      kGear + kToleranceSpeeds +
       "[uncertain]\nsamples = 4\nmu = {distribution = 'normal', mean = 0.06, std = 0.002}\n"
       "b = {distribution = 'uniform', from = 0.8, to = 1.4, relative = true}\n"
       "zeta = {distribution = 'triangular', from = 0.9, mode = 1.0, to = 1.3, relative = true}\n"
@@ -95,7 +96,7 @@ TEST(UsualTolerances, CanBeMadeNarrower) {
 // The study of a draw has its parameters, whether they come from the drawing or not.
 TEST(UsualTolerances, TheStudyOfADrawHasItsNumbers) {
   const Study study = study_of(
-      kGear + kSpeeds +
+      kGear + kToleranceSpeeds +
       "[uncertain]\nsamples = 4\ntorque_N_m = {distribution = 'normal', std = 0.05, relative = "
       "true}\nmu = {distribution = 'normal', std = 0.1, relative = true}\n");
   for (std::size_t draw = 0; draw < 4; ++draw) {
@@ -116,7 +117,8 @@ TEST(UsualTolerances, TheStudyOfADrawHasItsSpeeds) {
   for (const char* speed : {"omega", "pinion_speed_rpm"}) {
     const bool is_rpm = std::string(speed) != "omega";
     const Study study = study_of(
-        kGear + (is_rpm ? kSpeeds : "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7, 1.1]\n") +
+        kGear +
+        (is_rpm ? kToleranceSpeeds : "[[axes]]\nname = 'omega'\nvalues = [0.5, 0.7, 1.1]\n") +
         "[uncertain]\nsamples = 4\nomega = {distribution = 'normal', std = 0.01, relative = "
         "true}\n");
     const Study one = read_study(study.toml, "test.toml", overrides_of_draw(study, 2));
@@ -130,7 +132,7 @@ TEST(UsualTolerances, TheStudyOfADrawHasItsSpeeds) {
 
 // An amplitude has no sign.
 TEST(UsualTolerances, FoldedDrawsAreNotNegative) {
-  const Study study = study_of(kGear + kSpeeds +
+  const Study study = study_of(kGear + kToleranceSpeeds +
                                "[uncertain]\nsamples = 200\ntransmission_error_um = "
                                "{distribution = 'normal', mean = 0, std = 2, folded = true}\n");
   double sum = 0.0;

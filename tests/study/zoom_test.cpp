@@ -13,30 +13,30 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const char* const kStudy =
+const char* const kZoomedStudy =
     "[[axes]]\nname = 'omega'\nfrom = 0.4\nto = 2.0\ncount = 5\n"
     "[[axes]]\nname = 'b'\nvalues = [0.1, 0.7, 1.5]\n";
 
 std::string refusal_of_zooms(const std::vector<std::string>& zooms,
-                             const std::string& study = kStudy) {
+                             const std::string& study = kZoomedStudy) {
   return gearsweep::testing::refusal(study, {}, zooms);
 }
 
 TEST(Zoom, AnAxisKeepsItsCount) {
-  const Study study = read_study(kStudy, "s.toml", {}, {"omega=1:2"});
+  const Study study = read_study(kZoomedStudy, "s.toml", {}, {"omega=1:2"});
   EXPECT_THAT(study.axes[0].values, ElementsAre(1.0, 1.25, 1.5, 1.75, 2.0));
   EXPECT_THAT(study.axes[1].values, ElementsAre(0.1, 0.7, 1.5));
   EXPECT_THAT(study.notices, IsEmpty());
 }
 
 TEST(Zoom, AListOfValuesBecomesAStretch) {
-  const Study study = read_study(kStudy, "s.toml", {}, {"b=0.5:1.5", "omega=1:1:1"});
+  const Study study = read_study(kZoomedStudy, "s.toml", {}, {"b=0.5:1.5", "omega=1:1:1"});
   EXPECT_THAT(study.axes[0].values, ElementsAre(1.0));
   EXPECT_THAT(study.axes[1].values, ElementsAre(0.5, 1.0, 1.5));
 }
 
 TEST(Zoom, ACountMayBeGivenAndTheStretchMayBeOutside) {
-  const Study study = read_study(kStudy, "s.toml", {}, {"omega=2:3:3"});
+  const Study study = read_study(kZoomedStudy, "s.toml", {}, {"omega=2:3:3"});
   EXPECT_THAT(study.axes[0].values, ElementsAre(2.0, 2.5, 3.0));
 }
 
@@ -51,19 +51,20 @@ TEST(Zoom, AnAxisWithoutACountOrWithAWrongOneIsRefusedAsEver) {
 }
 
 TEST(Zoom, ALogarithmicAxisStaysOne) {
-  const Study study = read_study(kStudy, "s.toml", {"axes.omega.scale=log"}, {"omega=0.01:1:3"});
+  const Study study =
+      read_study(kZoomedStudy, "s.toml", {"axes.omega.scale=log"}, {"omega=0.01:1:3"});
   EXPECT_THAT(study.axes[0].values, ElementsAre(0.01, ::testing::DoubleNear(0.1, 1e-15), 1.0));
 }
 
 TEST(Zoom, ItsTomlGivesTheSameStudy) {
-  const Study study = read_study(kStudy, "s.toml", {}, {"b=0.3:0.4:7"});
+  const Study study = read_study(kZoomedStudy, "s.toml", {}, {"b=0.3:0.4:7"});
   const Study again = read_study(study.toml, "again.toml");
   EXPECT_EQ(again.toml, study.toml);
   EXPECT_EQ(again.axes[1].values, study.axes[1].values);
 }
 
 TEST(Zoom, AChainThatBeginsElsewhereIsToldOf) {
-  const std::string chained = std::string(kStudy) + "[initial]\npolicy = 'forward'\n";
+  const std::string chained = std::string(kZoomedStudy) + "[initial]\npolicy = 'forward'\n";
   EXPECT_THAT(read_study(chained, "s.toml", {}, {"omega=1:2"}).notices,
               ElementsAre(HasSubstr("--zoom omega=1:2: the points of this study go on from their "
                                     "neighbours along 'omega'")));

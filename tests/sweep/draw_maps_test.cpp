@@ -47,7 +47,7 @@ TEST(DrawStatistics, SobolIndicesOfIshigamisFunction) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(indices.first[i], first[i], 4.0 * indices.first_error[i]) << i;
     EXPECT_LT(indices.first_error[i], 0.02) << i;
-    // Of squares as large as their mean, 1 / sqrt(20000) is 0.007 of it.
+    // Squares are as large as their mean, and 1 / sqrt(20000) is 0.007 of it.
     EXPECT_NEAR(indices.total[i], total[i], 0.02) << i;
   }
 }
@@ -130,7 +130,7 @@ TEST(UncertainSweep, SobolIndicesOfAProduct) {
   EXPECT_NEAR(first[amplitude], v1 / all, 4.0 * error[amplitude]);
   EXPECT_NEAR(first[omega], v2 / all, 4.0 * error[omega]);
   EXPECT_LT(std::max(error[0], error[1]), 0.08);
-  // Of squares as large as their mean, 1 / sqrt(500) is 0.045 of it, and the variance adds to it.
+  // Squares are as large as their mean, 1 / sqrt(500) is 0.045 of it, and the variance adds to it.
   EXPECT_NEAR(total[amplitude], 1.0 - v2 / all, 0.1);
   EXPECT_NEAR(total[omega], 1.0 - v1 / all, 0.1);
 }

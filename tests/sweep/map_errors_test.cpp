@@ -73,7 +73,7 @@ TEST(MapErrors, OfAMapThatHardlyVariesAreSharesOfTheMotion) {
   EXPECT_GT(MapErrors(coarse, fine, kTolerances).largest(0.0), 4e-3);
 }
 
-// Of a step that makes a point diverge nothing good can be said.
+// Nothing good can be said of a step that makes a point diverge.
 TEST(MapErrors, CountAPointThatDivergesInOneRun) {
   SweepResult fine = ramp();
   const SweepResult coarse = fine;
@@ -181,8 +181,8 @@ TEST(SensitiveShare, CountsPointsThatNoShorterStepBringsNearer) {
   EXPECT_EQ(sensitive_share(pairs, -1e-6, 1.0), 0.03);
 }
 
-// Of first order, with a factor of up to three that depends on where in a step the kinks lie; and
-// of fourth order. All are still beyond the tolerance.
+// Errors of first order, with a factor of up to three that depends on where in a step the kinks
+// lie; and of fourth order. All are still beyond the tolerance.
 TEST(SensitiveShare, LeavesOutPointsThatConvergeSlowly) {
   EXPECT_EQ(sensitive_share(
                 {{0.08, 0.06, 0.08, 0.4}, {0.04, 0.01, 0.08, 0.03}, {0.02, 0.03, 0.02, 0.002}}),

@@ -50,7 +50,7 @@ TEST(PassiveStates, AStateThatDrivesAtOnePointOfAListIsKept) {
   EXPECT_EQ(map_of(driving, "x_rms"), map_of(all, "x_rms"));
 }
 
-// Of a model that is none of ours: w follows the others and drives nothing.
+// A model that is none of ours: w follows the others and drives nothing.
 TEST(PassiveStates, AStateThatDrivesNothingChangesNoBit) {
   const std::string study =
       "[model]\ntext = '''\n[model]\nname = \"spring\"\n[states]\nx = { start = \"0.1\" }\nv = {}\n"

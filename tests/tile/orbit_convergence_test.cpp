@@ -26,7 +26,7 @@ std::vector<double> numbers_of(const Eigen::MatrixXd& matrix) {
 
 OrbitMap orbit_at(const Eigen::VectorXd& state, const Eigen::MatrixXd& derivative,
                   const Eigen::VectorXd& ranges, std::vector<std::size_t> angles = {}) {
-  // Of units that lie far apart, rounding would leave no digit of it.
+  // Where units lie far apart, rounding would leave no digit of it.
   const Eigen::MatrixXd relative =
       ranges.cwiseInverse().asDiagonal() * derivative * ranges.asDiagonal();
   const double multiplier = eigenvalues_of(relative).cwiseAbs().maxCoeff();

@@ -157,7 +157,7 @@ NodeId InnerLoop::join(NodeId id, bool is_product, bool* is_negative) {
   host = joined(host, {of_all, false}, is_product);
   NodeId all = arranged(of_point);
   all = joined(all, {arranged(of_phase), false}, is_product);
-  // Of two products that are added, the second one is worked out first: the sum is fused with the
+  // Where two products are added, the second one is worked out first: the sum is fused with the
   // other.
   const bool is_plain = !is_product && all == neutral && rest.size() > 1;
   if (is_plain && !rest[0].is_inverse && !rest[1].is_inverse) std::swap(rest[0], rest[1]);

@@ -35,7 +35,7 @@ struct Harmonic {
   double amplitude = 0.0, phase = 0.0;  // rad
 };
 
-// Of a function of an angle, the first so many; the mean is left out.
+// The first so many harmonics of a function of an angle; the mean is left out.
 std::vector<Harmonic> harmonics_of(const std::function<double(double)>& value, std::size_t count);
 
 }  // namespace gearsweep

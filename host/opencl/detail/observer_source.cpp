@@ -23,7 +23,7 @@ bool is_verdict(const Observer& observer) {
   return observer.observable->role == ObservableRole::verdict;
 }
 
-// Of a moment or of a step: an observer of a surface is told of impacts beside.
+// Whether it is told of each moment or step: an observer of a surface is told of impacts beside.
 bool sees_all(const Observer& observer) {
   const ObservedPart part = observer.observable->part;
   return part == ObservedPart::whole || part == ObservedPart::surface;

@@ -42,7 +42,7 @@ double ray_number(const std::string& text) {
       "--rays: '{}' is no order; give multiples of the mesh frequency, as in 1,2,1/2", text));
 }
 
-// Of this name, of which there is none.
+// The mesh of this name. Throws InputError where there is none.
 std::size_t mesh_of_ray(const std::string& ray, const std::string& name,
                         const std::vector<ExcitingMesh>& meshes) {
   std::vector<std::string> names;
@@ -56,7 +56,7 @@ std::size_t mesh_of_ray(const std::string& ray, const std::string& name,
           : fmt::format("--rays: '{}': the meshes are {}", ray, fmt::join(names, " and ")));
 }
 
-// Of one mesh orders 1 to 4, of two as many of each.
+// Orders 1 to 4 of one mesh, and as many of each of two.
 std::string usual_rays(const std::vector<ExcitingMesh>& meshes) {
   std::string rays = "1,2,3,4";
   if (meshes.size() < 2) return rays;

@@ -71,9 +71,9 @@ class Trajectory {
                         double share) const;
   // Returns the state in the middle of the step.
   Eigen::VectorXd step(std::size_t row, double h);
-  // Of a model with surfaces. seen: told the step's parts.
+  // For a model with surfaces. seen: told the step's parts.
   void step_through_surfaces(const StepMoments& moment, const StepCallback& seen);
-  // Of a step that begins at a row of the grid, and at a phase.
+  // Those of a step that begins at a row of the grid, and at a phase.
   StepMoments moments_of(std::size_t row, double phase, double inside, double share) const;
   Instant held_instant(const std::vector<double>& coefs, const Eigen::VectorXd& state);
   bool same_contact(const Instant& a, const Instant& b) const;

@@ -16,7 +16,7 @@ struct AssumedValue {
   bool is_nothing = false;  // a default of 0, as of a fault that the gears do not have
 };
 
-// Of the drawings, then of the other parameters and the options that the equations use.
+// First those of the drawings, then the other parameters and the options that the equations use.
 std::vector<AssumedValue> assumed_values(const Study& study);
 
 // The same as a table at the end of a page.

@@ -18,7 +18,7 @@ struct FigureRequest {
   double height = 51.0;                  // mm, the same for all that stand beside each other
 };
 
-// Of a picture with a key below it.
+// A picture with a key below it is as high as this.
 inline constexpr double kFigureHeightWithKey = 57.0;  // mm
 
 // One for each study. caption: HTML.

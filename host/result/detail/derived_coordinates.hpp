@@ -18,7 +18,7 @@ struct DerivedCoordinate {
   std::vector<std::size_t> axes;  // of the study, that it changes along: one or two
 };
 
-// Of those that axes change. Uncertain parameters have their nominal values.
+// The derived parameters that axes change. Uncertain parameters have their nominal values.
 std::vector<DerivedCoordinate> derived_coordinates(const Study& study);
 
 // How many values it has: along its one axis, or over the map.

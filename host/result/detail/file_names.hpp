@@ -14,8 +14,8 @@ namespace gearsweep {
 
 // How many mesh periods a forcing period has: an attribute of results, a variable of traces.
 inline constexpr const char* kMeshPeriods = "mesh_periods_per_period";
-// Of two meshes: the drawing of the one whose period is that of the phase, the other's, and how its
-// frequency is to the first one's.
+// A file of two meshes names the drawing of the one whose period is that of the phase, the other's,
+// and how its frequency is to the first one's.
 inline constexpr const char* kMeshOfPhase = "mesh_of_phase";
 inline constexpr const char* kOtherMesh = "other_mesh";
 inline constexpr const char* kOtherMeshOrder = "other_mesh_order";

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numbers>
+#include <numeric>
 
 #include "model/exciting_meshes.hpp"
 #include "result/detail/file_names.hpp"
@@ -44,7 +45,7 @@ std::vector<Attribute> turns_of(const Study& study) {
   return notes;
 }
 
-// Of a second mesh whose frequency is the same share of the first one's at all points.
+// What is said of a second mesh whose frequency is the same share of the first one's at all points.
 std::vector<Attribute> other_mesh_of(const Study& study) {
   const std::optional<std::size_t> order = study.model->parameter_of(Role::mesh_order);
   if (!order || study.differs(*order)) return {};
@@ -167,6 +168,18 @@ void add_texts(const std::string& variable, const std::string& meaning,
                             .dimensions = {dimension, letters},
                             .attributes = {{"long_name", meaning}, {"_Encoding", "utf-8"}},
                             .elements = all});
+}
+
+void add_flags(const std::vector<std::string>& names, std::vector<Attribute>* attributes) {
+  std::vector<signed char> codes(names.size());
+  std::iota(codes.begin(), codes.end(), static_cast<signed char>(0));
+  add_flags(codes, names, attributes);
+}
+
+void add_flags(const std::vector<signed char>& codes, const std::vector<std::string>& names,
+               std::vector<Attribute>* attributes) {
+  attributes->push_back({"flag_values", codes});
+  attributes->push_back({"flag_meanings", fmt::format("{}", fmt::join(names, " "))});
 }
 
 std::string time_unit(const Model& model) {

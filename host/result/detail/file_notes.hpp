@@ -51,6 +51,11 @@ class FileNotes {
 void add_texts(const std::string& variable, const std::string& meaning,
                const std::string& dimension, const std::vector<std::string>& texts, Dataset* out);
 
+// Adds what the classes 0, 1, 2, ... of a variable are called, or those of these codes.
+void add_flags(const std::vector<std::string>& names, std::vector<Attribute>* attributes);
+void add_flags(const std::vector<signed char>& codes, const std::vector<std::string>& names,
+               std::vector<Attribute>* attributes);
+
 // Unit of dimensionless time: "1/varpi" of a gear, "1" of a model without scales.
 std::string time_unit(const Model& model);
 

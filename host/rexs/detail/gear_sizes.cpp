@@ -135,7 +135,7 @@ class GearReader {
     }
   }
 
-  // Of the basic rack: addenda and the dedendum, which is the tool's addendum.
+  // The basic rack says addenda and the dedendum, which is the tool's addendum.
   void read_rack() {
     gear_.addendum = own("addendum_basic_profile", length);
     if (gear_.module && !gear_.addendum) {
@@ -191,7 +191,7 @@ class GearReader {
     }
   }
 
-  // Of what is related to the gear or its flanks.
+  // Looks through what is related to the gear or its flanks.
   void find_flank_changes() {
     std::vector<std::string_view> seen;
     for (const RexsComponent* flank : flanks_) {

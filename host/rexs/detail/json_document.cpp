@@ -22,7 +22,7 @@ const Json& member(const Json& object, const char* name) {
   return found == object.end() ? kNone : *found;
 }
 
-// Of a text as it stands, of a number as JSON writes it; otherwise empty.
+// A text as it stands, a number as JSON writes it; otherwise empty.
 std::string text_of(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   return value.is_number() || value.is_boolean() ? value.dump() : "";
@@ -123,7 +123,7 @@ class JsonReader {
     return attribute;
   }
 
-  // Of a list, with blanks between.
+  // The words of a list, with blanks between.
   static std::string words_of(const Json& list) {
     std::string words;
     for (const Json& one : list) {

@@ -36,7 +36,7 @@ class RexsLookup {
   // The number of an attribute in the quantity's unit; nothing where there is none.
   std::optional<double> number(const RexsComponent& component, std::string_view attribute,
                                RexsQuantity quantity);
-  // Of a list of one length; nothing where there is none.
+  // A list of one length; nothing where there is none.
   std::optional<std::vector<double>> numbers(const RexsComponent& component,
                                              std::string_view attribute, RexsQuantity quantity,
                                              std::size_t count);

@@ -12,7 +12,7 @@ struct BodyMass {
   double mass = 0.0, inertia = 0.0;  // kg, kg mm^2
 };
 
-// Of a full frustum: rho pi L/12 (D1^2 + D1 D2 + D2^2), and rho pi L/160 (D1^4 + D1^3 D2 + ... +
+// A full frustum has rho pi L/12 (D1^2 + D1 D2 + D2^2), and rho pi L/160 (D1^4 + D1^3 D2 + ... +
 // D2^4) about its axis. Density in kg/dm^3.
 BodyMass frustum(double length, double first, double last, double density);
 

@@ -9,7 +9,7 @@
 
 namespace gearsweep {
 
-// Of two gears as they stand: sizes in mm, angles in rad.
+// Two gears as they stand: sizes in mm, angles in rad.
 struct StageGeometry {
   double teeth = 0.0;  // of both
   double module = 0.0, helix = 0.0, alpha = 0.0;

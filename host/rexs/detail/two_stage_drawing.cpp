@@ -14,7 +14,7 @@
 namespace gearsweep {
 namespace {
 
-// Of a stage: where it stands in the unit, its gears in the order of the power.
+// Where a stage stands in the unit, and its gears in the order of the power.
 struct PlacedStage {
   std::size_t stage = 0;
   std::size_t in = 0, out = 0;              // gears

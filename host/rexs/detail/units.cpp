@@ -16,8 +16,8 @@ constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr double kTurnPerRad = 0.5 / std::numbers::pi;
 
 using enum RexsQuantity;
-// Of each quantity first the one of REXS' own data model, and before it the names that others
-// write.
+// Each quantity begins with the unit of REXS' own data model; the names that others write stand
+// before it.
 constexpr RexsUnit kRexsUnits[] = {{number, "none", 1.0},
                                    {number, "1", 1.0},
                                    {number, "-", 1.0},

@@ -137,7 +137,7 @@ class XmlReader {
     return attribute;
   }
 
-  // Of a list, with blanks between.
+  // The words of a list, with blanks between.
   static std::string words_of(const pugi::xml_node& list) {
     std::string words;
     for (const pugi::xml_node& cell : list) {

@@ -16,7 +16,7 @@ namespace gearsweep {
 struct SweptKey {
   const GearKey* key = nullptr;
   DrawingTable from;
-  // Of the axis: torque_N_m, or torque_N_m_first of the drawing `first`.
+  // What the axis is called: torque_N_m, or torque_N_m_first for the drawing `first`.
   std::string name() const { return std::string(key->name) + from.suffix; }
 };
 

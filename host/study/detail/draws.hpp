@@ -16,7 +16,7 @@ double uniform_at(std::size_t seed, std::string_view stream, std::size_t positio
 // (Applied Statistics 37, 1988), to about 1e-16 of its value.
 double normal_quantile(double p);
 
-// Of the triangular distribution on [from, to] with its peak at `mode`.
+// The quantile of the triangular distribution on [from, to] with its peak at `mode`.
 double triangular_quantile(double from, double mode, double to, double p);
 
 }  // namespace gearsweep

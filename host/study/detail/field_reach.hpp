@@ -12,7 +12,7 @@ namespace gearsweep {
 
 class FieldReach {
  public:
-  // Of a model whose rates do not depend on the phase.
+  // For a model whose rates do not depend on the phase.
   FieldReach(const Model& model, const ModelSetting& setting);
 
   // [state]: how far the rate may range in the box, at most; infinity where nothing can be said.

@@ -81,7 +81,7 @@ std::string read_file(const std::string& path, const GearKey& key) {
   return text_of_teeth(parse_teeth(text, path, key.units));
 }
 
-// Of a drawing's table.
+// Puts the numbers of files into a drawing's table.
 void take_in_files(const StudyFiles& files, toml::table* gear) {
   if (const toml::node* node = gear->get(kTables); node != nullptr && !node->is_table()) {
     fail_at(*node, "tables must be a table: [gear.tables]");

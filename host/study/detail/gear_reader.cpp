@@ -98,7 +98,7 @@ GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
   GearDrawing drawing(from.heading);
   for (const GearKey& key : kGearKeys) {
     const auto value = values.find(key.name);
-    // Of harmonics it is the first one alone; the half backlash is the unit of length besides.
+    // It replaces the first of harmonics alone; the half backlash is the unit of length besides.
     const bool is_replaced =
         value != values.end() && key.form != KeyForm::harmonics && key.name != kHalfBacklash.name;
     try {

@@ -10,7 +10,7 @@ namespace gearsweep {
 
 class NumberLines;
 
-// Of a heading, whose last word may be a unit, alone or in brackets: "share, force (N/mm)". A word
+// By a heading, whose last word may be a unit, alone or in brackets: "share, force (N/mm)". A word
 // that is no unit, as in "share, stiffness", says nothing, and so does every word where there are
 // no units. heading: its words, without the name of the first column where another follows. Throws
 // InputError at the line for a unit of something else, or one that none of these is.

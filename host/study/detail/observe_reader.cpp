@@ -11,7 +11,7 @@
 namespace gearsweep {
 namespace {
 
-// Of which orders amplitudes and phases are asked for.
+// The orders whose amplitudes and phases are asked for.
 std::vector<double> read_orders(TableReader* reader) {
   constexpr std::size_t kMost = 32;
   const toml::node* node = reader->find("orders");

@@ -93,8 +93,8 @@ std::string judging_section(const Model& model, const std::string& chosen) {
   return model.sections.front().name;
 }
 
-// Of a section's quantities these have a plain name, too: of a model without forcing instead of
-// those that count by a clock.
+// These quantities of a section have a plain name, too; in a model without forcing instead of those
+// that count by a clock.
 std::vector<Offer> plain_offers(const Model& model, const std::vector<Offer>& offers,
                                 const std::string& section) {
   std::vector<Offer> plain;

@@ -12,7 +12,7 @@ namespace {
 
 // Terms of this size and more, in roundings, stand out from them.
 constexpr double kStandsOut = 1e6 * std::numeric_limits<double>::epsilon();
-// Of the above: an error that is no more than ten roundings tells nothing.
+// A share of the above: an error that is no more than ten roundings tells nothing.
 constexpr double kNoise = 1e-5;
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAimedError = 5e-8, kMaxError = 1e-4;  // of the steps that are taken
 constexpr double kFirstStep = 0.01;                     // times the fastest rate
-// Of all time: a motion with such steps has come to a time that it does not pass.
+// A share of all time: a motion with such steps has come to a time that it does not pass.
 constexpr double kShortestStep = 1e-12;
 constexpr double kSamePhase = 1e-9;
 constexpr int kMostHidden = 20;  // halvings of a step: what has no bound there is at a point

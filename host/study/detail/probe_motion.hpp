@@ -68,7 +68,7 @@ class ProbeMotion {
     double excess = 0.0;  // the largest error, relative to the state's range
   };
 
-  // Of the maxima of a state.
+  // The maxima of a state.
   struct Peaks {
     std::size_t count = 0;
     double first = 0.0, last = 0.0;  // times
@@ -126,8 +126,8 @@ class ProbeMotion {
   double level_ = 0.0;   // of the first section
   std::vector<double> returns_;
   std::vector<Peaks> peaks_;  // [state]; empty: nobody looks
-  // Of steps that may hide something. Where equations have no bound on a motion's way, that never
-  // ends.
+  // How often steps that may hide something are halved. Where equations have no bound on a motion's
+  // way, that never ends.
   std::size_t halvings_left_ = 10000;
   bool escapes_ = false;
 };

@@ -10,8 +10,8 @@
 
 namespace gearsweep {
 
-// Of a study whose axes were read; shares that do not add up to 1 are divided by their sum, which a
-// notice tells. Throws InputError for shares that are none, and for an axis beside the list.
+// For a study whose axes were read; shares that do not add up to 1 are divided by their sum, which
+// a notice tells. Throws InputError for shares that are none, and for an axis beside the list.
 void read_spectrum(const toml::table& root, Study* study);
 
 // What a spectrum is judged by, as far as the model has it: forces, load factors and contact. What

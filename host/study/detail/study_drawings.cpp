@@ -14,7 +14,7 @@
 namespace gearsweep {
 namespace {
 
-// Of the drawing in whose units the model is: K_v stands beside the load factor of a report.
+// The drawing in whose units the model is needs one: K_v stands beside the load factor of a report.
 void require_load_factor(const DrawingTable& from, const Model& model) {
   const std::optional<std::size_t> load = model.parameter_of(Role::load);
   if (load && model.signals_of(Role::mesh_force).size() == 1 &&

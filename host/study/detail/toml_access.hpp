@@ -46,7 +46,7 @@ class TableReader {
   std::optional<double> optional_number(const std::string& key, double min, double max);
   std::size_t count(const std::string& key, std::size_t fallback);
   bool boolean(const std::string& key, bool fallback);
-  // Of a key that is declared no longer than that says.
+  // The text of a key that is declared no longer than that says.
   std::string text(const std::string& key, const std::string& fallback);
   // One of the choices; its index.
   std::size_t choice(const std::string& key, std::size_t fallback);
