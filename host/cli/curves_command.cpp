@@ -23,12 +23,16 @@ namespace {
 struct CurvesArguments {
   std::string map, output, device;
   std::optional<std::size_t> steps;
+  std::size_t min_pairs = BorderRequest{}.min_edges;
   bool quiet = false;
 };
 
 std::string curves_command_line(const CurvesArguments& arguments) {
   std::string line = "gearsweep curves " + shell_quoted(arguments.map);
   if (arguments.steps) line += fmt::format(" --steps {}", *arguments.steps);
+  if (arguments.min_pairs != BorderRequest{}.min_edges) {
+    line += fmt::format(" --min-pairs {}", arguments.min_pairs);
+  }
   return line + " -o " + shell_quoted(arguments.output);
 }
 
@@ -125,6 +129,7 @@ int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
   BorderRequest request;
   request.pixels = read_periods(arguments.map);
   request.steps = arguments.steps.value_or(0);
+  request.min_edges = arguments.min_pairs;
   if (!arguments.quiet) request.tell = [](const std::string& line) { tell("{}\n", line); };
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
@@ -163,6 +168,13 @@ void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
                                kBorderSteps))
       ->type_name(kNumberValue)
       ->check(whole_number(16, 65536));
+  command
+      ->add_option("--min-pairs", arguments->min_pairs,
+                   fmt::format("Borders of fewer pairs of neighbouring pixels are left out "
+                               "(default: {})",
+                               arguments->min_pairs))
+      ->type_name(kNumberValue)
+      ->check(whole_number(1, 1000000));
   add_device_option(command, &arguments->device, false);
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->footer(

@@ -21,12 +21,12 @@ phase = 1.5707963267948966
 name = "damping"
 from = 0.73
 to = 0.755
-count = 12
+count = 16
 [[axes]]
 name = "drive"
 from = 1.49
 to = 1.51
-count = 12
+count = 16
 [integrate]
 max_step = 0.1
 settle = 2000
@@ -38,7 +38,7 @@ TEST(CurvesCommand, FindsTheDoublingOfAPendulumAndDrawsIt) {
   const Folder folder;
   folder.write("pendulum.toml", kPendulum);
   ASSERT_EQ(gearsweep(folder, "run pendulum.toml -o map.nc --quiet").status, 0);
-  const Outcome outcome = gearsweep(folder, "curves map.nc -o curves.nc --quiet");
+  const Outcome outcome = gearsweep(folder, "curves map.nc -o curves.nc --quiet --min-pairs 5");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
