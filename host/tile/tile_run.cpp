@@ -12,7 +12,7 @@
 #include "tile/detail/exponent_error.hpp"
 #include "tile/detail/largest_exponent.hpp"
 #include "tile/detail/longer_window.hpp"
-#include "tile/detail/on_all_cores.hpp"
+#include "model/on_all_cores.hpp"
 #include "tile/detail/orbit_search.hpp"
 #include "tile/subset.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "sweep_types.h"
-#include "tile/detail/on_all_cores.hpp"
+#include "model/on_all_cores.hpp"
 #include "tile/detail/orbit_newton.hpp"
 #include "tile/subset.hpp"
 
