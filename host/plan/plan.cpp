@@ -107,8 +107,9 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
   return longer(shared_steps_.at_least(ladder_steps(wanted)));
 }
 
-// Of a study whose draws have phase tables of their own, each one for all values of its axes. It
-// knows no engine: shards of a study run on several.
+// Of a study whose draws have phase tables of their own, each one for all values of its axes, and
+// start from the nominal motion: draws with starts of their own are, to the bit, the points of a
+// study of these parameters. It knows no engine: shards of a study run on several.
 SharedSteps Plan::shared_steps_of_study() const {
   const auto shapes_phase = [this](const Axis& axis) {
     return std::ranges::any_of(axis.swept(), [this](const Swept& one) {
@@ -118,7 +119,8 @@ SharedSteps Plan::shared_steps_of_study() const {
   const bool have_own_tables =
       std::ranges::any_of(study_.uncertain.parameters,
                           [&](const UncertainParameter& one) { return shapes_phase(one.draws); });
-  if (!have_own_tables || std::ranges::any_of(study_.axes, shapes_phase)) return {};
+  if (!study_.uncertain.starts_at_nominal || !have_own_tables) return {};
+  if (std::ranges::any_of(study_.axes, shapes_phase)) return {};
   const StudyPoints nominal(shared_);
   ModelSetting setting = study_.setting;
   std::vector<std::size_t> steps;

@@ -65,7 +65,7 @@ TEST(SharedSteps, BeyondThemAllANumberIsItsOwn) {
 std::string study_with(const std::string& uncertain) {
   return "[model]\nname = 'gear5'\n[[axes]]\nname = 'omega'\nfrom = 0.1\nto = 1.9\ncount = 40\n"
          "[parameters]\nengagement = 0.1\n[integrate]\nmax_step = 0.2\n"
-         "[uncertain]\nsamples = 3\n" +
+         "[uncertain]\nsamples = 3\nstart = 'nominal'\n" +
          uncertain;
 }
 
@@ -96,6 +96,18 @@ TEST(SharedSteps, AreNotForDrawsThatHaveTablesInCommon) {
   const Plan without(read_study(drawn.substr(0, drawn.find("[uncertain]")), "test.toml"), 1000);
   for (std::size_t point = 0; point < 40; ++point) {
     EXPECT_EQ(with.steps_of(point), without.steps_of(point));
+    EXPECT_EQ(with.steps_of(point + 40), without.steps_of(point));
+  }
+}
+
+// They are what a study of their parameters gives, to the bit.
+TEST(SharedSteps, AreNotForDrawsWithStartsOfTheirOwn) {
+  std::string drawn =
+      study_with("engagement = {distribution = 'uniform', from = 0.08, to = 0.12}\n");
+  drawn.replace(drawn.find("'nominal'"), 9, "'own'");
+  const Plan with(read_study(drawn, "test.toml"), 1000);
+  const Plan without(read_study(drawn.substr(0, drawn.find("[uncertain]")), "test.toml"), 1000);
+  for (std::size_t point = 0; point < 40; ++point) {
     EXPECT_EQ(with.steps_of(point + 40), without.steps_of(point));
   }
 }

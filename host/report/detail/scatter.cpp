@@ -122,6 +122,7 @@ class ScatterRuns {
   // At the worst speed: which tolerance makes the scatter, and what half of it would bring.
   bool rank() {
     const Study here = at_worst_speed();
+    out_.tightened_gears = std::min(out_.gears(), kMostTightened);
     const std::size_t samples = std::clamp<std::size_t>(out_.gears() / 2, 40, 1000);
     const std::optional<SweepResult> sobol =
         run(changed(here, {"uncertain.sobol=true", "uncertain.keep=false",
@@ -185,8 +186,7 @@ class ScatterRuns {
   // stopped.
   std::optional<double> percentile_at(const Study& here, std::vector<std::string> overrides,
                                       const std::string& what) const {
-    const std::size_t gears = std::min(out_.gears(), kMostTightened);
-    overrides.push_back(fmt::format("uncertain.samples={}", gears));
+    overrides.push_back(fmt::format("uncertain.samples={}", out_.tightened_gears));
     const std::optional<SweepResult> result =
         run(changed(here, overrides), options_.sweep_options(), what);
     if (!result) return std::nullopt;
