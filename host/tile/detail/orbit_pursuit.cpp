@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "model/array.hpp"
-#include "sweep_types.h"
 #include "model/on_all_cores.hpp"
+#include "sweep_types.h"
 #include "tile/subset.hpp"
 
 namespace gearsweep {

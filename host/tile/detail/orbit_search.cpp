@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "model/array.hpp"
-#include "sweep_types.h"
 #include "model/on_all_cores.hpp"
+#include "sweep_types.h"
 #include "tile/subset.hpp"
 
 namespace gearsweep {
