@@ -30,11 +30,11 @@ SHARED_FN void store_section(__global real* sections, uint number, const real* x
 }
 
 // Advances each lane by its own number of periods, lengths ([item]), in one or more rounds, and
-// keeps their sections. Lanes that are done go on beside the others: what they leave after their
-// number is not looked at. All but the last of the ORBIT_LONGEST periods of an approach are
-// followed, too.
+// keeps their sections, the number `first` and those behind it. Lanes that are done go on beside the
+// others: what they leave after their number is not looked at. All but the last of the periods of
+// an approach are followed, too; its last section has the number ORBIT_LONGEST.
 __kernel void follow(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
-                     TABLE real* lengths, __global real* sections) {
+                     TABLE real* lengths, const uint first, __global real* sections) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   real x[MODEL_STATE_COUNT];
@@ -42,11 +42,11 @@ __kernel void follow(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __gl
   if (!TAKE_ITEM(x, &point)) return;
   const WalkGrid grid = FIND_GRID(item);
   __global real* own = sections + (size_t)item * SECTION_NUMBERS;
-  if (round.done == 0) store_section(own, 0, x);
+  if (round.done == 0) store_section(own, first, x);
   for (uint period = round.done; period < round.done + round.periods; ++period) {
     if (all_lanes((scalar)(period) >= lengths[item])) break;
     walk_period(&point, &grid, EVENTS, 0, x, 0, 0, 0, 0);
-    store_section(own, period + 1, x);
+    store_section(own, first + period + 1, x);
   }
   store_components(state, items, item, 0, MODEL_STATE_COUNT, x);
 }
@@ -83,12 +83,12 @@ __kernel void measure(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __g
 // Extrapolates the sequence of returns after `lag`, 2 lag, ... periods, of which x is the last, to
 // its limit. The guess is the affine combination of the returns that the next return would move
 // least, were the map affine (reduced rank extrapolation; Smith, Ford, Sidi, SIAM Review 29 (1987)
-// 199-233). It is found by the modified Gram-Schmidt method.
-SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, const real* x,
-                                   const real* ranges, real* guess) {
+// 199-233). It is found by the modified Gram-Schmidt method. periods: of the approach.
+SHARED_FN void extrapolate_returns(__global const real* sections, uint periods, uint lag,
+                                   const real* x, const real* ranges, real* guess) {
   const real zero = 0;
   const real one = 1;
-  const int count = min((int)(ORBIT_LONGEST / lag) - 1, EXTRAPOLATED);
+  const int count = min((int)(periods / lag) - 1, EXTRAPOLATED);
   real earlier[MODEL_STATE_COUNT];
   real later[MODEL_STATE_COUNT];               // both as their distance from x
   real moved[MODEL_STATE_COUNT];               // by the last return
@@ -136,7 +136,7 @@ SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, cons
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i] + ranges[i] * way_out[i];
 }
 
-// After an approach: finds a return and guesses the orbit. A return after n periods is one where
+// After an approach of so many periods: finds a return and guesses the orbit. A return after n periods is one where
 // the state now and the state n periods ago differ by at most near / n^2, in units of the ranges;
 // the smallest n counts. The limit has n^2, because motion on a torus returns to within about 1 /
 // n^2 of its size for some n without being periodic (Dirichlet's theorem). lengths is [item]: on
@@ -145,7 +145,8 @@ SHARED_FN void extrapolate_returns(__global const real* sections, uint lag, cons
 // would make that one slower (PoCL).
 __kernel void extrapolate(const SweepRound round, __global const real* state,
                           __global const real* sections, __global const real* ranges,
-                          const scalar near, __global real* lengths, __global real* guesses) {
+                          const scalar near, const uint periods, __global real* lengths,
+                          __global real* guesses) {
   const uint items = round.items;
   const uint item = get_global_id(0);
   if (item >= items) return;
@@ -160,7 +161,7 @@ __kernel void extrapolate(const SweepRound round, __global const real* state,
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i];
   real smallest = 0;
   real excluded = lengths[item];
-  for (uint n = 1; n <= ORBIT_LONGEST; ++n) {
+  for (uint n = 1; n <= periods; ++n) {
     const real others = floor(excluded / two);
     const mask is_open = others * two == excluded;
     excluded = others;
@@ -170,7 +171,7 @@ __kernel void extrapolate(const SweepRound round, __global const real* state,
     const mask is_min = is_open & (smallest == zero) & is_near & !IS_DIVERGED(x);
     if (all_lanes(!is_min)) continue;
     real orbit[MODEL_STATE_COUNT];
-    extrapolate_returns(own, n, x, shared, orbit);
+    extrapolate_returns(own, periods, n, x, shared, orbit);
     smallest = lane_select(is_min, (real)(n), smallest);
     for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = lane_select(is_min, orbit[i], guess[i]);
   }

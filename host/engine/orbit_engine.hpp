@@ -68,7 +68,7 @@ class Sections {
 
 struct Approach {
   std::vector<double> states;  // at the end
-  Sections sections;
+  Sections sections;           // the last one is number ORBIT_LONGEST
   // [point][state]: the largest range of a state of its group during the last period.
   std::vector<double> ranges;
   // [point]: the smallest number of periods before which the state was near where it is now; 0:
@@ -106,10 +106,10 @@ class OrbitEngine {
  public:
   virtual ~OrbitEngine() = default;
 
-  // Settles by ORBIT_LONGEST periods. excluded: [point] bit n - 1: the state is not compared with
-  // that n periods before.
+  // Settles by so many periods, at most ORBIT_LONGEST. excluded: [point] bit n - 1: the state is
+  // not compared with that n periods before.
   virtual std::optional<Approach> approach(const Plan& plan, const Tile& tile,
-                                           const std::vector<double>& states,
+                                           const std::vector<double>& states, std::size_t periods,
                                            const std::vector<std::uint32_t>& excluded,
                                            const NearReturn& near,
                                            const RoundCallback& after_round) = 0;

@@ -28,6 +28,7 @@ Plan::Plan(std::shared_ptr<const Study> study, std::shared_ptr<const PointSource
            std::size_t tile_points)
     : shared_(std::move(study)),
       points_(points ? std::move(points) : std::make_shared<const StudyPoints>(shared_)) {
+  shared_steps_ = shared_steps_of_study();
   for (std::size_t stage = 0; stage < points_->stages(); ++stage) {
     groups_.push_back(groups_of(stage));
   }
@@ -102,7 +103,32 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
                     study_.step_reason.empty() ? "" : fmt::format(" ({})", study_.step_reason),
                     possible, study_.step_reason.empty() ? "raise" : "give a longer"));
   }
-  return longer(study_.model->is_autonomous ? few_steps(wanted) : ladder_steps(wanted));
+  if (study_.model->is_autonomous) return longer(few_steps(wanted));
+  return longer(shared_steps_.at_least(ladder_steps(wanted)));
+}
+
+// Of a study whose draws have phase tables of their own, each one for all values of its axes, and
+// start from the nominal motion: draws with starts of their own are, to the bit, the points of a
+// study of these parameters. It knows no engine: shards of a study run on several.
+SharedSteps Plan::shared_steps_of_study() const {
+  const auto shapes_phase = [this](const Axis& axis) {
+    return std::ranges::any_of(axis.swept(), [this](const Swept& one) {
+      return !one.is_state && study_.model->parameters[one.index].shapes_phase;
+    });
+  };
+  const bool have_own_tables =
+      std::ranges::any_of(study_.uncertain.parameters,
+                          [&](const UncertainParameter& one) { return shapes_phase(one.draws); });
+  if (!study_.uncertain.starts_at_nominal || !have_own_tables) return {};
+  if (std::ranges::any_of(study_.axes, shapes_phase)) return {};
+  const StudyPoints nominal(shared_);
+  ModelSetting setting = study_.setting;
+  std::vector<std::size_t> steps;
+  for (std::size_t point = 0; point < study_.points(); ++point) {
+    nominal.set(point, &setting);
+    steps.push_back(steps_at(setting));
+  }
+  return SharedSteps(std::move(steps));
 }
 
 double Plan::steps_for_orders(const ModelSetting& setting) const {
@@ -122,13 +148,15 @@ std::vector<double> Plan::grid_key(std::size_t point) const {
   return key;
 }
 
-// The number of steps and the phase-shaping parameters among those that differ.
+// The phase-shaping parameters among those that differ, and the number of steps: so what follows
+// from the parameters alone is asked for grid by grid.
 void Plan::set_key(const ModelSetting& setting, std::vector<double>* key) const {
-  key->assign(1, static_cast<double>(steps_at(setting)));
+  key->clear();
   for (const std::size_t parameter : points_->differing()) {
     if (!study_.model->parameters[parameter].shapes_phase) continue;
     key->push_back(setting.parameters[parameter]);
   }
+  key->push_back(static_cast<double>(steps_at(setting)));
 }
 
 std::vector<double> Plan::own_initial_state(std::size_t point) const {
@@ -175,27 +203,44 @@ std::vector<Plan::Group> Plan::groups_of(std::size_t stage) const {
     entry->second.push_back(point);
   }
   std::vector<Group> groups;
-  for (auto& [grid, points] : by_grid) groups.push_back({grid.front(), std::move(points)});
+  for (auto& [grid, points] : by_grid) groups.push_back({grid.back(), std::move(points)});
   return groups;
 }
 
 Stage Plan::stage_of(const std::vector<Group>& groups) const {
+  struct Part {  // of a group
+    double steps;
+    PointList::Iterator first;
+    std::size_t count;
+  };
   const auto periods =
       static_cast<double>(study_.integrate.settle) + static_cast<double>(study_.integrate.record);
   Stage stage;
-  Tile tile;
+  std::vector<Part> parts;
+  std::size_t open = tile_points_;  // what the tile has room for
   const auto close_tile = [&] {
-    if (!tile.points.empty()) stage.tiles.push_back(std::move(tile));
-    tile = {};
+    if (parts.empty()) return;
+    std::ranges::stable_sort(parts, {}, &Part::steps);
+    Tile tile;
+    for (const Part& part : parts) {
+      tile.grid_starts.push_back(tile.points.size());
+      PointList::Iterator point = part.first;
+      for (std::size_t i = 0; i < part.count; ++i) tile.points.push_back(*point++);
+      tile.work += part.steps * periods * static_cast<double>(part.count);
+    }
+    stage.tiles.push_back(std::move(tile));
+    parts.clear();
+    open = tile_points_;
   };
   for (const Group& group : groups) {
-    bool is_first = true;
-    for (const std::size_t point : group.points) {
-      if (tile.points.size() == tile_points_) close_tile();
-      if (is_first || tile.points.empty()) tile.grid_starts.push_back(tile.points.size());
-      is_first = false;
-      tile.points.push_back(point);
-      tile.work += group.steps * periods;
+    PointList::Iterator point = group.points.begin();
+    for (std::size_t rest = group.points.size(); rest > 0;) {
+      const std::size_t count = std::min(open, rest);
+      parts.push_back({group.steps, point, count});
+      for (std::size_t i = 0; i < count; ++i) ++point;
+      rest -= count;
+      open -= count;
+      if (open == 0) close_tile();
     }
   }
   close_tile();

@@ -12,11 +12,13 @@
 #include "plan/phase_grid.hpp"
 #include "plan/point_list.hpp"
 #include "plan/point_source.hpp"
+#include "plan/shared_steps.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
 
-// The points that one launch sequence computes; those that share a phase grid stand together.
+// The points that one launch sequence computes; those that share a phase grid stand together, and
+// grids with as many steps.
 struct Tile {
   PointList points;
   std::vector<std::size_t> grid_starts;  // position in `points` where each phase grid begins
@@ -76,6 +78,7 @@ class Plan {
   [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
   void check_breaks(std::size_t point, const ModelSetting& setting) const;
   void set_key(const ModelSetting& setting, std::vector<double>* key) const;
+  SharedSteps shared_steps_of_study() const;
   std::size_t steps_at(const ModelSetting& setting) const;
   // So many that they tell the waves of the study's orders.
   double steps_for_orders(const ModelSetting& setting) const;
@@ -93,6 +96,7 @@ class Plan {
   const Study& study_ = *shared_;
   const std::shared_ptr<const PointSource> points_;
   std::size_t tile_points_ = 0;
+  SharedSteps shared_steps_;
   std::size_t step_length_ = 1;             // in steps of the study
   std::vector<std::vector<Group>> groups_;  // [stage]
   std::vector<Stage> stages_;

@@ -6,13 +6,13 @@
 #include <span>
 #include <tuple>
 
+#include "model/on_all_cores.hpp"
 #include "plan/step_check.hpp"
 #include "plan/unstable_start.hpp"
 #include "sweep_types.h"
 #include "tile/detail/exponent_error.hpp"
 #include "tile/detail/largest_exponent.hpp"
 #include "tile/detail/longer_window.hpp"
-#include "tile/detail/on_all_cores.hpp"
 #include "tile/detail/orbit_search.hpp"
 #include "tile/subset.hpp"
 

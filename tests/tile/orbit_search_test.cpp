@@ -94,6 +94,61 @@ TEST(NewtonStep, DoesNotReadMultipliersOutOfRounding) {
   EXPECT_EQ(step(map, &one), NewtonVerdict::failed);
 }
 
+// x -> x/2 + 1/2 + (x - 1)^2 has the fixed point 1 and the multiplier 1/2 there.
+double bent(double x) { return 0.5 * x + 0.5 + (x - 1.0) * (x - 1.0); }
+
+NewtonTry beside_bent(double x) {
+  NewtonTry one;
+  one.ranges = {1.0};
+  one.start = one.state = {x};
+  return one;
+}
+
+NewtonVerdict step_on_bent(NewtonTry* one, double kept, std::vector<double>* derivative) {
+  NewtonLimits limits = kLimits;
+  limits.kept = kept;
+  *derivative = {0.5 + 2.0 * (one->state[0] - 1.0)};
+  return newton_step(std::vector{bent(one->state[0])}, *derivative, limits, 1, one);
+}
+
+// With the derivative that was taken beside the orbit each turn brings it nearer, to where the map
+// stays.
+TEST(NewtonStep, MayKeepTheDerivativeBesideAnOrbit) {
+  std::vector<double> derivative;
+  NewtonTry one = beside_bent(1.01);
+  NewtonLimits limits = kLimits;
+  limits.kept = 3e-2;
+  ASSERT_EQ(step_on_bent(&one, limits.kept, &derivative), NewtonVerdict::close);
+  EXPECT_DOUBLE_EQ(one.log_multipliers[0], std::log(0.52));
+  int turns = 1;
+  for (NewtonVerdict verdict = NewtonVerdict::close; verdict != NewtonVerdict::found; ++turns) {
+    ASSERT_LT(turns, 6);
+    verdict = newton_confirm(std::vector{bent(one.state[0])}, derivative, limits, &one);
+    ASSERT_NE(verdict, NewtonVerdict::going_on);
+  }
+  EXPECT_NEAR(one.state[0], 1.0, 1e-8);
+  // Who wants the multipliers themselves knows how far away they were taken.
+  EXPECT_NEAR(one.step, 0.01, 1e-3);
+}
+
+TEST(NewtonStep, TakesAnotherDerivativeWhereItMayNotKeepOne) {
+  std::vector<double> derivative;
+  NewtonTry unasked = beside_bent(1.01);
+  EXPECT_EQ(step_on_bent(&unasked, 0.0, &derivative), NewtonVerdict::going_on);
+  NewtonTry far = beside_bent(1.1);
+  EXPECT_EQ(step_on_bent(&far, 3e-2, &derivative), NewtonVerdict::going_on);
+}
+
+// What was seen beside the orbit says 0.985; at the orbit it could as well be 0.99.
+TEST(NewtonStep, TakesAnotherDerivativeWhereStabilityIsClose) {
+  NewtonLimits limits = kLimits;
+  limits.kept = 3e-2;
+  NewtonTry one = beside_bent(1.005);
+  const double mapped = 1.0 + 0.98 * 0.005;
+  EXPECT_EQ(newton_step(std::vector{mapped}, std::vector{0.985}, limits, 1, &one),
+            NewtonVerdict::going_on);
+}
+
 const std::string kOscillator =
     "[model]\nname = 'duffing'\n[parameters]\ndamping = 0.05\nlinear = 2.0\ncubic = 0.0\n"
     "amplitude = 0.7\n[[axes]]\nname = 'omega'\nvalues = [1.3]\n"

@@ -21,6 +21,24 @@ std::array<double, 3> phases_of(double cycle, double psi, double inside) {
   return {turn, kWholePhase * (cycle * inside - turn), kWholePhase * (cycle * psi - turn)};
 }
 
+TapeOfStudy coefs_of(const Lowered& lowered, const std::vector<NodeId>& parameters, NodeId turn,
+                     Formula* formula) {
+  const NodeId inside = formula->graph.symbol("phase inside");
+  std::vector<NodeId> inputs;
+  std::vector<std::size_t> common, own;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const bool differs = i < formula->parameters.size() && formula->are_swept[i];
+    if (!differs) common.push_back(i);
+    if (differs && lowered.shapes_phase[i]) own.push_back(i);
+  }
+  for (const std::size_t i : common) inputs.push_back(parameters[i]);
+  for (const std::size_t i : own) inputs.push_back(parameters[i]);
+  inputs.insert(inputs.end(), {turn, inside, formula->phase});
+  const std::vector<NodeId> coefs =
+      one_sided(&formula->graph, formula->phase, inside, lowered.coef_values);
+  return {Tape(formula->graph, inputs, coefs), std::move(common), std::move(own)};
+}
+
 }  // namespace
 
 Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Formula* formula) {
@@ -49,12 +67,6 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   tapes.breaks = PhaseBreaks(graph, turned, formula->phase, lowered.coef_values, formula->names);
   tapes.waves = PhaseWaves(&formula->graph, parameters, {formula->phase, turn, formula->cycle},
                            lowered.coef_values);
-  const NodeId inside = formula->graph.symbol("phase inside");
-  const std::vector<NodeId> coefs =
-      one_sided(&formula->graph, formula->phase, inside, lowered.coef_values);
-  std::vector<NodeId> phased = turned;
-  phased.push_back(inside);
-  phased.push_back(formula->phase);
   std::vector<NodeId> moment = formula->states;
   for (const Surface& surface : lowered.surfaces) {
     moment.push_back(surface.side);
@@ -67,7 +79,7 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   tapes.checks = Tape(graph, parameters, checks);
   tapes.start = Tape(graph, parameters, formula->start);
   tapes.jumps = Tape(graph, parameters, formula->jumps);
-  tapes.coefs = Tape(graph, phased, coefs);
+  tapes.coefs = coefs_of(lowered, parameters, turn, formula);
   tapes.point = Tape(graph, parameters, lowered.point_values);
   tapes.rhs = Tape(graph, moment, lowered.equations);
   tapes.jacobian = Tape(graph, moment, lowered.jacobian);

@@ -12,6 +12,7 @@
 #include "equations/detail/lowering.hpp"
 #include "equations/detail/phase_breaks.hpp"
 #include "equations/detail/phase_waves.hpp"
+#include "equations/detail/tape_of_study.hpp"
 #include "expression/tape.hpp"
 #include "model/model.hpp"
 
@@ -19,8 +20,9 @@ namespace gearsweep {
 
 struct Tapes {
   // Functions of parameters and choices of options; checks: whether each holds, then the values of
-  // all of their messages; coefs: then of the turn, a phase inside and the phase.
-  Tape period, cycle, start, jumps, checks, coefs, point;
+  // all of their messages.
+  Tape period, cycle, start, jumps, checks, point;
+  TapeOfStudy coefs;  // of the turn, a phase inside and the phase
   // Functions of states, sides, point and coefs.
   Tape rhs, jacobian, signals;
   std::map<SurfaceValue, Tape> of_surfaces;

@@ -53,11 +53,13 @@ OrbitKernels::OrbitKernels(const Study& study, const cl::Program& sweep, Launche
 
 std::optional<Approach> OrbitKernels::approach(const Plan& plan, const Tile& tile,
                                                const std::vector<double>& states,
+                                               std::size_t periods,
                                                const std::vector<std::uint32_t>& excluded,
                                                const NearReturn& near,
                                                const RoundCallback& after_round) {
-  return launcher_->guard(
-      tile, [&] { return approach_tile(plan, tile, states, excluded, near, after_round); });
+  return launcher_->guard(tile, [&] {
+    return approach_tile(plan, tile, states, periods, excluded, near, after_round);
+  });
 }
 
 std::optional<Sections> OrbitKernels::follow(const Plan& plan, const Tile& tile,
@@ -88,6 +90,7 @@ std::optional<TileResult> OrbitKernels::replay(const Plan& plan, const Tile& til
 
 std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile& tile,
                                                     const std::vector<double>& states,
+                                                    std::size_t periods,
                                                     const std::vector<std::uint32_t>& excluded,
                                                     const NearReturn& near,
                                                     const RoundCallback& after_round) {
@@ -96,23 +99,25 @@ std::optional<Approach> OrbitKernels::approach_tile(const Plan& plan, const Tile
   const ApproachBuffers sizes = approach_buffers(plan.study(), inputs.slots.position.size());
   const cl::Buffer state =
       launcher_->upload(spread_states(states, state_count, inputs.slots), CL_MEM_READ_WRITE);
-  const std::vector<std::uint32_t> whole(tile.points.size(), ORBIT_LONGEST);
-  const cl::Buffer periods =
+  const std::vector<std::uint32_t> whole(tile.points.size(), static_cast<std::uint32_t>(periods));
+  const cl::Buffer periods_of_points =
       launcher_->upload(spread_numbers(whole, inputs.slots), CL_MEM_READ_ONLY);
   const cl::Buffer sections = launcher_->allocate(sizes.sections);
   const cl::Buffer ranges = launcher_->allocate(sizes.ranges);
   const cl::Buffer lengths =
       launcher_->upload(spread_numbers(excluded, inputs.slots), CL_MEM_READ_WRITE);
   const cl::Buffer guesses = launcher_->allocate(sizes.guesses);
-  launcher_->bind(&follow_, inputs, state, periods, sections);
+  launcher_->bind(&follow_, inputs, state, periods_of_points,
+                  static_cast<cl_uint>(ORBIT_LONGEST - periods), sections);
   launcher_->bind(&measure_, inputs, state, sections, near.tolerance, ranges);
-  launcher_->bind(&extrapolate_, state, sections, ranges, near.near, lengths, guesses);
+  launcher_->bind(&extrapolate_, state, sections, ranges, near.near, static_cast<cl_uint>(periods),
+                  lengths, guesses);
   const Window rounds = window_of_rounds();
-  if (!launcher_->run_rounds(&follow_, rounds, inputs, ORBIT_LONGEST - 1, after_round) ||
+  if (!launcher_->run_rounds(&follow_, rounds, inputs, periods - 1, after_round) ||
       !launcher_->run_rounds(&measure_, rounds, inputs, 1, after_round)) {
     return std::nullopt;
   }
-  launcher_->launch(&extrapolate_, round_of(rounds, inputs.slots.items(), 0, ORBIT_LONGEST));
+  launcher_->launch(&extrapolate_, round_of(rounds, inputs.slots.items(), 0, periods));
   const auto [ends, moved, orbits, numbers] = launcher_->download({{state, sizes.state},
                                                                    {ranges, sizes.ranges},
                                                                    {guesses, sizes.guesses},
@@ -152,7 +157,7 @@ std::optional<Sections> OrbitKernels::follow_tile(const Plan& plan, const Tile& 
   const cl::Buffer periods =
       launcher_->upload(spread_numbers(lengths, inputs.slots), CL_MEM_READ_ONLY);
   const cl::Buffer sections = launcher_->allocate(sizes.sections);
-  launcher_->bind(&follow_, inputs, state, periods, sections);
+  launcher_->bind(&follow_, inputs, state, periods, cl_uint{0}, sections);
   if (!run_lengths(&follow_, plan, tile, inputs, lengths, 1.0, after_round)) return std::nullopt;
   return sections_of(launcher_->view(sections, sizes.sections), plan.study().integrate.fp64,
                      state_count, inputs.slots);

@@ -12,7 +12,7 @@ class OrbitKernels final : public OrbitEngine {
   OrbitKernels(const Study& study, const cl::Program& sweep, Launcher* launcher);
 
   std::optional<Approach> approach(const Plan& plan, const Tile& tile,
-                                   const std::vector<double>& states,
+                                   const std::vector<double>& states, std::size_t periods,
                                    const std::vector<std::uint32_t>& excluded,
                                    const NearReturn& near,
                                    const RoundCallback& after_round) override;
@@ -31,7 +31,7 @@ class OrbitKernels final : public OrbitEngine {
 
  private:
   std::optional<Approach> approach_tile(const Plan& plan, const Tile& tile,
-                                        const std::vector<double>& states,
+                                        const std::vector<double>& states, std::size_t periods,
                                         const std::vector<std::uint32_t>& excluded,
                                         const NearReturn& near, const RoundCallback& after_round);
   std::optional<Sections> follow_tile(const Plan& plan, const Tile& tile,

@@ -66,6 +66,15 @@ std::vector<double> table_rows(const Plan& plan, std::size_t point, const PhaseG
   return rows;
 }
 
+// At most, of grids with so many segments. Tables may be large: to copy them as they grow would
+// take as long as to make them.
+std::size_t rows_of(const Plan& plan, const std::vector<std::size_t>& points,
+                    std::size_t segments) {
+  std::size_t rows = 0;
+  for (const std::size_t point : points) rows += 2 * (plan.steps_of(point) + segments) + segments;
+  return rows;
+}
+
 }  // namespace
 
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points) {
@@ -73,6 +82,9 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
   GridTables tables;
   for (const std::size_t point : points) {
     const PhaseGrid grid = plan.phase_grid_of(point);
+    if (tables.grids.empty()) {
+      tables.coefs.reserve(width * rows_of(plan, points, grid.segment_steps.size()));
+    }
     tables.grids.push_back({static_cast<sweep_uint>(tables.coefs.size() / width),
                             static_cast<sweep_uint>(tables.segment_steps.size()),
                             static_cast<sweep_uint>(grid.segment_steps.size())});

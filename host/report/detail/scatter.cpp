@@ -20,6 +20,8 @@ namespace {
 constexpr const char* kContact = "contact_class";
 constexpr double kQuantile95 = 1.959964;  // of the normal distribution
 constexpr std::size_t kMostGears = 100'000;
+// Of these what a tolerance half as wide brings is known well enough: the draws are the same.
+constexpr std::size_t kMostTightened = 4000;
 
 // [speed][draw]
 std::vector<std::vector<double>> by_speed(const SweepResult& result, const std::string& quantity) {
@@ -120,19 +122,22 @@ class ScatterRuns {
   // At the worst speed: which tolerance makes the scatter, and what half of it would bring.
   bool rank() {
     const Study here = at_worst_speed();
+    out_.tightened_gears = std::min(out_.gears(), kMostTightened);
     const std::size_t samples = std::clamp<std::size_t>(out_.gears() / 2, 40, 1000);
     const std::optional<SweepResult> sobol =
         run(changed(here, {"uncertain.sobol=true", "uncertain.keep=false",
                            fmt::format("uncertain.samples={}", samples)}),
             options_.sweep_options(), "which tolerance matters");
     if (!sobol) return false;
+    const std::optional<double> now = percentile_at(here, {}, "the worst speed by itself");
+    if (!now) return false;
     const std::vector<double>& first = map_of(*sobol, out_.target + "_sobol_first");
     const std::vector<double>& error = map_of(*sobol, out_.target + "_sobol_first_error");
     const std::vector<double>& total = map_of(*sobol, out_.target + "_sobol_total");
     for (std::size_t i = 0; i < out_.study.uncertain.parameters.size(); ++i) {
       const std::string& name = out_.study.uncertain.parameters[i].draws.name;
       RankedTolerance ranked = {name, first[i], error[i], total[i], std::nullopt};
-      if (!tighten(here, &ranked)) return false;
+      if (!tighten(here, *now, &ranked)) return false;
       out_.ranking.push_back(std::move(ranked));
     }
     std::ranges::stable_sort(out_.ranking, std::greater{}, &RankedTolerance::total);
@@ -177,16 +182,27 @@ class ScatterRuns {
     return changed(out_.study, overrides, {fmt::format("{}={}:{}:1", speed.name, value, value)});
   }
 
-  // The same draws, but for this parameter's, which lie half as far from its middle.
-  bool tighten(const Study& here, RankedTolerance* ranked) const {
+  // The percentile at the worst speed with the first draws of the study, changed so. Nothing when
+  // stopped.
+  std::optional<double> percentile_at(const Study& here, std::vector<std::string> overrides,
+                                      const std::string& what) const {
+    overrides.push_back(fmt::format("uncertain.samples={}", out_.tightened_gears));
+    const std::optional<SweepResult> result =
+        run(changed(here, overrides), options_.sweep_options(), what);
+    if (!result) return std::nullopt;
+    return percentile_with_error(by_speed(*result, out_.target).front(), options_.percentile).value;
+  }
+
+  // The same draws, but for this parameter's, which lie half as far from its middle. now: the
+  // percentile with the first draws as they are, on the same steps.
+  bool tighten(const Study& here, double now, RankedTolerance* ranked) const {
     const std::string half = scaled_tolerance(here, ranked->name, 0.5);
     if (half.empty()) return true;
-    const std::optional<SweepResult> result =
-        run(changed(here, {fmt::format("uncertain.{}={}", ranked->name, half)}),
-            options_.sweep_options(), fmt::format("{} half as wide", ranked->name));
-    if (!result) return false;
-    ranked->tightened =
-        percentile_with_error(by_speed(*result, out_.target).front(), options_.percentile).value;
+    const std::optional<double> then =
+        percentile_at(here, {fmt::format("uncertain.{}={}", ranked->name, half)},
+                      fmt::format("{} half as wide", ranked->name));
+    if (!then) return false;
+    ranked->tightened = out_.percentiles[out_.worst].value * (*then / now);
     return true;
   }
 

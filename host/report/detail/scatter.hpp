@@ -50,6 +50,7 @@ struct Scatter : AsBuilt {
   std::size_t without_value = 0;
   std::vector<WorstGear> worst_gears;  // at most ten
   std::vector<RankedTolerance> ranking;
+  std::size_t tightened_gears = 0;  // the first ones, by which `tightened` is told
   std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
 
   std::string file(const std::string& stored) const { return (folder->path() / stored).string(); }

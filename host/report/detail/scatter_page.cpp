@@ -147,9 +147,13 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
       "At {}: the share of the variance of the {} that each tolerance makes alone (Sobol index of "
       "first order, with its standard error) and with all that it does together with others "
       "(total); and the value below which {:g} % of the gears stay when this tolerance alone is "
-      "half as wide, now {}. Half of a tolerance of ISO 1328-1 is two classes finer.",
+      "half as wide, now {}{}. Half of a tolerance of ISO 1328-1 is two classes finer.",
       speed_cell(target, scatter.worst), target_html(target), options.percentile,
-      html_number(now * scale)));
+      html_number(now * scale),
+      scatter.tightened_gears < scatter.gears()
+          ? fmt::format(" (in proportion to what it is for the first {} gears)",
+                        scatter.tightened_gears)
+          : ""));
 }
 
 // What draws of one parameter are multiplied by where they are factors.

@@ -4,8 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
+#include <functional>
 
 #include "model/error.hpp"
+#include "model/on_all_cores.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
@@ -26,7 +29,7 @@ class FollowingParameters {
           "forces in k0 b_n, its times in 1/varpi; make a study for each value");
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      values_[i].push_back(value_of(conversion, first_.parameters[i].name));
+      values_[i].push_back(value_of(conversion, i));
     }
   }
 
@@ -50,14 +53,47 @@ class FollowingParameters {
   }
 
  private:
-  // What a drawing gives does not depend on the values of its keys.
-  static double value_of(const GearConversion& conversion, const std::string& name) {
-    return std::ranges::find(conversion.parameters, name, &GearParameter::name)->value;
+  // Of a parameter of the first. What a drawing gives does not depend on the values of its keys,
+  // and its order hardly does.
+  double value_of(const GearConversion& conversion, std::size_t i) const {
+    const std::string& name = first_.parameters[i].name;
+    const std::vector<GearParameter>& given = conversion.parameters;
+    if (i < given.size() && given[i].name == name) return given[i].value;
+    return std::ranges::find(given, name, &GearParameter::name)->value;
   }
 
   GearConversion first_;
   std::vector<std::vector<double>> values_;  // [parameter of the first][value]
 };
+
+// Takes what follows from `count` drawings, in their order. A study may draw some ten thousand
+// gears, so they are converted on all cores, and few are held at a time. fail: is given the number
+// of the first that is wrong, and why.
+void follow_all(std::size_t count, const std::function<GearConversion(std::size_t)>& convert,
+                const std::function<void(std::size_t, const std::string&)>& fail,
+                FollowingParameters* following) {
+  constexpr std::size_t kHeld = 1024;
+  for (std::size_t first = 0; first < count; first += kHeld) {
+    const std::size_t size = std::min(kHeld, count - first);
+    std::vector<GearConversion> conversions(size);
+    std::vector<std::exception_ptr> failures(size);
+    for_each_on_all_cores(size, [&](std::size_t i) {
+      try {
+        conversions[i] = convert(first + i);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+    });
+    for (std::size_t i = 0; i < size; ++i) {
+      try {
+        if (failures[i]) std::rethrow_exception(failures[i]);
+        following->add(conversions[i]);
+      } catch (const InputError& error) {
+        fail(first + i, error.what());
+      }
+    }
+  }
+}
 
 }  // namespace
 
@@ -100,14 +136,20 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
                     const toml::node& place, Axis* axis) {
   FollowingParameters following;
   GearDrawing drawing = read_drawing(swept.from, others);
-  for (const double value : axis->values) {
-    try {
-      drawing.vary(*swept.key, value);
-      following.add(convert_gear(drawing, model, swept.from));
-    } catch (const InputError& error) {
-      fail_at(place, fmt::format("{} = {}: {}", axis->name, value, error.what()));
-    }
+  const auto fail = [&](std::size_t i, const std::string& wrong) {
+    fail_at(place, fmt::format("{} = {}: {}", axis->name, axis->values[i], wrong));
+  };
+  try {
+    drawing.vary(*swept.key, axis->values.front());  // what it was before is remembered
+  } catch (const InputError& error) {
+    fail(0, error.what());
   }
+  const auto convert = [&](std::size_t i) {
+    GearDrawing own = drawing;
+    own.vary(*swept.key, axis->values[i]);
+    return convert_gear(own, model, swept.from);
+  };
+  follow_all(axis->values.size(), convert, fail, &following);
   axis->columns = following.take(model, {swept.key->name});
   if (axis->columns.empty()) {
     fail_at(place, fmt::format("{} changes nothing in the equations of this study ({})", axis->name,

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "model/on_all_cores.hpp"
 #include "sweep_types.h"
-#include "tile/detail/on_all_cores.hpp"
 #include "tile/detail/orbit_newton.hpp"
 #include "tile/subset.hpp"
 

@@ -14,6 +14,8 @@ namespace {
 // Multipliers of an orbit that is taken for stable stay below this. Nearer to 1 the steps' kinks at
 // contact, which move with the state, could decide.
 constexpr double kStable = 0.99;
+// By so much, in relation to its distance from the orbit, a derivative's multipliers may be off.
+constexpr double kChange = 2.0;
 // Where Newton's method converges, each step does better than this, soon much better.
 constexpr double kSlow = 0.2;
 
@@ -85,10 +87,14 @@ NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double
       relative_difference(one->state, one->start, one->ranges, limits.angles);
   if (away.lpNorm<Eigen::Infinity>() > limits.far) return NewtonVerdict::failed;
   one->step = step.lpNorm<Eigen::Infinity>();
-  if (one->step > limits.close) return NewtonVerdict::going_on;
+  if (one->step > std::max(limits.close, limits.kept)) return NewtonVerdict::going_on;
 
   one->log_multipliers = log_moduli(slope, limits.lost);
   if (one->log_multipliers.empty()) return NewtonVerdict::failed;
+  const bool is_beside = one->step > limits.close;
+  if (is_beside && one->log_multipliers.front() > std::log(kStable - kChange * one->step)) {
+    return NewtonVerdict::going_on;
+  }
   if (one->log_multipliers.front() > std::log(kStable)) return NewtonVerdict::unstable;
   if (tangents > 1 && one->log_multipliers[tangents - 1] - one->log_multipliers.front() <
                           std::log(limits.weakest)) {
@@ -99,10 +105,15 @@ NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double
 
 NewtonVerdict newton_confirm(std::span<const double> mapped, std::span<const double> derivative,
                              const NewtonLimits& limits, NewtonTry* one) {
-  const bool is_back = comes_back(mapped, limits, *one);
-  const Eigen::VectorXd step =
-      correction(moved(mapped, limits, *one), relative_derivative(derivative, *one));
-  return correct(step, one) && is_back ? NewtonVerdict::found : NewtonVerdict::going_on;
+  const Eigen::VectorXd by_map = moved(mapped, limits, *one);
+  const double distance = by_map.lpNorm<Eigen::Infinity>();
+  if (!correct(correction(by_map, relative_derivative(derivative, *one)), one)) {
+    return NewtonVerdict::going_on;
+  }
+  if (distance <= limits.same) return NewtonVerdict::found;
+  const bool is_fast = one->step > limits.close && distance <= kSlow * one->distance;
+  if (is_fast) one->distance = distance;
+  return is_fast ? NewtonVerdict::close : NewtonVerdict::going_on;
 }
 
 }  // namespace gearsweep

@@ -16,6 +16,9 @@ struct NewtonLimits {
   double weakest;  // smallest multiplier, relative to the largest, that rounding leaves
   std::vector<std::size_t> angles = {};  // states that mean the same after a full turn
   double lost = 0.0;                     // lost_multiplier()
+  // After a step no longer than this towards an orbit that attracts well, its derivative serves the
+  // steps that follow, too.
+  double kept = 0.0;
 };
 
 // A multiplier of this modulus is rounding of 0, as where a motion has lost at a surface what its
@@ -58,7 +61,8 @@ NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double
                           const NewtonLimits& limits, std::size_t tangents, NewtonTry* one);
 
 // What a `close` state turns out to be, from its map alone and the derivative of the step before
-// (with which the state takes one step more): found or going_on.
+// (with which the state takes one step more): found, going_on or, where it comes nearer fast
+// enough, close again.
 NewtonVerdict newton_confirm(std::span<const double> mapped, std::span<const double> derivative,
                              const NewtonLimits& limits, NewtonTry* one);
 

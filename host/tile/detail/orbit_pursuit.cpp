@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "model/array.hpp"
+#include "model/on_all_cores.hpp"
 #include "sweep_types.h"
-#include "tile/detail/on_all_cores.hpp"
 #include "tile/subset.hpp"
 
 namespace gearsweep {
@@ -15,14 +15,15 @@ constexpr std::size_t kMaxSteps = 5;  // of Newton's method
 
 // `close` is where a step of Newton's method leaves only its square. In fp32 the map's rounding,
 // which a multiplier near 1 makes a step some 30 times as long, asks for more.
-NewtonLimits limits_of(const Study& study, double far) {
+NewtonLimits limits_of(const Study& study, double far, double kept) {
   const bool fp64 = study.integrate.fp64;
   return {study.selection.period_tolerance,
           fp64 ? 1e-4 : 1e-3,
           far,
           fp64 ? 1e-10 : 1e-3,
           study.model->angles,
-          lost_multiplier(!study.model->surfaces.empty(), fp64)};
+          lost_multiplier(!study.model->surfaces.empty(), fp64),
+          kept};
 }
 
 // The attempts as an engine takes them.
@@ -52,19 +53,24 @@ std::vector<OrbitAttempt*> those_with(const std::vector<OrbitAttempt*>& attempts
 
 }  // namespace
 
-OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine, double far)
+OrbitPursuit::OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine, double far,
+                           double kept)
     : plan_(plan),
       tile_(tile),
       engine_(engine),
-      limits_(limits_of(plan.study(), far)),
+      limits_(limits_of(plan.study(), far, kept)),
       states_(plan.study().model->states.size()),
       tangents_(plan.study().selection.tangent_count()) {}
 
 bool OrbitPursuit::find(const Attempts& attempts, const RoundCallback& after_round) {
   Attempts open = attempts;
   for (std::size_t i = 0; i < kMaxSteps && !open.empty(); ++i) {
-    if (!step(open, after_round) || !confirm(those_with(open, NewtonVerdict::close), after_round)) {
-      return false;
+    if (!step(open, after_round)) return false;
+    // Each turn brings them nearer by a factor, or they are close no longer.
+    Attempts close = those_with(open, NewtonVerdict::close);
+    while (!close.empty()) {
+      if (!confirm(close, after_round)) return false;
+      close = those_with(close, NewtonVerdict::close);
     }
     open = those_with(open, NewtonVerdict::going_on);
   }
@@ -97,7 +103,6 @@ bool OrbitPursuit::step(const Attempts& attempts, const RoundCallback& after_rou
 // Whether those that came close come back. One that does so after a part of its length goes on with
 // that: an orbit's multipliers over the minimal period say whether it is stable.
 bool OrbitPursuit::confirm(const Attempts& close, const RoundCallback& after_round) {
-  if (close.empty()) return true;
   const Guesses guesses = guesses_of(close);
   const Tile subset = subset_of(plan_, tile_, guesses.positions, 1);
   const std::optional<Sections> sections =

@@ -21,8 +21,8 @@ struct OrbitAttempt {
 class OrbitPursuit {
  public:
   // The plan, the tile and the engine outlive the pursuit. An orbit is not farther than `far` from
-  // where a trajectory nearly comes back, in ranges of the motion.
-  OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine, double far);
+  // where a trajectory nearly comes back, in ranges of the motion. kept: as of NewtonLimits.
+  OrbitPursuit(const Plan& plan, const Tile& tile, OrbitEngine* engine, double far, double kept);
 
   // Attempts of one phase grid stand together. Each of these is false when the callback asked to
   // stop.

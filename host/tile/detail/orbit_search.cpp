@@ -5,20 +5,29 @@
 #include <numeric>
 
 #include "model/array.hpp"
+#include "model/on_all_cores.hpp"
 #include "sweep_types.h"
-#include "tile/detail/on_all_cores.hpp"
 #include "tile/subset.hpp"
 
 namespace gearsweep {
 namespace {
 
 // From far away: a point that is still under way may pass many an orbit.
-constexpr SearchCriteria kFromAnywhere = {.near = 3e-2, .far = 1e-1, .longest_span = 1000};
+constexpr SearchCriteria kFromAnywhere = {
+    .near = 3e-2, .far = 1e-1, .longest_span = 1000, .kept = 0.0};
 // A draw that starts on the nominal motion has its own orbit beside it, and lies where the return
 // map is nearly linear.
-constexpr SearchCriteria kFromNominal = {.near = 0.3, .far = 0.3, .longest_span = 8};
+constexpr SearchCriteria kFromNominal = {.near = 0.3, .far = 0.3, .longest_span = 1, .kept = 3e-2};
 // In `excluded` of an approach: all lengths are excluded.
 constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
+// Periods of the first approach of a draw that starts on the nominal motion: so few returns mostly
+// tell its orbit.
+constexpr std::size_t kShortest = 4;
+
+// Those that a short approach does not see twice.
+std::uint32_t unseen_lengths(std::size_t periods) {
+  return periods == ORBIT_LONGEST ? 0 : kAnyLength & ~((1U << (periods / 2)) - 1);
+}
 
 bool starts_at_nominal(const Plan& plan, const Tile& tile) {
   const Study& study = plan.study();
@@ -33,7 +42,8 @@ OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<d
       tile_(tile),
       periods_(periods),
       engine_(engine),
-      criteria_(starts_at_nominal(plan, tile) ? kFromNominal : kFromAnywhere),
+      is_near_nominal_(starts_at_nominal(plan, tile)),
+      criteria_(is_near_nominal_ ? kFromNominal : kFromAnywhere),
       open_(tile.points.size()),
       states_(initial),
       hopeless_(tile.points.size(), 0),
@@ -45,24 +55,30 @@ OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<d
 
 bool OrbitSearch::can_advance() const {
   if (engine_ == nullptr || plan_.study().integrate.stop == Stop::never) return false;
-  return !open_.empty() && settled_ + ORBIT_LONGEST <= periods_;
+  return !open_.empty() && settled_ + next_approach() <= periods_;
+}
+
+std::size_t OrbitSearch::next_approach() const {
+  if (!is_near_nominal_) return ORBIT_LONGEST;
+  return std::clamp(settled_, kShortest, std::size_t{ORBIT_LONGEST});
 }
 
 bool OrbitSearch::advance(const RoundCallback& after_round) {
-  const Tile subset = subset_of(plan_, tile_, open_, ORBIT_LONGEST);
-  settled_ += ORBIT_LONGEST;
+  const std::size_t periods = next_approach();
+  const Tile subset = subset_of(plan_, tile_, open_, periods);
+  settled_ += periods;
   std::vector<std::uint32_t> excluded;
   for (const std::size_t position : open_) {
     const bool waits = candidates_[position] != nullptr || settled_ < next_try_[position];
-    excluded.push_back(waits ? kAnyLength : hopeless_[position]);
+    excluded.push_back(waits ? kAnyLength : hopeless_[position] | unseen_lengths(periods));
   }
   std::optional<Approach> approach =
-      engine_->approach(plan_, subset, states_, excluded,
+      engine_->approach(plan_, subset, states_, periods, excluded,
                         {criteria_.near, plan_.study().selection.period_tolerance}, after_round);
   if (!approach) return false;
   states_ = std::move(approach->states);
   if (!find_candidates(*approach, after_round)) return false;
-  watch(approach->sections);
+  watch(approach->sections, periods);
   if (!take_arrivals(after_round)) return false;
   close_points();
   return true;
@@ -102,7 +118,8 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
   std::vector<OrbitAttempt> attempts = attempts_from(approach);
   std::vector<OrbitAttempt*> all;
   for (OrbitAttempt& attempt : attempts) all.push_back(&attempt);
-  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far).find(all, after_round)) return false;
+  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far, criteria_.kept).find(all, after_round))
+    return false;
   for_each_on_all_cores(attempts.size(), [&](std::size_t i) {
     OrbitAttempt& attempt = attempts[i];
     const std::size_t position = attempt.position;
@@ -124,7 +141,7 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
   return true;
 }
 
-void OrbitSearch::watch(const Sections& sections) {
+void OrbitSearch::watch(const Sections& sections, std::size_t periods) {
   for_each_on_all_cores(open_.size(), [&](std::size_t i) {
     Candidate* candidate = candidates_[open_[i]].get();
     if (candidate == nullptr) return;
@@ -132,14 +149,15 @@ void OrbitSearch::watch(const Sections& sections) {
     // seen.
     const bool is_new = candidate->settled == settled_;
     const std::size_t length = candidate->orbit.length;
-    for (std::size_t period = is_new ? 0 : 1; period <= ORBIT_LONGEST; ++period) {
-      // settled_ counts this approach already, so the section lies settled_ - ORBIT_LONGEST +
-      // period periods from the start. Its distance to the candidate's state is taken modulo the
-      // length; a multiple of the length is added, as it may be negative.
+    for (std::size_t period = is_new ? 0 : 1; period <= periods; ++period) {
+      // settled_ counts this approach already, so the section lies settled_ - periods + period
+      // periods from the start. Its distance to the candidate's state is taken modulo the length; a
+      // multiple of the length is added, as it may be negative.
       const std::size_t phase =
-          (settled_ - candidate->settled + period + ORBIT_LONGEST * (length - 1)) % length;
+          (settled_ - candidate->settled + period + periods * (length - 1)) % length;
       if (phase != 0 || candidate->verdict != OrbitConvergence::Verdict::open) continue;
-      candidate->verdict = candidate->convergence.add(sections.state(i, period));
+      candidate->verdict =
+          candidate->convergence.add(sections.state(i, ORBIT_LONGEST - periods + period));
     }
   });
 }
@@ -156,8 +174,10 @@ bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
       candidates_[position].reset();
     }
   }
-  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far).sharpen(arrivals, after_round))
+  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far, criteria_.kept)
+           .sharpen(arrivals, after_round)) {
     return false;
+  }
   for (OrbitAttempt* orbit : arrivals) {
     const std::size_t position = orbit->position;
     if (orbit->verdict == NewtonVerdict::found) {

@@ -1,12 +1,12 @@
 // Settles a tile and takes out the points that arrive on a periodic orbit.
 //
-// Every ORBIT_LONGEST periods each point's state is compared with where it was. Where it is nearly
-// back after some number of periods, its last returns are extrapolated to the periodic orbit that
-// they tend to, and Newton's method (shooting) goes on from there. When there is an orbit and its
-// multipliers over its minimal period say that it is stable, the point's last returns and its next
-// ones are compared with it, and when they are seen to converge to it, the point need not be
-// integrated any longer. The step's derivative gives all multipliers, and so all Lyapunov
-// exponents.
+// Every ORBIT_LONGEST periods, or after fewer at first, each point's state is compared with where
+// it was. Where it is nearly back after some number of periods, its last returns are extrapolated
+// to the periodic orbit that they tend to, and Newton's method (shooting) goes on from there. When
+// there is an orbit and its multipliers over its minimal period say that it is stable, the point's
+// last returns and its next ones are compared with it, and when they are seen to converge to it,
+// the point need not be integrated any longer. The step's derivative gives all multipliers, and so
+// all Lyapunov exponents.
 #pragma once
 
 #include <cstddef>
@@ -34,6 +34,7 @@ struct SearchCriteria {
   double near = 0.0;     // of a return from where it was: from there Newton's method is tried
   double far = 0.0;      // of the orbit from where Newton's method begins, at most
   int longest_span = 0;  // returns by which a convergence is judged (orbit_convergence.hpp)
+  double kept = 0.0;     // as of NewtonLimits
 };
 
 class OrbitSearch {
@@ -47,7 +48,8 @@ class OrbitSearch {
   // with stop = "never".
   bool can_advance() const;
 
-  // Settles the open points by ORBIT_LONGEST periods. False when the callback asked to stop.
+  // Settles the open points by ORBIT_LONGEST periods, or by fewer at first, where they start so
+  // near an orbit that fewer may tell. False when the callback asked to stop.
   bool advance(const RoundCallback& after_round);
 
   std::size_t settled() const { return settled_; }  // periods so far
@@ -67,12 +69,13 @@ class OrbitSearch {
     OrbitConvergence::Verdict verdict = OrbitConvergence::Verdict::open;
   };
 
+  std::size_t next_approach() const;  // periods
   std::vector<OrbitAttempt> attempts_from(const Approach& approach) const;
   // Looks for orbits that open points without a candidate may be on their way to. False when the
   // callback asked to stop.
   bool find_candidates(const Approach& approach, const RoundCallback& after_round);
   // Shows the candidates the sections of the approach that has just ended.
-  void watch(const Sections& sections);
+  void watch(const Sections& sections, std::size_t periods);
   // Takes over the candidates that are arrived at, and gives up those that are not. False when the
   // callback asked to stop.
   bool take_arrivals(const RoundCallback& after_round);
@@ -82,6 +85,7 @@ class OrbitSearch {
   const Tile& tile_;
   const std::size_t periods_;  // of the search, at most
   OrbitEngine* engine_;
+  const bool is_near_nominal_;  // a draw that starts from the nominal motion
   const SearchCriteria criteria_;
   std::size_t settled_ = 0;
   std::vector<std::size_t> open_;
