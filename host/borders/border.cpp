@@ -172,6 +172,11 @@ std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& u
         (return_of(*answers[query], unknowns) - out.residual.head(n)) / kDifference;
     set_value(all - i, -stretch.left.dot(change(query) * stretch.right));
   }
+  const auto by_parameters = out.slope.topRightCorner(n, 2);
+  if (kind_ == BorderKind::fold) {
+    out.transversality = (out.state.null_vectors.left.real().transpose() * by_parameters).norm() /
+                         by_parameters.norm();
+  }
   // The second derivative is symmetric: its change along the null vector is the change of its
   // product with the null vector along each state.
   MatrixXcd bend = change(3).cast<std::complex<double>>();
@@ -209,6 +214,7 @@ std::optional<BorderPoint> BorderEquations::correct(const VectorXd& guess, const
       BorderPoint point = point_at(z, now);
       point.residual = off;
       point.fold_bend = first->fold_bend;
+      point.transversality = first->transversality;
       point.tangent = tangent.normalized();
       point.iterations = iteration;
       return point;

@@ -23,6 +23,8 @@ constexpr std::size_t kMaxPoints = 2000;
 constexpr double kOverCorner = 3e-3, kFarFromCorner = 0.1, kBackwards = 0.9;
 constexpr int kDirections = 16;
 constexpr std::size_t kMaxCorners = 12;
+constexpr double kAlmostStraight = 0.998;            // cosine
+constexpr double kSamePlace = 3e-4, kAtEdge = 1e-4;  // of the window
 constexpr double kNearAxis = 1e-3;  // of the angle of a pair: a resonance ends its curve
 
 int real_beyond(const BorderPoint& point, double sign) {
@@ -59,9 +61,12 @@ class Tracer {
       if (!next) {
         length = kShorter * allowed;
         if (length >= kMinStep) continue;
-        if (corners_.size() < kMaxCorners) next = over_corner(last);
-        if (!next) return ended("no way on", std::move(points));
-        corners_.push_back(last.place);
+        if (turns_ < kMaxCorners) next = over_corner(last, points);
+        if (!next) {
+          return ended(is_at_edge(last) ? "leaves the window" : "no way on", std::move(points));
+        }
+        ++turns_;
+        if (bends_at(last, *next)) corners_.push_back(last.place);
         length = kFirstStep;
       }
       if (!equations_.plane().contains(next->place)) {
@@ -72,8 +77,9 @@ class Tracer {
         is_closed_ = true;
         return ended("closes", std::move(points));
       }
-      points.push_back(*next);
-      if (meets_axis(*next)) {
+      const bool is_beyond = has_angle() && std::sin(next->angle) * std::sin(last.angle) < 0.0;
+      if (!is_beyond) points.push_back(*next);
+      if (is_beyond || meets_axis(*next)) {
         const bool is_front = std::cos(next->angle) > 0.0;
         return ended(is_front ? "ends at a resonance 1:1" : "ends at a resonance 1:2",
                      std::move(points));
@@ -112,7 +118,8 @@ class Tracer {
   // Where an orbit begins to touch a limit of a contact, its multipliers change with the root of
   // how deep it goes: a curve goes on there along the places where the orbit only just touches, at
   // any angle to where it came from. Looks for it all around.
-  std::optional<BorderPoint> over_corner(const BorderPoint& corner) const {
+  std::optional<BorderPoint> over_corner(const BorderPoint& corner,
+                                         const std::vector<BorderPoint>& points) const {
     const VectorXd from = equations_.unknowns_of(corner);
     const Index x = from.size() - 2, y = x + 1;
     const double came = std::atan2(-corner.tangent[y], -corner.tangent[x]);
@@ -130,7 +137,10 @@ class Tracer {
       if (!found) continue;
       const VectorXd gone = equations_.unknowns_of(*found) - from;
       const double turned = std::cos(std::atan2(gone[y], gone[x]) - came);
-      if (std::hypot(gone[x], gone[y]) > 2.0 * kOverCorner || turned >= most_straight) continue;
+      if (std::hypot(gone[x], gone[y]) > 2.0 * kOverCorner || turned >= most_straight ||
+          was_there(*found, points)) {
+        continue;
+      }
       if (found->tangent[x] * gone[x] + found->tangent[y] * gone[y] < 0.0) {
         found->tangent = -found->tangent;
       }
@@ -172,15 +182,53 @@ class Tracer {
     return share >= 0.0 && share <= 1.0 && (start - share * way).norm() < 0.1 * way.norm();
   }
 
+  bool has_angle() const { return equations_.kind() == BorderKind::neimark_sacker; }
   bool meets_axis(const BorderPoint& point) const {
-    return equations_.kind() == BorderKind::neimark_sacker &&
-           std::abs(std::sin(point.angle)) < kNearAxis;
+    return has_angle() && std::abs(std::sin(point.angle)) < kNearAxis;
+  }
+
+  // In shares of the window.
+  double share(const BorderPoint& a, const BorderPoint& b, std::size_t axis) const {
+    return (b.place[axis] - a.place[axis]) / equations_.plane().range(axis);
+  }
+
+  // Whether the way from a point to the next turns away from the point's tangent. On a smooth model
+  // a step that is hard to take is no corner.
+  bool bends_at(const BorderPoint& a, const BorderPoint& b) const {
+    const double x = share(a, b, 0), y = share(a, b, 1);
+    const Index n = a.tangent.size();
+    const double tx = a.tangent[n - 2], ty = a.tangent[n - 1];
+    return x * tx + y * ty < kAlmostStraight * std::hypot(x, y) * std::hypot(tx, ty);
+  }
+
+  // Whether a place lies on the way so far.
+  bool was_there(const BorderPoint& point, const std::vector<BorderPoint>& points) const {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double ax = share(points[i], point, 0), ay = share(points[i], point, 1);
+      const double bx = share(points[i], points[i + 1], 0), by = share(points[i], points[i + 1], 1);
+      const double length = bx * bx + by * by;
+      const double at = length > 0.0 ? std::clamp((ax * bx + ay * by) / length, 0.0, 1.0) : 0.0;
+      if (std::hypot(ax - at * bx, ay - at * by) < kSamePlace) return true;
+    }
+    return false;
+  }
+
+  // At an edge of the window beyond which the model may take no values.
+  bool is_at_edge(const BorderPoint& point) const {
+    const ParameterPlane& plane = equations_.plane();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double from_edge =
+          std::min(point.place[i] - plane.from[i], plane.to[i] - point.place[i]);
+      if (from_edge < kAtEdge * plane.range(i)) return true;
+    }
+    return false;
   }
 
   const BorderEquations& equations_;
   const BorderPoint& start_;
   std::string reason_;
   std::vector<PlanePlace> corners_;
+  std::size_t turns_ = 0;
   bool is_closed_ = false;
 };
 

@@ -21,6 +21,8 @@ namespace gearsweep {
 namespace {
 
 constexpr double kHalfPixel = 0.5, kOnCurve = 0.05;  // pixels
+constexpr std::size_t kMinOpen = 3;  // pairs of a border without a reason: worth a search
+constexpr double kNearlyAll = 0.9;
 constexpr std::size_t kMaxRounds = 12;
 constexpr std::size_t kMaxTries = 8;  // seeds of a border that find nothing
 constexpr std::size_t kAtOnce = 8;    // threads, which mostly wait for the device
@@ -108,7 +110,7 @@ class BorderSearch {
       for (std::size_t i = 0; i < border.reasons.size(); ++i) {
         if (border.reasons[i] != EdgeReason::curve && !is_tried_[b][i]) open.push_back(i);
       }
-      if (open.size() < request_.min_edges || tries_[b] >= kMaxTries) continue;
+      if (open.size() < kMinOpen || tries_[b] >= kMaxTries) continue;
       const std::size_t edge = open[open.size() / 2];
       is_tried_[b][edge] = true;
       ++tries_[b];
@@ -183,8 +185,17 @@ class BorderSearch {
     });
   }
 
+  // Whether nearly all of it lies on others.
+  bool is_known(const BorderCurve& curve) {
+    const auto known = std::ranges::count_if(curve.points, [&](const BorderPoint& point) {
+      return is_known(curve.kind, curve.period, point);
+    });
+    return static_cast<double>(known) > kNearlyAll * static_cast<double>(curve.points.size());
+  }
+
   void add(BorderCurve curve, const BorderPoint& start) {
-    if (is_known(curve.kind, curve.period, start)) return;  // another thread was faster
+    // Another thread was faster, or the curve is one that was begun elsewhere.
+    if (is_known(curve.kind, curve.period, start) || is_known(curve)) return;
     const std::lock_guard lock(curves_mutex_);
     for (ExplainedBorder& border : borders_) {
       if (!may_explain(curve, border.border)) continue;

@@ -13,6 +13,7 @@ using Eigen::VectorXd;
 constexpr double kFarCrossing = 2.0;    // in scaled unknowns: from a pixel to a border beside it
 constexpr double kBeyond = 1.5;         // pixels from the middle of an edge
 constexpr double kNearestShare = 1e-5;  // of the way between two pixels: how near to its end
+constexpr double kNoFold = 1e-4;        // transversality, of which differences leave 1e-6
 constexpr double kSmallAngle = 0.02;    // of a pair: a resonance, or none at all
 constexpr double kNearReach = 0.5;      // sizes of the states: from one orbit to the next
 
@@ -52,6 +53,7 @@ class CrossingSearch {
     std::optional<BorderPoint> found =
         equations.correct(guess, across.normalized(), *vectors, kFarCrossing);
     if (!found || !found->is_of_stable_motion()) return std::nullopt;
+    if (found->transversality < kNoFold) return std::nullopt;
     const bool is_pair = equations.kind() == BorderKind::neimark_sacker;
     if (is_pair && std::abs(std::sin(found->angle)) < kSmallAngle) return std::nullopt;
     return found;

@@ -7,11 +7,16 @@
 namespace gearsweep {
 namespace {
 
+// Between two values of the axis, or beyond its ends as between the last two.
 double column_of(const std::vector<double>& axis, bool is_logarithmic, double value) {
-  const double last = static_cast<double>(axis.size() - 1);
-  if (is_logarithmic)
-    return last * std::log(value / axis.front()) / std::log(axis.back() / axis.front());
-  return last * (value - axis.front()) / (axis.back() - axis.front());
+  if (axis.size() < 2) return 0.0;
+  const auto above = std::ranges::upper_bound(axis, value) - axis.begin();
+  const auto low = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(axis.size()) - 2));
+  const double a = axis[low], b = axis[low + 1];
+  const double share =
+      is_logarithmic ? std::log(value / a) / std::log(b / a) : (value - a) / (b - a);
+  return static_cast<double>(low) + share;
 }
 
 double distance_to_line(const PixelPlace& a, const PixelPlace& b, const PixelPlace& place) {

@@ -13,6 +13,7 @@ struct Carried {
   EdgeReason* reason;
   HeldOrbit at;
   PlanePlace step;
+  Eigen::VectorXd change;  // of the state, by the last step
 };
 
 }  // namespace
@@ -22,7 +23,7 @@ std::string describe(EdgeReason reason) {
     case EdgeReason::curve:
       return "a curve passes between them";
     case EdgeReason::basin:
-      return "a change of basin";
+      return "a motion goes on beyond the border (a change of basin)";
     case EdgeReason::lost:
       return "an orbit is lost, and no curve was found";
     case EdgeReason::unsettled:
@@ -58,22 +59,32 @@ void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pix
     const PlanePlace here = pixels.place(from), there = pixels.place(to);
     PlanePlace step{};
     for (std::size_t k = 0; k < 2; ++k) step[k] = (there[k] - here[k]) / kPartsOfWay;
-    under_way.push_back({reason, *orbit, step});
+    under_way.push_back({reason, *orbit, step, Eigen::VectorXd::Zero(orbit->state.size())});
   });
   for (int part = 0; part < 2 * kPartsOfWay && !under_way.empty(); ++part) {
     std::vector<HeldOrbit> guesses;
     for (const Carried& carried : under_way) {
       guesses.push_back(carried.at);
+      guesses.back().state += carried.change;
       for (std::size_t k = 0; k < 2; ++k) guesses.back().place[k] += carried.step[k];
     }
     const auto found = hold_orbits(plane, map, guesses, kNextReach);
     std::vector<Carried> left;
+    std::vector<HeldOrbit> orbits;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (found[i] && found[i]->is_stable()) {
-        left.push_back({under_way[i].reason, *found[i], under_way[i].step});
-      }
+      if (!found[i] || !found[i]->is_stable()) continue;
+      Carried carried = under_way[i];
+      carried.change = found[i]->state - carried.at.state;
+      carried.at = *found[i];
+      orbits.push_back(carried.at);
+      left.push_back(std::move(carried));
     }
-    under_way = std::move(left);
+    // Beyond a flip Newton's method comes to the orbit of half the period, twice around.
+    const std::vector<bool> is_shorter = return_sooner(plane, map, orbits);
+    under_way.clear();
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (!is_shorter[i]) under_way.push_back(std::move(left[i]));
+    }
   }
   for (const Carried& carried : under_way) *carried.reason = EdgeReason::basin;
 }

@@ -13,7 +13,7 @@ namespace gearsweep {
 enum class EdgeReason {
   curve,      // a curve passes between them, within half a pixel of the middle, and a stable
               // motion of theirs bifurcates there
-  basin,      // the orbit of one goes on beyond the other, stable: they start in different basins
+  basin,      // the orbit of one goes on beyond the other, stable: two motions are stable there
   lost,       // the orbit loses its stability or ends between them, and no curve was found there
   unsettled,  // neither motion was found again
 };

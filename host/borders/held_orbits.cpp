@@ -9,6 +9,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kCloseEnough = 1e-9;  // of the states' sizes
+constexpr double kSameState = 1e-5;    // of these sizes: it is back
 constexpr int kMaxSteps = 10;
 
 }  // namespace
@@ -21,6 +22,31 @@ Eigen::VectorXd residual_of(const ParameterPlane& plane, const OrbitAnswer& answ
     turn = std::remainder(turn, 2.0 * std::numbers::pi);
   }
   return out.cwiseQuotient(sizes);
+}
+
+std::vector<bool> return_sooner(const ParameterPlane& plane, OrbitMap* map,
+                                const std::vector<HeldOrbit>& orbits) {
+  std::vector<std::size_t> owners;
+  std::vector<OrbitQuery> queries;
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    for (const std::size_t prime : {2, 3, 5, 7, 11, 13}) {
+      if (orbits[i].period % prime != 0) continue;
+      const PlanePlace& place = orbits[i].place;
+      owners.push_back(i);
+      queries.push_back({{place.begin(), place.end()}, orbits[i].state, orbits[i].period / prime});
+    }
+  }
+  std::vector<bool> out(orbits.size(), false);
+  if (queries.empty()) return out;
+  const auto answers = map->answer(queries);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const HeldOrbit& orbit = orbits[owners[i]];
+    if (!answers[i]) continue;
+    const double off =
+        residual_of(plane, *answers[i], orbit.state, orbit.sizes).cwiseAbs().maxCoeff();
+    if (off < kSameState) out[owners[i]] = true;
+  }
+  return out;
 }
 
 std::vector<std::optional<HeldOrbit>> hold_orbits(const ParameterPlane& plane, OrbitMap* map,

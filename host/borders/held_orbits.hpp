@@ -24,6 +24,10 @@ struct HeldOrbit {
 Eigen::VectorXd residual_of(const ParameterPlane& plane, const OrbitAnswer& answer,
                             const Eigen::VectorXd& state, const Eigen::VectorXd& sizes);
 
+// Which of these orbits come back sooner than after their period.
+std::vector<bool> return_sooner(const ParameterPlane& plane, OrbitMap* map,
+                                const std::vector<HeldOrbit>& orbits);
+
 // The orbits near guesses; nothing where Newton's method does not converge, or goes farther than
 // `reach` sizes of the states.
 std::vector<std::optional<HeldOrbit>> hold_orbits(const ParameterPlane& plane, OrbitMap* map,

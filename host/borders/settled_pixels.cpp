@@ -10,8 +10,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kNearby = 0.3;      // of the sizes: from where a motion settled to its orbit
-constexpr double kSameState = 1e-5;  // of the sizes: it is back
+constexpr double kNearby = 0.3;  // of the sizes: from where a motion settled to its orbit
 constexpr std::size_t kStepsForSizes = 128;
 
 // The sizes of the states along a motion; nothing where it leaves its range. What the host knows of
@@ -96,33 +95,17 @@ void SettledPixels::settle(const std::vector<std::size_t>& pixels) {
     }
   }
   const auto found = hold_orbits(plane_, held_, guesses, kNearby);
+  std::vector<HeldOrbit> stable;
+  std::vector<std::size_t> pixels_of_stable;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i] && found[i]->is_stable()) known_[owners[i]] = found[i];
+    if (!found[i] || !found[i]->is_stable()) continue;
+    stable.push_back(*found[i]);
+    pixels_of_stable.push_back(owners[i]);
   }
-  forget_shorter(asked);
-}
-
-void SettledPixels::forget_shorter(const std::vector<std::size_t>& pixels) {
-  std::vector<std::size_t> owners;
-  std::vector<OrbitQuery> queries;
-  for (const std::size_t pixel : pixels) {
-    const HeldOrbit* found = orbit(pixel);
-    if (found == nullptr) continue;
-    for (const std::size_t prime : {2, 3, 5, 7, 11, 13}) {
-      if (found->period % prime != 0) continue;
-      owners.push_back(pixel);
-      queries.push_back(
-          {{found->place.begin(), found->place.end()}, found->state, found->period / prime});
-    }
-  }
-  if (queries.empty()) return;
-  const auto answers = held_->answer(queries);
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    const HeldOrbit* found = orbit(owners[i]);
-    if (found == nullptr || !answers[i]) continue;
-    const double off =
-        residual_of(plane_, *answers[i], found->state, found->sizes).cwiseAbs().maxCoeff();
-    if (off < kSameState) known_[owners[i]].reset();
+  // Those that come back sooner are not the motions that the map shows.
+  const std::vector<bool> is_shorter = return_sooner(plane_, held_, stable);
+  for (std::size_t i = 0; i < stable.size(); ++i) {
+    if (!is_shorter[i]) known_[pixels_of_stable[i]] = stable[i];
   }
 }
 

@@ -29,9 +29,6 @@ class SettledPixels {
   const HeldOrbit* orbit(std::size_t pixel) const;
 
  private:
-  // Drops those that come back sooner: they are not the motions that the map shows.
-  void forget_shorter(const std::vector<std::size_t>& pixels);
-
   const std::shared_ptr<const Study> study_;
   const ParameterPlane& plane_;
   const PeriodPixels& pixels_;

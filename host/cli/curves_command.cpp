@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 
 #include "borders/border_search.hpp"
@@ -88,6 +89,7 @@ std::string describe_curves(const BorderFindings& findings) {
   }
   std::size_t pairs = 0;
   std::array<std::size_t, kEdgeReasons> counts{};
+  if (findings.borders.empty()) return out + "no border of the map has as many pairs of pixels\n";
   out += "borders of the map, in pairs of pixels:\n";
   for (const ExplainedBorder& border : findings.borders) {
     out += fmt::format("  {} | {}: {}", label_of(border.border.labels[0]),
@@ -122,6 +124,11 @@ int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
   if (!arguments.output.ends_with(".nc")) {
     throw InputError(
         fmt::format("cannot write curves to '{}': its name must end in .nc", arguments.output));
+  }
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.map, arguments.output, none)) {
+    throw InputError(fmt::format("'{}' is the map itself: the curves need a file of their own",
+                                 arguments.output));
   }
   ensure_writable(arguments.output);
   Study study = load_study(arguments.map, {});
@@ -167,7 +174,7 @@ void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
                                "study's, if that is more)",
                                kBorderSteps))
       ->type_name(kNumberValue)
-      ->check(whole_number(16, 65536));
+      ->check(whole_number(64, 65536));
   command
       ->add_option("--min-pairs", arguments->min_pairs,
                    fmt::format("Borders of fewer pairs of neighbouring pixels are left out "
@@ -185,8 +192,9 @@ void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
       "Where neighbouring pixels differ in their period, Newton's method finds the bifurcation\n"
       "between them: a fold, a flip (the period doubles) or a Neimark-Sacker bifurcation (a torus\n"
       "is born). Its curve is followed through the plane. Of all other pairs the summary says\n"
-      "whether the orbit of one goes on, stable, beyond the other: then the border is one between\n"
-      "basins, and no bifurcation.");
+      "whether the orbit of one goes on, stable, beyond the other: then two motions are stable "
+      "there,\n"
+      "and the starts of the two pixels lie in different basins.");
   command->callback([arguments, signals, status] { *status = run_curves(*arguments, signals); });
 }
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "borders/curve_distance.hpp"
+
 namespace gearsweep::testing {
 namespace {
 
@@ -44,6 +46,19 @@ TEST(MapBorders, ThatAreShorterThanAskedAreLeftOut) {
 
 TEST(MapBorders, OfMotionsWithoutAPeriodAreNone) {
   EXPECT_TRUE(find_map_borders(pixels_of({"...", "..."}), 1).empty());
+}
+
+// Neighbours are one pixel apart, whatever their values are.
+TEST(PixelPlaces, FollowAnAxisOfAnySpacing) {
+  PeriodPixels pixels;
+  pixels.axes = {{{0.8, 1.0, 1.1, 1.5}, {1.0, 10.0, 1000.0}}};
+  pixels.is_logarithmic = {false, true};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(pixel_place(pixels, {pixels.axes[0][i], 1.0})[0], static_cast<double>(i), 1e-12);
+  }
+  EXPECT_NEAR(pixel_place(pixels, {1.05, 1.0})[0], 1.5, 1e-12);
+  EXPECT_NEAR(pixel_place(pixels, {1.9, 1.0})[0], 4.0, 1e-12);
+  EXPECT_NEAR(pixel_place(pixels, {1.0, 100.0})[1], 1.5, 1e-12);
 }
 
 }  // namespace

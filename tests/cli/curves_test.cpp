@@ -11,7 +11,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 // The pendulum doubles its period between dampings 0.73 and 0.75.
-constexpr const char* kPendulum = R"(
+constexpr const char* kDoublingPendulum = R"(
 [model]
 name = "pendulum"
 [parameters]
@@ -36,7 +36,7 @@ quantities = ["period"]
 
 TEST(CurvesCommand, FindsTheDoublingOfAPendulumAndDrawsIt) {
   const Folder folder;
-  folder.write("pendulum.toml", kPendulum);
+  folder.write("pendulum.toml", kDoublingPendulum);
   ASSERT_EQ(gearsweep(folder, "run pendulum.toml -o map.nc --quiet").status, 0);
   const Outcome outcome = gearsweep(folder, "curves map.nc -o curves.nc --quiet --min-pairs 5");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -84,8 +84,10 @@ constexpr const char* kOneAxis =
 INSTANTIATE_TEST_SUITE_P(
     Cases, CurvesRefusal,
     ::testing::Values(WrongCurves{kOneAxis, "curves map.nc -o curves.nc", "no map of two axes"},
-                      WrongCurves{kOneAxis, "curves study.toml -o curves.nc", "compute the map first"},
+                      WrongCurves{kOneAxis, "curves study.toml -o curves.nc",
+                                  "compute the map first"},
                       WrongCurves{kTwoAxes, "curves map.nc -o curves.png", "must end in .nc"},
+                      WrongCurves{kTwoAxes, "curves map.nc -o map.nc", "is the map itself"},
                       WrongCurves{kTwoAxes, "curves map.nc -o missing/curves.nc", "missing"},
                       WrongCurves{kTwoAxes, "curves map.nc -o curves.nc", "'period'"}),
     [](const auto& refusal) { return "number_" + std::to_string(refusal.index); });
