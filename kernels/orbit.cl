@@ -30,9 +30,9 @@ SHARED_FN void store_section(__global real* sections, uint number, const real* x
 }
 
 // Advances each lane by its own number of periods, lengths ([item]), in one or more rounds, and
-// keeps their sections, the number `first` and those behind it. Lanes that are done go on beside the
-// others: what they leave after their number is not looked at. All but the last of the periods of
-// an approach are followed, too; its last section has the number ORBIT_LONGEST.
+// keeps their sections, the number `first` and those behind it. Lanes that are done go on beside
+// the others: what they leave after their number is not looked at. All but the last of the periods
+// of an approach are followed, too; its last section has the number ORBIT_LONGEST.
 __kernel void follow(const SweepRound round, PARAMETER_TABLES, GRID_TABLES, __global real* state,
                      TABLE real* lengths, const uint first, __global real* sections) {
   const uint items = round.items;
@@ -136,13 +136,13 @@ SHARED_FN void extrapolate_returns(__global const real* sections, uint periods, 
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) guess[i] = x[i] + ranges[i] * way_out[i];
 }
 
-// After an approach of so many periods: finds a return and guesses the orbit. A return after n periods is one where
-// the state now and the state n periods ago differ by at most near / n^2, in units of the ranges;
-// the smallest n counts. The limit has n^2, because motion on a torus returns to within about 1 /
-// n^2 of its size for some n without being periodic (Dirichlet's theorem). lengths is [item]: on
-// entry the sum of 2^(n - 1) over the n that are excluded; on exit n, or 0 where there is no
-// return. guesses is [state][item]. This is a kernel of its own, since as the end of `measure` it
-// would make that one slower (PoCL).
+// After an approach of so many periods: finds a return and guesses the orbit. A return after n
+// periods is one where the state now and the state n periods ago differ by at most near / n^2, in
+// units of the ranges; the smallest n counts. The limit has n^2, because motion on a torus returns
+// to within about 1 / n^2 of its size for some n without being periodic (Dirichlet's theorem).
+// lengths is [item]: on entry the sum of 2^(n - 1) over the n that are excluded; on exit n, or 0
+// where there is no return. guesses is [state][item]. This is a kernel of its own, since as the end
+// of `measure` it would make that one slower (PoCL).
 __kernel void extrapolate(const SweepRound round, __global const real* state,
                           __global const real* sections, __global const real* ranges,
                           const scalar near, const uint periods, __global real* lengths,

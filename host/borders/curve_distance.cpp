@@ -39,8 +39,9 @@ PixelPlace pixel_place(const PeriodPixels& pixels, const PlanePlace& place) {
 PixelPlace middle_of(const PeriodPixels& pixels, const BorderEdge& edge) {
   PixelPlace out{};
   for (const std::size_t pixel : edge.pixels) {
-    out[0] += 0.5 * static_cast<double>(pixel % pixels.columns());
-    out[1] += 0.5 * static_cast<double>(pixel / pixels.columns());
+    const std::size_t column = pixel % pixels.columns(), row = pixel / pixels.columns();
+    out[0] += 0.5 * static_cast<double>(column);
+    out[1] += 0.5 * static_cast<double>(row);
   }
   return out;
 }

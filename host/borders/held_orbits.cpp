@@ -29,7 +29,7 @@ std::vector<bool> return_sooner(const ParameterPlane& plane, OrbitMap* map,
   std::vector<std::size_t> owners;
   std::vector<OrbitQuery> queries;
   for (std::size_t i = 0; i < orbits.size(); ++i) {
-    for (const std::size_t prime : {2, 3, 5, 7, 11, 13}) {
+    for (const std::size_t prime : {2U, 3U, 5U, 7U, 11U, 13U}) {
       if (orbits[i].period % prime != 0) continue;
       const PlanePlace& place = orbits[i].place;
       owners.push_back(i);

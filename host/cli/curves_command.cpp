@@ -39,7 +39,7 @@ std::string curves_command_line(const CurvesArguments& arguments) {
 
 PeriodPixels read_periods(const std::string& path) {
   const ResultFile file(path);
-  const std::vector<std::string> known = file.quantities();
+  const std::vector<std::string>& known = file.quantities();
   if (std::ranges::find(known, "period") == known.end()) {
     throw InputError(fmt::format(
         "'{}' has no 'period', by which borders are found: compute the map again with it among its "
