@@ -309,7 +309,10 @@ BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& s
   Tracer onwards(equations, start);
   const std::vector<BorderPoint> after = onwards.go(1.0);
   curve.ends = onwards.reason();
+  const Model& model = *equations.plane().model;
+  const bool may_touch = !model.contacts.empty() || model.corners > 0 || !model.surfaces.empty();
   const auto add_corners = [&](const Tracer& tracer) {
+    if (!may_touch) return;
     for (const PlanePlace& place : tracer.corners()) {
       curve.special.push_back({SpecialKind::corner, place});
     }

@@ -23,6 +23,7 @@ namespace {
 constexpr double kHalfPixel = 0.5, kOnCurve = 0.05;  // pixels
 constexpr std::size_t kMinOpen = 3;  // pairs of a border without a reason: worth a search
 constexpr double kNearlyAll = 0.9;
+constexpr std::size_t kMinPoints = 4;  // of a curve
 constexpr std::size_t kMaxRounds = 12;
 constexpr std::size_t kMaxTries = 8;  // seeds of a border that find nothing
 constexpr std::size_t kAtOnce = 8;    // threads, which mostly wait for the device
@@ -196,6 +197,8 @@ class BorderSearch {
   void add(BorderCurve curve, const BorderPoint& start) {
     // Another thread was faster, or the curve is one that was begun elsewhere.
     if (is_known(curve.kind, curve.period, start) || is_known(curve)) return;
+    // Newton's method came to a place around which the equations have no curve.
+    if (curve.points.size() < kMinPoints) return;
     const std::lock_guard lock(curves_mutex_);
     for (ExplainedBorder& border : borders_) {
       if (!may_explain(curve, border.border)) continue;
