@@ -138,9 +138,7 @@ std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& u
                                                                const NullVectors& near) const {
   const Index n = states(), all = this->unknowns();
   std::vector<OrbitQuery> queries = {query_at(unknowns)};
-  std::vector<VectorXd> ways;
   const auto ask = [&](const VectorXd& way) {
-    ways.push_back(way);
     queries.push_back(query_at(unknowns + kDifference * way));
   };
   for (Index i = 1; i <= 2; ++i) ask(VectorXd::Unit(all, all - i));

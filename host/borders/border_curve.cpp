@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace gearsweep {
@@ -32,16 +31,10 @@ int real_beyond(const BorderPoint& point, double sign) {
       point.multipliers, [&](const auto& m) { return m.imag() == 0.0 && sign * m.real() > 1.0; }));
 }
 
-// How many complex multipliers lie outside the circle, the pair of the curve itself left out.
-int pairs_beyond(const BorderPoint& point, bool has_own) {
-  std::vector<double> sizes;
-  for (const auto& m : point.multipliers) {
-    if (m.imag() > 0.0) sizes.push_back(std::abs(m));
-  }
-  std::ranges::sort(sizes,
-                    [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
-  if (has_own && !sizes.empty()) sizes.erase(sizes.begin());
-  return static_cast<int>(std::ranges::count_if(sizes, [](double size) { return size > 1.0; }));
+// How many pairs lie outside the circle.
+int pairs_beyond(const BorderPoint& point) {
+  return static_cast<int>(std::ranges::count_if(
+      point.multipliers, [](const auto& m) { return m.imag() > 0.0 && std::abs(m) > 1.0; }));
 }
 
 class Tracer {
@@ -252,12 +245,12 @@ void add_special(const BorderPoint& a, const BorderPoint& b, BorderCurve* curve)
       where_zero(a.fold_bend, b.fold_bend, SpecialKind::cusp);
       where_zero(a.overlap, b.overlap, SpecialKind::resonance_1_1);
       where_counted(real_beyond(a, -1.0), real_beyond(b, -1.0), SpecialKind::fold_flip);
-      where_counted(pairs_beyond(a, false), pairs_beyond(b, false), SpecialKind::fold_neimark);
+      where_counted(pairs_beyond(a), pairs_beyond(b), SpecialKind::fold_neimark);
       return;
     case BorderKind::flip:
       where_zero(a.overlap, b.overlap, SpecialKind::resonance_1_2);
       where_counted(real_beyond(a, 1.0), real_beyond(b, 1.0), SpecialKind::fold_flip);
-      where_counted(pairs_beyond(a, false), pairs_beyond(b, false), SpecialKind::fold_neimark);
+      where_counted(pairs_beyond(a), pairs_beyond(b), SpecialKind::fold_neimark);
       return;
     case BorderKind::neimark_sacker:
       where_zero(std::cos(a.angle) + 0.5, std::cos(b.angle) + 0.5, SpecialKind::resonance_1_3);

@@ -21,8 +21,8 @@ namespace gearsweep {
 namespace {
 
 constexpr double kHalfPixel = 0.5, kOnCurve = 0.05;  // pixels
-constexpr std::size_t kMinOpen = 3;  // pairs of a border without a reason: worth a search
-constexpr double kNearlyAll = 0.9;
+constexpr std::size_t kMinOpen = 3;    // pairs of a border without a reason: worth a search
+constexpr double kNearlyAll = 0.9;     // points of a curve that lie on others: it is one of them
 constexpr std::size_t kMinPoints = 4;  // of a curve
 constexpr std::size_t kMaxRounds = 12;
 constexpr std::size_t kMaxTries = 8;  // seeds of a border that find nothing
@@ -178,38 +178,46 @@ class BorderSearch {
   }
 
   bool is_known(BorderKind kind, std::size_t period, const BorderPoint& point) {
-    const PixelPlace at = pixel_place(pixels_, point.place);
     const std::lock_guard lock(curves_mutex_);
-    return std::ranges::any_of(curves_, [&](const BorderCurve& curve) {
-      return curve.kind == kind && curve.period == period &&
-             distance_to(pixels_, curve, at) <= kOnCurve;
-    });
+    return is_on_a_curve(kind, period, point);
+  }
+  // With the mutex held.
+  bool is_on_a_curve(BorderKind kind, std::size_t period, const BorderPoint& point) const {
+    const PixelPlace at = pixel_place(pixels_, point.place);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      const bool is_alike = curves_[i].kind == kind && curves_[i].period == period;
+      if (is_alike && lines_[i].distance_to(at) <= kOnCurve) return true;
+    }
+    return false;
   }
 
-  // Whether nearly all of it lies on others.
-  bool is_known(const BorderCurve& curve) {
-    const auto known = std::ranges::count_if(curve.points, [&](const BorderPoint& point) {
-      return is_known(curve.kind, curve.period, point);
-    });
+  // Another thread may have been faster, or the curve may be one that was begun elsewhere: its
+  // start or nearly all of it lies on others.
+  bool is_old(const BorderCurve& curve, const BorderPoint& start) const {
+    const auto is_on_one = [&](const BorderPoint& point) {
+      return is_on_a_curve(curve.kind, curve.period, point);
+    };
+    if (is_on_one(start)) return true;
+    const auto known = std::ranges::count_if(curve.points, is_on_one);
     return static_cast<double>(known) > kNearlyAll * static_cast<double>(curve.points.size());
   }
 
   void add(BorderCurve curve, const BorderPoint& start) {
-    // Another thread was faster, or the curve is one that was begun elsewhere.
-    if (is_known(curve.kind, curve.period, start) || is_known(curve)) return;
     // Newton's method came to a place around which the equations have no curve.
     if (curve.points.size() < kMinPoints) return;
+    PixelLine line(pixels_, curve);
     const std::lock_guard lock(curves_mutex_);
+    if (is_old(curve, start)) return;
     for (ExplainedBorder& border : borders_) {
       if (!may_explain(curve, border.border)) continue;
       for (std::size_t i = 0; i < border.reasons.size(); ++i) {
         if (border.reasons[i] == EdgeReason::curve) continue;
         const PixelPlace middle = middle_of(pixels_, border.border.edges[i]);
-        if (distance_to(pixels_, curve, middle, true) <= kHalfPixel)
-          border.reasons[i] = EdgeReason::curve;
+        if (line.distance_to(middle, true) <= kHalfPixel) border.reasons[i] = EdgeReason::curve;
       }
     }
     curves_.push_back(std::move(curve));
+    lines_.push_back(std::move(line));
   }
 
   // Whether an orbit of the border's bifurcates on the curve, or is born there.
@@ -235,6 +243,7 @@ class BorderSearch {
   std::vector<std::size_t> tries_;           // [border]
   std::mutex curves_mutex_;
   std::vector<BorderCurve> curves_;
+  std::vector<PixelLine> lines_;  // [curve]
 };
 
 }  // namespace

@@ -46,14 +46,18 @@ PixelPlace middle_of(const PeriodPixels& pixels, const BorderEdge& edge) {
   return out;
 }
 
-double distance_to(const PeriodPixels& pixels, const BorderCurve& curve, const PixelPlace& place,
-                   bool of_stable) {
+PixelLine::PixelLine(const PeriodPixels& pixels, const BorderCurve& curve) {
+  for (const BorderPoint& point : curve.points) {
+    places_.push_back(pixel_place(pixels, point.place));
+    is_stable_.push_back(point.is_of_stable_motion());
+  }
+}
+
+double PixelLine::distance_to(const PixelPlace& place, bool of_stable) const {
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    const BorderPoint &a = curve.points[i], &b = curve.points[i + 1];
-    if (of_stable && !(a.is_of_stable_motion() && b.is_of_stable_motion())) continue;
-    nearest = std::min(nearest, distance_to_line(pixel_place(pixels, a.place),
-                                                 pixel_place(pixels, b.place), place));
+  for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+    if (of_stable && !(is_stable_[i] && is_stable_[i + 1])) continue;
+    nearest = std::min(nearest, distance_to_line(places_[i], places_[i + 1], place));
   }
   return nearest;
 }

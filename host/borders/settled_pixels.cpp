@@ -1,6 +1,7 @@
 #include "borders/settled_pixels.hpp"
 
 #include "borders/query_points.hpp"
+#include "model/on_all_cores.hpp"
 #include "orbits/floquet.hpp"
 #include "plan/plan.hpp"
 #include "plan/study_points.hpp"
@@ -52,6 +53,23 @@ const HeldOrbit* SettledPixels::orbit(std::size_t pixel) const {
   return found != known_.end() && found->second ? &*found->second : nullptr;
 }
 
+void SettledPixels::take_sizes(std::vector<HeldOrbit>* guesses,
+                               std::vector<std::size_t>* owners) const {
+  std::vector<std::optional<Eigen::VectorXd>> sizes(guesses->size());
+  for_each_on_all_cores(sizes.size(),
+                        [&](std::size_t i) { sizes[i] = sizes_along(plane_, (*guesses)[i]); });
+  std::vector<HeldOrbit> known;
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (!sizes[i]) continue;
+    (*guesses)[i].sizes = *sizes[i];
+    known.push_back(std::move((*guesses)[i]));
+    own.push_back((*owners)[i]);
+  }
+  *guesses = std::move(known);
+  *owners = std::move(own);
+}
+
 void SettledPixels::settle(const std::vector<std::size_t>& pixels) {
   std::vector<std::size_t> asked;
   std::vector<OrbitQuery> starts;
@@ -87,13 +105,11 @@ void SettledPixels::settle(const std::vector<std::size_t>& pixels) {
       guess.period = static_cast<std::size_t>(pixels_.label(pixel));
       guess.state = Eigen::VectorXd::Map(result->final_states.data() + i * states,
                                          static_cast<Eigen::Index>(states));
-      const std::optional<Eigen::VectorXd> sizes = sizes_along(plane_, guess);
-      if (!sizes) continue;
-      guess.sizes = *sizes;
       guesses.push_back(std::move(guess));
       owners.push_back(pixel);
     }
   }
+  take_sizes(&guesses, &owners);
   const auto found = hold_orbits(plane_, held_, guesses, kNearby);
   std::vector<HeldOrbit> stable;
   std::vector<std::size_t> pixels_of_stable;

@@ -29,6 +29,10 @@ class SettledPixels {
   const HeldOrbit* orbit(std::size_t pixel) const;
 
  private:
+  // Gives guesses the sizes of their states, and drops those whose motion leaves its range. owners:
+  // the pixel of each.
+  void take_sizes(std::vector<HeldOrbit>* guesses, std::vector<std::size_t>* owners) const;
+
   const std::shared_ptr<const Study> study_;
   const ParameterPlane& plane_;
   const PeriodPixels& pixels_;
