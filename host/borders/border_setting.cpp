@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/error.hpp"
+#include "orbits/require_multipliers.hpp"
 #include "plan/passive_states.hpp"
 #include "plan/plan.hpp"
 
@@ -26,25 +27,12 @@ void require_plane(const Study& study) {
 }
 
 void require_orbits(const Study& study) {
-  const Model& model = *study.model;
-  if (model.clocks > 0) {
-    throw InputError(
-        fmt::format("model '{}' has two frequencies: its motions do not return, so "
-                    "they have no bifurcations of orbits",
-                    model.name));
-  }
-  const std::vector<StateJump> jumps = model.state_jumps(study.setting);
-  if (!jumps.empty()) {
-    throw InputError(fmt::format(
-        "model '{}': {} jumps with a state (in {}), and tangent vectors miss what that does to "
-        "them: there are no multipliers; round the jump off, as tanh(v/0.01) does with sign(v)",
-        model.name, jumps.front().expression, jumps.front().place));
-  }
+  require_multipliers(study);
   if (Plan(study, 1).is_autonomous()) {
     throw InputError(fmt::format(
         "nothing drives model '{}': its cycles have no period in forcing periods, by which curves "
         "are found; gearsweep floquet --along follows one of them",
-        model.name));
+        study.model->name));
   }
 }
 

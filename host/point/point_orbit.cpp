@@ -8,6 +8,7 @@
 
 #include "model/error.hpp"
 #include "orbits/find_orbit.hpp"
+#include "orbits/require_multipliers.hpp"
 #include "plan/plan.hpp"
 #include "study/own_step.hpp"
 #include "sweep/sweep.hpp"
@@ -125,23 +126,6 @@ void require_free(const PeriodMap& map, const Model& model) {
                   model.name));
 }
 
-void require_one_frequency(const Model& model) {
-  if (model.clocks == 0) return;
-  throw InputError(fmt::format(
-      "model '{}' has two frequencies: its motions do not return, so they have no multipliers; "
-      "lyapunov_spectrum says what grows beside them",
-      model.name));
-}
-
-void require_smooth(const Study& study) {
-  const std::vector<StateJump> jumps = study.model->state_jumps(study.setting);
-  if (jumps.empty()) return;
-  throw InputError(fmt::format(
-      "model '{}': {} jumps with a state (in {}), and tangent vectors miss what that does to them: "
-      "there are no multipliers; round the jump off, as tanh(v/0.01) does with sign(v)",
-      study.model->name, jumps.front().expression, jumps.front().place));
-}
-
 std::vector<Branch> follow(const Study& study, const FollowedRange& range, const PeriodMap& map,
                            const Orbit& orbit, const std::atomic<bool>* stop,
                            const std::function<void(const Branch&)>& each_orbit) {
@@ -185,8 +169,7 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
   const Place place = start_of(whole, request);
   const Study study = settling_study(whole, request, place);
   const Model& model = *study.model;
-  require_one_frequency(model);
-  require_smooth(study);
+  require_multipliers(study);
   const Plan plan(study, 1);
   const std::size_t own_steps = plan.steps_of(0);
   const std::size_t steps = request.steps.value_or(std::max(kMinOrbitSteps, own_steps));
