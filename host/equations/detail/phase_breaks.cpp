@@ -25,118 +25,160 @@ std::vector<double> in_turn(std::vector<double> phases) {
   return phases;
 }
 
+// Numbers of what a node compares: where value(a) + sign value(b) + offset is 0, it breaks.
+struct Zero {
+  double sign, offset;
+};
+
+std::vector<Zero> zeros_of(const ExpressionGraph& graph, const Node& node) {
+  switch (node.operation) {
+    case Operation::less:
+    case Operation::less_or_equal:
+    case Operation::equal:
+    case Operation::min:
+    case Operation::max:
+    case Operation::stop:
+      return {{-1.0, 0.0}};
+    case Operation::backlash:
+      return {{-1.0, 0.0}, {1.0, 0.0}};
+    case Operation::sign:
+    case Operation::absolute:
+    case Operation::logarithm:
+    case Operation::square_root:
+    case Operation::arctangent_of_two:
+    case Operation::divide:
+      return {{0.0, 0.0}};
+    case Operation::square_root_above_one:
+      return {{0.0, 1.0}};
+    case Operation::arcsine:
+    case Operation::arccosine:
+      return {{0.0, 1.0}, {0.0, -1.0}};
+    case Operation::power:
+      if (is_power_of_any(graph, node.arguments[1])) return {};
+      return {{0.0, 0.0}};
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
-PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
-                         NodeId phase, const std::vector<NodeId>& roots, const NodeNames& names) {
-  std::vector<bool> is_changing(graph.size());
-  is_changing[phase] = true;
-  const std::vector<NodeId> parts = parts_of(graph, roots);
-  std::vector<NodeId> constants, nodes;
-  std::unordered_map<NodeId, std::size_t> places = {{phase, 0}};
-  const auto changes = [&](NodeId id) { return is_changing[id]; };
-  for (const NodeId id : parts) {
-    if (id == phase || std::ranges::none_of(graph[id].arguments, changes)) continue;
-    is_changing[id] = true;
-    nodes.push_back(id);
-    for (const NodeId argument : graph[id].arguments) {
-      if (changes(argument) || places.contains(argument)) continue;
-      places[argument] = 1 + constants.size();
-      constants.push_back(argument);
+// Reads the graph. What the phase changes becomes steps, the rest that these read constants.
+class PhaseBreaks::Reader {
+ public:
+  Reader(const ExpressionGraph& graph, const std::vector<NodeId>& inputs, const NodeNames& names,
+         PhaseBreaks* out)
+      : graph_(graph), inputs_(inputs), names_(names), out_(*out), is_changing_(graph.size()) {}
+
+  void run(NodeId phase, const std::vector<NodeId>& roots) {
+    for (const NodeId id : changing_nodes(phase, roots)) {
+      add_step(id);
+      add_breaker(id);
+    }
+    for (const NodeId id : roots) {
+      if (is_changing_[id]) out_.roots_.push_back(places_.at(id));
     }
   }
-  constants_ = Tape(graph, inputs, constants);
-  constant_count_ = constants.size();
-  for (const NodeId id : nodes) {
-    const Node& node = graph[id];
-    const std::size_t place = first_step() + steps_.size();
-    places[id] = place;
+
+ private:
+  // Those that the phase changes, what they read before them. The others that they read are the
+  // constants.
+  std::vector<NodeId> changing_nodes(NodeId phase, const std::vector<NodeId>& roots) {
+    std::vector<NodeId> constants, nodes;
+    is_changing_[phase] = true;
+    places_ = {{phase, 0}};
+    const auto changes = [&](NodeId id) { return is_changing_[id]; };
+    for (const NodeId id : parts_of(graph_, roots)) {
+      if (id == phase || std::ranges::none_of(graph_[id].arguments, changes)) continue;
+      is_changing_[id] = true;
+      nodes.push_back(id);
+      for (const NodeId argument : graph_[id].arguments) {
+        if (changes(argument) || places_.contains(argument)) continue;
+        places_[argument] = 1 + constants.size();
+        constants.push_back(argument);
+      }
+    }
+    out_.constants_ = Tape(graph_, inputs_, constants);
+    out_.constant_count_ = constants.size();
+    return nodes;
+  }
+
+  void add_step(NodeId id) {
+    const Node& node = graph_[id];
+    places_[id] = out_.first_step() + out_.steps_.size();
     Step step{node.operation, 0, 0, 0, node.table, is_condition(node.operation)};
     const std::array<std::size_t*, 3> arguments = {&step.a, &step.b, &step.c};
     for (std::size_t i = 0; i < node.arguments.size(); ++i) {
-      *arguments[i] = places.at(node.arguments[i]);
+      *arguments[i] = places_.at(node.arguments[i]);
     }
-    Breaker breaker{steps_.size(), {}, {}, ""};
-    const auto add = [&](Levels levels, double sign, double offset) {
-      breaker.functions.push_back({step.a, step.b, sign, offset, levels, {}});
-    };
-    const auto add_table = [&](const std::vector<double>& phases) {
-      add(Levels::table, 0.0, 0.0);
-      breaker.functions.back().phases = in_turn(phases);
-    };
-    switch (node.operation) {
-      case Operation::less:
-      case Operation::less_or_equal:
-      case Operation::equal:
-      case Operation::min:
-      case Operation::max:
-      case Operation::stop:
-        add(Levels::zero, -1.0, 0.0);
-        break;
-      case Operation::backlash:
-        add(Levels::zero, -1.0, 0.0);
-        add(Levels::zero, 1.0, 0.0);
-        break;
-      case Operation::sign:
-      case Operation::absolute:
-      case Operation::logarithm:
-      case Operation::square_root:
-      case Operation::arctangent_of_two:
-        add(Levels::zero, 0.0, 0.0);
-        break;
-      case Operation::square_root_above_one:
-        add(Levels::zero, 0.0, 1.0);
-        break;
-      case Operation::arcsine:
-      case Operation::arccosine:
-        add(Levels::zero, 0.0, 1.0);
-        add(Levels::zero, 0.0, -1.0);
-        break;
-      case Operation::power:
-        if (!is_power_of_any(graph, node.arguments[1])) add(Levels::zero, 0.0, 0.0);
-        break;
-      case Operation::floor:
-        add(Levels::whole, 0.0, 0.0);
-        break;
-      case Operation::tangent:
-        add(Levels::poles, 0.0, 0.0);
-        break;
-      case Operation::divide:
-        add(Levels::zero, 0.0, 0.0);
-        breaker.functions.back().a = step.b;
-        break;
-      case Operation::table: {
-        if (!node.table->jumps().empty()) add_table(node.table->jumps());
-        const std::vector<double> corners = node.table->corners();
-        // What goes on from turn to turn has few of them in each.
-        const std::vector<NodeId> read = parts_of(graph, {node.arguments[0]});
-        const bool goes_on = !inputs.empty() && std::ranges::binary_search(read, inputs.back());
-        if (corners.size() > kMaxTableCorners && !goes_on) {
-          tables_left_out_.push_back(fmt::format(
-              "{} has {} corners, more than {}: steps do not end at them and are of second order "
-              "there; read it as 'cubic' if it is smooth",
-              breaker.text, corners.size(), kMaxTableCorners));
-        } else if (!corners.empty()) {
-          add_table(corners);
-        }
-        break;
-      }
-      default:
-        break;
-    }
-    steps_.push_back(std::move(step));
+    out_.steps_.push_back(std::move(step));
+  }
+
+  // The last step, if it may break.
+  void add_breaker(NodeId id) {
+    Breaker breaker{out_.steps_.size() - 1, functions_of(id), {}, ""};
     std::erase_if(breaker.functions, [this](const Function& function) {
-      return function.a < first_step() && function.a > 0 &&
-             (function.sign == 0.0 || (function.b < first_step() && function.b > 0));
+      return is_constant(function.a) && (function.sign == 0.0 || is_constant(function.b));
     });
-    if (breaker.functions.empty()) continue;
-    breaker.cone = steps_below(breaker.step);
-    breaker.text = to_short_text(graph, id, names);
-    breakers_.push_back(std::move(breaker));
+    if (breaker.functions.empty()) return;
+    breaker.cone = out_.steps_below(breaker.step);
+    breaker.text = to_short_text(graph_, id, names_);
+    out_.breakers_.push_back(std::move(breaker));
   }
-  for (const NodeId id : roots) {
-    if (changes(id)) roots_.push_back(places.at(id));
+
+  bool is_constant(std::size_t place) const { return place > 0 && place < out_.first_step(); }
+
+  // The node of the last step.
+  std::vector<Function> functions_of(NodeId id) {
+    const Node& node = graph_[id];
+    if (node.operation == Operation::table) return functions_of_table(id);
+    const Step& step = out_.steps_.back();
+    if (node.operation == Operation::floor) return {{step.a, step.b, 0.0, 0.0, Levels::whole, {}}};
+    if (node.operation == Operation::tangent) {
+      return {{step.a, step.b, 0.0, 0.0, Levels::poles, {}}};
+    }
+    const std::size_t first = node.operation == Operation::divide ? step.b : step.a;
+    std::vector<Function> functions;
+    for (const Zero& zero : zeros_of(graph_, node)) {
+      functions.push_back({first, step.b, zero.sign, zero.offset, Levels::zero, {}});
+    }
+    return functions;
   }
+
+  std::vector<Function> functions_of_table(NodeId id) {
+    const Node& node = graph_[id];
+    std::vector<Function> functions;
+    const auto add = [&](const std::vector<double>& phases) {
+      const Step& step = out_.steps_.back();
+      functions.push_back({step.a, step.b, 0.0, 0.0, Levels::table, in_turn(phases)});
+    };
+    if (!node.table->jumps().empty()) add(node.table->jumps());
+    const std::vector<double> corners = node.table->corners();
+    // What goes on from turn to turn has few of them in each.
+    const std::vector<NodeId> read = parts_of(graph_, {node.arguments[0]});
+    const bool goes_on = !inputs_.empty() && std::ranges::binary_search(read, inputs_.back());
+    if (corners.size() > kMaxTableCorners && !goes_on) {
+      out_.tables_left_out_.push_back(fmt::format(
+          "{} has {} corners, more than {}: steps do not end at them and are of second order "
+          "there; read it as 'cubic' if it is smooth",
+          to_short_text(graph_, id, names_), corners.size(), kMaxTableCorners));
+    } else if (!corners.empty()) {
+      add(corners);
+    }
+    return functions;
+  }
+
+  const ExpressionGraph& graph_;
+  const std::vector<NodeId>& inputs_;
+  const NodeNames& names_;
+  PhaseBreaks& out_;
+  std::vector<bool> is_changing_;
+  std::unordered_map<NodeId, std::size_t> places_;
+};
+
+PhaseBreaks::PhaseBreaks(const ExpressionGraph& graph, const std::vector<NodeId>& inputs,
+                         NodeId phase, const std::vector<NodeId>& roots, const NodeNames& names) {
+  Reader(graph, inputs, names, this).run(phase, roots);
   order_breakers(roots_);
   find_deciding();
 }

@@ -50,6 +50,7 @@ class PhaseBreaks {
   const std::vector<std::string>& tables_left_out() const { return tables_left_out_; }
 
  private:
+  class Reader;
   class Search;
 
   // Places of values: the phase, then what the phase does not change, then steps.

@@ -92,6 +92,15 @@ class Statements {
         return fmt::format("(!{})", argument(0));
       case Operation::select:
         return fmt::format("lane_select({}, {}, {})", argument(0), vector(1), vector(2));
+      default:
+        return function_text(node);
+    }
+  }
+
+  // A function of the device.
+  std::string function_text(const Node& node) const {
+    const auto vector = [&](std::size_t i) { return as_vector(node.arguments[i]); };
+    switch (node.operation) {
       case Operation::min:
         return fmt::format("lane_min({}, {})", vector(0), vector(1));
       case Operation::max:

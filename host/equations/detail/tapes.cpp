@@ -39,12 +39,134 @@ TapeOfStudy coefs_of(const Lowered& lowered, const std::vector<NodeId>& paramete
   return {Tape(formula->graph, inputs, coefs), std::move(common), std::move(own)};
 }
 
+using Nodes = std::vector<NodeId>;
+
+void append(const Nodes& from, Nodes* to) { to->insert(to->end(), from.begin(), from.end()); }
+
+// Works out the tapes of a model, step by step as make_tapes() tells. The formula's graph gains
+// what that takes.
+class TapeMaker {
+ public:
+  TapeMaker(const Lowered& lowered, Formula* formula)
+      : lowered_(lowered),
+        formula_(*formula),
+        parameters_(formula->parameters),
+        // No name of a user's has a space.
+        turn_(formula->turn.value_or(formula->graph.symbol("no turn"))) {
+    append(formula->choices, &parameters_);
+    moment_ = formula->states;
+    for (const Surface& surface : lowered.surfaces) moment_.push_back(surface.side);
+    append(lowered.point, &moment_);
+    append(lowered.coefs, &moment_);
+  }
+
+  void add_checks(const ModelDefinition& definition, Tapes* tapes) {
+    Nodes checks = formula_.checks;
+    for (std::size_t i = 0; i < formula_.checks.size(); ++i) {
+      tapes->messages.push_back(split_message(definition.checks[i].message));
+      append(formula_.check_values[i], &checks);
+    }
+    tapes->checks = of_parameters(checks);
+  }
+
+  // What the phase changes.
+  void add_coefs(Tapes* tapes) {
+    Nodes turned = parameters_;
+    turned.push_back(turn_);
+    tapes->breaks =
+        PhaseBreaks(formula_.graph, turned, formula_.phase, lowered_.coef_values, formula_.names);
+    tapes->waves = PhaseWaves(&formula_.graph, parameters_, {formula_.phase, turn_, formula_.cycle},
+                              lowered_.coef_values);
+    tapes->coefs = coefs_of(lowered_, parameters_, turn_, &formula_);
+  }
+
+  void add_setting(Tapes* tapes) {
+    tapes->period = of_parameters({formula_.period});
+    tapes->cycle = of_parameters({formula_.cycle});
+    tapes->start = of_parameters(formula_.start);
+    tapes->jumps = of_parameters(formula_.jumps);
+    tapes->point = of_parameters(lowered_.point_values);
+  }
+
+  void add_field(Tapes* tapes) {
+    tapes->rhs = of_moment(lowered_.equations);
+    tapes->jacobian = of_moment(lowered_.jacobian);
+    tapes->signals = of_moment(lowered_.signals);
+  }
+
+  void add_levels(Tapes* tapes) {
+    Nodes levels, drifts, held, held_drifts;
+    for (const Surface& surface : lowered_.surfaces) {
+      tapes->are_staircases.push_back(surface.is_staircase);
+      levels.push_back(surface.level);
+      drifts.push_back(surface.drift);
+      held.push_back(surface.held);
+      held_drifts.push_back(surface.held_drift);
+    }
+    std::map<SurfaceValue, Tape>& of_surfaces = tapes->of_surfaces;
+    const Nodes held_gradients = slopes(held);
+    of_surfaces[SurfaceValue::level] = of_moment(levels);
+    of_surfaces[SurfaceValue::level_gradient] = of_moment(slopes(levels));
+    of_surfaces[SurfaceValue::level_drift] = of_moment(drifts);
+    of_surfaces[SurfaceValue::held] = of_moment(held);
+    of_surfaces[SurfaceValue::held_gradient] = of_moment(held_gradients);
+    of_surfaces[SurfaceValue::held_bend] = of_moment(slopes(held_gradients));
+    of_surfaces[SurfaceValue::held_drift] = of_moment(held_drifts);
+    of_surfaces[SurfaceValue::held_drift_gradient] = of_moment(slopes(held_drifts));
+  }
+
+  // Where nothing is reset, all stays what it is.
+  void add_resets(Tapes* tapes) {
+    const Nodes none(formula_.states.size(), formula_.graph.number(0.0));
+    Nodes resets, reset_drifts, turns;
+    for (const Surface& surface : lowered_.surfaces) {
+      const bool is_reset = !surface.reset.empty();
+      append(is_reset ? surface.reset : formula_.states, &resets);
+      append(is_reset ? surface.reset_drift : none, &reset_drifts);
+      append(is_reset ? surface.turn : none, &turns);
+    }
+    tapes->of_surfaces[SurfaceValue::reset] = of_moment(resets);
+    tapes->of_surfaces[SurfaceValue::reset_gradient] = of_moment(slopes(resets));
+    tapes->of_surfaces[SurfaceValue::reset_drift] = of_moment(reset_drifts);
+    tapes->of_surfaces[SurfaceValue::turn] = of_moment(turns);
+  }
+
+  void add_contacts(Tapes* tapes) {
+    Nodes places;
+    for (const Contact& contact : lowered_.contacts.list) {
+      const Nodes place = {contact.deflection, contact.backlash};
+      append(place, &places);
+      tapes->contacts.push_back({of_moment(contact.direction), of_moment(slopes(contact.direction)),
+                                 of_moment(slopes(place))});
+    }
+    tapes->contact_places = of_moment(places);
+  }
+
+ private:
+  Tape of_parameters(const Nodes& nodes) const { return {formula_.graph, parameters_, nodes}; }
+  Tape of_moment(const Nodes& nodes) const { return {formula_.graph, moment_, nodes}; }
+
+  // [node][state]
+  Nodes slopes(const Nodes& nodes) {
+    Nodes out;
+    for (const NodeId id : nodes) {
+      for (const NodeId state : formula_.states) {
+        out.push_back(derivative(&formula_.graph, id, state));
+      }
+    }
+    return out;
+  }
+
+  const Lowered& lowered_;
+  Formula& formula_;
+  Nodes parameters_;  // and choices
+  NodeId turn_;
+  Nodes moment_;  // states, sides, point, coefs
+};
+
 }  // namespace
 
 Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Formula* formula) {
-  const ExpressionGraph& graph = formula->graph;
-  std::vector<NodeId> parameters = formula->parameters;
-  parameters.insert(parameters.end(), formula->choices.begin(), formula->choices.end());
   Tapes tapes;
   tapes.states = formula->states.size();
   tapes.points = lowered.point.size();
@@ -54,86 +176,14 @@ Tapes make_tapes(const ModelDefinition& definition, const Lowered& lowered, Form
   for (const OptionInfo& option : definition.options) {
     if (definition.choices.empty()) tapes.choices.push_back(option.choices.size());
   }
-  std::vector<NodeId> checks = formula->checks;
-  for (std::size_t i = 0; i < formula->checks.size(); ++i) {
-    tapes.messages.push_back(split_message(definition.checks[i].message));
-    const std::vector<NodeId>& values = formula->check_values[i];
-    checks.insert(checks.end(), values.begin(), values.end());
-  }
-  // No name of a user's has a space.
-  const NodeId turn = formula->turn.value_or(formula->graph.symbol("no turn"));
-  std::vector<NodeId> turned = parameters;
-  turned.push_back(turn);
-  tapes.breaks = PhaseBreaks(graph, turned, formula->phase, lowered.coef_values, formula->names);
-  tapes.waves = PhaseWaves(&formula->graph, parameters, {formula->phase, turn, formula->cycle},
-                           lowered.coef_values);
-  std::vector<NodeId> moment = formula->states;
-  for (const Surface& surface : lowered.surfaces) {
-    moment.push_back(surface.side);
-    tapes.are_staircases.push_back(surface.is_staircase);
-  }
-  moment.insert(moment.end(), lowered.point.begin(), lowered.point.end());
-  moment.insert(moment.end(), lowered.coefs.begin(), lowered.coefs.end());
-  tapes.period = Tape(graph, parameters, {formula->period});
-  tapes.cycle = Tape(graph, parameters, {formula->cycle});
-  tapes.checks = Tape(graph, parameters, checks);
-  tapes.start = Tape(graph, parameters, formula->start);
-  tapes.jumps = Tape(graph, parameters, formula->jumps);
-  tapes.coefs = coefs_of(lowered, parameters, turn, formula);
-  tapes.point = Tape(graph, parameters, lowered.point_values);
-  tapes.rhs = Tape(graph, moment, lowered.equations);
-  tapes.jacobian = Tape(graph, moment, lowered.jacobian);
-  tapes.signals = Tape(graph, moment, lowered.signals);
-  const auto slopes = [&](const std::vector<NodeId>& of, const std::vector<NodeId>& by) {
-    std::vector<NodeId> out;
-    for (const NodeId id : of) {
-      for (const NodeId symbol : by) out.push_back(derivative(&formula->graph, id, symbol));
-    }
-    return out;
-  };
-  std::vector<NodeId> levels, drifts, held, held_drifts, resets, reset_drifts, turns;
-  for (const Surface& surface : lowered.surfaces) {
-    levels.push_back(surface.level);
-    drifts.push_back(surface.drift);
-    held.push_back(surface.held);
-    held_drifts.push_back(surface.held_drift);
-    // Where nothing is reset, all stays what it is.
-    const std::vector<NodeId> none(formula->states.size(), formula->graph.number(0.0));
-    const bool is_reset = !surface.reset.empty();
-    const auto add = [](const std::vector<NodeId>& from, std::vector<NodeId>* to) {
-      to->insert(to->end(), from.begin(), from.end());
-    };
-    add(is_reset ? surface.reset : formula->states, &resets);
-    add(is_reset ? surface.reset_drift : none, &reset_drifts);
-    add(is_reset ? surface.turn : none, &turns);
-  }
-  const auto of_surfaces = [&](SurfaceValue value, const std::vector<NodeId>& nodes) {
-    tapes.of_surfaces[value] = Tape(graph, moment, nodes);
-  };
-  const std::vector<NodeId> held_gradients = slopes(held, formula->states);
-  of_surfaces(SurfaceValue::level, levels);
-  of_surfaces(SurfaceValue::level_gradient, slopes(levels, formula->states));
-  of_surfaces(SurfaceValue::level_drift, drifts);
-  of_surfaces(SurfaceValue::held, held);
-  of_surfaces(SurfaceValue::held_gradient, held_gradients);
-  of_surfaces(SurfaceValue::held_bend, slopes(held_gradients, formula->states));
-  of_surfaces(SurfaceValue::held_drift, held_drifts);
-  of_surfaces(SurfaceValue::held_drift_gradient, slopes(held_drifts, formula->states));
-  of_surfaces(SurfaceValue::reset, resets);
-  of_surfaces(SurfaceValue::reset_gradient, slopes(resets, formula->states));
-  of_surfaces(SurfaceValue::reset_drift, reset_drifts);
-  of_surfaces(SurfaceValue::turn, turns);
-  std::vector<NodeId> places;
-  for (const Contact& contact : lowered.contacts.list) {
-    places.push_back(contact.deflection);
-    places.push_back(contact.backlash);
-    const auto by_states = [&](const std::vector<NodeId>& of) {
-      return Tape(graph, moment, slopes(of, formula->states));
-    };
-    tapes.contacts.push_back({Tape(graph, moment, contact.direction), by_states(contact.direction),
-                              by_states({contact.deflection, contact.backlash})});
-  }
-  tapes.contact_places = Tape(graph, moment, places);
+  TapeMaker maker(lowered, formula);
+  maker.add_setting(&tapes);
+  maker.add_checks(definition, &tapes);
+  maker.add_coefs(&tapes);
+  maker.add_field(&tapes);
+  maker.add_levels(&tapes);
+  maker.add_resets(&tapes);
+  maker.add_contacts(&tapes);
   return tapes;
 }
 
