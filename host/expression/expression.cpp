@@ -32,10 +32,6 @@ constexpr std::array kFunctions = {FunctionInfo{"sin", Operation::sine, 1},
 
 constexpr unsigned kMaxWholePower = 16;  // that is multiplied out
 
-// As lane_min and lane_max of kernels/dialect.h.
-double min_of(double a, double b) { return b < a ? b : a; }
-double max_of(double a, double b) { return a < b ? b : a; }
-
 }  // namespace
 
 std::span<const FunctionInfo> functions() { return kFunctions; }
@@ -67,84 +63,6 @@ std::size_t arity(Operation operation) {
 
 bool is_condition(Operation operation) {
   return operation >= Operation::less && operation <= Operation::negation;
-}
-
-double apply(Operation operation, double a, double b, double c) {
-  switch (operation) {
-    case Operation::negate:
-      return -a;
-    case Operation::add:
-      return a + b;
-    case Operation::subtract:
-      return a - b;
-    case Operation::multiply:
-      return a * b;
-    case Operation::divide:
-      return a / b;
-    case Operation::power:
-      return std::pow(a, b);
-    case Operation::sine:
-      return std::sin(a);
-    case Operation::cosine:
-      return std::cos(a);
-    case Operation::tangent:
-      return std::tan(a);
-    case Operation::arcsine:
-      return std::asin(a);
-    case Operation::arccosine:
-      return std::acos(a);
-    case Operation::arctangent:
-      return std::atan(a);
-    case Operation::arctangent_of_two:
-      return std::atan2(a, b);
-    case Operation::hyperbolic_sine:
-      return std::sinh(a);
-    case Operation::hyperbolic_cosine:
-      return std::cosh(a);
-    case Operation::hyperbolic_tangent:
-      return std::tanh(a);
-    case Operation::exponential:
-      return std::exp(a);
-    case Operation::logarithm:
-      return std::log(a);
-    case Operation::square_root:
-      return std::sqrt(a);
-    case Operation::square_root_above_one:
-      return a / (1.0 + std::sqrt(1.0 + a));
-    case Operation::absolute:
-      return std::fabs(a);
-    case Operation::sign:
-      return a < 0.0 ? -1.0 : 0.0 < a ? 1.0 : 0.0;
-    case Operation::floor:
-      return std::floor(a);
-    case Operation::min:
-      return min_of(a, b);
-    case Operation::max:
-      return max_of(a, b);
-    case Operation::backlash:
-      return max_of(a - b, 0.0) + min_of(a + b, 0.0);
-    case Operation::stop:
-      return max_of(a - b, 0.0);
-    case Operation::less:
-      return a < b ? 1.0 : 0.0;
-    case Operation::less_or_equal:
-      return a <= b ? 1.0 : 0.0;
-    case Operation::equal:
-      return a == b ? 1.0 : 0.0;
-    case Operation::conjunction:
-      return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
-    case Operation::disjunction:
-      return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
-    case Operation::negation:
-      return a != 0.0 ? 0.0 : 1.0;
-    case Operation::select:
-      return a != 0.0 ? b : c;
-    case Operation::number:
-    case Operation::symbol:
-    case Operation::table:
-      break;
-  }
-  return a;
 }
 
 NodeId ExpressionGraph::intern(Node node) {
