@@ -113,81 +113,103 @@ ProbeMotion::Stretch ProbeMotion::go_on(std::size_t steps) {
       look_at_rates(&stretch);
       // A forcing may be slower than all this: look at each part of its period.
       const double due = static_cast<double>(done) / static_cast<double>(steps);
-      if (is_forced_ && turns < due) {
-        const double ahead = std::min(due - turns, next_pulse(phase_) - phase_);
-        phase_ = std::fmod(phase_ + ahead, 1.0);
-        turns += ahead;
-        segment_ = 0;
-        while (bounds_[segment_ + 1] <= phase_) ++segment_;
-      }
+      if (is_forced_ && turns < due) turns += leap(due - turns);
       look_at_sides();
     }
-    // At rest no error holds the step back.
-    double max_length = stretch.rate > 0.0 ? 1.0 / stretch.rate : period_;
-    if (is_forced_) max_length = std::min(max_length, period_ / kForcedSteps);
-    if (length_ == 0.0) length_ = stretch.rate > 0.0 ? kFirstStep / stretch.rate : period_ / 1024;
-    const double left = (bounds_[segment_ + 1] - phase_) * period_;
-    const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
-    double length = std::min(ends_segment ? left : length_, max_length);
-    const double pulse = next_pulse(phase_);
-    const bool meets_pulse = is_forced_ && phase_ + length / period_ > pulse;
-    if (meets_pulse) length = (pulse - phase_) * period_;
-    Trial trial = attempt(stretch, length);
-    bool is_smooth = true;
-    double fit = length;  // as long as the error lets it be
-    int hidden = 0;       // halvings because of what a step may hide
-    while (!(trial.excess <= kMaxError) ||
-           (hidden < kMostHidden && hides_something(stretch, trial, length))) {
-      if (trial.excess <= kMaxError) {
-        ++hidden;
-        --halvings_left_;
-      }
-      Trial half = attempt(stretch, 0.5 * length);
-      is_smooth = !(half.excess > trial.excess / 8.0) || trial.excess <= kMaxError ||
-                  (!is_forced_ && !may_bend(trial, length, phase_ + length / period_));
-      if (!is_smooth && std::isfinite(trial.excess)) break;
-      if (!(trial.excess <= kMaxError)) fit = 0.5 * length;
-      length *= 0.5;
-      trial = std::move(half);
-      escapes_ = !(length >= kShortestStep * (time_ + length_)) || std::isinf(length);
-      if (escapes_) return stretch;
-    }
-    const bool is_at_end = ends_segment && length == left;
-    const double end_phase = is_at_end ? bounds_[segment_ + 1] : phase_ + length / period_;
-    // A short step to the end of a segment or to a pulse has an error of rounding alone.
-    const bool is_short = (is_at_end || meets_pulse) && length < 0.5 * length_;
-    const bool is_cut = meets_surface(length, &trial.end, &stretch);
-    if (is_smooth && !is_short && !is_cut && !crosses_limit(trial.end, end_phase)) {
-      stretch.steps.push_back({length, std::move(trial.errors)});
-    }
-    x_ = std::move(trial.end);
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      stretch.low[i] = std::min(stretch.low[i], x_[i]);
-      stretch.high[i] = std::max(stretch.high[i], x_[i]);
-    }
-    time_ += length;
-    turns += length / period_;
-    phase_ = end_phase;
-    look_at_signals(&stretch);
-    look_at_levels(coefs_at(phase_).data(), x_.data(), &stretch);
-    look_at_peaks(stretch, length);
-    if (is_at_end) {
-      segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
-      phase_ = bounds_[segment_];
-      look_at_sides();
-    }
-    const double factor = trial.excess > 0.0 ? std::pow(kAimedError / trial.excess, 0.2) : 2.0;
-    if (hidden > 0) {
-      length_ = fit;
-    } else if (is_smooth && !is_short) {
-      length_ = length * std::clamp(factor, 0.3, 2.0);
-    }
-    if (hidden == 0) ++done;
-    if (meets_pulse) length_ = std::min(length_, period_ / kPhaseSamples);
-    length_ = std::min(length_, max_length);
-    escapes_ = length_ < kShortestStep * time_;
+    NextStep next = aim(stretch);
+    shorten(stretch, &next);
+    if (escapes_) return stretch;
+    take(&next, &stretch);
+    turns += next.length / period_;
+    if (next.hidden == 0) ++done;
+    set_next_length(next);
   }
   return stretch;
+}
+
+double ProbeMotion::leap(double turns) {
+  const double ahead = std::min(turns, next_pulse(phase_) - phase_);
+  phase_ = std::fmod(phase_ + ahead, 1.0);
+  segment_ = 0;
+  while (bounds_[segment_ + 1] <= phase_) ++segment_;
+  return ahead;
+}
+
+ProbeMotion::NextStep ProbeMotion::aim(const Stretch& stretch) {
+  NextStep next;
+  // At rest no error holds the step back.
+  next.max_length = stretch.rate > 0.0 ? 1.0 / stretch.rate : period_;
+  if (is_forced_) next.max_length = std::min(next.max_length, period_ / kForcedSteps);
+  if (length_ == 0.0) length_ = stretch.rate > 0.0 ? kFirstStep / stretch.rate : period_ / 1024;
+  const double left = (bounds_[segment_ + 1] - phase_) * period_;
+  const bool ends_segment = is_forced_ && length_ >= left * (1.0 - 1e-9);
+  next.length = std::min(ends_segment ? left : length_, next.max_length);
+  const double pulse = next_pulse(phase_);
+  next.meets_pulse = is_forced_ && phase_ + next.length / period_ > pulse;
+  if (next.meets_pulse) next.length = (pulse - phase_) * period_;
+  if (ends_segment) next.left = left;
+  return next;
+}
+
+void ProbeMotion::shorten(const Stretch& stretch, NextStep* next) {
+  double& length = next->length;
+  Trial& trial = next->trial;
+  trial = attempt(stretch, length);
+  next->fit = length;
+  while (!(trial.excess <= kMaxError) ||
+         (next->hidden < kMostHidden && hides_something(stretch, trial, length))) {
+    if (trial.excess <= kMaxError) {
+      ++next->hidden;
+      --halvings_left_;
+    }
+    Trial half = attempt(stretch, 0.5 * length);
+    next->is_smooth = !(half.excess > trial.excess / 8.0) || trial.excess <= kMaxError ||
+                      (!is_forced_ && !may_bend(trial, length, phase_ + length / period_));
+    if (!next->is_smooth && std::isfinite(trial.excess)) break;
+    if (!(trial.excess <= kMaxError)) next->fit = 0.5 * length;
+    length *= 0.5;
+    trial = std::move(half);
+    escapes_ = !(length >= kShortestStep * (time_ + length_)) || std::isinf(length);
+    if (escapes_) return;
+  }
+  next->is_short = (next->ends_segment() || next->meets_pulse) && length < 0.5 * length_;
+}
+
+void ProbeMotion::take(NextStep* next, Stretch* stretch) {
+  const double length = next->length;
+  Trial& trial = next->trial;
+  const double end_phase = next->ends_segment() ? bounds_[segment_ + 1] : phase_ + length / period_;
+  const bool is_cut = meets_surface(length, &trial.end, stretch);
+  if (next->is_smooth && !next->is_short && !is_cut && !crosses_limit(trial.end, end_phase)) {
+    stretch->steps.push_back({length, std::move(trial.errors)});
+  }
+  x_ = std::move(trial.end);
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    stretch->low[i] = std::min(stretch->low[i], x_[i]);
+    stretch->high[i] = std::max(stretch->high[i], x_[i]);
+  }
+  time_ += length;
+  phase_ = end_phase;
+  look_at_signals(stretch);
+  look_at_levels(coefs_at(phase_).data(), x_.data(), stretch);
+  look_at_peaks(*stretch, length);
+  if (!next->ends_segment()) return;
+  segment_ = segment_ + 2 == bounds_.size() ? 0 : segment_ + 1;
+  phase_ = bounds_[segment_];
+  look_at_sides();
+}
+
+void ProbeMotion::set_next_length(const NextStep& taken) {
+  const double excess = taken.trial.excess;
+  const double factor = excess > 0.0 ? std::pow(kAimedError / excess, 0.2) : 2.0;
+  if (taken.hidden > 0) {
+    length_ = taken.fit;
+  } else if (taken.is_smooth && !taken.is_short) {
+    length_ = taken.length * std::clamp(factor, 0.3, 2.0);
+  }
+  if (taken.meets_pulse) length_ = std::min(length_, period_ / kPhaseSamples);
+  length_ = std::min(length_, taken.max_length);
+  escapes_ = length_ < kShortestStep * time_;
 }
 
 std::vector<double> ProbeMotion::coefs_at(double phase) const {

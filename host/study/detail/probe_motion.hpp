@@ -68,6 +68,19 @@ class ProbeMotion {
     double excess = 0.0;  // the largest error, relative to the state's range
   };
 
+  // The step that go_on() takes next.
+  struct NextStep {
+    double length = 0.0, max_length = 0.0;
+    double left = -1.0;        // to the end of the segment, where the step shall end there
+    bool meets_pulse = false;  // ends where one begins
+    bool is_smooth = true;     // no bend or jump is in it
+    bool is_short = false;     // to where it shall end: its error is rounding alone
+    double fit = 0.0;          // as long as the error lets it be
+    int hidden = 0;            // halvings because of what a step may hide
+    Trial trial;
+    bool ends_segment() const { return length == left; }
+  };
+
   // The maxima of a state.
   struct Peaks {
     std::size_t count = 0;
@@ -78,6 +91,14 @@ class ProbeMotion {
     double low = 0.0, high = 0.0, rounding = 0.0;
   };
 
+  // Puts the phase forward, by so many periods or to the next pulse. Returns the periods.
+  double leap(double turns);
+  NextStep aim(const Stretch& stretch);
+  // Halves the step until its error is small, it hides nothing, or what is in it is no smooth
+  // motion's error. Sets escapes_ where it becomes too short.
+  void shorten(const Stretch& stretch, NextStep* next);
+  void take(NextStep* next, Stretch* stretch);
+  void set_next_length(const NextStep& taken);
   std::vector<double> coefs_at(double phase) const;
   void look_at_peaks(const Stretch& stretch, double length);
   void find_pulses();
