@@ -107,87 +107,111 @@ void HeldField::pass(std::size_t surface, const double* coefs, int cuts, HeldMot
   }
 }
 
+// Resets that follow on each other at one moment, each surface once.
+struct HeldField::Chain {
+  std::vector<Met> met;
+  std::vector<double> rates_behind;  // [met]: of their levels, as their own resets left them
+  std::vector<bool> in_place;        // [surface]: met, and its level is what it was
+  std::vector<bool> changed;         // [surface]: its level was, or what it holds
+  const std::vector<bool> rested;    // [surface]: before the first
+
+  bool has(std::size_t surface) const {
+    return std::ranges::find(met, surface, &Met::surface) != met.end();
+  }
+};
+
 // Resets at a surface that is met, and at those that this lifts the state above, or drives it into
 // from rest, each once.
 void HeldField::reset_from(std::size_t surface, double rate, const double* coefs, double* x,
                            Carried* carried) {
-  const Index states = index(states_);
   const Depths depths = contacts_.depths(coefs, x);
   const double level_there = std::fabs(values(SurfaceValue::level, coefs, x, 1)[surface]);
-  std::vector<Met> met = {{surface, rate}};
-  std::vector<double> rates_behind;           // of the surfaces that are met, by their own resets
-  std::vector<bool> in_place(sides_.size());  // met, and its level is what it was
-  const std::vector<bool> rested = slides_;
-  std::vector<bool> changed(sides_.size());
-  for (std::size_t i = 0; i < met.size(); ++i) {
-    const std::size_t one = met[i].surface;
-    const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
-                              drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
-                              slopes =
-                                  values(SurfaceValue::reset_gradient, coefs, x, states_ * states_),
-                              before = values(SurfaceValue::level, coefs, x, 1),
-                              held_before = values(SurfaceValue::held, coefs, x, 1);
-    const MatrixXd slope = RowMajor::Map(slopes.data() + one * states_ * states_, states, states);
-    carried->by = (slope * carried->by).eval();
-    carried->field =
-        (slope * carried->field + VectorXd::Map(drifts.data() + one * states_, states)).eval();
-    std::copy_n(to.begin() + static_cast<std::ptrdiff_t>(one * states_), states_, x);
-    const std::vector<double> levels = values(SurfaceValue::level, coefs, x, 1),
-                              held = values(SurfaceValue::held, coefs, x, 1);
-    rates_behind.push_back(held[one]);
-    in_place[one] = true;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      in_place[k] = in_place[k] && levels[k] == before[k];
-    }
-    std::vector<std::size_t> elsewhere;
-    std::optional<std::size_t> next;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      if (std::ranges::find(met, k, &Met::surface) != met.end()) continue;
-      const bool resets = model_.surfaces[k].resets;
-      const bool is_moved =
-          levels[k] != before[k] || (resets && rested[k] && held[k] != held_before[k]);
-      changed[k] = changed[k] || is_moved;
-      if (changed[k] && resets && sides_[k] < 0.5 && levels[k] > 0.0) {
-        if (!next) next = k;
-      } else if (is_moved) {
-        elsewhere.push_back(k);
-      }
-    }
+  const std::vector<bool> none(sides_.size());
+  Chain chain = {{{surface, rate}}, {}, none, none, slides_};
+  for (std::size_t i = 0; i < chain.met.size(); ++i) {
+    const Held before = held_at(coefs, x);
+    put_behind(chain.met[i].surface, coefs, x, carried);
+    const Held now = held_at(coefs, x);
     for (std::size_t k = 0; k < touches_.size(); ++k) {
       const double depth = contacts_.depths(coefs, x)[k];
       if (depth != depths[k]) touches_[k] = depth > 0.0;
     }
-    find_sides(elsewhere, levels, coefs, x);
-    for (const std::size_t k : elsewhere) {
-      if (model_.surfaces[k].resets && rested[k] && levels[k] == before[k]) sides_[k] = 0.0;
-    }
-    point_->hold(sides_);
-    for (std::size_t k = 0; k < levels.size() && !next; ++k) {
-      const bool is_met = std::ranges::find(met, k, &Met::surface) != met.end();
-      const bool was_at_rest = model_.surfaces[k].resets && rested[k] && !slides_[k];
-      if (!is_met && changed[k] && was_at_rest && held[k] > 0.0) next = k;
-    }
+    const std::optional<std::size_t> next = next_reset(before, now, coefs, x, &chain);
     if (!next) continue;
     std::vector<double> dx(states_);
     slides_[*next] = false;
     rhs(coefs, x, dx.data());
-    met.push_back({*next, std::max(rates(coefs, x, dx.data())[*next], 0.0)});
+    chain.met.push_back({*next, std::max(rates(coefs, x, dx.data())[*next], 0.0)});
   }
-  met_.insert(met_.end(), met.begin(), met.end());
+  met_.insert(met_.end(), chain.met.begin(), chain.met.end());
   has_slid_ = true;  // a reset may leave nothing of a tangent, either
   // What rests may push others into rest.
   for (bool is_new = true; is_new;) {
     is_new = false;
-    for (std::size_t i = 0; i < met.size(); ++i) {
-      const std::size_t one = met[i].surface;
+    for (std::size_t i = 0; i < chain.met.size(); ++i) {
+      const std::size_t one = chain.met[i].surface;
       if (slides_[one]) continue;
-      const double reach = in_place[one]    ? std::numeric_limits<double>::infinity()
-                           : one == surface ? level_there
-                                            : 0.0;
-      rebound(met[i], rates_behind[i], reach, coefs, x);
+      const double reach = chain.in_place[one] ? std::numeric_limits<double>::infinity()
+                           : one == surface    ? level_there
+                                               : 0.0;
+      rebound(chain.met[i], chain.rates_behind[i], reach, coefs, x);
       is_new = is_new || slides_[one];
     }
   }
+}
+
+HeldField::Held HeldField::held_at(const double* coefs, const double* x) const {
+  return {values(SurfaceValue::level, coefs, x, 1), values(SurfaceValue::held, coefs, x, 1)};
+}
+
+// Where a surface's reset puts the state.
+void HeldField::put_behind(std::size_t surface, const double* coefs, double* x,
+                           Carried* carried) const {
+  const Index states = index(states_);
+  const std::vector<double> to = values(SurfaceValue::reset, coefs, x, states_),
+                            drifts = values(SurfaceValue::reset_drift, coefs, x, states_),
+                            slopes =
+                                values(SurfaceValue::reset_gradient, coefs, x, states_ * states_);
+  const MatrixXd slope = RowMajor::Map(slopes.data() + surface * states_ * states_, states, states);
+  carried->by = (slope * carried->by).eval();
+  carried->field =
+      (slope * carried->field + VectorXd::Map(drifts.data() + surface * states_, states)).eval();
+  std::copy_n(to.begin() + static_cast<std::ptrdiff_t>(surface * states_), states_, x);
+}
+
+// Sets the sides behind the last reset. Returns the surface that resets the state next, if any.
+std::optional<std::size_t> HeldField::next_reset(const Held& before, const Held& now,
+                                                 const double* coefs, const double* x,
+                                                 Chain* chain) {
+  const std::size_t last = chain->met[chain->rates_behind.size()].surface;
+  chain->rates_behind.push_back(now.rates[last]);
+  chain->in_place[last] = true;
+  std::vector<std::size_t> elsewhere;
+  std::optional<std::size_t> next;
+  for (std::size_t k = 0; k < now.levels.size(); ++k) {
+    const bool stays = now.levels[k] == before.levels[k];
+    chain->in_place[k] = chain->in_place[k] && stays;
+    if (chain->has(k)) continue;
+    const bool resets = model_.surfaces[k].resets;
+    const bool is_moved = !stays || (resets && chain->rested[k] && now.rates[k] != before.rates[k]);
+    chain->changed[k] = chain->changed[k] || is_moved;
+    if (chain->changed[k] && resets && sides_[k] < 0.5 && now.levels[k] > 0.0) {
+      if (!next) next = k;
+    } else if (is_moved) {
+      elsewhere.push_back(k);
+    }
+  }
+  find_sides(elsewhere, now.levels, coefs, x);
+  for (const std::size_t k : elsewhere) {
+    const bool rests = model_.surfaces[k].resets && chain->rested[k];
+    if (rests && now.levels[k] == before.levels[k]) sides_[k] = 0.0;
+  }
+  point_->hold(sides_);
+  for (std::size_t k = 0; k < now.levels.size() && !next; ++k) {
+    const bool was_at_rest = model_.surfaces[k].resets && chain->rested[k] && !slides_[k];
+    if (!chain->has(k) && chain->changed[k] && was_at_rest && now.rates[k] > 0.0) next = k;
+  }
+  return next;
 }
 
 // The other side of a jump, or along it.

@@ -91,6 +91,11 @@ class HeldField {
 
  private:
   struct Sliding;
+  struct Chain;
+  // [surface]: where the state is to each, and what a motion at it holds.
+  struct Held {
+    std::vector<double> levels, rates;
+  };
   // What resets make of tangent vectors, and of the field before them.
   struct Carried {
     Eigen::MatrixXd by;
@@ -121,6 +126,10 @@ class HeldField {
   void cross(std::size_t surface, const double* coefs, const double* x);
   void reset_from(std::size_t surface, double rate, const double* coefs, double* x,
                   Carried* carried);
+  Held held_at(const double* coefs, const double* x) const;
+  void put_behind(std::size_t surface, const double* coefs, double* x, Carried* carried) const;
+  std::optional<std::size_t> next_reset(const Held& before, const Held& now, const double* coefs,
+                                        const double* x, Chain* chain);
   // rate_behind: of the level, as its own reset left it; level_there: how far off the surface it
   // still is where the motion came to it.
   void rebound(const Met& met, double rate_behind, double level_there, const double* coefs,

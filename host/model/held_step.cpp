@@ -185,7 +185,7 @@ std::optional<HeldStep::Way> HeldStep::way_beyond_near(const Part& part, std::si
                  behind = close_[k + 1].values[index].value;
     const double bend = before - 2.0 * at + behind, slope = 0.5 * (behind - before);
     if (!(std::fabs(slope) < bend)) continue;
-    Place turn = {close_[k].share, at - 0.5 * slope * slope / bend};
+    ClearanceAt turn = {close_[k].share, at - 0.5 * slope * slope / bend};
     if (turn.clearance < bend) {
       turn = find_turn(part, index, {close_[k - 1].share, before}, {close_[k].share, at},
                        {close_[k + 1].share, behind});
@@ -196,8 +196,8 @@ std::optional<HeldStep::Way> HeldStep::way_beyond_near(const Part& part, std::si
   return way;
 }
 
-HeldStep::Place HeldStep::find_turn(const Part& part, std::size_t index, Place low, Place at,
-                                    Place high) {
+HeldStep::ClearanceAt HeldStep::find_turn(const Part& part, std::size_t index, ClearanceAt low,
+                                          ClearanceAt at, ClearanceAt high) {
   for (int i = 0; i < kMaxParabolas; ++i) {
     // The vertex of the parabola through the three (successive parabolic interpolation).
     const double before = at.share - low.share, behind = high.share - at.share;
@@ -206,7 +206,7 @@ HeldStep::Place HeldStep::find_turn(const Part& part, std::size_t index, Place l
     const double way = 0.5 * (behind * rise - before * fall) / (fall + rise);
     const double share = at.share + way;
     if (!(low.share < share && share < high.share) || std::fabs(way) < kTurnFound) break;
-    const Place next = {share, clearance(part, index, share)};
+    const ClearanceAt next = {share, clearance(part, index, share)};
     if (next.clearance < at.clearance) {
       (way > 0.0 ? low : high) = at;
       at = next;

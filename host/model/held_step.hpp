@@ -96,11 +96,12 @@ class HeldStep {
   // The same where the motion comes near.
   std::optional<Way> way_beyond_near(const Part& part, std::size_t index);
   // A clearance at a share of the step.
-  struct Place {
+  struct ClearanceAt {
     double share, clearance;
   };
   // Where a clearance between two looks is smallest; the one between them is smaller, or will be.
-  Place find_turn(const Part& part, std::size_t index, Place low, Place at, Place high);
+  ClearanceAt find_turn(const Part& part, std::size_t index, ClearanceAt low, ClearanceAt at,
+                        ClearanceAt high);
   void tell_turn(const Part& part, std::size_t index, double clearance, double bend,
                  double spacing) const;
 
