@@ -25,6 +25,8 @@ struct PointResult {
   std::vector<double> outputs, samples;
 };
 
+using Observables = std::vector<std::unique_ptr<ReferenceObservable>>;
+
 // What moments of the record count in averages (kernels/observe.h: window_weight).
 class RecordWindow {
  public:
@@ -49,61 +51,107 @@ class RecordWindow {
   double periods_, time_ = 0.0;
 };
 
-PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial,
-                          const Window& window) {
-  const Study& study = plan.study();
-  Trajectory trajectory(plan, point, initial);
-  PointResult result;
-  const std::size_t settle = window.settle;
-  const std::size_t warm_up = std::min(study.integrate.warm_up, settle);
-  const std::size_t tangents = study.selection.tangent_count();
-  Eigen::VectorXd log_stretching;  // of the running period
-  const auto orthonormalize = [&] { log_stretching += orthonormalize_tangents(&trajectory); };
-  const auto advance = [&](const StepCallback& each_step) {
-    log_stretching = Eigen::VectorXd::Zero(trajectory.tangents().cols());
-    const bool is_within = trajectory.advance_period(each_step, orthonormalize);
+// The states that a study samples at the section, of a record.
+class SectionSamples {
+ public:
+  SectionSamples(std::vector<std::size_t> states, std::size_t count)
+      : states_(std::move(states)),
+        count_(count),
+        samples_(states_.size() * count, std::numeric_limits<double>::quiet_NaN()) {}
+
+  void keep(const Eigen::VectorXd& state) {
+    for (std::size_t j = 0; j < states_.size() && next_ < count_; ++j) {
+      samples_[j * count_ + next_] = state[static_cast<Eigen::Index>(states_[j])];
+    }
+    ++next_;
+  }
+
+  std::vector<double> take() { return std::move(samples_); }
+
+ private:
+  std::vector<std::size_t> states_;
+  std::size_t count_, next_ = 0;
+  std::vector<double> samples_;  // [state][sample]; what is not reached is no number
+};
+
+// One point, whose tangents are orthonormalized.
+class PointRun {
+ public:
+  PointRun(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial)
+      : study_(plan.study()), setting_(plan.setting_of(point)), trajectory_(plan, point, initial) {}
+
+  // Whether it stays within bounds.
+  bool settle(std::size_t periods) {
+    const std::size_t tangents = study_.selection.tangent_count();
+    const std::size_t warm_up = std::min(study_.integrate.warm_up, periods);
+    for (std::size_t i = 0; i < periods; ++i) {
+      if (i == periods - warm_up) set_start_tangents(tangents, *study_.model, &trajectory_);
+      if (!advance(StepCallback())) return false;
+    }
+    if (warm_up == 0) set_start_tangents(tangents, *study_.model, &trajectory_);
+    return true;
+  }
+
+  // The same.
+  bool record(const Window& window, const Observables& observables, SectionSamples* samples) {
+    for (const auto& observable : observables) observable->begin(trajectory_.state());
+    std::optional<SectionWatch> section;
+    if (const std::string& named = study_.selection.section; !named.empty()) {
+      section.emplace(*std::ranges::find(study_.model->sections, named, &SectionInfo::name));
+    }
+    const auto keep = [&](const Eigen::VectorXd& state, double) { samples->keep(state); };
+    RecordWindow weights(study_.model->is_clockless, window.record);
+    bool is_within = true;
+    for (std::size_t i = 0; i < window.record && is_within; ++i) {
+      is_within = advance([&](TrajectoryStep& step) {
+        weights.weigh(&step);
+        for (const auto& observable : observables) observable->step(step);
+        if (section) section->see(step, keep);
+      });
+      for (const auto& observable : observables) {
+        observable->period(trajectory_.state(), log_stretching_, trajectory_.period());
+      }
+      if (!section) samples->keep(trajectory_.state());
+    }
+    return is_within;
+  }
+
+  Observables observables() const {
+    Observables observables;
+    for (const Observer& observer : study_.selection.observers) {
+      if (observer.observable->role == ObservableRole::samples) continue;  // kept by themselves
+      observables.push_back(make_observable(study_, setting_, observer));
+    }
+    return observables;
+  }
+
+  const Eigen::VectorXd& state() const { return trajectory_.state(); }
+
+ private:
+  // A period.
+  bool advance(const StepCallback& each_step) {
+    const auto orthonormalize = [&] { log_stretching_ += orthonormalize_tangents(&trajectory_); };
+    log_stretching_ = Eigen::VectorXd::Zero(trajectory_.tangents().cols());
+    const bool is_within = trajectory_.advance_period(each_step, orthonormalize);
     orthonormalize();
     return is_within;
-  };
-  for (std::size_t i = 0; i < settle && !result.diverged; ++i) {
-    if (i == settle - warm_up) set_start_tangents(tangents, *study.model, &trajectory);
-    result.diverged = !advance(StepCallback());
   }
-  if (warm_up == 0) set_start_tangents(tangents, *study.model, &trajectory);
-  std::vector<std::unique_ptr<ReferenceObservable>> observables;
-  const ModelSetting setting = plan.setting_of(point);
-  for (const Observer& observer : study.selection.observers) {
-    if (observer.observable->role == ObservableRole::samples) continue;  // kept below
-    observables.push_back(make_observable(study, setting, observer));
-  }
-  const std::vector<std::size_t>& sampled = study.selection.poincare;
-  for (const auto& observable : observables) observable->begin(trajectory.state());
-  result.samples.assign(sampled.size() * window.samples, std::numeric_limits<double>::quiet_NaN());
-  std::size_t sample = 0;
-  const auto keep = [&](const Eigen::VectorXd& state) {
-    for (std::size_t j = 0; j < sampled.size() && sample < window.samples; ++j) {
-      result.samples[j * window.samples + sample] = state[static_cast<Eigen::Index>(sampled[j])];
-    }
-    ++sample;
-  };
-  const std::string& named = study.selection.section;
-  std::optional<SectionWatch> section;
-  if (!named.empty()) {
-    section.emplace(*std::ranges::find(study.model->sections, named, &SectionInfo::name));
-  }
-  RecordWindow record(study.model->is_clockless, window.record);
-  for (std::size_t i = 0; i < window.record && !result.diverged; ++i) {
-    result.diverged = !advance([&](TrajectoryStep& step) {
-      record.weigh(&step);
-      for (const auto& observable : observables) observable->step(step);
-      if (section) section->see(step, [&](const Eigen::VectorXd& state, double) { keep(state); });
-    });
-    for (const auto& observable : observables) {
-      observable->period(trajectory.state(), log_stretching, trajectory.period());
-    }
-    if (!section) keep(trajectory.state());
-  }
-  result.state = trajectory.state();
+
+  const Study& study_;
+  const ModelSetting setting_;
+  Trajectory trajectory_;
+  Eigen::VectorXd log_stretching_;  // of the running period
+};
+
+PointResult compute_point(const Plan& plan, std::size_t point, const Eigen::VectorXd& initial,
+                          const Window& window) {
+  PointRun run(plan, point, initial);
+  const Observables observables = run.observables();
+  SectionSamples samples(plan.study().selection.poincare, window.samples);
+  PointResult result;
+  result.diverged = !run.settle(window.settle) || !run.record(window, observables, &samples);
+  result.state = run.state();
+  result.samples = samples.take();
   if (result.diverged) return result;  // has no outputs; it may have no period that observables saw
   for (const auto& observable : observables) {
     const std::vector<double> outputs = observable->finish(window);
