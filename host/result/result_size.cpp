@@ -25,8 +25,10 @@ std::size_t points_along_y(const Study& study) {
   return study.points() / study.axes.front().values.size();
 }
 
+double real_bytes(const Study& study) { return study.integrate.fp64 ? 8.0 : 4.0; }
+
 double sample_bytes(const Study& study) {  // of a point
-  return (study.integrate.fp64 ? 8.0 : 4.0) *
+  return real_bytes(study) *
          static_cast<double>(study.selection.poincare.size() * study.integrate.record);
 }
 
@@ -85,6 +87,72 @@ class Sum {
   }
 };
 
+void add_axes(const Study& study, Sum* sum) {
+  for (const Axis& axis : study.axes) {
+    const double bytes = 8.0 * static_cast<double>(axis.values.size());
+    sum->add_described(axis.unit, axis.meaning, bytes);
+    for (const std::vector<Swept>* all : {&axis.columns, &axis.others}) {
+      for (const Swept& column : *all) sum->add_described(column.unit, column.meaning, bytes);
+    }
+  }
+  for (const DerivedCoordinate& one : derived_coordinates(study)) {
+    const double bytes = 8.0 * static_cast<double>(size_of(one, study));
+    sum->add_described(one.parameter.unit, one.parameter.meaning, bytes);
+    sum->add_text(one.expression);
+    sum->size.memory += bytes;
+  }
+}
+
+// The numbers of the widest map wait on their way into the file: as the file has them, and packed.
+void add_maps(const Study& study, Sum* sum) {
+  const auto points = static_cast<double>(study.points());
+  const double real = real_bytes(study);
+  sum->add(points);  // status
+  if (study.spectrum) sum->add(8.0 * points);
+  double widest = 1.0;
+  for (const Quantity& quantity : study.selection.quantities) {
+    const bool is_class = !quantity.flags.empty();
+    const auto width = static_cast<double>(quantity.width);
+    sum->add_described(quantity.unit, quantity.meaning, (is_class ? 1.0 : real) * width * points);
+    for (const std::string& flag : quantity.flags) sum->add_text(flag);
+    widest = std::max(widest, width);
+    if (quantity.width > 1) {
+      sum->add(4.0 * width);  // the coordinate of its own dimension
+      sum->add_channels(study.model->states);
+    }
+  }
+  sum->size.memory += 2.0 * real * widest * points;
+}
+
+void add_draws(const Uncertain& uncertain, Sum* sum) {
+  const std::vector<UncertainParameter>& parameters = uncertain.parameters;
+  sum->add(8.0 * static_cast<double>(uncertain.independent_draws() * parameters.size()));
+  std::vector<ChannelInfo> shown;
+  for (const UncertainParameter& parameter : parameters) {
+    const Axis& draws = parameter.draws;
+    shown.push_back({draws.name, draws.unit, "factor of the point's own " + draws.meaning});
+  }
+  sum->add_channels(shown);
+}
+
+// Each trajectory may reach an attractor of its own.
+void add_attractors(const Study& study, Sum* sum) {
+  constexpr int kNumbers = 6;
+  const auto most = static_cast<double>(study.trajectories());
+  sum->add(4.0 * most);
+  for (int number = 0; number < kNumbers; ++number) sum->add(8.0 * most);
+}
+
+void add_sections(const Study& study, Sum* sum) {
+  sum->add_samples(study);
+  sum->add(4.0 * static_cast<double>(study.integrate.record));
+  std::vector<ChannelInfo> sampled;
+  for (const std::size_t state : study.selection.poincare) {
+    sampled.push_back(study.model->states[state]);
+  }
+  sum->add_channels(sampled);
+}
+
 }  // namespace
 
 SampleBlock block_of_samples(const Study& study) {
@@ -103,8 +171,6 @@ SampleBlock block_of_samples(const Study& study) {
 }
 
 ResultSize size_of_result(const Study& study, const Provenance& provenance) {
-  const auto points = static_cast<double>(study.points());
-  const double real = study.integrate.fp64 ? 8.0 : 4.0;
   Sum sum;
   sum.size.file = kFile;
   for (const std::string& text :
@@ -112,61 +178,11 @@ ResultSize size_of_result(const Study& study, const Provenance& provenance) {
         provenance.version, provenance.source_hash}) {
     sum.add_text(text);
   }
-  for (const Axis& axis : study.axes) {
-    const double bytes = 8.0 * static_cast<double>(axis.values.size());
-    sum.add_described(axis.unit, axis.meaning, bytes);
-    for (const std::vector<Swept>* all : {&axis.columns, &axis.others}) {
-      for (const Swept& column : *all) sum.add_described(column.unit, column.meaning, bytes);
-    }
-  }
-  for (const DerivedCoordinate& one : derived_coordinates(study)) {
-    const double bytes = 8.0 * static_cast<double>(size_of(one, study));
-    sum.add_described(one.parameter.unit, one.parameter.meaning, bytes);
-    sum.add_text(one.expression);
-    sum.size.memory += bytes;
-  }
-  sum.add(points);  // status
-  if (study.spectrum) sum.add(8.0 * points);
-  double widest = 1.0;
-  for (const Quantity& quantity : study.selection.quantities) {
-    const bool is_class = !quantity.flags.empty();
-    const auto width = static_cast<double>(quantity.width);
-    sum.add_described(quantity.unit, quantity.meaning, (is_class ? 1.0 : real) * width * points);
-    for (const std::string& flag : quantity.flags) sum.add_text(flag);
-    widest = std::max(widest, width);
-    if (quantity.width > 1) {
-      sum.add(4.0 * width);  // the coordinate of its own dimension
-      sum.add_channels(study.model->states);
-    }
-  }
-  if (study.uncertain.keep) {
-    const std::vector<UncertainParameter>& parameters = study.uncertain.parameters;
-    sum.add(8.0 * static_cast<double>(study.uncertain.independent_draws() * parameters.size()));
-    std::vector<ChannelInfo> shown;
-    for (const UncertainParameter& parameter : parameters) {
-      const Axis& draws = parameter.draws;
-      shown.push_back({draws.name, draws.unit, "factor of the point's own " + draws.meaning});
-    }
-    sum.add_channels(shown);
-  }
-  if (study.selection.census) {
-    // Each trajectory may reach an attractor of its own.
-    constexpr int kNumbers = 6;
-    const auto most = static_cast<double>(study.trajectories());
-    sum.add(4.0 * most);
-    for (int number = 0; number < kNumbers; ++number) sum.add(8.0 * most);
-  }
-  if (!study.selection.poincare.empty()) {
-    sum.add_samples(study);
-    sum.add(4.0 * static_cast<double>(study.integrate.record));
-    std::vector<ChannelInfo> sampled;
-    for (const std::size_t state : study.selection.poincare) {
-      sampled.push_back(study.model->states[state]);
-    }
-    sum.add_channels(sampled);
-  }
-  // Numbers on their way into the file: as the file has them, and packed.
-  sum.size.memory += 2.0 * real * widest * points;
+  add_axes(study, &sum);
+  add_maps(study, &sum);
+  if (study.uncertain.keep) add_draws(study.uncertain, &sum);
+  if (study.selection.census) add_attractors(study, &sum);
+  if (!study.selection.poincare.empty()) add_sections(study, &sum);
   return sum.size;
 }
 
