@@ -178,26 +178,6 @@ std::optional<double> read_pilot_step(const std::string& path) {
   return step.empty() ? std::nullopt : std::optional(step.front());
 }
 
-std::size_t ResultMap::points() const {
-  std::size_t count = 1;
-  for (const ResultAxis& axis : axes) count *= axis.values.size();
-  return count;
-}
-
-std::size_t ResultMap::part_count() const { return std::max<std::size_t>(1, parts.size()); }
-
-bool ResultMap::is_list() const { return axes.size() == 1 && axes.front().is_list(); }
-
-bool ResultMap::is_poincare() const { return dimension == "state"; }
-
-std::vector<std::string> ResultMap::column_names() const {
-  if (parts.empty()) return {name};
-  std::vector<std::string> names;
-  const std::string stem = name.substr(0, name.find(':'));
-  for (const ChannelInfo& part : parts) names.push_back(fmt::format("{}_{}", stem, part.name));
-  return names;
-}
-
 ResultFile::ResultFile(const std::string& path)
     : path_(path), file_(std::make_unique<NetcdfFile>(NetcdfFile::open(path))) {
   const int status = file_->find_variable("status");
