@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
+#include "attractors/detail/disjoint_sets.hpp"
 #include "attractors/detail/moment_groups.hpp"
 #include "sweep_types.h"
 
@@ -72,27 +72,6 @@ bool has_exact_place(const TrajectorySummary& summary, double tolerance) {
          std::all_of(summary.place.begin() + states, summary.place.end(),
                      [&](double deviation) { return deviation <= tolerance; });
 }
-
-// Sets that grow together (disjoint sets with path halving).
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  // The first of both stands for all.
-  void join(std::size_t a, std::size_t b) {
-    const std::size_t first = find(a);
-    const std::size_t second = find(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 // Numbers of the parameter values along an axis, place by place: 0 where it has initial states
 // alone. Rows of a list that differ in initial states alone have the same number.
@@ -231,11 +210,11 @@ std::size_t nearest(const std::vector<TrajectorySummary>& summaries, const Clust
 }
 
 // Joins the clusters that are one attractor, followed from one parameter value to the next.
-Sets follow(const Sites& sites, const std::vector<TrajectorySummary>& summaries,
-            const Clusters& clusters) {
+DisjointSets follow(const Sites& sites, const std::vector<TrajectorySummary>& summaries,
+                    const Clusters& clusters) {
   double scale = 0.0;
   for (const std::size_t i : clusters.first) scale = std::max(scale, max_magnitude(summaries[i]));
-  Sets branches(clusters.first.size());
+  DisjointSets branches(clusters.first.size());
   for (std::size_t site = 0; site < sites.count(); ++site) {
     for (const std::size_t next : sites.after(site)) {
       for (const std::size_t own : clusters.of_site[site]) {
@@ -303,7 +282,7 @@ Attractor describe(const std::vector<TrajectorySummary>& summaries,
 AttractorList find_attractors(const Study& study, const std::vector<TrajectorySummary>& summaries) {
   const Sites sites(study);
   const Clusters clusters = cluster(study, sites, summaries);
-  Sets branches = follow(sites, summaries, clusters);
+  DisjointSets branches = follow(sites, summaries, clusters);
 
   std::map<std::size_t, std::vector<std::size_t>> members;  // of each branch, by its first cluster
   for (std::size_t i = 0; i < summaries.size(); ++i) {
