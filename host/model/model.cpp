@@ -72,17 +72,6 @@ const ChannelInfo* Model::contact_force() const {
   return found == signals.end() ? nullptr : &*found;
 }
 
-void Model::set_role(std::string_view name_of_it, Role role) {
-  const int parameter = find_parameter(name_of_it), signal = find_signal(name_of_it);
-  if (parameter >= 0) {
-    parameters[static_cast<std::size_t>(parameter)].role = role;
-  } else if (signal >= 0) {
-    signals[static_cast<std::size_t>(signal)].role = role;
-  } else {
-    throw std::out_of_range("no such parameter or signal");
-  }
-}
-
 double Model::mesh_periods(const ModelSetting& setting) const {
   return cycle ? cycle(setting) : 1.0;
 }

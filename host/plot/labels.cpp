@@ -17,6 +17,4 @@ std::string literal_mathtext(std::string_view text) { return mathtext_of(literal
 
 std::string typeset_mathtext(std::string_view text) { return mathtext_of(typeset(text)); }
 
-std::string typeset_html(std::string_view text) { return html_of(typeset(text)); }
-
 }  // namespace gearsweep

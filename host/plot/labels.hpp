@@ -1,4 +1,4 @@
-// What axes and quantities are called in pictures: for programs that draw their own with matplotlib
+// What axes and quantities are called in pictures: for programs that plot their own with matplotlib
 // as text with symbols between '$' (mathtext), for pages as HTML.
 #pragma once
 
@@ -27,6 +27,5 @@ std::pair<std::string, std::string> words_and_unit(const std::string& key);
 // Exactly this text; and the same with its symbols as in print.
 std::string literal_mathtext(std::string_view text);
 std::string typeset_mathtext(std::string_view text);
-std::string typeset_html(std::string_view text);
 
 }  // namespace gearsweep

@@ -26,10 +26,6 @@ bool Axis::sweeps_state() const {
   return std::ranges::any_of(swept(), [](const Swept& one) { return one.is_state; });
 }
 
-bool Axis::sweeps_parameter() const {
-  return std::ranges::any_of(swept(), [](const Swept& one) { return !one.is_state; });
-}
-
 const Swept* Axis::find_column(const std::string& column) const {
   for (const std::vector<Swept>* all : {&others, &columns}) {
     const auto found = std::ranges::find(*all, column, &Swept::name);

@@ -49,7 +49,6 @@ struct Axis : Swept {
   // What has a value at each place: the axis itself, or its columns.
   std::span<const Swept> swept() const;
   bool sweeps_state() const;
-  bool sweeps_parameter() const;
   // The same axis at some of its places.
   Axis at(const std::vector<std::size_t>& places) const;
 };

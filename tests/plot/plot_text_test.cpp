@@ -147,7 +147,8 @@ TEST(PlotText, SeveralContactsAndForcesAreTold) {
 }
 
 TEST(PlotText, IsHtmlToo) {
-  EXPECT_EQ(typeset_html("R_p theta_p < 1"), "<i>R</i><sub>p</sub> <i>θ</i><sub>p</sub> &lt; 1");
+  EXPECT_EQ(html_of(typeset("R_p theta_p < 1")),
+            "<i>R</i><sub>p</sub> <i>θ</i><sub>p</sub> &lt; 1");
   EXPECT_EQ(quantity_html("dmf_max"), "largest meshing force");
 }
 

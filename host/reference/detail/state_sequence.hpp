@@ -31,7 +31,6 @@ class StateSequence {
   void pass(const Eigen::VectorXd& state) { range_.widen(state); }
   void add(const Eigen::VectorXd& state);
   bool is_empty() const { return states_.empty(); }
-  Eigen::Index state_size() const { return states_.front().size(); }
   // How many were added, which is also the number of the last one.
   std::size_t last() const { return states_.size() - 1; }
 
