@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -17,6 +16,8 @@
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/exciting_meshes.hpp"
+#include "model/names.hpp"
+#include "model/parse_number.hpp"
 #include "orders/natural_modes.hpp"
 #include "result/output_file.hpp"
 #include "result/study_source.hpp"
@@ -118,19 +119,14 @@ void show(const GearArguments& arguments) {
 
 // "19/61"
 std::array<int, 2> read_teeth(const std::string& text) {
-  std::array<int, 2> teeth = {};
-  const std::size_t slash = text.find('/');
-  const auto read = [&](std::string_view part, int* value) {
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), *value);
-    return error == std::errc() && end == part.data() + part.size();
-  };
-  const std::string_view whole = text;
-  if (slash == std::string::npos || !read(whole.substr(0, slash), &teeth[0]) ||
-      !read(whole.substr(slash + 1), &teeth[1])) {
+  const std::vector<std::string> parts = split(text, '/');
+  const std::optional<int> pinion = parse_number<int>(parts.front());
+  const std::optional<int> gear = parse_number<int>(parts.back());
+  if (parts.size() != 2 || !pinion || !gear) {
     throw InputError(
         fmt::format("'{}' is no pair of numbers of teeth; 19/61 is one, the pinion first", text));
   }
-  return teeth;
+  return {*pinion, *gear};
 }
 
 void begin(GearArguments arguments) {

@@ -2,23 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "model/error.hpp"
+#include "model/parse_number.hpp"
 
 namespace gearsweep {
 namespace {
 
 template <class Number>
 Number read(const std::string& note, Number min, Number max) {
-  Number number{};
-  const char* end = note.data() + note.size();
-  const auto [rest, error] = std::from_chars(note.data(), end, number);
-  if (error != std::errc() || rest != end || !(number >= min) || !(number <= max)) {
+  const std::optional<Number> number = parse_number<Number>(note);
+  if (!number || !(*number >= min) || !(*number <= max)) {
     throw InputError(
         fmt::format("the journal is damaged ('{}' stands where a number should); delete it", note));
   }
-  return number;
+  return *number;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/parse_number.hpp"
 #include "opencl/detail/cl.hpp"
 #include "opencl/pocl_cache.hpp"
 
@@ -31,14 +31,12 @@ std::string trimmed(std::string text) {
 std::size_t lanes_asked_for() {
   const char* value = std::getenv("GEARSWEEP_LANES");
   if (value == nullptr || *value == '\0') return 0;
-  std::size_t lanes = 0;
-  const char* end = value + std::strlen(value);
-  const auto [last, error] = std::from_chars(value, end, lanes);
-  if (error != std::errc() || last != end || std::popcount(lanes) != 1 || lanes > kMaxLanes) {
+  const auto lanes = parse_number<std::size_t>(value);
+  if (!lanes || std::popcount(*lanes) != 1 || *lanes > kMaxLanes) {
     throw InputError(
         fmt::format("GEARSWEEP_LANES = '{}': it must be 1, 2, 4, 8 or {}", value, kMaxLanes));
   }
-  return lanes;
+  return *lanes;
 }
 
 DeviceInfo describe(const cl::Device& device) {

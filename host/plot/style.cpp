@@ -5,12 +5,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/parse_number.hpp"
 #include "model/regular_file.hpp"
 #include "plot/colours.hpp"
 #include "study/nesting.hpp"
@@ -21,10 +21,8 @@ namespace {
 constexpr double kMmPerInch = 25.4;
 
 std::optional<double> number_in(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_whole = error == std::errc() && end == text.data() + text.size();
-  return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const std::optional<double> number = parse_number<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 // "85mm", "8.5cm", "3.3in" in mm, or "1400px" in pixels; a plain number has the fallback's unit.

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+
+#include "model/parse_number.hpp"
 
 namespace gearsweep {
 namespace {
@@ -107,12 +108,10 @@ std::optional<double> percentile_in(const std::string& name, const std::string& 
   if (!name.starts_with(before)) return std::nullopt;
   std::string number = name.substr(before.size());
   std::ranges::replace(number, '_', '.');
-  double percentile = 0.0;
-  const char* end = number.data() + number.size();
-  const auto read = std::from_chars(number.data(), end, percentile);
-  const bool is_one = read.ec == std::errc() && read.ptr == end && percentile >= 0.0 &&
-                      percentile <= 100.0 && percentile_name(quantity, percentile) == name;
-  return is_one ? std::optional(percentile) : std::nullopt;
+  const std::optional<double> percentile = parse_number<double>(number);
+  const bool is_one = percentile && *percentile >= 0.0 && *percentile <= 100.0 &&
+                      percentile_name(quantity, *percentile) == name;
+  return is_one ? percentile : std::nullopt;
 }
 
 bool has_draw_quantities(const Quantity& quantity) {

@@ -4,24 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/parse_number.hpp"
 #include "result/result_file.hpp"
 
 namespace gearsweep {
 namespace {
-
-// Whether all of the text is a number that fits.
-template <typename Number>
-bool parse(const std::string& text, Number* value) {
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, *value);
-  return error == std::errc() && stopped == end;
-}
 
 // The command that the arguments name, which may be one of another; the whole tool when there is
 // none.
@@ -111,8 +103,8 @@ CLI::Validator one_of(const std::vector<std::string>& choices) {
 CLI::Validator whole_number(std::size_t min, std::size_t max) {
   return CLI::Validator(
       [min, max](const std::string& text) {
-        std::size_t value = 0;
-        const bool right = parse(text, &value) && value >= min && value <= max;
+        const auto value = parse_number<std::size_t>(text);
+        const bool right = value && *value >= min && *value <= max;
         return right ? std::string()
                      : fmt::format("'{}' is not a whole number from {} to {}", text, min, max);
       },
@@ -122,8 +114,8 @@ CLI::Validator whole_number(std::size_t min, std::size_t max) {
 CLI::Validator positive_number() {
   return CLI::Validator(
       [](const std::string& text) {
-        double value = 0.0;
-        const bool right = parse(text, &value) && std::isfinite(value) && value > 0.0;
+        const auto value = parse_number<double>(text);
+        const bool right = value && std::isfinite(*value) && *value > 0.0;
         return right ? std::string() : fmt::format("'{}' is not a number greater than 0", text);
       },
       "");
@@ -132,8 +124,8 @@ CLI::Validator positive_number() {
 CLI::Validator number_between(double min, double max) {
   return CLI::Validator(
       [min, max](const std::string& text) {
-        double value = 0.0;
-        const bool right = parse(text, &value) && value >= min && value <= max;
+        const auto value = parse_number<double>(text);
+        const bool right = value && *value >= min && *value <= max;
         return right ? std::string()
                      : fmt::format("'{}' is not a number from {} to {}", text, min, max);
       },

@@ -1,10 +1,11 @@
 #include "rexs/detail/values.hpp"
 
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "model/parse_number.hpp"
 
 namespace gearsweep {
 namespace {
@@ -62,11 +63,8 @@ std::string_view trimmed(std::string_view text) {
 std::optional<double> rexs_number(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stopped != end || !std::isfinite(number)) return std::nullopt;
-  return number;
+  const std::optional<double> number = parse_number<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::optional<std::vector<double>> decoded_numbers(std::string_view code, std::string_view text) {

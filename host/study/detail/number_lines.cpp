@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 
 #include "model/error.hpp"
+#include "model/parse_number.hpp"
 #include "model/regular_file.hpp"
 
 namespace gearsweep {
@@ -38,10 +38,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 std::optional<double> number_in(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
-  return value;
+  return parse_number<double>(field);
 }
 
 std::string shown_field(std::string_view field) {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <sstream>
 #include <vector>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/parse_number.hpp"
 #include "study/nesting.hpp"
 #include "study/toml_text.hpp"
 
@@ -43,10 +43,8 @@ toml::node* find_element(toml::array* array, const std::string& part) {
     const toml::table* table = element.as_table();
     if (table != nullptr && (*table)["name"].value_or(std::string()) == part) return &element;
   }
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-  const bool is_number = error == std::errc() && end == part.data() + part.size();
-  return is_number && index < array->size() ? array->get(index) : nullptr;
+  const auto index = parse_number<std::size_t>(part);
+  return index && *index < array->size() ? array->get(*index) : nullptr;
 }
 
 // The node that `part` names in `node`; an empty table is made where a table has no such key.

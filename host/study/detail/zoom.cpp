@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "model/error.hpp"
 #include "model/names.hpp"
+#include "model/parse_number.hpp"
 #include "study/detail/toml_access.hpp"
 
 namespace gearsweep {
@@ -19,27 +19,20 @@ struct Stretch {
   std::optional<std::int64_t> count;
 };
 
-template <class Number>
-bool parse(const std::string& text, Number* value) {
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, *value);
-  return error == std::errc() && stopped == end;
-}
-
 // "1.5:1.9" or "1.5:1.9:400".
 Stretch parse_stretch(const std::string& text, const std::string& source) {
   const std::vector<std::string> parts = split(text, ':');
-  Stretch stretch;
-  std::int64_t count = 0;
-  const bool is_right = (parts.size() == 2 || parts.size() == 3) &&
-                        parse(parts[0], &stretch.from) && parse(parts[1], &stretch.to) &&
-                        std::isfinite(stretch.from) && std::isfinite(stretch.to) &&
-                        (parts.size() == 2 || parse(parts[2], &count));
+  const bool has_count = parts.size() == 3;
+  const auto from = parse_number<double>(parts.front());
+  const auto to = parse_number<double>(parts.size() > 1 ? parts[1] : "");
+  const auto count = has_count ? parse_number<std::int64_t>(parts[2]) : std::nullopt;
+  const bool is_right = (parts.size() == 2 || (has_count && count)) && from && to &&
+                        std::isfinite(*from) && std::isfinite(*to);
   if (!is_right) {
     throw InputError(fmt::format(
         "{}: expected AXIS=FROM:TO or AXIS=FROM:TO:COUNT, as in omega=1.5:1.9:400", source));
   }
-  if (parts.size() == 3) stretch.count = count;
+  const Stretch stretch = {*from, *to, count};
   const bool is_single = stretch.count == 1 && stretch.from == stretch.to;
   if (!(stretch.to > stretch.from) && !is_single) {
     throw InputError(
