@@ -1,5 +1,5 @@
-// The buffers that each stage of a tile's computation has on the device: from this they are
-// allocated, and from this the memory that a tile needs is added up.
+// The buffers that each kernel of a tile has on the device: from this they are allocated, and from
+// this the memory that a tile needs is added up.
 #pragma once
 
 #include <cstddef>

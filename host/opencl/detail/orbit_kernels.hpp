@@ -30,27 +30,11 @@ class OrbitKernels final : public OrbitEngine {
                                    const RoundCallback& after_round) override;
 
  private:
-  std::optional<Approach> approach_tile(const Plan& plan, const Tile& tile,
-                                        const std::vector<double>& states, std::size_t periods,
-                                        const std::vector<std::uint32_t>& excluded,
-                                        const NearReturn& near, const RoundCallback& after_round);
-  std::optional<Sections> follow_tile(const Plan& plan, const Tile& tile,
-                                      const std::vector<double>& states,
-                                      const std::vector<std::uint32_t>& lengths,
-                                      const RoundCallback& after_round);
-  std::optional<ReturnMaps> map_tile(const Plan& plan, const Tile& tile,
-                                     const std::vector<double>& states,
-                                     const std::vector<std::uint32_t>& lengths,
-                                     const RoundCallback& after_round);
   // Runs a kernel that advances each point by its own number of periods, each step of which costs
   // so much. False when the callback asked to stop.
   bool run_lengths(cl::Kernel* kernel, const Plan& plan, const Tile& tile, const TileInputs& inputs,
                    const std::vector<std::uint32_t>& lengths, double cost,
                    const RoundCallback& after_round);
-  std::optional<TileResult> replay_tile(const Plan& plan, const Tile& tile,
-                                        const std::vector<double>& states, std::size_t length,
-                                        const std::vector<double>& log_stretchings,
-                                        const Window& window, const RoundCallback& after_round);
 
   Launcher* launcher_;
   cl::Program program_;

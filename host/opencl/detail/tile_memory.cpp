@@ -41,12 +41,12 @@ class Estimate {
 
   TileMemory most() const {
     const Buffers tables = grid_tables();
-    std::vector<Buffers> stages = {recording()};
-    if (searches_) stages.insert(stages.end(), {approach(), return_map(), replay()});
+    std::vector<Buffers> kernels = {recording()};
+    if (searches_) kernels.insert(kernels.end(), {approach(), return_map(), replay()});
     TileMemory most;
-    for (const Buffers& stage : stages) {
-      most.device = std::max(most.device, tables.total() + stage.total());
-      most.buffer = std::max({most.buffer, tables.largest(), stage.largest()});
+    for (const Buffers& kernel : kernels) {
+      most.device = std::max(most.device, tables.total() + kernel.total());
+      most.buffer = std::max({most.buffer, tables.largest(), kernel.largest()});
     }
     // A grid's table stands on the host as it is made, and packed.
     const double scalar = static_cast<double>(layout_.scalar_bytes);
@@ -93,7 +93,7 @@ class Estimate {
     return buffers;
   }
 
-  Buffers stage(std::initializer_list<std::size_t> numbers) const {
+  Buffers with_inputs(std::initializer_list<std::size_t> numbers) const {
     Buffers buffers = inputs(whole_slots());
     for (const std::size_t count : numbers) buffers.add(scalars(count));
     return buffers;
@@ -102,25 +102,25 @@ class Estimate {
   Buffers recording() const {
     const auto [state, tangents, accumulators, series, outputs] =
         record_buffers(study_, study_.integrate.record, whole_slots());
-    return stage({state, tangents, accumulators, series, outputs});
+    return with_inputs({state, tangents, accumulators, series, outputs});
   }
 
   // To follow trajectories takes some of these buffers.
   Buffers approach() const {
     const auto [state, periods, sections, ranges, lengths, guesses] =
         approach_buffers(study_, whole_slots());
-    return stage({state, periods, sections, ranges, lengths, guesses});
+    return with_inputs({state, periods, sections, ranges, lengths, guesses});
   }
 
   Buffers return_map() const {
     const auto [state, lengths, derivative] = return_map_buffers(study_, whole_slots());
-    return stage({state, lengths, derivative});
+    return with_inputs({state, lengths, derivative});
   }
 
   Buffers replay() const {
     const auto [state, log_stretching, sections, accumulators, outputs] =
         replay_buffers(study_, ORBIT_LONGEST, whole_slots());
-    return stage({state, log_stretching, sections, accumulators, outputs});
+    return with_inputs({state, log_stretching, sections, accumulators, outputs});
   }
 
   // Beside the answers: what the points start from, the orbits found, and the largest of what is
@@ -134,17 +134,17 @@ class Estimate {
     const std::size_t recorded =
         wide * (2 * sampled + states_) + (both + 2 * wide) * selection_.output_count();
     const std::size_t tangents = both * selection_.tangent_count() * states_;
-    std::size_t stage = whole_slots() * std::max(recorded, tangents);
+    std::size_t packed = whole_slots() * std::max(recorded, tangents);
     // Heap blocks have a head of 16 bytes. An orbit has two vectors, an attempt at one has three.
     const std::size_t block = 16 + wide * states_;
     std::size_t kept = 4 * wide * states_;
     if (searches_) {
       kept += 2 * (64 + 2 * block);
       const std::size_t maps = whole_slots() * (both + wide) * states_ * states_;
-      stage = std::max(stage, maps + tile_.points.size() * (128 + 3 * block));
+      packed = std::max(packed, maps + tile_.points.size() * (128 + 3 * block));
     }
-    return static_cast<double>(stage) + static_cast<double>(tile_.points.size()) *
-                                            (static_cast<double>(kept) + answer_bytes(study_));
+    return static_cast<double>(packed) + static_cast<double>(tile_.points.size()) *
+                                             (static_cast<double>(kept) + answer_bytes(study_));
   }
 
   const Plan& plan_;
