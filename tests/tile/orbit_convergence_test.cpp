@@ -24,8 +24,8 @@ std::vector<double> numbers_of(const Eigen::MatrixXd& matrix) {
   return {matrix.data(), matrix.data() + matrix.size()};
 }
 
-OrbitMap orbit_at(const Eigen::VectorXd& state, const Eigen::MatrixXd& derivative,
-                  const Eigen::VectorXd& ranges, std::vector<std::size_t> angles = {}) {
+TargetOrbit orbit_at(const Eigen::VectorXd& state, const Eigen::MatrixXd& derivative,
+                     const Eigen::VectorXd& ranges, std::vector<std::size_t> angles = {}) {
   // Where units lie far apart, rounding would leave no digit of it.
   const Eigen::MatrixXd relative =
       ranges.cwiseInverse().asDiagonal() * derivative * ranges.asDiagonal();
@@ -35,7 +35,7 @@ OrbitMap orbit_at(const Eigen::VectorXd& state, const Eigen::MatrixXd& derivativ
 }
 
 // The verdict on at most so many returns of a map, from a state on.
-Verdict verdict_on(const OrbitMap& orbit, const Map& map, Eigen::VectorXd state,
+Verdict verdict_on(const TargetOrbit& orbit, const Map& map, Eigen::VectorXd state,
                    std::size_t returns = 200) {
   OrbitConvergence view(orbit);
   Verdict verdict = view.add(numbers_of(state));
@@ -137,8 +137,8 @@ TEST(OrbitConvergence, IsSeenWhereTermsOfSecondOrderTakeTurns) {
 // Next to a fold nothing takes turns: x -> 0.98 x + x^2 goes to 0 from below 0.02 alone, and from
 // just there only after a long time.
 TEST(OrbitConvergence, WaitsNextToAFold) {
-  const OrbitMap orbit = orbit_at(Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 0.98),
-                                  Eigen::VectorXd::Ones(1));
+  const TargetOrbit orbit = orbit_at(
+      Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 0.98), Eigen::VectorXd::Ones(1));
   const Map fold = [](const Eigen::VectorXd& x) {
     return Eigen::VectorXd(0.98 * x + x.cwiseProduct(x));
   };

@@ -37,7 +37,7 @@ Eigen::MatrixXd contracting_metric(const Eigen::MatrixXd& map, double contractio
 
 }  // namespace
 
-OrbitConvergence::OrbitConvergence(OrbitMap orbit, int longest_span) : orbit_(std::move(orbit)) {
+OrbitConvergence::OrbitConvergence(TargetOrbit orbit, int longest_span) : orbit_(std::move(orbit)) {
   const auto states = static_cast<Eigen::Index>(orbit_.state.size());
   const Eigen::Map<const Eigen::VectorXd> ranges(orbit_.ranges.data(), states);
   const Eigen::Map<const Eigen::MatrixXd> derivative(orbit_.derivative.data(), states, states);

@@ -20,7 +20,7 @@
 namespace gearsweep {
 
 // A periodic orbit, seen once in each of its periods.
-struct OrbitMap {
+struct TargetOrbit {
   std::vector<double> state;
   std::vector<double> derivative;   // [column][row] of the return map
   double multiplier = 0.0;          // the largest, as an absolute value; below 1
@@ -35,7 +35,7 @@ class OrbitConvergence {
 
   // A span is not longer than this: where multipliers are near 1 it leaves more than half, and what
   // is not linear must be the smaller.
-  explicit OrbitConvergence(OrbitMap orbit, int longest_span = 1000);
+  explicit OrbitConvergence(TargetOrbit orbit, int longest_span = 1000);
 
   // The state of the trajectory one period of the orbit after the last one that was added.
   Verdict add(std::span<const double> state);
@@ -45,7 +45,7 @@ class OrbitConvergence {
   // By the return a span before it. `now`: its norm.
   bool is_explained(const Eigen::VectorXd& distance, double now) const;
 
-  OrbitMap orbit_;
+  TargetOrbit orbit_;
   Eigen::Index span_ = 1;        // p
   Eigen::MatrixXd map_;          // M^p, relative to the ranges
   Eigen::MatrixXd metric_;       // of the norm

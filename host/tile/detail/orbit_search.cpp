@@ -128,14 +128,15 @@ bool OrbitSearch::find_candidates(const Approach& approach, const RoundCallback&
     if (attempt.verdict == NewtonVerdict::unstable) {
       hopeless_[position] |= 1U << (attempt.length - 1);
     } else if (attempt.verdict == NewtonVerdict::found) {
-      OrbitMap map = {attempt.newton.state,
-                      attempt.derivative,
-                      std::exp(attempt.newton.log_multipliers.front()),
-                      attempt.newton.ranges,
-                      plan_.study().model->angles,
-                      plan_.study().selection.period_tolerance};
-      candidates_[position] = std::unique_ptr<Candidate>(new Candidate{
-          std::move(attempt), settled_, OrbitConvergence(std::move(map), criteria_.longest_span)});
+      TargetOrbit target = {attempt.newton.state,
+                            attempt.derivative,
+                            std::exp(attempt.newton.log_multipliers.front()),
+                            attempt.newton.ranges,
+                            plan_.study().model->angles,
+                            plan_.study().selection.period_tolerance};
+      candidates_[position] = std::unique_ptr<Candidate>(
+          new Candidate{std::move(attempt), settled_,
+                        OrbitConvergence(std::move(target), criteria_.longest_span)});
     }
   });
   return true;
