@@ -35,10 +35,10 @@ int run_study(const RunRequest& request) {
   if (!maps) return report.interrupted();
   report.written(*maps);
 
-  // 5. Draw the picture of the file that --plot asks for.
+  // 5. Plot the picture of the file that --plot asks for.
   if (output.has_picture()) {
-    output.draw();
-    report.drawn();
+    output.plot();
+    report.plotted();
   }
   return report.finished(*maps);
 }

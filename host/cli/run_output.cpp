@@ -88,7 +88,7 @@ void guard_replaced(const RunRequest& request, const Study& study, const std::st
   tell("gearsweep: warning: {} holds {}; this run will replace it\n", output, lost);
 }
 
-// A quantity to draw must be one that the study computes.
+// A quantity to plot must be one that the study computes.
 void check_quantity(const Study& study, const std::string& quantity) {
   const std::string name = quantity.substr(0, quantity.find(':'));
   std::vector<std::string> known = {"status"};
@@ -143,7 +143,7 @@ void RunOutput::write(const SweepResult& result) const {
   write_result(result, path_, provenance());
 }
 
-void RunOutput::draw() const {
+void RunOutput::plot() const {
   PlotRequest plot;
   plot.paths = {path_};
   plot.quantity = request_.quantity;

@@ -12,7 +12,7 @@ namespace gearsweep {
 
 class RunOutput {
  public:
-  // Sees that the files can be written and the picture drawn, and tells of a result that will be
+  // Sees that the files can be written and the picture plotted, and tells of a result that will be
   // replaced. Throws InputError where not, or where a file would be lost that nobody named. Both
   // outlive it.
   RunOutput(const RunRequest& request, const Study& study);
@@ -26,8 +26,8 @@ class RunOutput {
   void write(const SweepResult& result) const;
   // Whether a picture was asked for.
   bool has_picture() const { return !request_.plot.empty(); }
-  // Reads the file that was written, and draws it.
-  void draw() const;
+  // Reads the file that was written, and plots it.
+  void plot() const;
 
  private:
   Provenance provenance() const;

@@ -26,14 +26,14 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kScriptEnding = ".gp";
 
-PlotScript draw(const Page& page, const PlotRequest& request) {
+PlotScript script_of(const Page& page, const PlotRequest& request) {
   if (std::any_of(request.paths.begin(), request.paths.end(), is_order_file)) {
     request.style.refuse_band();
     return plot_orders(request);
   }
   if (!request.rays.empty()) throw InputError("--rays is for order maps");
   const auto traces = std::count_if(request.paths.begin(), request.paths.end(), is_trace_file);
-  if (traces == 0) return draw_maps(page, request);
+  if (traces == 0) return plot_maps(page, request);
   if (traces == std::ssize(request.paths)) {
     request.style.refuse("contours", "it is for maps, not for traces");
     request.style.refuse_band();
@@ -81,7 +81,7 @@ void put_resolution(const std::string& file) {
 // too, makes gnuplot 5.4 complain where the locale is not UTF-8, so that is left to whoever has
 // chosen another in an own ~/.gnuplot.
 std::string preamble(const fs::path& script, const std::string& output, const Page& page,
-                     const PlotScript& drawn) {
+                     const PlotScript& plotted) {
   const fs::path from_script = fs::absolute(output).lexically_relative(
       fs::absolute(script).lexically_normal().parent_path());
   return fmt::format(
@@ -94,7 +94,7 @@ std::string preamble(const fs::path& script, const std::string& output, const Pa
       "data = ARGC > 1 ? plain(ARG2) : files.'.dat'\n"
       "if (GPVAL_ENCODING ne 'default' && GPVAL_ENCODING ne 'utf8') {{ set encoding utf8 }}\n{}{}"
       "set output picture\n",
-      quote(from_script.string()), drawn.before, page.terminal(drawn.height));
+      quote(from_script.string()), plotted.before, page.terminal(plotted.height));
 }
 
 constexpr std::string_view kTex = ".tex";
@@ -123,15 +123,15 @@ std::string image_of(const std::string& output) {
   return image;
 }
 
-// Where gnuplot draws, and what becomes of it.
-class Drawing {
+// Where gnuplot plots, and what becomes of it.
+class PictureFile {
  public:
-  explicit Drawing(const std::string& path)
+  explicit PictureFile(const std::string& path)
       : path_(path), image_path_(image_of(path)), output_(path) {
     if (!image_path_.empty()) image_.emplace(image_path_);
   }
 
-  // LaTeX's picture is drawn under its own name, since its text names the image.
+  // LaTeX's picture is plotted under its own name, since its text names the image.
   std::string place() const {
     if (!image_) return output_.temporary_path();
     return (folder_.path() / fs::path(path_).filename()).string();
@@ -139,10 +139,10 @@ class Drawing {
 
   void commit() {
     if (image_) {
-      const std::string drawn = place();
-      const std::string stem = drawn.substr(0, drawn.size() - kTex.size());
-      std::string text = content_of(drawn);
-      // As it is found beside the text, wherever it was drawn.
+      const std::string plotted = place();
+      const std::string stem = plotted.substr(0, plotted.size() - kTex.size());
+      std::string text = content_of(plotted);
+      // As it is found beside the text, wherever it was plotted.
       const std::string name = fs::path(stem).filename().string();
       for (std::size_t at = 0; (at = text.find(stem, at)) != std::string::npos;) {
         text.replace(at, stem.size(), name);
@@ -193,21 +193,21 @@ void plot_files(const PlotRequest& asked) {
     throw InputError(
         fmt::format("cannot write the script '{}': its name must end in .gp", request.script_path));
   }
-  Drawing drawing(request.output_path);
+  PictureFile picture(request.output_path);
   if (keep_script) ensure_writable(request.script_path);
-  const PlotScript drawn = draw(page, request);
+  const PlotScript plotted = script_of(page, request);
 
   const TemporaryFolder folder;
   const fs::path script = keep_script ? fs::path(request.script_path) : folder.path() / "plot.gp";
   const std::string stem = script.string();
   const std::string files = stem.substr(0, stem.size() - kScriptEnding.size());
-  write_file(files + ".dat", drawn.data);
-  if (!drawn.missing.empty()) write_file(files + "-missing.dat", drawn.missing);
-  write_file(script.string(), preamble(script, request.output_path, page, drawn) + drawn.text);
+  write_file(files + ".dat", plotted.data);
+  if (!plotted.missing.empty()) write_file(files + "-missing.dat", plotted.missing);
+  write_file(script.string(), preamble(script, request.output_path, page, plotted) + plotted.text);
 
-  run_gnuplot(script.string(), drawing.place());
-  if (page.is_for_print() && request.output_path.ends_with(".png")) put_resolution(drawing.place());
-  drawing.commit();
+  run_gnuplot(script.string(), picture.place());
+  if (page.is_for_print() && request.output_path.ends_with(".png")) put_resolution(picture.place());
+  picture.commit();
 }
 
 }  // namespace gearsweep

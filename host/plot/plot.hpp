@@ -1,4 +1,4 @@
-// Pictures of result files and of traces, drawn by gnuplot.
+// Pictures of result files and of traces, plotted by gnuplot.
 #pragma once
 
 #include <optional>
@@ -27,14 +27,14 @@ struct PlotRequest {
   // the same name with the endings .dat and -missing.dat. It runs from any folder, and takes the
   // picture and the data as arguments: gnuplot -c SCRIPT PICTURE DATA.
   std::string script_path = {};
-  // Axis name and value: draws the other axis alone, at the nearest value of this one.
+  // Axis name and value: plots the other axis alone, at the nearest value of this one.
   std::optional<std::pair<std::string, double>> at = {};
   // Only so many last forcing periods of traces; without, 10 in `time` and `force`, else all.
   std::optional<std::size_t> periods = {};
   std::optional<double> orders = {};  // the highest of `spectrum`; without, 10; or of an order map
   // Orders that an order map has as lines: "1,2,1/2", "none"; empty: 1 to 4.
   std::string rays = {};
-  std::string curves_path = {};  // of border curves, to be drawn over a map of two axes
+  std::string curves_path = {};  // of border curves, to be plotted over a map of two axes
   PlotStyle style = {};
 };
 
@@ -42,7 +42,7 @@ struct PlotRequest {
 // RunError when gnuplot is not installed.
 void ensure_plottable(const std::string& output_path);
 
-// From maps it draws a heat map of two axes, curves of one, or a bifurcation diagram of `poincare`
+// From maps it plots a heat map of two axes, curves of one, or a bifurcation diagram of `poincare`
 // over one; from traces what the quantity says. The picture appears whole or not at all; with a
 // .tex comes a .pdf of the same name, which it includes. Throws InputError when the request does
 // not fit the files or cannot be written, RunError when gnuplot is not installed or fails.

@@ -19,17 +19,17 @@ inline std::size_t count_of(const std::string& part, const std::string& text) {
 
 class PictureTest : public IoTest {
  protected:
-  // The first bytes of the picture that the request draws.
-  std::string drawn(PlotRequest request, const std::string& ending = ".png") const {
+  // The first bytes of the picture that the request plots.
+  std::string plotted(PlotRequest request, const std::string& ending = ".png") const {
     request.output_path = in_folder("picture" + ending);
     plot_files(request);
     return content(request.output_path).substr(0, 200);
   }
 
-  // The script of a picture; drawing it must make gnuplot say nothing.
+  // The script of a picture; plotting it must make gnuplot say nothing.
   std::string script_of(PlotRequest request, const std::string& ending = ".png") const {
     request.script_path = in_folder("picture.gp");
-    EXPECT_THAT(drawn(request, ending),
+    EXPECT_THAT(plotted(request, ending),
                 ::testing::AnyOf(::testing::StartsWith("\x89PNG"), ::testing::HasSubstr("<svg")));
     const std::string said = in_folder("said.txt");
     const std::string command =

@@ -88,10 +88,10 @@ TEST_F(PlotBandTest, IsOfACurveAlone) {
 TEST_F(PlotBandTest, WhoAsksForOneWhereThereIsNoneIsTold) {
   PlotRequest request = {.paths = {write(tolerant_result(4, 3))}, .quantity = "x1_rms"};
   request.style.demanded.insert("band");
-  EXPECT_THAT(refusal([&] { drawn(request); }),
+  EXPECT_THAT(refusal([&] { plotted(request); }),
               AllOf(HasSubstr("--band"), HasSubstr("[uncertain]")));
   request.at = {{"b", 1.5}};
-  EXPECT_EQ(refusal([&] { drawn(request); }), "accepted");
+  EXPECT_EQ(refusal([&] { plotted(request); }), "accepted");
 }
 
 // Values at which all draws diverged are a gap in the band; on a logarithmic axis it goes down to

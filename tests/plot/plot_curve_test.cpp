@@ -37,7 +37,7 @@ TEST_F(PlotCurveTest, PoincareIsABifurcationDiagram) {
   const std::string map = write(example_result());
   EXPECT_THAT(script_of({.paths = {map}, .quantity = "poincare", .at = {{"omega", 2.0}}}),
               AllOf(HasSubstr("with points"), HasSubstr("{/:Italic ω} = 2")));
-  EXPECT_THAT(refusal([&] { drawn({.paths = {map}, .quantity = "poincare"}); }),
+  EXPECT_THAT(refusal([&] { plotted({.paths = {map}, .quantity = "poincare"}); }),
               AllOf(HasSubstr("axes 'omega' and 'b'"), HasSubstr("cut it")));
 }
 

@@ -103,7 +103,7 @@ TEST_F(PlotMapTest, AMapWithoutAnyValueIsDrawnGrey) {
   line.samples.assign(line.samples.size(), kNaN);
   for (auto& map : line.values) map.assign(7, kNaN);
   for (const char* const quantity : {"poincare", "x1_rms", "poincare,x1_rms,contact_class"}) {
-    EXPECT_THAT(drawn({.paths = {write(line)}, .quantity = quantity}), StartsWith("\x89PNG"));
+    EXPECT_THAT(plotted({.paths = {write(line)}, .quantity = quantity}), StartsWith("\x89PNG"));
   }
 }
 

@@ -67,7 +67,7 @@ TEST_F(PlotOrdersTest, AFrequencyIsUprightUnlessOrdersAreAskedFor) {
               AllOf(HasSubstr("frequency ("), HasSubstr("amplitude of meshing force (dB")));
   const std::string order = script_of(request("order"));
   EXPECT_THAT(order, AllOf(HasSubstr("\"mesh order\""), Not(HasSubstr("frequency ("))));
-  EXPECT_THAT(refusal([&] { drawn(request("orders")); }), HasSubstr("over 'frequency'"));
+  EXPECT_THAT(refusal([&] { plotted(request("orders")); }), HasSubstr("over 'frequency'"));
 }
 
 TEST_F(PlotOrdersTest, ColoursGo80DecibelsDownFromTheLargest) {
@@ -80,7 +80,7 @@ TEST_F(PlotOrdersTest, EqualModesAreOneLineAndEachRayIsOne) {
   EXPECT_THAT(script, HasSubstr("\"1/2\" at"));
   EXPECT_THAT(script_of(request("", "none")), Not(HasSubstr("mesh orders")));
   for (const std::string rays : {"x", "1,-2", "1/0", "1,"}) {
-    EXPECT_THAT(refusal([&] { drawn(request("", rays)); }), HasSubstr("--rays")) << rays;
+    EXPECT_THAT(refusal([&] { plotted(request("", rays)); }), HasSubstr("--rays")) << rays;
   }
 }
 
@@ -96,23 +96,23 @@ TEST_F(PlotOrdersTest, ASecondMeshHasRaysOfItsOwn) {
   EXPECT_THAT(script, AllOf(HasSubstr("orders of first"), HasSubstr("orders of second")));
   EXPECT_EQ(count_of("linecolor rgb '#d070ff'", script), 2U + 1U);  // the key's, too
   EXPECT_THAT(script_of({.paths = {file}, .quantity = "order"}), HasSubstr("mesh order of first"));
-  EXPECT_THAT(refusal([&] { drawn({.paths = {file}, .rays = "1:third"}); }),
+  EXPECT_THAT(refusal([&] { plotted({.paths = {file}, .rays = "1:third"}); }),
               HasSubstr("the meshes are first and second"));
-  EXPECT_THAT(refusal([&] { drawn(request("", "1:second")); }), HasSubstr("of one mesh"));
+  EXPECT_THAT(refusal([&] { plotted(request("", "1:second")); }), HasSubstr("of one mesh"));
 }
 
 TEST_F(PlotOrdersTest, OtherFilesAndOptionsAreRefused) {
   PlotRequest asked = request();
   asked.paths.push_back(asked.paths.front());
-  EXPECT_THAT(refusal([&] { drawn(asked); }), HasSubstr("one file at a time"));
+  EXPECT_THAT(refusal([&] { plotted(asked); }), HasSubstr("one file at a time"));
   asked = request();
   asked.at = {{"omega", 0.5}};
-  EXPECT_THAT(refusal([&] { drawn(asked); }), HasSubstr("gearsweep orders"));
+  EXPECT_THAT(refusal([&] { plotted(asked); }), HasSubstr("gearsweep orders"));
   asked = request();
   asked.style.has_units = asked.style.is_si = true;
-  EXPECT_THAT(refusal([&] { drawn(asked); }), HasSubstr("[gear]"));
+  EXPECT_THAT(refusal([&] { plotted(asked); }), HasSubstr("[gear]"));
   EXPECT_THAT(refusal([&] {
-                drawn({.paths = {write(gearsweep::testing::example_result())}, .rays = "1"});
+                plotted({.paths = {write(gearsweep::testing::example_result())}, .rays = "1"});
               }),
               HasSubstr("--rays is for order maps"));
 }

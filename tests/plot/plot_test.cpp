@@ -20,9 +20,9 @@ using PlotTest = PictureTest;
 
 TEST_F(PlotTest, TheEndingChoosesTheFormat) {
   const std::string path = write(example_result());
-  EXPECT_THAT(drawn({.paths = {path}, .quantity = "x1_rms"}, ".png"), StartsWith("\x89PNG"));
-  EXPECT_THAT(drawn({.paths = {path}, .quantity = "x1_rms"}, ".pdf"), StartsWith("%PDF"));
-  EXPECT_THAT(drawn({.paths = {path}, .quantity = "x1_rms"}, ".svg"), HasSubstr("<svg"));
+  EXPECT_THAT(plotted({.paths = {path}, .quantity = "x1_rms"}, ".png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(plotted({.paths = {path}, .quantity = "x1_rms"}, ".pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(plotted({.paths = {path}, .quantity = "x1_rms"}, ".svg"), HasSubstr("<svg"));
 }
 
 // The locale of this process and of those that it starts, until the end of the scope.

@@ -1,4 +1,4 @@
-// The child process that draws.
+// The child process that plots.
 #pragma once
 
 #include <string>

@@ -212,7 +212,7 @@ std::vector<std::string> names_of(const std::vector<Picture>& layers, const Plot
 }
 
 // The layer that goes upwards, of two studies of which one goes upwards along the axis that they
-// are drawn over, and the other downwards.
+// are plotted over, and the other downwards.
 std::optional<std::size_t> upwards_of(const PlotRequest& request, const std::string& axis) {
   if (request.paths.size() != 2) return std::nullopt;
   std::vector<int> neighbours;
@@ -246,7 +246,7 @@ std::vector<std::string> names_of_directions(std::size_t upwards, const ResultAx
 
 }  // namespace
 
-PlotScript draw_maps(const Page& page, const PlotRequest& request) {
+PlotScript plot_maps(const Page& page, const PlotRequest& request) {
   if (request.periods || request.orders) {
     throw InputError("--periods and --orders are for traces, and these files hold maps");
   }

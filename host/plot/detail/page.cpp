@@ -54,7 +54,7 @@ Page::Page(const PlotStyle& style, PictureFormat format, double usual_mm)
       throw InputError(
           "pixels are for .png and .svg; give the size of this picture in mm, as in 85x64mm");
     }
-    // So many pixels of the picture that is drawn without a size.
+    // So many pixels of the picture that is plotted without a size.
     dots_per_inch_ =
         format == PictureFormat::kPng ? size.width / (usual_mm / kMmPerInch) : kSvgPixelsPerInch;
     width_ = size.width / dots_per_inch_ * kPointsPerInch;

@@ -1,5 +1,5 @@
-// The page that a picture is drawn on: sizes, letters, and how gnuplot or LaTeX takes them. Lengths
-// are in points (1/72 inch) from the lower left corner.
+// The page that a picture is plotted on: sizes, letters, and how gnuplot or LaTeX takes them.
+// Lengths are in points (1/72 inch) from the lower left corner.
 #pragma once
 
 #include <string>
@@ -66,7 +66,7 @@ class Page {
   double width_ = 0.0, height_ = 0.0, em_ = 0.0, dots_per_inch_ = 300.0;
 };
 
-// The ends of an axis that is drawn.
+// The ends of an axis that is plotted.
 struct AxisRange {
   double min = 0.0, max = 1.0;
   bool logarithmic = false;

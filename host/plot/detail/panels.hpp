@@ -18,6 +18,9 @@ struct Stack {
   std::optional<std::size_t> upwards = {};
 };
 
+// The studies where they are several, bands, parts of a quantity, missing values.
+std::vector<KeyEntry> key_entries(const Stack& stack);
+
 PlotScript plot_stack(const Page& page, const Stack& stack);
 
 }  // namespace gearsweep

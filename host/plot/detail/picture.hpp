@@ -1,4 +1,4 @@
-// One picture and the gnuplot script that draws it.
+// One picture and the gnuplot script that plots it.
 #pragma once
 
 #include <initializer_list>
@@ -54,8 +54,8 @@ struct Picture {
   std::string remark;                  // such as "b = 0.7"; may be empty
   std::string settings;                // of the study, as TOML
   std::optional<CurveBand> band = {};  // of a curve alone
-  // For a map of two axes: what is drawn over it, what the key says of that, and markup in place of
-  // the usual label of the bar.
+  // For a map of two axes: what is plotted over it, what the key says of that, and markup in place
+  // of the usual label of the bar.
   std::vector<MapLine> lines = {};
   std::vector<KeyEntry> key = {};
   std::string bar_label = {};
@@ -64,7 +64,7 @@ struct Picture {
 // A script without the lines that choose the terminal, and the binary files that it reads: `data`,
 // and files.'-missing.dat'.
 struct PlotScript {
-  std::string before;  // draws rasters of points, ahead of the picture
+  std::string before;  // plots rasters of points, ahead of the picture
   std::string text, data, missing;
   double height = 0.0;  // of the picture, in points
 };

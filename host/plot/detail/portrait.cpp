@@ -52,6 +52,55 @@ double sum(const std::vector<double>& lengths) {
   return std::accumulate(lengths.begin(), lengths.end(), 0.0);
 }
 
+// The axes of all panels, with their labels, and the room that is left for frames.
+class PanelGrid {
+ public:
+  // height: between the heading and the key.
+  PanelGrid(const Page& page, const std::vector<TracePanel>& panels, Grid grid, double height)
+      : page_(page), panels_(panels), grid_(std::move(grid)), height_(height) {
+    // A label may be as wide as its column: first with the whole column's width, from which the
+    // frames' follows, then with what a frame and the room at the page's edge leave.
+    fit(page.width() / static_cast<double>(grid_.columns));
+    if (panels.size() > 1) fit(grid_.width + edge_room(page));
+  }
+
+  const Grid& grid() const { return grid_; }
+  const PanelAxis& x(std::size_t panel) const { return x_[panel]; }
+  const PanelAxis& y(std::size_t panel) const { return y_[panel]; }
+
+ private:
+  void fit(double label_width) {
+    const auto columns = static_cast<double>(grid_.columns);
+    const std::size_t rows = (panels_.size() + grid_.columns - 1) / grid_.columns;
+    x_.clear();
+    y_.clear();
+    grid_.bottom.assign(rows, 0.0);
+    grid_.left.assign(grid_.columns, 0.0);
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const std::size_t row = i / grid_.columns;
+      x_.push_back(panels_[i].x);
+      x_.back().label = label_lines(page_, panels_[i].x.label.front(), label_width);
+      grid_.bottom[row] = std::max(grid_.bottom[row], bottom_room(page_, x_.back()));
+    }
+    grid_.height = (height_ - sum(grid_.bottom) - grid_.caption * static_cast<double>(rows) -
+                    grid_.gap * static_cast<double>(rows - 1)) /
+                   static_cast<double>(rows);
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const std::size_t column = i % grid_.columns;
+      y_.push_back(panels_[i].y);
+      y_.back().label = label_lines(page_, panels_[i].y.label.front(), grid_.height);
+      grid_.left[column] = std::max(grid_.left[column], left_room(page_, y_[i], grid_.height));
+    }
+    grid_.width = (page_.width() - sum(grid_.left)) / columns - edge_room(page_);
+  }
+
+  const Page& page_;
+  const std::vector<TracePanel>& panels_;
+  Grid grid_;
+  double height_;
+  std::vector<PanelAxis> x_, y_;
+};
+
 }  // namespace
 
 std::vector<TracePanel> portrait_panels(const Page& page, const TracePicture& picture,
@@ -97,52 +146,21 @@ void lay_out(const Page& page, const TracePicture& picture, const std::vector<Tr
   const bool is_narrow = page.width() < kNarrow * em;
   const double own_aspect = is_alone || !is_narrow ? kAspect : kNarrowAspect;
   script->height = page.height_or(own_aspect * page.width() + key_height(page, key));
-  const double foot = key_height(page, key);
   const double head = head_room(page, heading);
 
-  Grid grid;
-  grid.columns = is_alone || is_narrow ? 1 : 2;
-  const std::size_t rows = (panels.size() + grid.columns - 1) / grid.columns;
-  grid.bottom.resize(rows);
-  grid.left.resize(grid.columns);
-  grid.caption = is_alone ? 0.0 : kCaption * em;
-  grid.gap = 0.4 * em;
-  std::vector<PanelAxis> x, y;
-  // A label may be as wide as its column: first with the whole column's width, from which the
-  // frames' follows, then with what a frame and the room at the page's edge leave.
-  const auto fit = [&](double label_width) {
-    x.clear();
-    y.clear();
-    std::fill(grid.bottom.begin(), grid.bottom.end(), 0.0);
-    std::fill(grid.left.begin(), grid.left.end(), 0.0);
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-      const std::size_t row = i / grid.columns;
-      x.push_back(panels[i].x);
-      x.back().label = label_lines(page, panels[i].x.label.front(), label_width);
-      grid.bottom[row] = std::max(grid.bottom[row], bottom_room(page, x.back()));
-    }
-    grid.height =
-        (script->height - foot - head - sum(grid.bottom) -
-         grid.caption * static_cast<double>(rows) - grid.gap * static_cast<double>(rows - 1)) /
-        static_cast<double>(rows);
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-      const std::size_t column = i % grid.columns;
-      y.push_back(panels[i].y);
-      y.back().label = label_lines(page, panels[i].y.label.front(), grid.height);
-      grid.left[column] = std::max(grid.left[column], left_room(page, y[i], grid.height));
-    }
-    grid.width =
-        (page.width() - sum(grid.left)) / static_cast<double>(grid.columns) - edge_room(page);
-  };
-  fit(page.width() / static_cast<double>(grid.columns));
-  if (!is_alone) fit(grid.width + edge_room(page));
-
+  Grid empty;
+  empty.columns = is_alone || is_narrow ? 1 : 2;
+  empty.caption = is_alone ? 0.0 : kCaption * em;
+  empty.gap = 0.4 * em;
+  const PanelGrid placed(page, panels, empty, script->height - key_height(page, key) - head);
+  const Grid& grid = placed.grid();
   const double top = script->height - head;
+
   script->text = "set multiplot\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Frame frame = grid.frame(page, top, i);
     ensure_room(frame, page);
-    script->text += panel_lines(page, frame, script->height, x[i], y[i]);
+    script->text += panel_lines(page, frame, script->height, placed.x(i), placed.y(i));
     if (i == 0) {
       Frame all = frame;
       all.right = page.width() - edge_room(page);

@@ -7,7 +7,7 @@
 namespace gearsweep {
 
 // Pictures of result files. They throw what plot_files throws, as far as it lies in the files.
-PlotScript draw_maps(const Page& page, const PlotRequest& request);
+PlotScript plot_maps(const Page& page, const PlotRequest& request);
 // Pictures of files of traces.
 PlotScript plot_traces(const Page& page, const PlotRequest& request);
 // A picture of one file of an order map.

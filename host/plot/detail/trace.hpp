@@ -15,10 +15,10 @@ struct TraceLayer {
   Trace trace;       // of the periods that are shown
 };
 
-// Traces laid over one another; all have the channels that are drawn.
+// Traces laid over one another; all have the channels that are plotted.
 struct TracePicture {
   std::vector<TraceLayer> layers;
-  // What is drawn, of a phase portrait over `across`.
+  // What is plotted, of a phase portrait over `across`.
   ChannelInfo channel, across;
   std::string title;
   std::string remark;                // markup
@@ -86,6 +86,9 @@ std::vector<double> shown_times(const TracePicture& picture, const Trace& trace)
 // The axis of this time, and that of the channel.
 PanelAxis time_axis(const Page& page, const TracePicture& picture);
 PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range);
+// The label that the style gives, or the panel's own; the range that it leaves of a panel's own.
+std::vector<std::string> axis_text(const std::optional<std::string>& given, const std::string& own);
+AxisRange shown_range(const ValueRange& range, const Limits& limits, const std::string& option);
 // The channel of each layer over time, as elements of "plot".
 std::string add_histories(const TracePicture& picture, PlotScript* script);
 // Marks where the motion comes to a surface, as further elements and in the key; nothing where it

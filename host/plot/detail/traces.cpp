@@ -80,7 +80,7 @@ std::string velocity_of(const Trace& trace, const std::string& position) {
   return find_channel(trace, velocity) < 0 ? "" : velocity;
 }
 
-// What is drawn of a trace where nobody says it: of two channels the first state that has a rate.
+// What is plotted of a trace where nobody says it: of two channels the first state that has a rate.
 std::string usual_channel(const Trace& trace, std::size_t channels) {
   const auto moving = std::ranges::find_if(trace.channels, has_velocity);
   if (channels == 1 || moving == trace.channels.end()) return trace.channels.front().name;
@@ -103,7 +103,7 @@ void refuse_without_flanks(const Trace& trace) {
                   several->name));
 }
 
-// What is drawn: one channel, or of a phase portrait that over which it is drawn, then it.
+// What is plotted: one channel, or of a phase portrait that over which it is plotted, then it.
 std::vector<std::string> channel_names(const Kind& kind, const std::vector<std::string>& words,
                                        const Trace& trace) {
   std::vector<std::string> names(words.begin() + 1, words.end());

@@ -37,8 +37,8 @@ PlotRequest plot_request(const ReportFindings& findings, const FigureRequest& re
   return plot;
 }
 
-HtmlFigure drawn(const ReportFindings& findings, const PlotRequest& request,
-                 const std::string& caption) {
+HtmlFigure plotted(const ReportFindings& findings, const PlotRequest& request,
+                   const std::string& caption) {
   plot_files(request);
   return {request.output_path,
           findings.name.empty() ? caption
@@ -131,7 +131,7 @@ std::vector<HtmlFigure> figures_of(const Sides& sides, const FigureRequest& requ
     PlotRequest plot = plot_request(findings, request, limits);
     if (!request.is_map) plot.at = findings.at;
     figures.push_back(
-        drawn(findings, plot, request.is_map ? caption + "." : caption_of(caption, findings)));
+        plotted(findings, plot, request.is_map ? caption + "." : caption_of(caption, findings)));
   }
   return figures;
 }
@@ -143,7 +143,7 @@ std::vector<HtmlFigure> order_figures(const Sides& sides, const std::string& cap
   std::vector<HtmlFigure> figures;
   for (const ReportFindings& findings : sides) {
     figures.push_back(
-        drawn(findings, plot_request(findings, request, limits), caption_of(caption, findings)));
+        plotted(findings, plot_request(findings, request, limits), caption_of(caption, findings)));
   }
   return figures;
 }

@@ -1,4 +1,4 @@
-// Draws what `gearsweep reproduce` has measured.
+// Plots what `gearsweep reproduce` has measured.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace gearsweep {
 
-// Draws from the results in `folder`, and returns the Markdown that shows the pictures. Throws
+// Plots from the results in `folder`, and returns the Markdown that shows the pictures. Throws
 // RunError.
 std::string plot_pictures(const MeasuredFigures& measured, const std::string& folder);
 
