@@ -165,10 +165,7 @@ int run(const BenchArguments& arguments, SignalWatch* signals) {
   warn_of_load(machine);
   signals->set(OnSignal::stop);
   const std::optional<std::vector<BenchedDevice>> benched = measure(arguments, *signals);
-  if (!benched) {
-    tell("gearsweep: interrupted\n");
-    return kInterrupted;
-  }
+  if (!benched) return tell_interrupted();
   if (!arguments.json.empty()) {
     write_file(arguments.json, json_text(bench_json(machine, *benched, date)));
   }

@@ -76,6 +76,21 @@ OrderRequest request_of(const OrderArguments& arguments, const Study& study) {
   return request;
 }
 
+void plot_orders(const OrderMap& map, const OrderArguments& arguments,
+                 const Provenance& provenance) {
+  const TemporaryFolder folder;
+  PlotRequest plot;
+  plot.paths = {(folder.path() / "orders.nc").string()};
+  write_orders(map, plot.paths.front(), provenance);
+  plot.quantity = arguments.is_upright_order ? "order" : "";
+  plot.output_path = arguments.picture;
+  plot.rays = arguments.rays;
+  plot.style.has_units = arguments.has_units;
+  plot.style.is_si = arguments.units == TableUnits::si;
+  plot_files(plot);
+  if (!arguments.quiet) tell("{}\n", arguments.picture);
+}
+
 int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   if (arguments.output.empty() && arguments.picture.empty()) {
     throw InputError("there is nothing to write: give -o OUT.nc, -o OUT.csv or --plot OUT.png");
@@ -93,10 +108,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   options.devices = chosen_devices(arguments.device);
   options.stop = stop_on_signals(signals, arguments.quiet, options.scheduler);
   const std::optional<OrderMap> map = map_orders(whole, request, options);
-  if (!map) {
-    tell("gearsweep: interrupted\n");
-    return kInterrupted;
-  }
+  if (!map) return tell_interrupted();
   const Provenance provenance = {orders_command_line(arguments), version(), source_hash()};
   if (!arguments.output.empty()) {
     write_orders(*map, arguments.output, provenance, arguments.units);
@@ -106,18 +118,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
            1.0 / map->orders[1]);
     }
   }
-  if (arguments.picture.empty()) return kDone;
-  const TemporaryFolder folder;
-  PlotRequest plot;
-  plot.paths = {(folder.path() / "orders.nc").string()};
-  write_orders(*map, plot.paths.front(), provenance);
-  plot.quantity = arguments.is_upright_order ? "order" : "";
-  plot.output_path = arguments.picture;
-  plot.rays = arguments.rays;
-  plot.style.has_units = arguments.has_units;
-  plot.style.is_si = arguments.units == TableUnits::si;
-  plot_files(plot);
-  if (!arguments.quiet) tell("{}\n", arguments.picture);
+  if (!arguments.picture.empty()) plot_orders(*map, arguments, provenance);
   return kDone;
 }
 
@@ -132,29 +133,8 @@ constexpr const char* kOrdersFooter =
     "the static equilibrium with the mean mesh stiffness; where an order crosses one of them,\n"
     "the gear may resonate.";
 
-}  // namespace
-
-void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
-  CLI::App* command = app->add_subcommand(
-      "orders", "The spectrum of a channel over an axis: an order map, or Campbell diagram");
-  const auto arguments = std::make_shared<OrderArguments>();
-  add_study_argument(command, &arguments->study);
-  command->add_option("-o,--output", arguments->output, "The numbers: .nc or .csv")
-      ->type_name(kFileValue);
-  command->add_option("--plot", arguments->picture, "The picture: .png, .svg, .pdf or .tex")
-      ->type_name(kFileValue);
-  command
-      ->add_option("--over", arguments->over,
-                   "The axis, such as the speed (default: the study's first)")
-      ->type_name("AXIS");
-  add_point_option(command, &arguments->at,
-                   "Values of the study's other axis and of parameters (default: the study's own, "
-                   "as without the axis)");
-  command
-      ->add_option("-q,--channel", arguments->channel,
-                   "A state or signal of the model (default: the force between the teeth, else the "
-                   "first state)")
-      ->type_name("CHANNEL");
+// What each spectrum is taken of.
+void add_spectrum_options(CLI::App* command, OrderArguments* arguments) {
   command
       ->add_option("--settle", arguments->settle,
                    "Mesh periods before, exactly so many, or up to a whole period of the forcing "
@@ -180,6 +160,32 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
   add_choice(command, "--window", &arguments->window, {"none", "hann"},
              "none (the default): exact lines of periodic motion, whose period divides the "
              "record; hann: less spreading of what is between the orders");
+}
+
+}  // namespace
+
+void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
+  CLI::App* command = app->add_subcommand(
+      "orders", "The spectrum of a channel over an axis: an order map, or Campbell diagram");
+  const auto arguments = std::make_shared<OrderArguments>();
+  add_study_argument(command, &arguments->study);
+  command->add_option("-o,--output", arguments->output, "The numbers: .nc or .csv")
+      ->type_name(kFileValue);
+  command->add_option("--plot", arguments->picture, "The picture: .png, .svg, .pdf or .tex")
+      ->type_name(kFileValue);
+  command
+      ->add_option("--over", arguments->over,
+                   "The axis, such as the speed (default: the study's first)")
+      ->type_name("AXIS");
+  add_point_option(command, &arguments->at,
+                   "Values of the study's other axis and of parameters (default: the study's own, "
+                   "as without the axis)");
+  command
+      ->add_option("-q,--channel", arguments->channel,
+                   "A state or signal of the model (default: the force between the teeth, else the "
+                   "first state)")
+      ->type_name("CHANNEL");
+  add_spectrum_options(command, arguments.get());
   command
       ->add_option(
           "--rays", arguments->rays,

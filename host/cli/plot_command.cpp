@@ -89,6 +89,32 @@ constexpr const char* kPlotFooter =
     "  gearsweep plot trace.nc -q portrait:x3 -o portrait.pdf --width 170mm\n"
     "  gearsweep plot trace.nc frictionless.nc -q phase -o phase.png";
 
+// What only some kinds of files have: traces, order maps, maps of two axes.
+void add_kind_options(CLI::App* command, PlotRequest* request) {
+  command
+      ->add_option("--periods", request->periods,
+                   "Of traces, at most so many last periods (default: 10 in time and force, else "
+                   "all; of a portrait those of its histories; a spectrum separates subharmonics "
+                   "best over a multiple of their period)")
+      ->type_name(kNumberValue)
+      ->check(whole_number(1));
+  command
+      ->add_option("--orders", request->orders,
+                   "The highest order of a spectrum (default: 10). It is of whole periods with "
+                   "Hann's window, without the mean, and shows the amplitudes of sines")
+      ->type_name(kNumberValue)
+      ->check(positive_number());
+  command
+      ->add_option("--rays", request->rays,
+                   "Orders that an order map has as lines: 1,2,1/2, of a second mesh 1:second, or "
+                   "none (default: 1,2,3,4 of each)")
+      ->type_name("N,N/N,...");
+  command
+      ->add_option("--curves", request->curves_path,
+                   "Bifurcation curves that gearsweep curves found, drawn over a map of two axes")
+      ->type_name(kResultValue);
+}
+
 }  // namespace
 
 void add_plot_command(CLI::App* app) {
@@ -127,28 +153,7 @@ void add_plot_command(CLI::App* app) {
       ->type_name(kFileValue);
   command->add_option("--at", *cut, "Cut a 2-D map at the value of one axis")
       ->type_name("AXIS=VALUE");
-  command
-      ->add_option("--periods", request->periods,
-                   "Of traces, at most so many last periods (default: 10 in time and force, else "
-                   "all; of a portrait those of its histories; a spectrum separates subharmonics "
-                   "best over a multiple of their period)")
-      ->type_name(kNumberValue)
-      ->check(whole_number(1));
-  command
-      ->add_option("--orders", request->orders,
-                   "The highest order of a spectrum (default: 10). It is of whole periods with "
-                   "Hann's window, without the mean, and shows the amplitudes of sines")
-      ->type_name(kNumberValue)
-      ->check(positive_number());
-  command
-      ->add_option("--rays", request->rays,
-                   "Orders that an order map has as lines: 1,2,1/2, of a second mesh 1:second, or "
-                   "none (default: 1,2,3,4 of each)")
-      ->type_name("N,N/N,...");
-  command
-      ->add_option("--curves", request->curves_path,
-                   "Bifurcation curves that gearsweep curves found, drawn over a map of two axes")
-      ->type_name(kResultValue);
+  add_kind_options(command, request.get());
   add_style_options(command, style.get(), style_file.get());
   command->footer(kPlotFooter);
   command->callback([request, cut, style, style_file] {

@@ -28,10 +28,7 @@ void RunReport::watch(SweepOptions* options) {
 }
 
 int RunReport::forecast(const std::optional<Forecast>& forecast) {
-  if (!forecast) {
-    tell("gearsweep: interrupted\n");
-    return kInterrupted;
-  }
+  if (!forecast) return tell_interrupted();
   answer("{}", request_.as_json ? forecast_as_json(*forecast)
                                 : describe_forecast(*forecast, output_.path()));
   return kDone;
@@ -76,7 +73,7 @@ void RunReport::written(const SweepResult& result) {
   }
 }
 
-void RunReport::drawn() {
+void RunReport::plotted() {
   if (!request_.quiet) tell("{}\n", request_.plot);
 }
 

@@ -29,7 +29,7 @@ class RunReport {
   int shard_done();
   // The result file and the picture are there: what each of them is told of.
   void written(const SweepResult& result);
-  void drawn();
+  void plotted();
   int finished(const SweepResult& result);
 
  private:

@@ -74,10 +74,7 @@ int run(const VerifyArguments& arguments, SignalWatch* signals) {
   std::vector<CheckReport> all;
   for (const Check& check : checks()) {
     all.push_back(carry_out_timed(check, subject));
-    if (signals->interrupted()) {
-      tell("gearsweep: interrupted\n");
-      return kInterrupted;
-    }
+    if (signals->interrupted()) return tell_interrupted();
     if (!arguments.as_json) print_line(all.back());
   }
   if (arguments.as_json) {

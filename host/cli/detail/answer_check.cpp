@@ -62,8 +62,7 @@ int check_answers(const std::vector<NamedModel>& models, const Subject& subject,
       computed = compute_answers(model, named.key, subject);
     } catch (const RunError&) {
       if (!signals->interrupted()) throw;
-      tell("gearsweep: interrupted\n");
-      return kInterrupted;
+      return tell_interrupted();
     }
     for (const ComputedAnswer& one : computed) {
       ++numbers;

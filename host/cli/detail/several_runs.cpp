@@ -19,10 +19,7 @@ int tell_several_runs(SeveralRuns* runs, const std::string& output, bool quiet,
     };
   }
   runs->stop = stop_on_signals(signals, quiet, runs->scheduler);
-  if (!work()) {
-    tell("gearsweep: interrupted\n");
-    return kInterrupted;
-  }
+  if (!work()) return tell_interrupted();
   if (!quiet) tell("{}\n", output);
   return kDone;
 }

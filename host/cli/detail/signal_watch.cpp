@@ -87,4 +87,9 @@ void SignalWatch::end(int signal_number) {
   std::_Exit(kInterrupted);
 }
 
+int tell_interrupted() {
+  tell("gearsweep: interrupted\n");
+  return kInterrupted;
+}
+
 }  // namespace gearsweep

@@ -40,4 +40,7 @@ class SignalWatch {
   std::jthread watcher_;
 };
 
+// Says that a signal has ended the command. Returns the exit status.
+int tell_interrupted();
+
 }  // namespace gearsweep
