@@ -135,6 +135,86 @@ void refuse_unknown_section(const Model& model, const std::string& name) {
                                suggest_name(name, known_names)));
 }
 
+// The quantity of a name; refuses a name that is unknown or stands for two.
+const Quantity& find_quantity(const Model& model, const std::string& name,
+                              const std::vector<Offer>& offers,
+                              const std::vector<Quantity>& known) {
+  const auto is_named = [&](const Quantity& candidate) { return candidate.name == name; };
+  const auto found = std::find_if(known.begin(), known.end(), is_named);
+  if (found == known.end()) refuse_unknown_quantity(model, name, offers, known);
+  const auto same = std::find_if(found + 1, known.end(), is_named);
+  if (same == known.end()) return *found;
+  throw InputError(fmt::format(
+      "'{}' stands for two quantities of model '{}' (\"{}\" and \"{}\"): rename the state or "
+      "signal of one",
+      name, model.name, found->meaning, same->meaning));
+}
+
+// Adds quantities to a selection, with the observers that give them.
+class Selector {
+ public:
+  Selector(const Model& model, const Sizes& sizes, const std::vector<Offer>& offers,
+           Selection* selection)
+      : model_(model), sizes_(sizes), offers_(offers), selection_(*selection) {}
+
+  void add_of_census(const Quantity& quantity) {
+    add_census(model_, offers_, sizes_, &selection_);
+    selection_.quantities.push_back(quantity);
+  }
+
+  void add_load_factor(Quantity quantity) {
+    const std::vector<LoadFactor> factors = load_factors(model_);
+    const auto factor = std::ranges::find_if(factors, [&](const LoadFactor& candidate) {
+      return candidate.quantity.name == quantity.name;
+    });
+    quantity.output = add_role(offers_, OutputRole::peak, factor->force, sizes_, &selection_);
+    selection_.quantities.push_back(std::move(quantity));
+  }
+
+  // sampled: the states that `poincare` keeps.
+  void add_observed(Quantity quantity, const std::vector<std::size_t>& sampled,
+                    const std::vector<double>& orders) {
+    const Offer& offer = offer_of(quantity.name);
+    const bool is_samples = offer.source.observable->role == ObservableRole::samples;
+    if (is_samples && sampled.empty()) {
+      throw InputError(fmt::format("observe.{} names no state", quantity.name));
+    }
+    quantity.output = add_output(offer, sizes_, &selection_);
+    quantity.width = offer.quantity.width;
+    if (quantity.dimension == kOrders) selection_.orders = orders;
+    if (is_samples) {
+      selection_.poincare = sampled;
+      return;
+    }
+    quantity.role = offer.role();
+    if (offer.role() == OutputRole::motion) selection_.motion = quantity.output;
+    // With a clock a motion has no return map, which knows how long its steps are.
+    if (offer.role() == OutputRole::exponent_error && model_.clocks == 0) {
+      selection_.exponent_error = {add_role(offers_, OutputRole::exponent, "", sizes_, &selection_),
+                                   quantity.output,
+                                   add_role(offers_, OutputRole::period, "", sizes_, &selection_)};
+    }
+    selection_.quantities.push_back(std::move(quantity));
+  }
+
+ private:
+  const Offer& offer_of(const std::string& name) const {
+    const std::string& section = selection_.section;
+    const bool is_elsewhere = name == "poincare" && !section.empty();
+    return *std::ranges::find_if(offers_, [&](const Offer& candidate) {
+      if (is_elsewhere) {
+        return is_sampled_at_section(candidate) && candidate.source.part == section;
+      }
+      return candidate.is_named && candidate.quantity.name == name;
+    });
+  }
+
+  const Model& model_;
+  const Sizes& sizes_;
+  const std::vector<Offer>& offers_;
+  Selection& selection_;
+};
+
 }  // namespace
 
 std::optional<std::size_t> Selection::output_of(OutputRole role) const {
@@ -214,66 +294,21 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
   Selection selection;
   selection.section = section;
   if (!section.empty()) refuse_unknown_section(model, section);
+  Selector selector(model, sizes, offers, &selection);
   std::set<std::string> listed;
   for (const std::string& name : names) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Quantity& candidate) {
-      return candidate.name == name;
-    });
-    if (found == known.end()) {
-      refuse_unknown_quantity(model, name, offers, known);
-    }
     if (name == "status") continue;  // always there
     if (!listed.insert(name).second) {
       throw InputError(fmt::format("quantity '{}' is listed twice", name));
     }
-    const auto same = std::find_if(
-        found + 1, known.end(), [&](const Quantity& candidate) { return candidate.name == name; });
-    if (same != known.end()) {
-      throw InputError(fmt::format(
-          "'{}' stands for two quantities of model '{}' (\"{}\" and \"{}\"): rename the state or "
-          "signal of one",
-          name, model.name, found->meaning, same->meaning));
-    }
-    Quantity quantity = *found;
+    const Quantity& quantity = find_quantity(model, name, offers, known);
     if (quantity.of_census) {
-      add_census(model, offers, sizes, &selection);
-      selection.quantities.push_back(quantity);
-      continue;
+      selector.add_of_census(quantity);
+    } else if (quantity.divided_by) {
+      selector.add_load_factor(quantity);
+    } else {
+      selector.add_observed(quantity, sampled, orders);
     }
-    if (quantity.divided_by) {
-      const std::vector<LoadFactor> factors = load_factors(model);
-      const auto factor = std::ranges::find_if(
-          factors, [&](const LoadFactor& candidate) { return candidate.quantity.name == name; });
-      quantity.output = add_role(offers, OutputRole::peak, factor->force, sizes, &selection);
-      selection.quantities.push_back(quantity);
-      continue;
-    }
-    const bool is_elsewhere = name == "poincare" && !section.empty();
-    const Offer& offer = *std::find_if(offers.begin(), offers.end(), [&](const Offer& candidate) {
-      if (is_elsewhere) {
-        return is_sampled_at_section(candidate) && candidate.source.part == section;
-      }
-      return candidate.is_named && candidate.quantity.name == name;
-    });
-    if (offer.source.observable->role == ObservableRole::samples && sampled.empty()) {
-      throw InputError(fmt::format("observe.{} names no state", name));
-    }
-    quantity.output = add_output(offer, sizes, &selection);
-    quantity.width = offer.quantity.width;
-    if (quantity.dimension == kOrders) selection.orders = orders;
-    if (offer.source.observable->role == ObservableRole::samples) {
-      selection.poincare = sampled;
-      continue;
-    }
-    quantity.role = offer.role();
-    if (offer.role() == OutputRole::motion) selection.motion = quantity.output;
-    // With a clock a motion has no return map, which knows how long its steps are.
-    if (offer.role() == OutputRole::exponent_error && model.clocks == 0) {
-      selection.exponent_error = {add_role(offers, OutputRole::exponent, "", sizes, &selection),
-                                  quantity.output,
-                                  add_role(offers, OutputRole::period, "", sizes, &selection)};
-    }
-    selection.quantities.push_back(quantity);
   }
   if (selection.census && model.contacts.size() == 1 && !model.is_clockless) {
     selection.census->impacts_drive = selection.output_of(OutputRole::impacts_drive);
