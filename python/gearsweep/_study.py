@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -18,19 +17,18 @@ from gearsweep._model import model as builtin_model
 from gearsweep._points import columns_of
 from gearsweep._progress import Watch
 from gearsweep._result import call_text
+from gearsweep._study_text import StudyText
 from gearsweep._value import assignments, path_of, text_of
 from gearsweep._warning import warn
 
 if TYPE_CHECKING:
     from typing import Self
 
-    from gearsweep._core import Study as CoreStudy
-
 # A study that says nothing: read_draft takes no empty text.
 _NOTHING = "[model]\n"
 
 
-class Study:
+class Study(StudyText):
     """What to compute: a model, its parameters, axes, and what to observe. It never changes.
 
     Each of its functions that names something makes another study. A study needs no axes until it
@@ -74,8 +72,7 @@ class Study:
     <BLANKLINE>
     """
 
-    __slots__ = ("_core",)
-    _core: CoreStudy
+    __slots__ = ()
 
     def __init__(self, source: str | Model) -> None:
         if isinstance(source, Model):
@@ -149,51 +146,6 @@ class Study:
         Study
         """
         return cls._of(_core.find_study(path_of(path, "a path or the name of a study"), []))
-
-    @classmethod
-    def _of(cls, core: CoreStudy) -> Self:
-        study = object.__new__(cls)
-        study._take(core)
-        return study
-
-    def _take(self, core: CoreStudy) -> None:
-        object.__setattr__(self, "_core", core)
-        for notice in core.notices:
-            warn(notice)
-
-    @property
-    def toml(self) -> str:
-        """The whole study as TOML, with all that `set` changed."""
-        return self._core.toml
-
-    @property
-    def title(self) -> str:
-        """What it is about."""
-        return self._core.title
-
-    @property
-    def model(self) -> str:
-        """The name of its model."""
-        return self._core.model
-
-    @property
-    def axes(self) -> dict[str, int]:
-        """The number of values of each axis; the first changes fastest. Empty without axes."""
-        return dict(zip(self._core.axis_names, self._core.axis_counts, strict=True))
-
-    def set(self, changes: Mapping[str, Any]) -> Study:
-        """Make a study that differs.
-
-        Parameters
-        ----------
-        changes : mapping of str to object
-            Paths of keys with their values, such as ``{"axes.omega.count": 100}``.
-
-        Returns
-        -------
-        Study
-        """
-        return Study._of(_core.read_draft(self.toml, "study", assignments(changes), []))
 
     def sweep(self, **axes: Any) -> Study:
         """Make a study with these axes in place of those it had.
@@ -382,19 +334,6 @@ class Study:
         """
         return self._with("integrate", keys)
 
-    def _with(self, table: str, keys: Mapping[str, Any]) -> Study:
-        return self._built(table, keys, {f"{table}.{key}": value for key, value in keys.items()})
-
-    def _built(self, step: str, keys: Mapping[str, Any], changes: Mapping[str, Any]) -> Study:
-        """As `set`; messages begin with the step, since no user has written its assignments."""
-        try:
-            return self.set(changes)
-        except InputError as error:
-            place, colon, reason = str(error).partition(": ")
-            if not colon or not place.startswith("--set "):
-                raise
-            raise InputError(f"{step}({', '.join(keys)}): {reason}") from None
-
     def run(
         self,
         *,
@@ -418,43 +357,6 @@ class Study:
             # The result has the numbers themselves.
             columns = f"columns {', '.join(map(str, points))}"
         return asked, call_text(function, given, set=changes, points=columns)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError("a Study never changes; Study.set() makes another one")
-
-    def __delattr__(self, name: str) -> None:
-        raise AttributeError("a Study never changes; Study.set() makes another one")
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Study):
-            return NotImplemented
-        return self.toml == other.toml
-
-    def __hash__(self) -> int:
-        return hash(self.toml)
-
-    def __reduce__(self) -> tuple[type[Study], tuple[str]]:
-        return Study, (self.toml,)
-
-    def __str__(self) -> str:
-        return self.toml
-
-    def __repr__(self) -> str:
-        title = f" {self.title!r}" if self.title else ""
-        return f"<gearsweep.Study{title}: {self._summary()}>"
-
-    def _summary(self) -> str:
-        if not self.axes:
-            return f"{self.model}, without axes"
-        axes = ", ".join(f"{count} values of {name}" for name, count in self.axes.items())
-        return f"{self.model} over {axes}"
-
-    def _repr_html_(self) -> str:
-        head = f"<b>{html.escape(self.title)}</b> {html.escape(self._summary())}"
-        return (
-            f"<details><summary>{head}</summary><pre>{html.escape(self.toml)}</pre></details>"
-        )
-
 
 def study_text(source: Any) -> str:
     """The text, name or path of a study that users gave."""
