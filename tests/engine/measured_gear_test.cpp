@@ -1,4 +1,6 @@
 // Gears with measured curves: files beside the study, whose numbers the study holds.
+#include "engine/measured_gear.hpp"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,45 +13,11 @@
 #include "model/error.hpp"
 #include "plan/phase_grid.hpp"
 #include "support/folder.hpp"
-#include "support/mesh.hpp"
-#include "support/run.hpp"
-#include "support/settings.hpp"
 
 namespace gearsweep::testing {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr double kMeanStiffness = 2.174e8;
-
-const std::string kDrawing =
-    "[gear]\nteeth = [20, 30]\nmodule_mm = 3.0\npressure_angle_deg = 20.0\ncontact_ratio = 1.3\n"
-    "inertia_kg_mm2 = 2230.0\nmass_kg = 1.0\n"
-    "bearing_stiffness_N_per_mm = 3.0e5\nbearing_damping_N_s_per_mm = 1.4\n"
-    "mesh_damping_N_s_per_mm = 0.7\nmesh_stiffness_N_per_m = 2.174e8\nhalf_backlash_mm = 0.05\n"
-    "torque_N_m = 61.3\n";
-const std::string kOneSine = "transmission_error_um = 30.0\n";
-const std::string kOmegas =
-    "[[axes]]\nname = 'omega'\nvalues = [0.45, 0.7, 1.0]\n[integrate]\nsettle = 40\nrecord = 2\n"
-    "steps_per_period = 512\nstop = 'never'\n[observe]\nquantities = ['dmf_max', 'poincare']\n"
-    "poincare = ['x1', 'x3', 'v1', 'v4']\n";
-
-std::string held(const std::string& name, const std::string& numbers) {
-  return "[gear.tables]\n'" + name + "' = '''\n" + numbers + "'''\n";
-}
-
-std::string study_text(const std::string& keys, const std::string& tables = "") {
-  return kDrawing + keys + tables + kOmegas;
-}
-
-Study study_of(const std::string& keys, const std::string& tables = "") {
-  return read_study(study_text(keys, tables), "test.toml");
-}
-
-Mesh mesh_of(const Study& study, double psi, double inside) {
-  return mesh_at(*study.model, study.setting, psi, inside);
-}
-Mesh mesh_of(const Study& study, double psi) { return mesh_of(study, psi, psi); }
 
 double mean_stiffness(const Study& study) {
   const std::vector<double> bounds = segment_bounds(*study.model, study.setting);
@@ -93,11 +61,11 @@ std::string parabolic_table(double scale) {
 
 TEST(MeasuredGear, ATableOfTheParabolicStiffnessIsTheParabolicOption) {
   const std::string keys = kOneSine + "stiffness_file = 'k.csv'\n";
-  const SweepResult own = run(study_text(kOneSine));
+  const SweepResult own = run(measured_text(kOneSine));
   for (const bool is_cubic : {true, false}) {
     const std::string bent = is_cubic ? "stiffness_interpolation = 'cubic'\n" : "";
     const SweepResult measured =
-        run(study_text(keys + bent, held("k.csv", parabolic_table(kMeanStiffness))));
+        run(measured_text(keys + bent, held_table("k.csv", parabolic_table(kMeanStiffness))));
     EXPECT_EQ(option_of(measured.study.setting, "stiffness"), "table");
     // A parabola is a cubic; between 60 points a line is off by 0.35/2 (1/60)^2 at most.
     const double tolerance = is_cubic ? 1e-10 : 1e-4;
@@ -112,23 +80,25 @@ TEST(MeasuredGear, ATableOfTheParabolicStiffnessIsTheParabolicOption) {
 
 // Without the curve there is no force, and nothing to touch: quantities are chosen with it.
 TEST(MeasuredGear, AMeasuredStiffnessThatIsNamedHasContacts) {
-  const std::string tables = held("k.csv", "0 2.3e8\n0.7 2.3e8\n0.7 1.6e8\n");
+  const std::string tables = held_table("k.csv", "0 2.3e8\n0.7 2.3e8\n0.7 1.6e8\n");
   const Study named =
       read_study("[model]\nstiffness = 'table'\n" +
-                     study_text(kOneSine + "stiffness_file = 'k.csv'\n", tables),
+                     measured_text(kOneSine + "stiffness_file = 'k.csv'\n", tables),
                  "test.toml", {"observe.quantities=['contact_drive', 'backlash_max']"});
   EXPECT_EQ(named.selection.quantities.size(), 2U);
 }
 
 TEST(MeasuredGear, TheMeanIsKeptOrNormalised) {
-  const std::string table = held("k.csv", "share, N/m\n0, 1e8\n0.4, 3e8\n0.4, 2e8\n0.8, 1.5e8\n");
+  const std::string table =
+      held_table("k.csv", "share, N/m\n0, 1e8\n0.4, 3e8\n0.4, 2e8\n0.8, 1.5e8\n");
   // By hand: 0.4 of mean 2e8, 0.4 of mean 1.75e8, 0.2 of mean 1.25e8.
   const double mean = 0.4 * 2e8 + 0.4 * 1.75e8 + 0.2 * 1.25e8;
   const std::string keys = kOneSine + "stiffness_file = 'k.csv'\n";
-  EXPECT_NEAR(mean_stiffness(study_of(keys, table)), mean / kMeanStiffness, 1e-9);
-  EXPECT_NEAR(mean_stiffness(study_of(keys + "stiffness_mean = 'normalise'\n", table)), 1.0, 1e-9);
+  EXPECT_NEAR(mean_stiffness(measured_study(keys, table)), mean / kMeanStiffness, 1e-9);
+  EXPECT_NEAR(mean_stiffness(measured_study(keys + "stiffness_mean = 'normalise'\n", table)), 1.0,
+              1e-9);
   // Nothing but the file says how stiff the mesh is.
-  std::string text = study_text(keys, table);
+  std::string text = measured_text(keys, table);
   const std::string given = "mesh_stiffness_N_per_m = 2.174e8\n";
   text.erase(text.find(given), given.size());
   const Study study = read_study(text, "test.toml");
@@ -145,8 +115,9 @@ TEST(MeasuredGear, TheMeanIsKeptOrNormalised) {
 TEST(MeasuredGear, TheLoadIsSharedAsMeasured) {
   const std::string stiffness = "'k.csv' = '''\n0 2e8\n3 2e8\n'''\n";
   const std::string share = "'s.csv' = '''\n0 0.25\n3 0.25\n'''\n";
-  const Study study = study_of(kOneSine + "stiffness_file = 'k.csv'\nload_share_file = 's.csv'\n",
-                               "[gear.tables]\n" + stiffness + share);
+  const Study study =
+      measured_study(kOneSine + "stiffness_file = 'k.csv'\nload_share_file = 's.csv'\n",
+                     "[gear.tables]\n" + stiffness + share);
   // At 0.1 the last pair approaches and the one before it recedes.
   EXPECT_NEAR(mesh_of(study, 0.1).slide, 2e8 / kMeanStiffness * (0.25 - 0.75), 1e-12);
 }
@@ -165,7 +136,7 @@ TEST(MeasuredGear, FilesLieBesideTheStudyAndTravelInIt) {
   folder.write("k.csv", parabolic_table(kMeanStiffness));
   folder.write("p.csv", pitch_errors(20, 1.5));
   const std::string text =
-      study_text(kOneSine + "stiffness_file = 'k.csv'\npinion_pitch_error_file = 'p.csv'\n");
+      measured_text(kOneSine + "stiffness_file = 'k.csv'\npinion_pitch_error_file = 'p.csv'\n");
   const std::string path = (folder / "mine.toml").string();
   const Study study = read_study(text, path);
   const Study again = read_study(study.toml, "elsewhere.toml");
@@ -183,8 +154,8 @@ TEST(MeasuredGear, FilesLieBesideTheStudyAndTravelInIt) {
 
 // Each tooth has its error where it enters, and what drives x1 is minus the second derivative.
 TEST(MeasuredGear, PitchErrorsAreASplineOverTheTurn) {
-  const Study study = study_of(kOneSine + "gear_pitch_error_file = 'p.csv'\n",
-                               held("p.csv", pitch_errors(30, 1.5)));
+  const Study study = measured_study(kOneSine + "gear_pitch_error_file = 'p.csv'\n",
+                                     held_table("p.csv", pitch_errors(30, 1.5)));
   EXPECT_EQ(parameter_of(study.setting, "cycle"), 30.0);
   EXPECT_EQ(option_of(study.setting, "error"), "series");
   for (std::size_t tooth = 0; tooth < 30; ++tooth) {
@@ -209,7 +180,8 @@ TEST(MeasuredGear, AMeasuredErrorBecomesItsHarmonics) {
     numbers += fmt::format("{}, {}\n", i,
                            4.0 + 10.0 * std::sin(angle + 0.3) + 2.0 * std::sin(2.0 * angle - 1.0));
   }
-  const Study study = study_of("transmission_error_file = 'e.csv'\n", held("e.csv", numbers));
+  const Study study =
+      measured_study("transmission_error_file = 'e.csv'\n", held_table("e.csv", numbers));
   const auto value = [&](const char* name) { return parameter_of(study.setting, name); };
   const double near = 1e-7;  // of the spline
   EXPECT_NEAR(value("e0"), 0.2, near);
@@ -228,8 +200,9 @@ TEST(MeasuredGear, DeviationsOfTheProfileAddToTheErrorByTheLoad) {
   const auto removed = [](double share) {
     return 60.0 * std::max({0.0, 0.2 - share, share - 0.8});
   };
-  const Study study = study_of("transmission_error_um = 0.0\nprofile_deviation_file = 'w.csv'\n",
-                               held("w.csv", "share, um\n0, 12\n0.2, 0\n0.8, 0\n1, 12\n"));
+  const Study study =
+      measured_study("transmission_error_um = 0.0\nprofile_deviation_file = 'w.csv'\n",
+                     held_table("w.csv", "share, um\n0, 12\n0.2, 0\n0.8, 0\n1, 12\n"));
   constexpr double kRatio = 1.3, kFall = 0.35;
   const auto load = [](double share) { return 1.0 - kFall * std::pow(2.0 * share - 1.0, 2); };
   const auto error = [&](double psi) {
@@ -263,7 +236,7 @@ const std::vector<const char*> kSums = {"stiffness", "lever", "lever_damping", "
 // are means of a spur gear's over these.
 TEST(MeasuredGear, HelicalTeethAreTheMeanOverTheirSlices) {
   for (const double overlap : {0.3, 0.85, 1.4}) {
-    Study spur = study_of(kOneSine);
+    Study spur = measured_study(kOneSine);
     set_parameter(&spur.setting, "approach", 0.45);
     Study helical = spur;
     set_parameter(&helical.setting, "overlap", overlap);
@@ -287,13 +260,14 @@ TEST(MeasuredGear, HelicalTeethAreTheMeanOverTheirSlices) {
     EXPECT_NEAR(mean_stiffness(helical), 1.0, 1e-9);
   }
   // One base pitch of overlap: as much enters as leaves.
-  Study even = study_of(kOneSine);
+  Study even = measured_study(kOneSine);
   set_parameter(&even.setting, "overlap", 1.0);
   for (const double psi : {0.1, 0.4, 0.8}) EXPECT_NEAR(mesh_of(even, psi).stiffness, 1.0, 1e-14);
 }
 
 TEST(MeasuredGear, HelixAngleAndFaceWidthGiveTheOverlap) {
-  const std::string text = study_text(kOneSine + "helix_angle_deg = 15.0\nface_width_mm = 40.0\n");
+  const std::string text =
+      measured_text(kOneSine + "helix_angle_deg = 15.0\nface_width_mm = 40.0\n");
   const Study study = read_study(text, "test.toml");
   const double beta = 15.0 * std::numbers::pi / 180.0;
   EXPECT_NEAR(parameter_of(study.setting, "overlap"),
@@ -304,7 +278,7 @@ TEST(MeasuredGear, HelixAngleAndFaceWidthGiveTheOverlap) {
 
 std::string refusal_of(const std::string& keys, const std::string& tables = "") {
   try {
-    run(study_text(keys, tables));
+    run(measured_text(keys, tables));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -314,128 +288,34 @@ std::string refusal_of(const std::string& keys, const std::string& tables = "") 
 TEST(MeasuredGear, FilesThatDoNotFitAreRefused) {
   EXPECT_THAT(refusal_of(kOneSine + "stiffness_file = 'no-such.csv'\n"), HasSubstr("no-such.csv"));
   EXPECT_THAT(refusal_of(kOneSine + "stiffness_file = 3\n"), HasSubstr("name of a file"));
-  EXPECT_THAT(refusal_of(kOneSine + "load_share_file = 'k.csv'\n", held("k.csv", "0 1\n3 1\n")),
-              HasSubstr("load_share_file goes with stiffness_file"));
-  EXPECT_THAT(refusal_of(kOneSine + "pinion_pitch_error_file = 'p.csv'\n", held("p.csv", "1\n2\n")),
-              HasSubstr("has 2 numbers; it needs one for each of the 20 teeth"));
-  EXPECT_THAT(refusal_of(kOneSine + "pinion_pitch_error_file = 'p.csv'\n", held("p.csv", "a\nb\n")),
-              HasSubstr("the error of a tooth in um"));
   EXPECT_THAT(
-      refusal_of("transmission_error_file = 'e.csv'\n", held("e.csv", "0 1\n1 2\n1 3\n3 0\n")),
-      HasSubstr("jumps has no second derivative"));
+      refusal_of(kOneSine + "load_share_file = 'k.csv'\n", held_table("k.csv", "0 1\n3 1\n")),
+      HasSubstr("load_share_file goes with stiffness_file"));
+  EXPECT_THAT(
+      refusal_of(kOneSine + "pinion_pitch_error_file = 'p.csv'\n", held_table("p.csv", "1\n2\n")),
+      HasSubstr("has 2 numbers; it needs one for each of the 20 teeth"));
+  EXPECT_THAT(
+      refusal_of(kOneSine + "pinion_pitch_error_file = 'p.csv'\n", held_table("p.csv", "a\nb\n")),
+      HasSubstr("the error of a tooth in um"));
+  EXPECT_THAT(refusal_of("transmission_error_file = 'e.csv'\n",
+                         held_table("e.csv", "0 1\n1 2\n1 3\n3 0\n")),
+              HasSubstr("jumps has no second derivative"));
   EXPECT_THAT(refusal_of(kOneSine + "transmission_error_file = 'e.csv'\n",
-                         held("e.csv", "0 1\n1 2\n3 0\n")),
+                         held_table("e.csv", "0 1\n1 2\n3 0\n")),
               HasSubstr("keep one"));
   EXPECT_THAT(refusal_of(kOneSine + "stiffness_mean = 'kept'\n"), HasSubstr("stiffness_mean"));
-  EXPECT_THAT(refusal_of(kOneSine + "stiffness_file = 'k.csv'\n", held("k.csv", "0 0\n3 0\n")),
-              HasSubstr("greater than 0"));
+  EXPECT_THAT(
+      refusal_of(kOneSine + "stiffness_file = 'k.csv'\n", held_table("k.csv", "0 0\n3 0\n")),
+      HasSubstr("greater than 0"));
 }
 
 TEST(MeasuredGear, StiffnessTableNeedsItsFile) {
   try {
-    run("[model]\nstiffness = 'table'\n" + kOmegas);
+    run("[model]\nstiffness = 'table'\n" + kMeasuredOmegas);
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("stiffness_file in [gear]"));
   }
-}
-
-// So the motion has its bits, too.
-TEST(MeasuredGear, ALevelCurveOfDamageIsTheDamage) {
-  for (const bool is_pinion : {true, false}) {
-    const std::string key = is_pinion ? "pinion_damage_file" : "gear_damage_file";
-    const std::string damage = is_pinion ? "damage = [0.4, 0]\n" : "damage = [0, 0.4]\n";
-    const std::string level = "0.2, 0.4\n0.7, 0.4\n";
-    for (const bool is_measured : {true, false}) {
-      const std::string stiffness = is_measured ? "stiffness_file = 'k.csv'\n" : "";
-      const std::string table = is_measured ? held("k.csv", "0 1e8\n2 3e8\n4 2e8\n") : "";
-      const std::string tables = is_measured ? fmt::format("{}'d.csv' = '''\n{}'''\n", table, level)
-                                             : held("d.csv", level);
-      const std::string keys = kOneSine + stiffness;
-      const Study factor = study_of(keys + damage, table);
-      const Study curve = study_of(fmt::format("{}{} = 'd.csv'\n", keys, key), tables);
-      const std::vector<double> bounds = segment_bounds(*factor.model, factor.setting);
-      EXPECT_EQ(segment_bounds(*curve.model, curve.setting), bounds);
-      for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
-        const double inside = 0.5 * (bounds[i] + bounds[i + 1]);
-        for (const double psi : {bounds[i], inside, bounds[i + 1]}) {
-          for (const char* name : {"stiffness", "lever", "slide"}) {
-            EXPECT_NEAR(mesh_of(curve, psi, inside).part(name),
-                        mesh_of(factor, psi, inside).part(name), 1e-15)
-                << name;
-          }
-        }
-      }
-    }
-  }
-}
-
-// By hand: tooth 0 of 20 enters at 0 and leaves at 1.3; its pair is alone from 0.3 to 1.
-TEST(MeasuredGear, DamageGoesOverThePathOfContact) {
-  const Study sound = study_of(kOneSine);
-  const Study study = study_of(kOneSine + "pinion_damage_file = 'd.csv'\n",
-                               held("d.csv", "share, lost\n0, 0\n0.5, 0.2\n1, 0.6\n"));
-  EXPECT_EQ(parameter_of(study.setting, "cycle"), 20.0);
-  const auto left = [&](double mesh_periods) {
-    return mesh_of(study, mesh_periods / 20.0).stiffness / mesh_of(sound, mesh_periods).stiffness;
-  };
-  EXPECT_NEAR(left(0.325), 0.9, 1e-12);
-  EXPECT_NEAR(left(0.65), 0.8, 1e-12);
-  EXPECT_NEAR(left(0.975), 0.6, 1e-12);
-  EXPECT_NEAR(mesh_of(study, 1.5 / 20.0).stiffness, mesh_of(sound, 0.5).stiffness, 1e-12);
-  const std::vector<double> bounds = segment_bounds(*study.model, study.setting);
-  EXPECT_TRUE(std::ranges::any_of(
-      bounds, [](double bound) { return std::fabs(bound - 0.65 / 20.0) < 1e-12; }));
-}
-
-TEST(MeasuredGear, DamageThatCannotBeIsRefused) {
-  const auto refusal = [](const std::string& keys, const std::string& numbers) {
-    try {
-      study_of(kOneSine + keys + "gear_damage_file = 'd.csv'\n", held("d.csv", numbers));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
-  EXPECT_EQ(refusal("damage = [0.3, 0]\n", "0, 0.2\n1, 0.4\n"), "accepted");
-  EXPECT_THAT(refusal("damage = 0.3\n", "0, 0.2\n1, 0.4\n"), HasSubstr("keep one"));
-  EXPECT_THAT(refusal("", "0, 0.2\n1, 1.5\n"), HasSubstr("has 1.5 at 1; a share"));
-  EXPECT_THAT(refusal("", "0, -0.2\n1, 0.5\n"), HasSubstr("from 0 to 1"));
-  EXPECT_THAT(refusal("helix_angle_deg = 10\nface_width_mm = 10\n", "0, 0.2\n"),
-              HasSubstr("is for spur gears"));
-  std::string many;
-  for (int i = 0; i <= 100; ++i) many += fmt::format("{}, 0.1\n", i / 100.0);
-  EXPECT_THAT(refusal("", many), HasSubstr("101 points; at most 100"));
-}
-
-// A gear pair in SI units with this torque, by SciPy's DOP853 with rtol = 1e-9, whose integration
-// ends where pairs enter and leave: over the sixth turn at 3000 rpm the largest force is 6735.36 N
-// and its standard deviation 909.005 N, where the mean torque makes 2643.64 N. The largest one was
-// looked for at 400 places between two breaks; sums over these, which miss half a place at each
-// jump, leave 2e-4 of the deviation.
-TEST(MeasuredGear, ATorqueThatSwingsDrivesAsAnIndependentProgramSays) {
-  std::string numbers = "degree, torque (N m)\n";
-  for (int degree = 0; degree < 360; degree += 5) {
-    const double angle = degree * std::numbers::pi / 180.0;
-    numbers += fmt::format("{}, {:.10f}\n", degree,
-                           59.0 + 25.0 * std::sin(angle) + 12.0 * std::sin(2.0 * angle + 0.5) +
-                               6.0 * std::cos(6.0 * angle));
-  }
-  const SweepResult result =
-      run("[gear]\nteeth = [19, 61]\nmodule_mm = 2.5\ninertia_kg_mm2 = [98, 10000]\n"
-          "mass_kg = [0.35, 3.6]\nbearing_stiffness_N_per_mm = 200000\n"
-          "bearing_damping_N_s_per_mm = 2\nmesh_damping_ratio = 0.07\nhalf_backlash_mm = 0.0625\n"
-          "mesh_stiffness_N_per_m = 4.9e8\ncontact_ratio = 1.6\ntransmission_error_um = 5\n"
-          "torque_file = 't.csv'\n" +
-          held("t.csv", numbers) +
-          "[parameters]\nmu = 0\n[[axes]]\nname = 'pinion_speed_rpm'\nvalues = [3000]\n"
-          "[integrate]\nsettle = 5\nrecord = 1\nmax_step = 0.02\nstop = 'never'\n"
-          "[observe]\nquantities = ['dmf_max', 'dmf_std', 'dmf_mean']\n");
-  const double unit = result.study.scales.k0 * result.study.scales.b_n;
-  EXPECT_NEAR(unit * map_of(result, "dmf_max").front(), 6735.36, 2.0);
-  EXPECT_NEAR(unit * map_of(result, "dmf_std").front(), 909.005, 0.5);
-  // What swings changes the mean by nothing.
-  EXPECT_NEAR(unit * map_of(result, "dmf_mean").front(), 2643.64, 1.0);
 }
 
 }  // namespace

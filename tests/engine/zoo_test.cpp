@@ -1,11 +1,8 @@
-// Models of the zoo against answers that take code: exact orbits, Hill's method, limits. Those that
-// are numbers stand in the models' files (zoo/).
-#include <fmt/format.h>
+// Models of the zoo, but for gears, against answers that take code: exact orbits, Hill's method,
+// limits. Those that are numbers stand in the models' files (zoo/).
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -13,111 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/exact_pieces.hpp"
-#include "orbits/example_orbits.hpp"
-#include "support/eigenvalues.hpp"
-#include "support/run.hpp"
-#include "support/text.hpp"
+#include "engine/hill.hpp"
+#include "engine/zoo_answers.hpp"
 
 namespace gearsweep::testing {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-// A study of a few points by the device. Without exponents its program takes half the time to
-// build.
-struct Points {
-  std::string model, parameters, axis, start, quantities;
-  std::size_t settle = 400, record = 32, steps = 512;
-
-  SweepResult run() const {
-    std::string states;
-    for (const ChannelInfo& state : find_model(model)->states) states += "'" + state.name + "', ";
-    return testing::run(fmt::format(
-        "[model]\nname = '{}'\n[parameters]\n{}\n[[axes]]\n{}\n[initial]\n{}\n[integrate]\n"
-        "settle = {}\nrecord = {}\nsteps_per_period = {}\nextend = 1\nstop = 'never'\n"
-        "[observe]\npoincare = [{}]\nquantities = ['poincare', {}]\n",
-        model, parameters, axis, start.empty() ? "policy = 'shifted'" : start, settle, record,
-        steps, states, quantities));
-  }
-};
-
-std::string at_omega(double omega) { return "name = 'omega'\nvalues = [" + digits(omega) + "]"; }
-
-// The orbit that `example` settles on is the exact one, and has its multipliers.
-void expect_orbit(const Example& example, const ExactPieces& exact, std::size_t crossings,
-                  double tolerance) {
-  const Orbit found = shoot(example.map(), example.orbit(150, 256).state, 1).value();
-  const ExactPieces::Image orbit = exact.orbit(found.state);
-  EXPECT_EQ(orbit.crossings, crossings);
-  EXPECT_LT((found.state - orbit.state).cwiseAbs().maxCoeff(), tolerance);
-  for (const std::complex<double>& one : eigenvalues_of(orbit.monodromy)) {
-    EXPECT_LT((found.multipliers.array() - one).abs().minCoeff(), tolerance) << one;
-  }
-}
-
-Eigen::VectorXd vector_of(std::initializer_list<double> values) {
-  Eigen::VectorXd out(static_cast<Eigen::Index>(values.size()));
-  std::copy(values.begin(), values.end(), out.data());
-  return out;
-}
-
-// u'' + damping u' + (mean + kappa cos(w t)) u = load by Hill's method: Fourier series of 25
-// harmonics, whose coefficients fall faster than factorials.
-struct Hill {
-  double damping = 0.0, mean = 1.0, kappa = 0.0, omega = 1.0;
-  static constexpr int kHarmonics = 12;
-
-  // The coupling of harmonics -12 .. 12 without what the frequency adds.
-  Eigen::MatrixXcd stiffness() const {
-    const int n = 2 * kHarmonics + 1;
-    Eigen::MatrixXcd out = mean * Eigen::MatrixXcd::Identity(n, n);
-    for (int i = 0; i + 1 < n; ++i) out(i, i + 1) = out(i + 1, i) = 0.5 * kappa;
-    return out;
-  }
-
-  // The smallest value of the steady motion.
-  double least(double load) const {
-    Eigen::MatrixXcd matrix = stiffness();
-    for (int n = -kHarmonics; n <= kHarmonics; ++n) {
-      const double w = n * omega;
-      matrix(n + kHarmonics, n + kHarmonics) += std::complex<double>(-w * w, damping * w);
-    }
-    Eigen::VectorXcd forces = Eigen::VectorXcd::Zero(matrix.rows());
-    forces[kHarmonics] = load;
-    const Eigen::VectorXcd part = matrix.partialPivLu().solve(forces);
-    double smallest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 4096; ++i) {
-      std::complex<double> value = 0.0;
-      for (int n = -kHarmonics; n <= kHarmonics; ++n) {
-        value += part[n + kHarmonics] * std::polar(1.0, 2.0 * kPi * n * i / 4096.0);
-      }
-      smallest = std::min(smallest, value.real());
-    }
-    return smallest;
-  }
-
-  // The largest exponent. Those of the middle harmonics are free of the series' end.
-  double exponent() const {
-    const Eigen::MatrixXcd k = stiffness();
-    const Eigen::Index n = k.rows();
-    Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
-    matrix.topRightCorner(n, n).setIdentity();
-    matrix.bottomLeftCorner(n, n) = -k;
-    matrix.bottomRightCorner(n, n) = -damping * Eigen::MatrixXcd::Identity(n, n);
-    for (Eigen::Index i = 0; i < 2 * n; ++i) {
-      matrix(i, i) -= std::complex<double>(0.0, omega * static_cast<double>(i % n - kHarmonics));
-    }
-    double largest = -std::numeric_limits<double>::infinity();
-    // The same map of real and imaginary parts, which has the conjugates of its eigenvalues, too.
-    Eigen::MatrixXd parts(4 * n, 4 * n);
-    parts << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
-    for (const std::complex<double>& one : eigenvalues_of(parts)) {
-      if (std::abs(one.imag()) < 0.75 * omega) largest = std::max(largest, one.real());
-    }
-    return largest;
-  }
-};
 
 // ---- all of them --------------------------------------------------------------------------------
 
@@ -195,199 +92,6 @@ TEST(ZooShawHolmes, GrazesWhereTheLinearAmplitudeIsTheGap) {
   }
 }
 
-// ---- gear_friction -----------------------------------------------------------------------------
-
-// With equal gears the lever of friction is the same all along the line of action, and the mesh is
-// piecewise constant: both pairs slide against each other while there are two, then one pair before
-// the pitch point, then one behind it. Friction and stiffness alone make the teeth part in the
-// second case, with a transmission error in the third.
-TEST(ZooGearFriction, OrbitOfEqualGearsIsTheExactOne) {
-  struct Case {
-    double omega, mu, e;
-    std::size_t crossings;
-  };
-  for (const Case& one : {Case{1.2, 0.1, 0.0, 0}, {0.74, 0.1, 0.0, 2}, {0.7, 0.3, 0.3, 2}}) {
-    const double eps = 1.6, b = 1.0, F = 0.2, zeta = 0.03;
-    const double lever = one.mu * std::tan(20.0 * kPi / 180.0);
-    ExactPieces exact = {.omega = one.omega,
-                         .limits = {{vector_of({1.0, 0.0}), b}, {vector_of({-1.0, 0.0}), b}},
-                         .field = {},
-                         .spells = {eps - 1.0, 0.5 * eps, 1.0}};
-    exact.field = [&](const Sides& beyond, std::size_t spell) {
-      const double mesh = (spell == 0 ? 2.0 : spell == 1 ? 1.0 - lever : 1.0 + lever) / eps;
-      const double touch = beyond[0] || beyond[1] ? mesh : 0.0;
-      LinearField field(2);
-      field.slope << 0.0, 1.0, -touch, -2.0 * zeta * mesh;
-      field.constant[1] = F + (beyond[0] ? touch * b : 0.0) - (beyond[1] ? touch * b : 0.0);
-      field.cosine[1] = one.e * one.omega * one.omega;
-      return field;
-    };
-    const Example example("gear_friction", {{"omega", one.omega}, {"mu", one.mu}, {"e", one.e}});
-    // (h w)^4/120 is 5e-11 for each unit of phase, of which a period has some ten.
-    expect_orbit(example, exact, one.crossings, 1e-9);
-  }
-}
-
-// The divergence is -2 zeta times the mesh, whose mean over the way of a pair, from 0 to eps with
-// the pitch point at p, is
-// 1 - mu/eps (tan(alpha) (2 p - eps) - turn (p^2 + (eps - p)^2)/2),
-// in contact and out of it. The equations jump at phases that steps end at, and steps are cut at
-// the limits, so that nothing but the fourth order of 512 steps is left.
-TEST(ZooGearFriction, ExponentsAddUpToTheMeanOfTheFriction) {
-  const double eps = 1.7, p = 0.4 * eps, mu = 0.3, zeta = 0.03, share = 0.3, ratio = 2.0, z = 20.0;
-  const double turn = (share - (1.0 - share) / ratio) * 2.0 * kPi / z;
-  const double slip =
-      std::tan(20.0 * kPi / 180.0) * (2.0 * p - eps) - 0.5 * turn * (p * p + (eps - p) * (eps - p));
-  const double mean = 1.0 - mu / eps * slip;
-  const double omega = 1.2;
-  const Example example("gear_friction", {{"omega", omega},
-                                          {"mu", mu},
-                                          {"e", 0.3},
-                                          {"eps", eps},
-                                          {"approach", 0.4},
-                                          {"share", share},
-                                          {"ratio", ratio},
-                                          {"z", z}});
-  // One period from a start between the flanks, of which it meets one.
-  const PeriodImage image = example.map(512).linearize(vector_of({0.9, 0.2}), 1).value();
-  EXPECT_NEAR(std::log(image.monodromy.determinant()) / (2.0 * kPi / omega), -2.0 * zeta * mean,
-              1e-10);
-}
-
-// ---- blankenship_kahraman ----------------------------------------------------------------------
-
-const std::string kKahraman = "'period', 'contact_gap', 'contact_back', 'x_max'";
-
-// In contact the deflection obeys Mathieu's equation under a load; teeth part where its smallest
-// value reaches 0. Above the resonance that is the frequency at which a falling sweep jumps up.
-TEST(ZooBlankenshipKahraman, TeethPartWhereMathieusMotionReachesZero) {
-  const double kappa = 0.15, zeta = 0.03;
-  double low = 1.0, high = 1.3;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    const Hill hill = {.damping = 2.0 * zeta, .kappa = kappa, .omega = middle};
-    (hill.least(1.0) < 0.0 ? low : high) = middle;
-  }
-  // 4096 phases miss the smallest value by 1e-6 of the amplitude.
-  for (const double part : {1.0 - 1e-5, 1.0 + 1e-5}) {
-    const Points points = {.model = "blankenship_kahraman",
-                           .parameters = "",
-                           .axis = at_omega(low * part),
-                           .start = {},
-                           .quantities = kKahraman};
-    const double gap = map_of(points.run(), "contact_gap")[0];
-    EXPECT_EQ(gap > 0.0, part < 1.0) << low << ' ' << gap;
-  }
-}
-
-// With parametric excitation alone, and while the back flank is not met, the force beyond the drive
-// flank is homogeneous of degree one: with the load grows all of the motion from there, and nothing
-// moves in frequency.
-TEST(ZooBlankenshipKahraman, TheLoadScalesTheMotionAndMovesNoJump) {
-  std::vector<double> highest, gaps;
-  for (const double F : {0.05, 0.1, 0.2}) {
-    const Points points = {.model = "blankenship_kahraman",
-                           .parameters = "F = " + digits(F),
-                           .axis = at_omega(0.95),
-                           .start = {},
-                           .quantities = kKahraman};
-    const SweepResult result = points.run();
-    EXPECT_EQ(map_of(result, "contact_back")[0], 0.0);
-    highest.push_back((map_of(result, "x_max")[0] - 1.0) / F);
-    gaps.push_back(map_of(result, "contact_gap")[0]);
-  }
-  EXPECT_GT(gaps[0], 0.1);
-  for (std::size_t i : {1, 2}) {
-    // The same numbers but for rounding, which grows with b/F.
-    EXPECT_NEAR(highest[i], highest[0], 1e-10);
-    EXPECT_NEAR(gaps[i], gaps[0], 1e-10);
-  }
-}
-
-// Around twice the natural frequency the motion in contact is unstable from a kappa on that Hill's
-// method gives; below, its exponent is Hill's.
-TEST(ZooBlankenshipKahraman, ItsExponentsInContactAreHills) {
-  for (const double kappa : {0.05, 0.1}) {
-    const Hill hill = {.damping = 0.06, .kappa = kappa, .omega = 2.0};
-    const Example example("blankenship_kahraman", {{"omega", 2.0}, {"kappa", kappa}});
-    const std::complex<double> largest = example.orbit(200, 512).multipliers[0];
-    // (h w)^4/120 of steps of 0.006.
-    EXPECT_NEAR(std::log(std::abs(largest)) / kPi, hill.exponent(), 1e-10);
-  }
-  const Hill beyond = {.damping = 0.06, .kappa = 0.15, .omega = 2.0};
-  ASSERT_GT(beyond.exponent(), 0.0);
-  const Points points = {.model = "blankenship_kahraman",
-                         .parameters = "kappa = 0.15",
-                         .axis = at_omega(2.0),
-                         .start = {},
-                         .quantities = kKahraman};
-  const SweepResult result = points.run();
-  EXPECT_EQ(map_of(result, "period")[0], 2.0);
-  EXPECT_GT(map_of(result, "contact_gap")[0], 0.0);
-}
-
-// ---- idler -------------------------------------------------------------------------------------
-
-// Both meshes part, and meet their back flanks. With 30 teeth of the idler and the last gear
-// straight behind it, the tooth between both flanks puts the second mesh half a period off.
-TEST(ZooIdler, OrbitWithBothMeshesPartingIsTheExactOne) {
-  const double omega = 0.9, F = 0.1, b1 = 1.0, b2 = 0.6, k = 1.3, m = 0.45, e1 = 0.5, e2 = 0.36,
-               zeta = 0.05;
-  // Over the mobility of driver and idler: driver, idler, last gear; dampers of both meshes.
-  const double M1 = 1.0 / 0.55, M2 = 1.0 / m, M3 = M2 * 0.6 / 0.4, me2 = 0.6 * M2;
-  const double c1 = 2.0 * zeta, c2 = 2.0 * zeta * std::sqrt(k * me2);
-  ExactPieces exact = {.omega = omega,
-                       .limits = {{vector_of({1.0, 0.0, 0.0, 0.0}), b1},
-                                  {vector_of({-1.0, 0.0, 0.0, 0.0}), b1},
-                                  {vector_of({0.0, 1.0, 0.0, 0.0}), b2},
-                                  {vector_of({0.0, -1.0, 0.0, 0.0}), b2}},
-                       .field = {}};
-  exact.field = [&](const Sides& beyond, std::size_t) {
-    const double first = beyond[0] || beyond[1] ? 1.0 : 0.0;
-    const double second = beyond[2] || beyond[3] ? k : 0.0;
-    const double first_rest = (beyond[0] ? -b1 : 0.0) + (beyond[1] ? b1 : 0.0);
-    const double second_rest = k * ((beyond[2] ? -b2 : 0.0) + (beyond[3] ? b2 : 0.0));
-    const double driver = 1.0 / M1 + 1.0 / M2, last = 1.0 / M3 + 1.0 / M2;
-    LinearField field(4);
-    field.slope << 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -driver * first, second / M2,
-        -driver * c1, c2 / M2, first / M2, -last * second, c1 / M2, -last * c2;
-    field.constant << 0.0, 0.0, F / M1 - driver * first_rest + second_rest / M2,
-        F / M3 + first_rest / M2 - last * second_rest;
-    // The errors are sines where a pair enters: a quarter of a period before the cosines are.
-    field.cosine << 0.0, 0.0, e1 * omega * omega, -e2 * omega * omega;
-    return field;
-  };
-  const Example example("idler",
-                        {{"omega", omega},
-                         {"e0_first", e1},
-                         {"e0_second", e2 / b2},
-                         {"e0_phase_first", 0.5 * kPi},
-                         {"e0_phase_second", 0.5 * kPi}},
-                        {{"stiffness_first", "constant"}, {"stiffness_second", "constant"}});
-  expect_orbit(example, exact, 8, 1e-8);
-}
-
-// ---- two_flanks --------------------------------------------------------------------------------
-
-TEST(ZooTwoFlanks, OrbitOnBothFlanksIsTheExactOne) {
-  const double omega = 0.8, F = 0.1, e = 0.5, zeta = 0.05, drive_gap = 1.0, coast_gap = 0.4,
-               coast = 4.0;
-  ExactPieces exact = {
-      .omega = omega,
-      .limits = {{vector_of({1.0, 0.0}), drive_gap}, {vector_of({-1.0, 0.0}), coast_gap}},
-      .field = {}};
-  exact.field = [&](const Sides& beyond, std::size_t) {
-    LinearField field(2);
-    field.slope << 0.0, 1.0, beyond[0] ? -1.0 : beyond[1] ? -coast : 0.0, -2.0 * zeta;
-    field.constant[1] = F + (beyond[0] ? drive_gap : 0.0) - (beyond[1] ? coast * coast_gap : 0.0);
-    field.cosine[1] = e * omega * omega;
-    return field;
-  };
-  // (h w)^4/120 at w = 2 and h = 0.008 is 5e-10.
-  expect_orbit(Example("two_flanks", {{"omega", omega}, {"coast_stiffness", coast}}), exact, 4,
-               1e-9);
-}
-
 // ---- bouncing_ball -----------------------------------------------------------------------------
 
 // What the surface gives back of a speed: the root r of a v (1 + r) = log((1 + a v)/(1 - a v r)).
@@ -409,7 +113,7 @@ double restitution(double a, double speed) {
 // height. A surface of stiffness k differs by the time of a contact, a multiple of 1/sqrt(k), so
 // that k and 4 k tell the limit up to a multiple of 1/k.
 TEST(ZooBouncingBall, TendsToTheBounceOnARigidTable) {
-  const double A = 1.2, a = 0.3, U = kPi;
+  const double A = 1.2, a = 0.3, U = std::numbers::pi;
   double r = 0.5;
   for (int i = 0; i < 200; ++i) r = restitution(a, 2.0 * U / (1.0 + r));
   const double V = U * (1.0 - r) / (1.0 + r);
@@ -504,8 +208,8 @@ TEST(ZooShakenPendulum, ExponentsOfItsRestAreHills) {
                           {{"omega", omega}, {"amplitude", 0.5}, {"gravity", gravity}});
     const Orbit rest = shoot(example.map(), Eigen::VectorXd::Zero(2), 1).value();
     // (h w)^4/120 of 1024 steps.
-    EXPECT_NEAR(std::log(std::abs(rest.multipliers[0])) * omega / (2.0 * kPi), hill.exponent(),
-                1e-10);
+    EXPECT_NEAR(std::log(std::abs(rest.multipliers[0])) * omega / (2.0 * std::numbers::pi),
+                hill.exponent(), 1e-10);
     EXPECT_EQ(rest.stable(), gravity == -0.25);
   }
 }
@@ -519,14 +223,14 @@ TEST(ZooShakenPendulum, ExponentsOfItsRestAreHills) {
 // of the order of 1.
 TEST(ZooDenHartog, MotionThatNeverSticksIsDenHartogs) {
   for (const double w : {0.7, 1.3}) {
-    const double f = 0.3, V = 1.0 / (1.0 - w * w), half = kPi / w;
+    const double f = 0.3, V = 1.0 / (1.0 - w * w), half = std::numbers::pi / w;
     const double q = -f * std::sin(half) / (w * (1.0 + std::cos(half)));
     double psi = std::asin(q / V);
-    if (V < 0.0) psi = kPi - psi;  // the amplitude is positive
+    if (V < 0.0) psi = std::numbers::pi - psi;  // the amplitude is positive
     // At phase pi or 0, whichever lies in the half period: minus the state at phase 0, or that.
-    double phase = kPi;
-    while (phase - psi > kPi) phase -= kPi;
-    while (phase - psi < 0.0) phase += kPi;
+    double phase = std::numbers::pi;
+    while (phase - psi > std::numbers::pi) phase -= std::numbers::pi;
+    while (phase - psi < 0.0) phase += std::numbers::pi;
     const double t = (phase - psi) / w, sign = std::cos(phase);
     const Eigen::VectorXd exact =
         vector_of({sign * (sign * V + f * (1.0 - std::cos(t)) + w * q * std::sin(t)),

@@ -3,63 +3,18 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstring>
-#include <set>
 
-#include "plot/picture_test.hpp"
-#include "result/example_trace.hpp"
-#include "result/trace_file.hpp"
+#include "plot/trace_picture_test.hpp"
 
 namespace gearsweep {
 namespace {
 
+using gearsweep::testing::count_of;
 using gearsweep::testing::made_trace;
+using gearsweep::testing::PlotTraceTest;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-class PlotTraceTest : public gearsweep::testing::PictureTest {
- protected:
-  PlotTraceTest() : study_(read_study("[[axes]]\nname = 'omega'\nvalues = [0.5]\n", "test")) {
-    study_.title = "two gears";
-  }
-
-  std::string write(const std::string& name, const std::vector<Trace>& traces,
-                    const std::vector<std::string>& labels) const {
-    write_traces(traces, labels, {}, study_, in_folder(name), gearsweep::testing::kProvenance);
-    return in_folder(name);
-  }
-  std::string write_one(std::size_t periods = 20, std::size_t per_period = 16) const {
-    return write("one.nc", {made_trace(study_, periods, per_period)}, {"omega=0.5"});
-  }
-
-  PlotRequest request(const std::vector<std::string>& paths, const std::string& quantity) const {
-    PlotRequest request;
-    request.paths = paths;
-    request.quantity = quantity;
-    request.output_path = in_folder("picture.png");
-    return request;
-  }
-
-  using PictureTest::script_of;
-  std::string script_of(const std::vector<std::string>& paths, const std::string& quantity) const {
-    return script_of(request(paths, quantity));
-  }
-
-  // The numbers that the script reads, from the first on.
-  std::vector<double> data() const {
-    const std::string bytes = content(in_folder("picture.dat"));
-    std::vector<double> numbers(bytes.size() / sizeof(double));
-    std::memcpy(numbers.data(), bytes.data(), bytes.size());
-    return numbers;
-  }
-
-  std::string refused(const std::vector<std::string>& paths, const std::string& quantity) const {
-    return refusal([&] { plot_files(request(paths, quantity)); });
-  }
-
-  Study study_;
-};
 
 TEST_F(PlotTraceTest, ForceSaysWhatAModelOfOnesOwnLacks) {
   const auto refusal_with = [&](Role role, const std::string& contact) {
@@ -204,13 +159,6 @@ TEST_F(PlotTraceTest, ForceHasTheFlanksBehindIt) {
   EXPECT_EQ(numbers[5], 1.0);
 }
 
-// How often a text holds another.
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
-  return found;
-}
-
 // varpi = 1e4 rad/s: a period of 2.5 in the model's time takes 0.25 ms.
 TEST_F(PlotTraceTest, OfAGearWithScalesTimeIsInMilliseconds) {
   study_.scales = {1e4, 5e-5, 2e8, 3000.0};
@@ -237,76 +185,6 @@ TEST_F(PlotTraceTest, APhasePortraitOfManyPeriodsIsADensity) {
   }
   EXPECT_GT(seen, 100U);
   EXPECT_THAT(script_of({write_one(100)}, "phase"), HasSubstr("with lines"));
-}
-
-// A column of the width of a page's has its four panels below one another.
-TEST_F(PlotTraceTest, ANarrowPortraitHasOneColumn) {
-  PlotRequest narrow = request({write_one()}, "portrait");
-  narrow.style.size.width = 85.0;
-  const std::string script = script_of(narrow);
-  const auto frames = [&] {
-    std::set<std::string> lefts;
-    for (std::size_t at = 0; (at = script.find("set lmargin at screen ", at)) != std::string::npos;
-         ++at) {
-      lefts.insert(script.substr(at, script.find('\n', at) - at));
-    }
-    return lefts.size();
-  };
-  EXPECT_EQ(frames(), 1U);
-  narrow.style.size.height = 40.0;
-  EXPECT_THAT(refusal([&] { plot_files(narrow); }), HasSubstr("no room for the picture"));
-}
-
-TEST_F(PlotTraceTest, APortraitHasHistoryPhaseForceAndSpectrum) {
-  const std::string script = script_of({write_one()}, "portrait");
-  EXPECT_EQ(count(script, "\nplot "), 4U);
-  EXPECT_THAT(script,
-              AllOf(HasSubstr("(a) "), HasSubstr("time history"), HasSubstr("phase portrait"),
-                    HasSubstr("\"phase 0\""), HasSubstr("\"drive flank\""),
-                    HasSubstr("meshing force ("), HasSubstr("(dB re 1 "), HasSubstr("(d) ")));
-  // The histories are of the last 10 periods; phase portrait and spectrum are of all 20.
-  EXPECT_EQ(count(script, "set xrange [0:10]"), 3U);  // the spectrum's orders, too
-  EXPECT_EQ(count(script, "record=(160)"), 2U);
-  EXPECT_THAT(script, AllOf(HasSubstr("record=(320)"), HasSubstr("record=(161)"),
-                            Not(HasSubstr("the last"))));
-  PlotRequest chosen = request({write_one()}, "portrait:x1:dmf");
-  chosen.periods = 3;
-  chosen.orders = 4.0;
-  const std::string other = script_of(chosen);
-  EXPECT_EQ(count(other, "set xrange [0:3]"), 2U);
-  EXPECT_EQ(count(other, "set xrange [0:4]"), 1U);
-  EXPECT_EQ(count(other, "meshing force ("), 2U);  // over x1, and as the force
-}
-
-// They are of four different pairs of axes.
-TEST_F(PlotTraceTest, APortraitsLimitsAndLabelsAreTheHistorys) {
-  PlotRequest limited = request({write_one()}, "portrait");
-  limited.style.xrange = {2.0, 4.0};
-  limited.style.yrange = {-5.0, 5.0};
-  limited.style.xlabel = "turns";
-  limited.style.ylabel = "way";
-  const std::string script = script_of(limited);
-  EXPECT_EQ(count(script, "set xrange [2:4]"), 2U);  // the force's, too
-  EXPECT_EQ(count(script, "\"turns\""), 2U);
-  EXPECT_EQ(count(script, "set yrange [-5:5]"), 1U);
-  EXPECT_EQ(count(script, "\"way\""), 1U);
-}
-
-TEST_F(PlotTraceTest, APortraitForPrintCallsItsPanelsByLetters) {
-  PlotRequest print = request({write_one()}, "portrait");
-  print.style.size.width = 170.0;
-  EXPECT_THAT(script_of(print), AllOf(HasSubstr("\"(d)\""), Not(HasSubstr("time history"))));
-  print.style.size = {170.0, 20.0};
-  EXPECT_THAT(refusal([&] { plot_files(print); }), HasSubstr("no room"));
-}
-
-TEST_F(PlotTraceTest, APortraitWithoutFlanksHasASectionInTheirPlace) {
-  Trace free = made_trace(study_, 20, 16);
-  free.channels.resize(2);
-  free.values.resize(2);
-  const std::string script = script_of({write("free.nc", {free}, {""})}, "portrait");
-  EXPECT_EQ(count(script, "\nplot "), 4U);
-  EXPECT_THAT(script, AllOf(HasSubstr("section at phase 0"), Not(HasSubstr("flank"))));
 }
 
 TEST_F(PlotTraceTest, NoLineJoinsBothSidesOfAnImpact) {
@@ -341,7 +219,7 @@ TEST_F(PlotTraceTest, WithoutForcingTimeIsTimeAndThereIsNoPhase) {
   free.values.resize(2);
   const std::string path = write("free.nc", {free}, {""});
   const std::string script = script_of({path}, "portrait");
-  EXPECT_EQ(count(script, "\nplot "), 4U);
+  EXPECT_EQ(count_of("\nplot ", script), 4U);
   EXPECT_THAT(script, AllOf(HasSubstr("\"time\""), HasSubstr("frequency (1/time)"),
                             Not(HasSubstr("phase 0")), Not(HasSubstr("forcing"))));
   EXPECT_THAT(refused({path}, "section"), HasSubstr("this model has none"));
