@@ -24,7 +24,7 @@ struct Fate {
   int read = 0, refused = 0;
 };
 
-class DamageTest : public IoTest {
+class BrokenFileTest : public IoTest {
  protected:
   void write_bytes(const std::string& name, const std::string& bytes) const {
     std::ofstream(in_folder(name), std::ios::binary) << bytes;
@@ -63,26 +63,26 @@ void read_map(const std::string& path) {
   for (const std::string& name : file.quantities()) file.read(name);
 }
 
-TEST_F(DamageTest, SoundFilesPass) {
+TEST_F(BrokenFileTest, SoundFilesPass) {
   ensure_not_broken(write(example_result()));
   ensure_not_broken(write(spectrum_result()));
   // More numbers than a block of the first reading holds.
   ensure_not_broken(write(example_result(1000, 500)));
 }
 
-TEST_F(DamageTest, WhatIsNoNetcdfFileIsLeftToOthers) {
+TEST_F(BrokenFileTest, WhatIsNoNetcdfFileIsLeftToOthers) {
   write_bytes("study.toml", "[model]\n");
   ensure_not_broken(in_folder("study.toml"));
   ensure_not_broken(in_folder("nothing.nc"));
 }
 
-TEST_F(DamageTest, AResultIsReadOrRefusedWhateverItsBytes) {
+TEST_F(BrokenFileTest, AResultIsReadOrRefusedWhateverItsBytes) {
   const Fate fate = damage(content(write(example_result())), read_map);
   EXPECT_GT(fate.read, 0);
   EXPECT_GT(fate.refused, 0);
 }
 
-TEST_F(DamageTest, TracesAreReadOrRefusedWhateverTheirBytes) {
+TEST_F(BrokenFileTest, TracesAreReadOrRefusedWhateverTheirBytes) {
   Trace trace;
   trace.period = 2.5;
   trace.channels = {{"x1", "b_n", "a state"}};
@@ -100,7 +100,7 @@ TEST_F(DamageTest, TracesAreReadOrRefusedWhateverTheirBytes) {
   EXPECT_GT(fate.refused, 0);
 }
 
-TEST_F(DamageTest, ARefusalNamesTheFileAndLeavesNoProcessBehind) {
+TEST_F(BrokenFileTest, ARefusalNamesTheFileAndLeavesNoProcessBehind) {
   const std::string whole = content(write(example_result()));
   write_bytes("half.nc", whole.substr(0, whole.size() / 2));
   const std::string said = refusal([&] { ensure_not_broken(in_folder("half.nc")); });
