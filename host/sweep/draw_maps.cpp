@@ -17,19 +17,25 @@ std::vector<double> numbers_among(std::vector<double> values) {
   return values;
 }
 
-}  // namespace
+// Mean and standard deviation (of a sample: divided by n - 1) of numbers of which there is one at
+// least; of one the deviation is NaN.
+struct MeanAndDeviation {
+  double mean = 0.0, deviation = 0.0;
+};
 
-Moments moments_of(const std::vector<double>& numbers) {
+MeanAndDeviation spread_of(const std::vector<double>& numbers) {
   const auto count = static_cast<double>(numbers.size());
-  Moments moments;
-  for (const double number : numbers) moments.mean += number / count;
+  MeanAndDeviation spread;
+  for (const double number : numbers) spread.mean += number / count;
   double squares = 0.0;
   for (const double number : numbers) {
-    squares += (number - moments.mean) * (number - moments.mean);
+    squares += (number - spread.mean) * (number - spread.mean);
   }
-  moments.deviation = numbers.size() > 1 ? std::sqrt(squares / (count - 1.0)) : kNone;
-  return moments;
+  spread.deviation = numbers.size() > 1 ? std::sqrt(squares / (count - 1.0)) : kNone;
+  return spread;
 }
+
+}  // namespace
 
 double percentile_of(const std::vector<double>& sorted, double percentile) {
   const double place = percentile / 100.0 * static_cast<double>(sorted.size() - 1);
@@ -44,23 +50,23 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t sample
   const std::vector<double> both =
       numbers_among({values.begin(), values.begin() + static_cast<std::ptrdiff_t>(2 * samples)});
   SobolIndices indices;
-  const Moments moments = both.empty() ? Moments{kNone, kNone} : moments_of(both);
-  const double variance = moments.deviation * moments.deviation;
+  const MeanAndDeviation spread = both.empty() ? MeanAndDeviation{kNone, kNone} : spread_of(both);
+  const double variance = spread.deviation * spread.deviation;
   for (std::size_t i = 0; i < parameters; ++i) {
     std::vector<double> first, total;
     for (std::size_t j = 0; j < samples; ++j) {
-      const double a = values[j] - moments.mean, b = values[samples + j] - moments.mean;
-      const double mixed = values[(2 + i) * samples + j] - moments.mean;
+      const double a = values[j] - spread.mean, b = values[samples + j] - spread.mean;
+      const double mixed = values[(2 + i) * samples + j] - spread.mean;
       if (std::isnan(a + b + mixed)) continue;
       first.push_back(b * (mixed - a));
       total.push_back(0.5 * (a - mixed) * (a - mixed));
     }
     const bool is_known = !first.empty() && variance > 0.0;
-    const Moments of_first = is_known ? moments_of(first) : Moments{kNone, kNone};
+    const MeanAndDeviation of_first = is_known ? spread_of(first) : MeanAndDeviation{kNone, kNone};
     indices.first.push_back(of_first.mean / variance);
     indices.first_error.push_back(of_first.deviation / variance /
                                   std::sqrt(static_cast<double>(first.size())));
-    indices.total.push_back(is_known ? moments_of(total).mean / variance : kNone);
+    indices.total.push_back(is_known ? spread_of(total).mean / variance : kNone);
   }
   return indices;
 }
@@ -112,7 +118,8 @@ void DrawMaps::reduce_source(std::size_t point, std::size_t source,
   std::vector<double> sorted = numbers_among(independent);
   std::ranges::sort(sorted);
   const auto count = static_cast<double>(sorted.size());
-  const Moments moments = sorted.empty() ? Moments{kNone, kNone} : moments_of(sorted);
+  const MeanAndDeviation spread =
+      sorted.empty() ? MeanAndDeviation{kNone, kNone} : spread_of(sorted);
   SobolIndices indices;
   if (uncertain.sobol) {
     indices = sobol_indices(all, uncertain.samples, uncertain.parameters.size());
@@ -120,9 +127,9 @@ void DrawMaps::reduce_source(std::size_t point, std::size_t source,
   const auto numbers_of = [&](const DrawQuantity& quantity) -> std::vector<double> {
     switch (quantity.statistic) {
       case DrawStatistic::mean:
-        return {moments.mean};
+        return {spread.mean};
       case DrawStatistic::standard_deviation:
-        return {moments.deviation};
+        return {spread.deviation};
       case DrawStatistic::percentile:
         return {sorted.empty() ? kNone : percentile_of(sorted, quantity.percentile)};
       case DrawStatistic::share:

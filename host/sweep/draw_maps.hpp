@@ -38,13 +38,6 @@ class DrawMaps {
   std::vector<std::size_t> targets_;  // [of quantities_] the quantity of the selection
 };
 
-// Mean and standard deviation (of a sample: divided by n - 1) of numbers of which there is one at
-// least; of one the deviation is NaN.
-struct Moments {
-  double mean = 0.0, deviation = 0.0;
-};
-Moments moments_of(const std::vector<double>& numbers);
-
 // Linear between the sorted numbers, as numpy.percentile has it. percentile in 0 .. 100.
 double percentile_of(const std::vector<double>& sorted, double percentile);
 
