@@ -83,6 +83,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   const Study whole = load_lines(arguments);
   const OrderRequest request = request_of(arguments, whole);
   if (!arguments.output.empty()) {
+    refuse_own_output(arguments.study, arguments.output);
     ensure_order_file(arguments.output, whole, arguments.units);
     ensure_writable(arguments.output);
   } else if (arguments.units == TableUnits::si && !whole.scales.known()) {
