@@ -140,7 +140,9 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
       "orders", "The spectrum of a channel over an axis: an order map, or Campbell diagram");
   const auto arguments = std::make_shared<OrderArguments>();
   add_study_argument(command, &arguments->study);
-  command->add_option("-o,--output", arguments->output, "The numbers: .nc or .csv")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "The numbers: .nc, .csv, or .uff for programs of modal analysis")
       ->type_name(kFileValue);
   command->add_option("--plot", arguments->picture, "The picture: .png, .svg, .pdf or .tex")
       ->type_name(kFileValue);
