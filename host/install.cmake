@@ -24,10 +24,16 @@ install(FILES ${pages}/gearsweep.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT tool)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
               ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
-# Their pictures.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool
+        PATTERN site EXCLUDE)
+# What they lead to.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/zoo DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}/python
+        COMPONENT tool FILES_MATCHING PATTERN *.py)
+install(FILES ${PROJECT_SOURCE_DIR}/tests/consumer/main.cpp
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/consumer COMPONENT tool)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/.readme DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool
-        FILES_MATCHING PATTERN *.png)
+        FILES_MATCHING PATTERN *.png PATTERN *.svg)
 # The name that Debian gives it.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT tool)
@@ -45,7 +51,8 @@ foreach(folder ${library_folders})
   file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.hpp)
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearsweep/${folder})
 endforeach()
-target_link_libraries(gearsweep_library INTERFACE ${library_targets})
+# Public headers show matrices.
+target_link_libraries(gearsweep_library INTERFACE ${library_targets} Eigen3::Eigen)
 install(FILES ${PROJECT_SOURCE_DIR}/kernels/sweep_types.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearsweep)
 

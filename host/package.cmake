@@ -6,13 +6,17 @@ find_program(GEARSWEEP_FILE file)
 mark_as_advanced(GEARSWEEP_SHLIBDEPS GEARSWEEP_FILE)
 if(GEARSWEEP_SHLIBDEPS AND GEARSWEEP_FILE)
   set(CPACK_GENERATOR DEB)
+  set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/host/debian.cmake)
 else()
   set(CPACK_GENERATOR TGZ)
 endif()
 
 set(CPACK_PACKAGE_NAME gearsweep)
 set(CPACK_PACKAGE_VENDOR "The gearsweep authors")
-set(CPACK_PACKAGE_CONTACT "The gearsweep authors")
+# Debian wants an address; this one is nobody's (RFC 2606), so whoever distributes packages gives theirs.
+set(GEARSWEEP_CONTACT "The gearsweep authors <authors@gearsweep.invalid>"
+    CACHE STRING "Who answers for the packages: a name and <an address>")
+set(CPACK_PACKAGE_CONTACT ${GEARSWEEP_CONTACT})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)

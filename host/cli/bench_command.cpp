@@ -2,7 +2,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <ctime>
@@ -40,7 +39,7 @@ struct BenchArguments {
 class BenchProgress {
  public:
   explicit BenchProgress(std::size_t count)
-      : count_(count), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+      : count_(count), on_terminal_(terminal_columns(StandardStream::error).has_value()) {}
   ~BenchProgress() {
     if (on_terminal_) tell_text("\r\033[K");
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 
 #include "borders/border_search.hpp"
@@ -125,11 +124,7 @@ int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
     throw InputError(
         fmt::format("cannot write curves to '{}': its name must end in .nc", arguments.output));
   }
-  std::error_code none;
-  if (std::filesystem::equivalent(arguments.map, arguments.output, none)) {
-    throw InputError(fmt::format("'{}' is the map itself: the curves need a file of their own",
-                                 arguments.output));
-  }
+  refuse_own_output(arguments.map, arguments.output);
   ensure_writable(arguments.output);
   Study study = load_study(arguments.map, {});
   settle_step(read_pilot_step(arguments.map), &study);

@@ -98,6 +98,7 @@ int run_orders(const OrderArguments& arguments, SignalWatch* signals) {
   const Study whole = load_lines(arguments);
   const OrderRequest request = request_of(arguments, whole);
   if (!arguments.output.empty()) {
+    refuse_own_output(arguments.study, arguments.output);
     ensure_order_file(arguments.output, whole, arguments.units);
     ensure_writable(arguments.output);
   } else if (arguments.units == TableUnits::si && !whole.scales.known()) {
@@ -169,7 +170,9 @@ void add_orders_command(CLI::App* app, SignalWatch* signals, int* status) {
       "orders", "The spectrum of a channel over an axis: an order map, or Campbell diagram");
   const auto arguments = std::make_shared<OrderArguments>();
   add_study_argument(command, &arguments->study);
-  command->add_option("-o,--output", arguments->output, "The numbers: .nc or .csv")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "The numbers: .nc, .csv, or .uff for programs of modal analysis")
       ->type_name(kFileValue);
   command->add_option("--plot", arguments->picture, "The picture: .png, .svg, .pdf or .tex")
       ->type_name(kFileValue);

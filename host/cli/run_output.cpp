@@ -66,13 +66,7 @@ std::string output_path(const RunRequest& request) {
     path = std::filesystem::path(request.study).stem().string();
     path += request.zooms.empty() ? ".nc" : "-zoom.nc";
   }
-  std::error_code error;
-  if (std::filesystem::equivalent(path, request.study, error)) {
-    throw InputError(
-        fmt::format("{}: the result would replace its own study; give another output: "
-                    "-o OUT.nc",
-                    request.study));
-  }
+  refuse_own_output(request.study, path);
   require_result_path(path);
   return path;
 }

@@ -2,16 +2,28 @@
 // know of the commands.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/completion.hpp"
 #include "cli/detail/manual.hpp"
+#include "cli/detail/roff_page.hpp"
 #include "cli/detail/study_manual.hpp"
 #include "cli/standard_streams.hpp"
 
 namespace gearsweep {
+
+namespace {
+
+// bashcompinit needs compinit, which a ~/.zshrc may lack.
+constexpr const char* kZshHead =
+    "(( $+functions[compdef] )) || { autoload -Uz compinit && compinit -i }\n"
+    "autoload -Uz bashcompinit && bashcompinit\n";
+
+}  // namespace
 
 void add_completion_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("completion", "Print the completion script of a shell");
@@ -23,7 +35,7 @@ void add_completion_command(CLI::App* app) {
       "  gearsweep completion fish > ~/.config/fish/completions/gearsweep.fish");
   command->callback([app, shell] {
     const CommandTable table = command_table(*app);
-    if (*shell == "zsh") answer("autoload -U bashcompinit\nbashcompinit\n");
+    if (*shell == "zsh") answer("{}", kZshHead);
     answer("{}", *shell == "fish" ? fish_completion(table) : bash_completion(table));
   });
 }
@@ -31,14 +43,24 @@ void add_completion_command(CLI::App* app) {
 void add_manual_command(CLI::App* app) {
   CLI::App* command = app->add_subcommand("manual", "Print a manual page");
   const auto page = std::make_shared<std::string>("gearsweep");
+  const auto is_text = std::make_shared<bool>(false);
   add_choice(command, "page", page.get(), {"gearsweep", "study"},
              "gearsweep (the default): commands and options; study: the keys of a study");
+  command->add_flag("--text", *is_text,
+                    "Plain text, which a terminal gets in any case; else as man takes it");
   command->footer(
       "Examples:\n"
-      "  gearsweep manual | man -l -\n"
+      "  gearsweep manual study\n"
+      "  gearsweep manual study --text | less\n"
       "  gearsweep manual study | man -l -");
-  command->callback([app, page] {
-    answer("{}", *page == "study" ? study_manual_page() : manual_page(command_table(*app)));
+  command->callback([app, page, is_text] {
+    const std::string roff =
+        *page == "study" ? study_manual_page() : manual_page(command_table(*app));
+    const std::optional<int> columns = terminal_columns(StandardStream::output);
+    const bool is_plain = *is_text || columns;
+    // Longer lines are hard to read.
+    constexpr int kMostColumns = 100;
+    answer("{}", is_plain ? plain_page(roff, std::min(columns.value_or(80), kMostColumns)) : roff);
   });
 }
 

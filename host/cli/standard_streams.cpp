@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,6 +52,14 @@ void flush_answers() {
   // Some network file systems find out when a file is closed.
   const int copy = dup(STDOUT_FILENO);
   if (copy >= 0 && close(copy) != 0) fail_to_answer();
+}
+
+std::optional<int> terminal_columns(StandardStream stream) {
+  const int number = stream == StandardStream::output ? STDOUT_FILENO : STDERR_FILENO;
+  if (isatty(number) == 0) return std::nullopt;
+  winsize size{};
+  const bool is_known = ioctl(number, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : 80;
 }
 
 bool is_heard() {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +25,11 @@ void flush_answers();
 void tell_text(std::string_view text);
 // Whether a short text would be taken at once.
 bool is_heard();
+
+enum class StandardStream : std::uint8_t { output, error };
+// The columns of the terminal that shows the stream, 80 of one that does not say; nullopt where no
+// terminal does.
+std::optional<int> terminal_columns(StandardStream stream);
 
 // What a terminal only shows. A control character may be an order to it, and names and texts in
 // files are a stranger's choice: each but newline and tab becomes '?'.

@@ -72,6 +72,7 @@ std::string describe(const PointTraces& found, const TraceArguments& arguments,
 void run(const TraceArguments& arguments) {
   const Study whole = load(arguments);
   const bool is_map = is_netcdf(arguments.study);
+  refuse_own_output(arguments.study, arguments.output);
   ensure_writable(arguments.output);
   ensure_trace_file(arguments.output, whole, arguments.units);
   SweepOptions options;

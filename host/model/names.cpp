@@ -12,8 +12,6 @@
 namespace gearsweep {
 namespace {
 
-// Smallest number of insertions, deletions, substitutions and swaps of neighbours (optimal string
-// alignment), case ignored.
 // Names are shorter; the distance takes time by the product of the lengths.
 constexpr std::size_t kLongest = 100;
 
@@ -25,7 +23,8 @@ std::string lowered(std::string_view name) {
   return out;
 }
 
-// Row by row: `before` and `earlier` are the two before the row that is filled.
+// Smallest number of insertions, deletions, substitutions and swaps of neighbours (optimal string
+// alignment). Row by row: `before` and `earlier` are the two before the row that is filled.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> earlier, before, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -43,10 +42,11 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-// Names that have all words of this one beside each other: of "speed_rpm" "pinion_speed_rpm".
+}  // namespace
+
 std::vector<std::string> longer_names(std::string_view name,
                                       const std::vector<std::string>& known) {
-  constexpr std::size_t kShortest = 3;
+  constexpr std::size_t kShortest = 3, kFew = 6;
   std::vector<std::string> found;
   if (name.size() < kShortest || name.size() > kLongest) return found;
   const std::string words = fmt::format("_{}_", lowered(name));
@@ -55,10 +55,9 @@ std::vector<std::string> longer_names(std::string_view name,
       found.push_back(candidate);
     }
   }
+  if (found.size() > kFew) found.clear();
   return found;
 }
-
-}  // namespace
 
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known) {
   if (known.empty()) return "";
@@ -70,9 +69,8 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
   const std::string& found = known[static_cast<std::size_t>(nearest - distances.begin())];
   const std::size_t tolerated = std::max<std::size_t>(1, std::min(kLongest, name.size()) / 3);
   if (*nearest <= tolerated && found.size() > 1) return fmt::format("; did you mean '{}'?", found);
-  constexpr std::size_t kFew = 3;
   const std::vector<std::string> longer = longer_names(name, known);
-  if (!longer.empty() && longer.size() <= kFew) {
+  if (!longer.empty()) {
     return fmt::format("; did you mean '{}'?", fmt::join(longer, "' or '"));
   }
   constexpr std::size_t kListed = 12;

@@ -11,6 +11,10 @@ namespace gearsweep {
 // otherwise "; known: a, b, c" (shortened after a dozen).
 std::string suggest_name(std::string_view name, const std::vector<std::string>& known);
 
+// Names that have all words of this one beside each other: of "speed_rpm" "pinion_speed_rpm". Empty
+// where there are more than a few.
+std::vector<std::string> longer_names(std::string_view name, const std::vector<std::string>& known);
+
 // The names of what has a `name`: states, parameters, options, presets.
 template <class Info>
 std::vector<std::string> names_of(const std::vector<Info>& infos) {

@@ -123,6 +123,26 @@ std::string image_of(const std::string& output) {
   return image;
 }
 
+// LaTeX looks for the image in the folder of the document and where \graphicspath says. Of a
+// picture in a folder below, `folder`, also there, while it reads the picture. Nothing where the
+// document cannot be told the folder: a path that only this machine has, a name that LaTeX may not
+// read as one.
+void put_image_folder(const std::string& folder, std::string* text) {
+  const bool is_safe = std::ranges::all_of(folder, [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.' ||
+           letter == '/';
+  });
+  if (folder.empty() || folder.front() == '/' || !is_safe) return;
+  constexpr std::string_view kBegin = "\\makeatletter\n";  // the picture is a group of its own
+  const std::size_t found = text->find(kBegin);
+  if (found == std::string::npos) return;
+  text->insert(found + kBegin.size(),
+               fmt::format("  \\ifdefined\\Ginput@path\\else\\def\\Ginput@path{{}}\\fi\n"
+                           "  \\expandafter\\def\\expandafter\\Ginput@path\\expandafter"
+                           "{{\\Ginput@path{{{}/}}}}%\n",
+                           folder));
+}
+
 // Where gnuplot plots, and what becomes of it.
 class PictureFile {
  public:
@@ -142,12 +162,12 @@ class PictureFile {
       const std::string plotted = place();
       const std::string stem = plotted.substr(0, plotted.size() - kTex.size());
       std::string text = content_of(plotted);
-      // As it is found beside the text, wherever it was plotted.
       const std::string name = fs::path(stem).filename().string();
       for (std::size_t at = 0; (at = text.find(stem, at)) != std::string::npos;) {
         text.replace(at, stem.size(), name);
         at += name.size();
       }
+      put_image_folder(fs::path(path_).parent_path().string(), &text);
       std::error_code told_below;
       fs::copy_file(stem + ".pdf", image_->temporary_path(), fs::copy_options::overwrite_existing,
                     told_below);

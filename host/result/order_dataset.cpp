@@ -13,6 +13,7 @@
 #include "result/detail/dataset_file.hpp"
 #include "result/detail/file_notes.hpp"
 #include "result/detail/netcdf_file.hpp"
+#include "result/detail/universal_file.hpp"
 #include "result/output_file.hpp"
 #include "result/si_units.hpp"
 
@@ -104,12 +105,15 @@ class OrderDescription {
   Dataset out_;
 };
 
+// What a table has in place of a unit of the model; without a name where it is 1.
+SiUnit unit_in_table(const std::string& unit, const OrderMap& map, TableUnits units) {
+  const SiUnit si = units == TableUnits::si ? shown_unit(unit, map.study.scales) : SiUnit{};
+  return si.scale > 0.0 ? si : SiUnit{1.0, unit == "1" ? "" : unit};
+}
+
 std::string table_of(const OrderMap& map, TableUnits units) {
-  const auto in_table = [&](const std::string& unit) {
-    const SiUnit si = units == TableUnits::si ? shown_unit(unit, map.study.scales) : SiUnit{};
-    return si.scale > 0.0 ? si : SiUnit{1.0, unit == "1" ? "" : unit};
-  };
-  const SiUnit axis = in_table(map.axis().unit), channel = in_table(map.channel.unit);
+  const SiUnit axis = unit_in_table(map.axis().unit, map, units);
+  const SiUnit channel = unit_in_table(map.channel.unit, map, units);
   const SiUnit frequency = units == TableUnits::si
                                ? SiUnit{hertz_per_unit(map.study.scales), "Hz"}
                                : SiUnit{1.0, unit_of_frequency(*map.study.model)};
@@ -136,6 +140,37 @@ std::string table_of(const OrderMap& map, TableUnits units) {
   return csv.text();
 }
 
+// A dataset for each value of the axis, but for those whose motion diverged: there is no spectrum.
+std::string universal_file_of(const OrderMap& map, const Provenance& provenance, TableUnits units) {
+  const SiUnit axis = unit_in_table(map.axis().unit, map, units);
+  const SiUnit channel = unit_in_table(map.channel.unit, map, units);
+  const std::size_t orders = map.orders.size();
+  std::string text;
+  std::vector<double> values(orders);
+  std::size_t number = 0;
+  for (std::size_t point = 0; point < map.axis().values.size(); ++point) {
+    for (std::size_t i = 0; i < orders; ++i) {
+      values[i] = channel.scale * map.amplitude[point * orders + i];
+    }
+    if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) continue;
+    const double place = axis.scale * map.axis().values[point];
+    const std::string title = fmt::format("{}, amplitude at {} = {:.10g} {}", map.channel.name,
+                                          map.axis().name, place, axis.name);
+    text += universal_dataset(
+        {.title = title,
+         .subtitle = "gearsweep " + provenance.version + ": " + map.study.title,
+         .first = map.orders.front(),
+         .increment = map.orders[1] - map.orders.front(),
+         .place = place,
+         .abscissa = {kOrderKind, word_of_order(*map.study.model) + " order", ""},
+         .ordinate = {kUnknownKind, map.channel.name, channel.name},
+         .third = {axis.name == "rpm" ? kRpmKind : kUnknownKind, map.axis().name, axis.name},
+         .values = values},
+        ++number);
+  }
+  return text;
+}
+
 [[noreturn]] void refuse_no_orders(const std::string& path) {
   throw InputError(
       fmt::format("'{}' holds no order map; give a file that 'gearsweep orders' wrote", path));
@@ -150,11 +185,12 @@ Dataset dataset_of(const OrderMap& map, const Provenance& provenance) {
 }
 
 void ensure_order_file(const std::string& path, const Study& study, TableUnits units) {
-  const bool is_table = path.ends_with(".csv");
-  if (!is_table && !path.ends_with(".nc")) {
-    throw InputError(fmt::format(
-        "cannot write an order map to '{}': its name must end in .nc or .csv; --plot draws one",
-        path));
+  const bool is_known = path.ends_with(".csv") || path.ends_with(".uff") || path.ends_with(".nc");
+  if (!is_known) {
+    throw InputError(
+        fmt::format("cannot write an order map to '{}': its name must end in .nc, .csv or .uff; "
+                    "--plot draws one",
+                    path));
   }
   if (units == TableUnits::model) return;
   if (!study.scales.known()) {
@@ -166,6 +202,8 @@ void write_orders(const OrderMap& map, const std::string& path, const Provenance
                   TableUnits units) {
   if (path.ends_with(".csv")) {
     write_file(path, table_of(map, units));
+  } else if (path.ends_with(".uff")) {
+    write_file(path, universal_file_of(map, provenance, units));
   } else {
     write_dataset(dataset_of(map, provenance), path);
   }

@@ -1,4 +1,4 @@
-// Files of order maps: NetCDF-4, or CSV to be read elsewhere.
+// Files of order maps: NetCDF-4, or CSV and universal files to be read elsewhere.
 #pragma once
 
 #include <string>
@@ -20,12 +20,13 @@ Dataset dataset_of(const OrderMap& map, const Provenance& provenance);
 // Hz in the unit of frequency, rad per dimensionless time; 0 without scales.
 double hertz_per_unit(const Scales& scales);
 
-// Throws InputError unless the name ends in .nc or .csv, or when such a file of the study cannot
-// have these units.
+// Throws InputError unless the name ends in .nc, .csv or .uff, or when such a file of the study
+// cannot have these units.
 void ensure_order_file(const std::string& path, const Study& study, TableUnits units);
 
 // A table has a row for each value of the axis and each order: frequency, amplitude and decibels.
-// In SI units frequencies are in Hz. Throws as write_result().
+// In SI units frequencies are in Hz. A universal file has the amplitudes over the order, a dataset
+// 58 for each value of the axis. Throws as write_result().
 void write_orders(const OrderMap& map, const std::string& path, const Provenance& provenance,
                   TableUnits units = TableUnits::model);
 

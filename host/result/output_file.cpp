@@ -123,13 +123,28 @@ void write_file(const std::string& path, std::string_view content) {
   file.commit();
 }
 
+// "TMPDIR=/nowhere": what names the folder for temporary files, as the C++ library asks for it.
+std::string given_temporary_folder() {
+  for (const char* name : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    const char* folder = std::getenv(name);
+    if (folder != nullptr) return fmt::format("{}={}", name, folder);
+  }
+  return "/tmp";
+}
+
 TemporaryFolder::TemporaryFolder() {
   std::error_code error;
   const fs::path parent = fs::temp_directory_path(error);
+  if (error) {
+    throw InputError(fmt::format(
+        "there is no folder for temporary files at {} ({}); give another one: TMPDIR=FOLDER",
+        given_temporary_folder(), error.message()));
+  }
   std::string name = (parent / "gearsweep-XXXXXX").string();
-  if (error || mkdtemp(name.data()) == nullptr) {
-    throw RunError(fmt::format("cannot make a folder for temporary files in '{}': {}",
-                               parent.string(), error ? error.message() : std::strerror(errno)));
+  if (mkdtemp(name.data()) == nullptr) {
+    throw RunError(fmt::format(
+        "cannot make a folder for temporary files in '{}': {}; TMPDIR=FOLDER names another one",
+        parent.string(), std::strerror(errno)));
   }
   path_ = name;
 }

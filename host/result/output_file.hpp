@@ -41,7 +41,7 @@ void write_file(const std::string& path, std::string_view content);
 // A new empty folder for temporary files, removed with all that is in it.
 class TemporaryFolder {
  public:
-  // Throws RunError.
+  // Throws InputError where TMPDIR names no folder, RunError where none can be made in it.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

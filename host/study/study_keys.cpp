@@ -347,19 +347,20 @@ const StudyKey* find_key(const StudyTable& table, const std::string& name) {
 std::vector<std::string> paths_of_key(const std::string& name,
                                       const std::vector<std::string>& options,
                                       const std::vector<std::string>& parameters) {
-  std::vector<std::string> paths;
-  const auto has = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+  std::vector<std::string> exact, longer;
   for (const StudyTable& table : study_tables()) {
     if (table.name.empty()) continue;
-    const bool is_key = find_key(table, name) != nullptr;
-    const bool is_of_model =
-        (table.name == "model" && has(options)) || (table.name == "parameters" && has(parameters));
-    if (!is_key && !is_of_model) continue;
-    paths.push_back(table.name + (table.name == "axes" ? ".AXIS." : ".") + name);
+    std::vector<std::string> keys;
+    for (const StudyKey& key : table.keys) {
+      if (!key.is_pattern) keys.push_back(key.name);
+    }
+    if (table.name == "model") keys.insert(keys.end(), options.begin(), options.end());
+    if (table.name == "parameters") keys.insert(keys.end(), parameters.begin(), parameters.end());
+    const std::string before = table.name + (table.name == "axes" ? ".AXIS." : ".");
+    if (std::ranges::find(keys, name) != keys.end()) exact.push_back(before + name);
+    for (const std::string& key : longer_names(name, keys)) longer.push_back(before + key);
   }
-  return paths;
+  return exact.empty() ? longer : exact;
 }
 
 }  // namespace gearsweep

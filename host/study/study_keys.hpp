@@ -47,7 +47,8 @@ const StudyTable& study_table(const std::string& name);
 const StudyKey* find_key(const StudyTable& table, const std::string& name);
 
 // "integrate.settle" for "settle": where in a study a key of that name belongs, with the options
-// and parameters of a model that are given beside it. Several when several tables have it.
+// and parameters of a model that are given beside it. Several when several tables have it. Where
+// none has it, keys whose names have more words: "gear.pinion_speed_rpm" for "speed_rpm".
 std::vector<std::string> paths_of_key(const std::string& name,
                                       const std::vector<std::string>& options,
                                       const std::vector<std::string>& parameters);

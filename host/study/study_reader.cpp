@@ -15,6 +15,7 @@
 #include "study/detail/initial_reader.hpp"
 #include "study/detail/integrate_reader.hpp"
 #include "study/detail/model_table.hpp"
+#include "study/detail/notices.hpp"
 #include "study/detail/observe_reader.hpp"
 #include "study/detail/overrides.hpp"
 #include "study/detail/parameter_values.hpp"
@@ -30,7 +31,6 @@
 #include "study/draft.hpp"
 #include "study/free_motions.hpp"
 #include "study/nesting.hpp"
-#include "study/notices.hpp"
 #include "study/own_step.hpp"
 #include "study/study.hpp"
 

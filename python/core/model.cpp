@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/parts.hpp"
+#include "gear/drawing_keys.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "study/builtin_models.hpp"
@@ -39,7 +40,9 @@ py::dict as_dict(const Model& model, const Tables& tables) {
     options.append(py::make_tuple(info.name, py::tuple(py::cast(info.choices)), info.meaning));
   }
   for (const PresetInfo& info : model.presets) {
-    presets.append(py::make_tuple(info.name, info.meaning));
+    std::map<std::string, std::string> expressions;
+    for (const auto& [name, expression] : info.expressions) expressions[name] = expression.text;
+    presets.append(py::make_tuple(info.name, info.meaning, info.toml, expressions));
   }
   py::dict out;
   out["name"] = model.name;
@@ -52,6 +55,15 @@ py::dict as_dict(const Model& model, const Tables& tables) {
   out["text"] = model.text;
   out["tables"] = tables;
   return out;
+}
+
+// The keys of the table [gear], as the package names their parts.
+py::list gear_rows() {
+  py::list rows;
+  for (const GearKey& key : kGearKeys) {
+    rows.append(py::make_tuple(key.name, key.unit(), key.meaning, key.fallback, key.min, key.max));
+  }
+  return rows;
 }
 
 py::dict builtin(const std::string& name) {
@@ -103,6 +115,7 @@ py::dict from_file(const std::string& path) {
 
 void add_model(py::module_* module) {
   module->def("model_names", &model_names);
+  module->def("gear_keys", gear_rows);
   module->def("builtin_model", builtin);
   module->def("read_model", from_text);
   module->def("read_model_file", from_file);

@@ -6,7 +6,17 @@ from gearsweep._distribution import normal, triangular, uniform, values
 from gearsweep._errors import InputError, RunError
 from gearsweep._explore import Exploration, explore
 from gearsweep._floquet import floquet
-from gearsweep._model import Channel, Model, Option, Parameter, Preset, model, models
+from gearsweep._model import (
+    Channel,
+    GearKey,
+    Model,
+    Option,
+    Parameter,
+    Preset,
+    gear_keys,
+    model,
+    models,
+)
 from gearsweep._orders import orders
 from gearsweep._progress import Progress
 from gearsweep._run import Running, run, submit
@@ -25,6 +35,7 @@ __all__ = [
     "Device",
     "Exploration",
     "Gear",
+    "GearKey",
     "InputError",
     "Model",
     "Option",
@@ -38,6 +49,7 @@ __all__ = [
     "devices",
     "explore",
     "floquet",
+    "gear_keys",
     "model",
     "models",
     "normal",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy
 import xarray
 
 from gearsweep._errors import InputError
-from gearsweep._flags import flags_of
+from gearsweep._flags import class_names, names_of_flags
+from gearsweep._pint import quantified
 from gearsweep._si import IN_SI, in_si
 
 if TYPE_CHECKING:
@@ -148,6 +148,46 @@ class Gear:
             title=title,
         )
 
+    def classes(self, quantity: str) -> xarray.DataArray:
+        """The names of a map's classes in place of their numbers.
+
+        Parameters
+        ----------
+        quantity : str
+            A map of classes: ``"motion_class"``, ``"contact_class"``, ``"status"``, ...
+
+        Returns
+        -------
+        DataArray
+            Texts; an empty one where a point has no class.
+
+        Raises
+        ------
+        InputError
+            The result has no such quantity, or it is none of classes.
+
+        Examples
+        --------
+        >>> import gearsweep
+        >>> study = gearsweep.Study.gear5("coarse").sweep(omega=[0.5, 0.8, 1.0])
+        >>> maps = study.observe("contact_class").integrate(settle=60, record=10).run()
+        >>> maps.gear.classes("contact_class").values.tolist()
+        ['single_sided', 'no_impact', 'single_sided']
+        """
+        return class_names(self._maps, quantity)
+
+    def quantify(self) -> xarray.Dataset:
+        """The same result with units that pint computes with; it needs pint-xarray.
+
+        A unit of the model, as b_n, is one of its own; in a study with a [gear] table it is so
+        many µm or N. Where a variable has several units, as samples of states have, it gets none.
+
+        Returns
+        -------
+        Dataset
+        """
+        return quantified(self._maps)
+
     @property
     def attractors(self) -> xarray.Dataset:
         """The attractors that the points reach, one row for each ``number``.
@@ -171,8 +211,8 @@ class Gear:
             )
         table = self._maps[names]
         kinds = table[_ATTRACTOR + "motion_class"]
-        texts = [flags_of(kinds).get(int(code), "") for code in numpy.nan_to_num(kinds, nan=-1)]
-        table[_ATTRACTOR + "motion_class"] = kinds.dims, texts, {"long_name": "kind of motion"}
+        named = names_of_flags(kinds).assign_attrs({"long_name": "kind of motion"})
+        table[_ATTRACTOR + "motion_class"] = named.variable
         kept = [name for name in table.coords if name not in table.dims]
         short = {name: str(name).removeprefix(_ATTRACTOR) for name in (*names, *table.dims)}
         table = table.drop_vars(kept).rename(short)

@@ -12,6 +12,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
+from gearsweep._named import options_by_name
 from gearsweep._place import count_of, pilot_step_of
 from gearsweep._session import SESSION, device_text
 from gearsweep._study import Study
@@ -51,6 +52,7 @@ class Exploration:
         )
 
 
+@options_by_name
 def explore(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,

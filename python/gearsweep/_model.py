@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import os
+import tomllib
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -46,10 +47,26 @@ class Option(NamedTuple):
 
 
 class Preset(NamedTuple):
-    """A name for a set of parameters."""
+    """A name for a set of parameters.
+
+    Its values are numbers, expressions of other parameters, and choices of options; `policy` and
+    `state` say where points start. What it does not name has the model's default.
+    """
 
     name: str
     meaning: str
+    values: dict[str, Any]
+
+
+class GearKey(NamedTuple):
+    """A key of the table [gear], with what a drawing without it has, and its range."""
+
+    name: str
+    unit: str
+    meaning: str
+    default: str
+    minimum: float
+    maximum: float
 
 
 class Model:
@@ -212,7 +229,10 @@ class Model:
     @property
     def presets(self) -> tuple[Preset, ...]:
         """Its sets of parameters."""
-        return tuple(Preset(*row) for row in self._read["presets"])
+        return tuple(
+            Preset(name, meaning, tomllib.loads(text) | expressions)
+            for name, meaning, text, expressions in self._read["presets"]
+        )
 
     @property
     def text(self) -> str:
@@ -268,9 +288,11 @@ class Model:
             "<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>"
             for row in rows
         )
+        heads = "".join(f"<th>{head}</th>" for head in ("name", "kind, or default", "unit", "meaning"))
         head = f"<b>{html.escape(self.name)}</b> {html.escape(self.summary)}"
+        table = f"<table><thead><tr>{heads}</tr></thead><tbody>{cells}</tbody></table>"
         text = f"<pre>{html.escape(self.text)}</pre>" if self.text else ""
-        return f"<details><summary>{head}</summary><table>{cells}</table>{text}</details>"
+        return f"<details><summary>{head}</summary>{table}{text}</details>"
 
 
 def _own_model(name: str, text: str, tables: dict[str, str]) -> Model:
@@ -312,3 +334,18 @@ def models() -> dict[str, str]:
         Names with summaries.
     """
     return {name: model(name).summary for name in _core.model_names()}
+
+
+def gear_keys() -> dict[str, GearKey]:
+    """The keys of the table [gear], in which a study says what the drawing of a gear pair says.
+
+    Returns
+    -------
+    dict of str to GearKey
+
+    Examples
+    --------
+    >>> gear_keys()["module_mm"]
+    GearKey(name='module_mm', unit='mm', meaning='module', default='required', minimum=0.001, maximum=1000.0)
+    """
+    return {row[0]: GearKey(*row) for row in _core.gear_keys()}

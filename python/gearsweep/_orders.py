@@ -9,6 +9,7 @@ from typing import Any, SupportsFloat
 import xarray
 
 from gearsweep._errors import InputError
+from gearsweep._named import options_by_name
 from gearsweep._place import count_of, number_of, pilot_step_of, place_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
@@ -17,6 +18,7 @@ from gearsweep._study_source import study_of
 from gearsweep._value import text_of
 
 
+@options_by_name
 def orders(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,

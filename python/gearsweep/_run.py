@@ -12,6 +12,7 @@ import xarray
 
 from gearsweep._errors import InputError
 from gearsweep._maps import maps_of, means_of
+from gearsweep._named import options_by_name
 from gearsweep._progress import Progress, Watch
 from gearsweep._study import Study
 from gearsweep._study_source import study_of
@@ -21,6 +22,7 @@ from gearsweep._value import shown
 _FAR = 1 << 30
 
 
+@options_by_name
 def run(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,
@@ -103,6 +105,7 @@ class _Cancelled(Exception):
     """Raised by the progress function of a run that nobody waits for any more."""
 
 
+@options_by_name
 def submit(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,

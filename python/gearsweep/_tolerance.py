@@ -10,6 +10,7 @@ import xarray
 
 from gearsweep import _core
 from gearsweep._errors import InputError
+from gearsweep._named import options_by_name
 from gearsweep._place import count_of, number_of
 from gearsweep._progress import Watch
 from gearsweep._run import run
@@ -17,6 +18,7 @@ from gearsweep._study import Study
 from gearsweep._study_source import study_of
 
 
+@options_by_name
 def tolerance(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,

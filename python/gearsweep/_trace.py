@@ -9,6 +9,7 @@ from typing import Any, SupportsFloat
 import xarray
 
 from gearsweep._errors import InputError
+from gearsweep._named import options_by_name
 from gearsweep._place import count_of, pilot_step_of, place_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
@@ -20,6 +21,7 @@ _MOST = 1_000_000_000  # periods
 _MOST_SAMPLES = 1 << 20  # of a period
 
 
+@options_by_name
 def trace(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,

@@ -307,3 +307,40 @@ def test_plot_has_the_band_of_tolerances():
     bare = maps.gear.plot("x1_rms", band=False)
     assert bare.get_legend() is None
     assert not bare.collections
+
+
+def test_classes_have_their_names():
+    maps = gearsweep.run("coarse-map", set=MAP)
+    classes = maps.gear.classes("contact_class")
+    names = maps.contact_class.attrs["flag_meanings"].split()
+    numbers = maps.contact_class.values.astype(int)
+    assert classes.dims == maps.contact_class.dims
+    assert classes.values.tolist() == [[names[code] for code in row] for row in numbers]
+    assert (maps.gear.classes("status") == "ok").all()
+    assert "did you mean 'contact_class'" in refusal(lambda: maps.gear.classes("contact_clas"))
+    assert "no map of classes 'dmf_max'" in refusal(lambda: maps.gear.classes("dmf_max"))
+
+
+def test_points_without_a_class_have_no_name(bad):
+    classes = bad.gear.classes("contact_class")
+    assert ((classes == "") == bad.contact_class.isnull()).all()
+    assert (classes == "").any()
+
+
+def test_units_are_ones_that_pint_knows(gear):
+    pytest.importorskip("pint_xarray")
+    quantified = gear.gear.quantify()
+    si = gear.gear.si()
+    place = dict.fromkeys(gear.status.dims, 1)
+    for name, unit in {"dmf_max": "newton", "x1_rms": "micrometer"}.items():
+        value = quantified[name].isel(place).data.to(unit).magnitude
+        assert value == pytest.approx(float(si[name].isel(place)), rel=1e-12)
+    registry = quantified.dmf_max.data.units._REGISTRY
+    speed = registry.Quantity(1.0, "b_n varpi").to("mm/s").magnitude
+    trace = gear.gear.at(record=1, **{name: float(gear[name][0]) for name in gear.status.dims})
+    assert speed == pytest.approx(1e3 * trace.v1.attrs["scale_to_SI"], rel=1e-12)
+    without = gearsweep.run("coarse-map", set=MAP).gear.quantify()
+    assert str(without.x1_rms.data.units) == "b_n"
+    damping = gearsweep.Study.gear5("coarse").sweep(c1=[1.0, 2.0]).observe("x1_rms")
+    swept = damping.integrate(settle=20, record=8, stop="never").run().gear.quantify()
+    assert str(swept.c1.attrs.get("units", swept.c1.pint.units)) == "c_m", "and no centimetre"

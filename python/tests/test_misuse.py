@@ -72,6 +72,7 @@ GOOD: dict[str, Mapping[str, object]] = {
         "device": None,
     },
     "verify": {"device": None, "progress": None},
+    "gear_keys": {},
     "model": {"name": "gear5"},
     "models": {},
     "studies": {},

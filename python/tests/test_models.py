@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import tomllib
 
 import numpy
 import pytest
@@ -130,6 +131,7 @@ def test_tells_what_it_has():
     assert str(model) == model.text
     assert repr(model) == "<gearsweep.Model 'gap': states x, v; parameters omega, zeta, b, F>"
     assert "&lt;force&gt;" in model._repr_html_()
+    assert "<thead><tr><th>name</th>" in model._repr_html_()
     assert "b = 3" in Study.of(model, "wide").sweep(omega=[1.0]).run().attrs["settings"]
 
 
@@ -277,3 +279,30 @@ def test_an_error_shows_the_place_in_the_expression():
     said = refusal(lambda: Model(states, PARAMETERS, period=PERIOD))
     expression, caret = said.splitlines()[1:]
     assert expression[caret.index("^") :].startswith("zet*v")
+
+
+def test_presets_have_their_values():
+    presets = {preset.name: preset.values for preset in gearsweep.model("gear5").presets}
+    assert presets["consistent"] == {}
+    assert presets["coarse"] == {"e0": 0.6}
+    assert presets["paper"]["formulation"] == "printed"
+    assert presets["paper"]["policy"] == "fixed"
+    # What a study of the preset resolves to.
+    made = Study.gear5("paper").sweep(b=[1.0]).integrate(settle=2, record=1).run()
+    resolved = tomllib.loads(made.attrs["settings"])["parameters"]
+    numbers = {name: value for name, value in presets["paper"].items() if not isinstance(value, str)}
+    assert {name: resolved[name] for name in numbers} == numbers
+    own = Model(
+        {"x": "-k*x"}, {"k": 1.0, "m": 2.0}, presets={"half": {"k": "0.5*m", "m": 3}}, period=1
+    )
+    assert own.presets[-1].values == {"k": "0.5*m", "m": 3}
+
+
+def test_the_keys_of_a_drawing_are_those_that_a_study_takes():
+    keys = gearsweep.gear_keys()
+    assert keys["pinion_speed_rpm"].unit == "rpm"
+    assert keys["teeth"].default == "required"
+    drawing = Study.read("table1-gear").toml.split("[gear]")[1].split("[[")[0]
+    given = {line.split("=")[0].strip() for line in drawing.splitlines() if "=" in line}
+    assert given <= keys.keys()
+    assert len(given) > 5

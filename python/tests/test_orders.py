@@ -79,3 +79,10 @@ def test_mistakes_are_told(lines):
     assert "hann" in refusal(lambda: gearsweep.orders("coarse-map", window="kaiser"))
     assert "orders" in refusal(lambda: gearsweep.orders("coarse-map", orders=-1))
     assert "'frequency'" in refusal(lambda: lines.gear.plot("dmf_max"))
+
+
+@pytest.mark.parametrize("name", ["run", "submit", "trace", "orders", "floquet", "tolerance", "explore"])
+def test_an_option_without_a_name_is_asked_for_it(name):
+    said = refusal(lambda: getattr(gearsweep, name)("coarse-map", "x1"))
+    assert said.startswith(f"{name}: 'x1' has no name")
+    assert "device" in said

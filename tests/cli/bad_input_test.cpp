@@ -1,4 +1,5 @@
 // Bad input: a clear message that names the place, exit status 2, no file left behind.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const char* const kGood = R"([model]
@@ -253,6 +255,8 @@ TEST_F(BadCommandTest, WrongArgumentsAreRefused) {
   expect_refused("plot map.nc", {"'gearsweep plot' needs --output", ".png"});
   expect_refused("run coarse-map more", {"does not know what to do with 'more'"});
   expect_refused("run coarse-map --devcie 1", {"'--devcie'", "did you mean '--device'?"});
+  expect_refused("plot map.nc --cmap gray -o map.png", {"'--cmap'", "did you mean '--colormap'?"});
+  expect_refused("plot map.nc --xlim 0:1 -o map.png", {"'--xlim'", "did you mean '--xrange'?"});
   expect_refused("run coarse-map --restart=maybe", {"--restart takes no value"});
   expect_refused("run coarse-map --set", {"--set takes one value, PATH=VALUE"});
   expect_refused("reproduce -o paper --preset papr", {"did you mean 'paper'?"});
@@ -264,6 +268,42 @@ TEST_F(BadCommandTest, AnAxisByItsNameAloneIsNoKey) {
   expect_refused("run coarse-map -o map.nc --set omega.count=10",
                  {"--set omega.count=10", "did you mean 'axes.omega.count'?"});
   expect_refused("run coarse-map -o map.nc --set 'observe.quantities=[]'", {"no map", "x1_rms"});
+}
+
+TEST_F(BadCommandTest, AKeyOfAnotherTableIsFoundByPartOfItsName) {
+  expect_refused("run table1-gear -o map.nc --set speed_rpm=900",
+                 {"unknown key 'speed_rpm'", "did you mean 'gear.pinion_speed_rpm'?"});
+  expect_refused("run coarse-map -o map.nc --set axis=1", {"did you mean 'axes'?"});
+  expect_refused("run coarse-map -o map.nc --set 'observe.quantities=[\"lyapunov\"]'",
+                 {"'lyapunov_max'", "'lyapunov_spectrum'"});
+}
+
+TEST_F(BadCommandTest, NoCommandReplacesWhatItReads) {
+  ASSERT_EQ(gearsweep(folder_,
+                      "run coarse-map --quiet -o map.nc --set axes.omega.count=2 --set "
+                      "axes.e0.count=2 --set integrate.settle=2 --set integrate.record=2")
+                .status,
+            0);
+  const std::string map = read_all(folder_ / "map.nc");
+  for (const char* command :
+       {"trace map.nc --at omega=0.4,e0=0.05", "orders map.nc", "run map.nc"}) {
+    expect_refused(std::string(command) + " -o ./map.nc", {"map.nc", "would replace its own"});
+  }
+  EXPECT_EQ(read_all(folder_ / "map.nc"), map);
+}
+
+// The message names what was given, and what would be right.
+TEST_F(BadCommandTest, AFolderForTemporaryFilesMustBeOne) {
+  ASSERT_EQ(gearsweep(folder_,
+                      "run coarse-map --quiet -o map.nc --set axes.omega.count=2 --set "
+                      "axes.e0.count=2 --set integrate.settle=2 --set integrate.record=2")
+                .status,
+            0);
+  folder_.write("plain", "");
+  const Outcome outcome =
+      run_in(folder_, fmt::format("TMPDIR=plain '{}' plot map.nc -o map.png", GEARSWEEP_BINARY));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("TMPDIR=plain"), HasSubstr("TMPDIR=FOLDER")));
 }
 
 // No huge range, no -1 that becomes 18446744073709551615.

@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
                       WrongCurves{kOneAxis, "curves study.toml -o curves.nc",
                                   "compute the map first"},
                       WrongCurves{kTwoAxes, "curves map.nc -o curves.png", "must end in .nc"},
-                      WrongCurves{kTwoAxes, "curves map.nc -o map.nc", "is the map itself"},
+                      WrongCurves{kTwoAxes, "curves map.nc -o map.nc", "would replace its own"},
                       WrongCurves{kTwoAxes, "curves map.nc -o missing/curves.nc", "missing"},
                       WrongCurves{kTwoAxes, "curves map.nc -o curves.nc", "'period'"}),
     [](const auto& refusal) { return "number_" + std::to_string(refusal.index); });

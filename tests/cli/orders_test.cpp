@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "model/names.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
@@ -28,6 +30,39 @@ TEST(OrdersCommand, WritesATableWithARowForEachOrderAndSpeed) {
   EXPECT_THAT(table, StartsWith("omega [varpi],order,frequency [varpi],amplitude [b_n],"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 9);
   EXPECT_THAT(table, HasSubstr("\n0.8,0.5,0.4,"));
+}
+
+// Fixed columns, by the description of dataset 58 (Structural Dynamics Research Laboratory,
+// University of Cincinnati): records 1 to 5 are texts of 80 letters, 6 to 11 are what is said of
+// the numbers.
+TEST(OrdersCommand, WritesAUniversalFileWithADatasetForEachSpeed) {
+  const Folder folder;
+  folder.write("study.toml", kOrderStudy);
+  const std::string words = "orders study.toml -q x --record 4 --orders 2 --samples-per-period 16";
+  ASSERT_EQ(gearsweep(folder, words + " -o x.uff").status, 0);
+  ASSERT_EQ(gearsweep(folder, words + " -o x.csv").status, 0);
+  const std::vector<std::string> lines = split(read_all(folder / "x.uff"), '\n');
+  const std::vector<std::string> rows = split(read_all(folder / "x.csv"), '\n');
+  constexpr std::size_t kLines = 17;  // of 9 numbers, 4 in a line
+  ASSERT_EQ(lines.size(), 3 * kLines + 1);
+  for (std::size_t set = 0; set < 3; ++set) {
+    const auto line = [&](std::size_t i) { return lines[set * kLines + i]; };
+    EXPECT_EQ(line(0), "    -1");
+    EXPECT_EQ(line(1), "    58");
+    for (std::size_t i = 2; i < 7; ++i) EXPECT_EQ(line(i).size(), 80U);
+    EXPECT_EQ(line(7).substr(0, 5), "   12") << "a spectrum";
+    EXPECT_EQ(line(8).substr(0, 30), "         4         9         1") << "even, double precision";
+    EXPECT_EQ(std::stod(line(8).substr(43, 13)), 0.25) << "the step of the order";
+    EXPECT_NEAR(std::stod(line(8).substr(56, 13)), 0.6 + 0.2 * static_cast<double>(set), 1e-5);
+    EXPECT_EQ(line(9).substr(0, 10), "        20") << "over the order";
+    EXPECT_THAT(line(10), HasSubstr("x                    b_n"));
+    EXPECT_EQ(line(kLines - 1), "    -1");
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double amplitude = std::stod(line(13 + i / 4).substr(20 * (i % 4), 20));
+      const std::vector<std::string> cells = split(rows[1 + 9 * set + i], ',');
+      EXPECT_NEAR(amplitude, std::stod(cells[3]), 1e-11 * std::stod(cells[3])) << set << " " << i;
+    }
+  }
 }
 
 TEST(OrdersCommand, AndReportAreOfAForcing) {
@@ -60,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
     Cases, OrdersRefusal,
     ::testing::Values(
         OrdersMistake{"orders study.toml", "give -o OUT.nc, -o OUT.csv or --plot OUT.png"},
-        OrdersMistake{"orders study.toml -o o.txt", "must end in .nc or .csv"},
+        OrdersMistake{"orders study.toml -o o.txt", "must end in .nc, .csv or .uff"},
         OrdersMistake{"orders study.toml -o o.nc --over b", "it has omega and Fm"},
         OrdersMistake{"orders study.toml -o o.nc -q dmg", "did you mean 'dmf'?"},
         OrdersMistake{"orders study.toml -o o.nc --at omega=0.7", "the map goes over 'omega'"},

@@ -110,6 +110,29 @@ TEST(Manual, HelpOnACommandIsItsHelp) {
   EXPECT_EQ(gearsweep(folder, "help rnu").status, 2);
 }
 
+// Of whoever has no man: the same page without a sign of roff, as wide as a terminal.
+TEST(Manual, IsPlainTextWhereItIsAskedFor) {
+  const Folder folder;
+  const std::string page = gearsweep(folder, "manual study --text").out;
+  std::vector<std::string> keys;
+  for (const StudyTable& table : study_tables()) {
+    for (const StudyKey& key : table.keys) {
+      EXPECT_THAT(page, HasSubstr("\n    " + key.name + " (" + key.type + ")\n"));
+    }
+  }
+  EXPECT_THAT(page, HasSubstr("\n        [model]\n        name = \"gear5\"\n"))
+      << "an example keeps its lines";
+  for (const char* name : {"manual --text", "manual study --text"}) {
+    for (const std::string& line : found_in(gearsweep(folder, name).out, "([^\n]*)\n")) {
+      EXPECT_THAT(line, Not(HasSubstr("\\f")));
+      EXPECT_FALSE(line.starts_with('.')) << line;
+      // Examples, which stand deeper, and options with their choices are as long as they are.
+      const bool is_kept = line.starts_with("        ") || line.starts_with("    -");
+      EXPECT_TRUE(line.size() <= 80 || is_kept) << line;
+    }
+  }
+}
+
 // A line that begins with a dot is a request to roff: all of them are ours, none is from a text.
 class ManualPage : public ::testing::TestWithParam<const char*> {};
 

@@ -32,8 +32,9 @@ must_name(${package} Depends ${libraries} libfftw3)
 must_name(${package} Recommends gnuplot-nox)
 
 must(log dpkg-deb -x ${package} ${WORK}/root)
-foreach(file share/man/man1/gearsweep.1 share/man/man5/gearsweep-study.5
-        share/bash-completion/completions/gearsweep share/fish/vendor_completions.d/gearsweep.fish share/doc/gearsweep/copyright
+foreach(file share/man/man1/gearsweep.1.gz share/man/man5/gearsweep-study.5.gz share/doc/gearsweep/changelog.gz
+        share/bash-completion/completions/gearsweep share/fish/vendor_completions.d/gearsweep.fish
+        share/doc/gearsweep/copyright
         share/doc/gearsweep/studies/coarse-map.toml share/doc/gearsweep/README.md
         share/doc/gearsweep/doc/studies.md share/doc/gearsweep/.readme/map.png)
   file(SIZE ${WORK}/root/usr/${file} size)
@@ -41,6 +42,25 @@ foreach(file share/man/man1/gearsweep.1 share/man/man5/gearsweep-study.5
     message(FATAL_ERROR "${file} is empty")
   endif()
 endforeach()
+# Links of the pages lead to files that are in the package, too.
+file(GLOB_RECURSE pages ${WORK}/root/usr/share/doc/gearsweep/*.md)
+foreach(page ${pages})
+  get_filename_component(folder ${page} DIRECTORY)
+  file(READ ${page} text)
+  # Brackets and semicolons would be signs of a list of CMake's.
+  string(REGEX REPLACE "[][;]" "|" text "${text}")
+  string(REGEX MATCHALL "\\|\\([^) \n]+\\)" links "${text}")
+  foreach(link ${links})
+    string(REGEX REPLACE "^\\|\\(([^)#]*).*" "\\1" target "${link}")
+    if(target AND NOT target MATCHES "^https?:" AND NOT EXISTS "${folder}/${target}")
+      message(FATAL_ERROR "${page} leads to ${target}, which the package does not hold")
+    endif()
+    math(EXPR followed "${followed} + 1")
+  endforeach()
+endforeach()
+if(NOT followed GREATER 200)
+  message(FATAL_ERROR "the pages have ${followed} links")
+endif()
 if(EXISTS ${WORK}/root/usr/include)
   message(FATAL_ERROR "the tool's package holds the library's headers")
 endif()
@@ -48,6 +68,17 @@ must(version ${WORK}/root/usr/bin/gearsweep --version)
 must(expected dpkg-deb -f ${package} Version)
 if(NOT version STREQUAL "gearsweep ${expected}")
   message(FATAL_ERROR "the package of ${expected} holds ${version}")
+endif()
+
+# Debian's own checker, where it is there: no error, and no warning of a place.
+find_program(LINTIAN lintian)
+if(LINTIAN)
+  file(GLOB packages ${WORK}/pack/*.deb)
+  execute_process(COMMAND ${LINTIAN} --allow-root --fail-on error,warning ${packages}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE text)
+  if(status)
+    message(FATAL_ERROR "lintian: ${text}")
+  endif()
 endif()
 
 if(NOT PYTHON)
@@ -58,7 +89,7 @@ must_name(${package} Depends ${libraries} "python3 (>= 3." "python3 (<< 3." pyth
           python3-xarray)
 must_name(${package} Recommends python3-matplotlib python3-tqdm)
 must(log dpkg-deb -x ${package} ${WORK}/python)
-file(GLOB site ${WORK}/python/usr/lib/python3.*/dist-packages)
+set(site ${WORK}/python/usr/lib/python3/dist-packages)
 must(version ${CMAKE_COMMAND} -E env PYTHONPATH=${site} PYTHONDONTWRITEBYTECODE=1
      ${PYTHON} -c "print(__import__('gearsweep').__version__)")
 if(NOT version STREQUAL expected OR NOT EXISTS ${site}/gearsweep/py.typed)

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "plot/plot.hpp"
@@ -198,6 +199,23 @@ TEST_F(PlotStyleTest, LatexIncludesAPictureBesideIt) {
   // A sweep asks before it begins.
   EXPECT_THAT(refusal([&] { ensure_plottable(in_folder("my map.tex")); }),
               HasSubstr("LaTeX includes it by its name"));
+}
+
+// A document that reads figures/kinds.tex finds figures/kinds.pdf, beside what \graphicspath says.
+TEST_F(PlotStyleTest, LatexFindsThePictureOfAFolderBelow) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::create_directory(in_folder("figures"));
+  const std::string path = write(example_result());
+  std::filesystem::current_path(in_folder(""));
+  PlotRequest request;
+  request.paths = {path};
+  request.quantity = "x1_rms";
+  request.output_path = "figures/kinds.tex";
+  plot_files(request);
+  std::filesystem::current_path(before);
+  const std::string text = content(in_folder("figures/kinds.tex"));
+  EXPECT_THAT(text, AllOf(HasSubstr("{kinds}"), HasSubstr("{\\Ginput@path{figures/}}")));
+  EXPECT_LT(text.find("\\begingroup"), text.find("Ginput@path")) << "for this picture alone";
 }
 
 TEST_F(PlotStyleTest, AFileHasTheSameKeys) {

@@ -37,6 +37,17 @@ TEST(Study, AWordOnTheCommandLineNeedsNoQuotesOfItsOwn) {
   }
 }
 
+TEST(Study, AWholeNumberMayBeWrittenWithAPowerOfTen) {
+  const std::string axis = "[[axes]]\nname = 'omega'\nfrom = 1\nto = 2\ncount = 5e0\n";
+  const Study study = read_study(axis + "[integrate]\nsettle = 1e3\n", "s.toml");
+  EXPECT_EQ(study.integrate.settle, 1000U);
+  EXPECT_EQ(study.axes[0].values.size(), 5U);
+  for (const char* wrong : {"1.5e0", "inf", "nan", "1e300", "true"}) {
+    const std::string text = axis + "[integrate]\nsettle = " + wrong + "\n";
+    EXPECT_THAT(refusal(text), HasSubstr("a whole number")) << wrong;
+  }
+}
+
 TEST(Study, GivenParametersOverrideThePreset) {
   const Study study = read_study(
       std::string("[model]\npreset = 'paper'\n[parameters]\nmu = 0.1\n") + kAxis, "s.toml");

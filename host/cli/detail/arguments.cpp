@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -28,6 +29,30 @@ std::string call_of(const CLI::App& command) {
   return parent == nullptr ? command.get_name() : call_of(*parent) + " " + command.get_name();
 }
 
+// What an option is called here whose name is known from other programs; empty for all others.
+std::string own_name(const std::string& option) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kNames = {{
+      {"--cmap", "--colormap"},
+      {"--palette", "--colormap"},
+      {"--colors", "--colormap"},
+      {"--xlim", "--xrange"},
+      {"--ylim", "--yrange"},
+      {"--clim", "--range"},
+      {"--vmin", "--range"},
+      {"--vmax", "--range"},
+      {"--figsize", "--size"},
+      {"--levels", "--contours"},
+      {"--out", "--output"},
+      {"--gpu", "--device"},
+      {"--variable", "--quantity"},
+      {"--param", "--set"},
+  }};
+  for (const auto& [known, own] : kNames) {
+    if (known == option) return std::string(own);
+  }
+  return "";
+}
+
 std::string describe_extra(const CLI::App& command) {
   const std::string extra = command.remaining().front();
   if (extra[0] != '-') {
@@ -39,6 +64,10 @@ std::string describe_extra(const CLI::App& command) {
     for (const std::string& name : option->get_snames()) known.push_back("-" + name);
   }
   const std::string name = extra.substr(0, extra.find('='));
+  const std::string own = own_name(name);
+  if (!own.empty() && std::ranges::find(known, own) != known.end()) {
+    return fmt::format("'{}' has no option '{}'; did you mean '{}'?", call_of(command), name, own);
+  }
   return fmt::format("'{}' has no option '{}'{}", call_of(command), name,
                      suggest_name(name, known));
 }
@@ -212,6 +241,13 @@ void require_result_path(const std::string& path) {
         "{}: exists and is no result file; it would be lost: give another output, -o OUT.nc",
         path));
   }
+}
+
+void refuse_own_output(const std::string& input, const std::string& output) {
+  std::error_code error;
+  if (!std::filesystem::equivalent(input, output, error)) return;
+  throw InputError(fmt::format(
+      "{}: the result would replace its own study; give another output: -o OUT.nc", input));
 }
 
 std::string shell_quoted(const std::string& text) {

@@ -65,6 +65,9 @@ void add_units_option(CLI::App* command, TableUnits* units);
 // name of a table or a picture.
 void require_result_path(const std::string& path);
 
+// Throws InputError where both are one file: what is computed would replace what it is computed of.
+void refuse_own_output(const std::string& input, const std::string& output);
+
 // As a shell takes it back.
 std::string shell_quoted(const std::string& text);
 

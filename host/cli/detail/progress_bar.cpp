@@ -1,8 +1,6 @@
 #include "cli/detail/progress_bar.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +21,6 @@ std::string describe(const std::optional<Pace>& pace) {
                      format_duration(pace->seconds_left));
 }
 
-int terminal_columns() {
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
-}
-
 }  // namespace
 
 std::string format_duration(double seconds) {
@@ -39,7 +31,7 @@ std::string format_duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
-ProgressBar::ProgressBar() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar() : on_terminal_(terminal_columns(StandardStream::error).has_value()) {}
 
 void ProgressBar::show(const SweepProgress& progress) {
   pace_ = meter_.at(progress);
@@ -62,7 +54,7 @@ void ProgressBar::close() {
 
 void ProgressBar::show_bar(const SweepProgress& progress) {
   // The text beside the bar takes up to 45 columns.
-  const int width = std::clamp(terminal_columns() - 46, 0, 30);
+  const int width = std::clamp(terminal_columns(StandardStream::error).value_or(80) - 46, 0, 30);
   const int full = static_cast<int>(progress.share * width);
   // The escape sequence clears what a longer line left behind.
   tell_text(fmt::format("\r[{:=>{}}{:>{}}] {:5.1f} %{}\033[K", "", full, "", width - full,

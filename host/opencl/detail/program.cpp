@@ -151,7 +151,8 @@ cl::Program build_program(const cl::Context& context, const cl::Device& device,
                           const std::string& source, const std::string& options) {
   cl::Program program(context, source);
   try {
-    program.build({device}, options.c_str());
+    // Without warnings, which are not for users: PoCL tells the terminal how many there were.
+    program.build({device}, (options + " -w").c_str());
   } catch (const cl::Error& error) {
     throw RunError(fmt::format("cannot build the kernels for '{}' ({})\noptions: {}\n{}",
                                device.getInfo<CL_DEVICE_NAME>(), describe_code(error.err()),

@@ -22,15 +22,18 @@ namespace gearsweep {
 
 namespace {
 
+bool is_of_disk(int reason) {
+  return reason == ENOSPC || reason == EDQUOT || reason == EFBIG || reason == EIO ||
+         reason == EROFS;
+}
+
 // "HDF error" alone does not say what to do, and a file that cannot be created is said to be one
 // without permission: the system's reason, where it is one of the disk's.
 std::string reason_of(int code) {
   const int reason = errno;
-  const bool is_of_disk =
-      reason == ENOSPC || reason == EDQUOT || reason == EFBIG || reason == EIO || reason == EROFS;
   const bool may_hide_it = code == NC_EHDFERR || code == EACCES;
-  return may_hide_it && is_of_disk ? std::generic_category().message(reason)
-                                   : fmt::format("{} ({})", nc_strerror(code), code);
+  return may_hide_it && is_of_disk(reason) ? std::generic_category().message(reason)
+                                           : fmt::format("{} ({})", nc_strerror(code), code);
 }
 
 // What the NetCDF library is given for the path of a file that is there. It takes a backslash for a
@@ -102,6 +105,13 @@ NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept
 
 void NetcdfFile::check(int code, std::string_view doing) const {
   if (code == NC_NOERR) return;
+  const int reason = errno;
+  if (bytes_ > 0.0 && !is_of_disk(reason)) {
+    throw InputError(
+        fmt::format("cannot {} in '{}': {}; the file is damaged, or of another program", doing,
+                    shown_name_, reason_of(code)));
+  }
+  errno = reason;
   throw RunError(fmt::format("cannot {} in '{}': {}", doing, shown_name_, reason_of(code)));
 }
 
@@ -284,6 +294,7 @@ std::vector<double> NetcdfFile::read(int variable, const std::vector<std::size_t
                                  variable_name(variable), shown_name_, count.size()));
   }
   refuse_too_large(variable);
+  errno = 0;
   std::vector<double> values(
       std::accumulate(count.begin(), count.end(), std::size_t{1}, std::multiplies<>()));
   check(nc_get_vara_double(id_, variable, start.data(), count.data(), values.data()),
@@ -305,6 +316,7 @@ std::vector<std::string> NetcdfFile::read_texts(int variable) const {
                     shown_name_, variable_name(variable), count, width, kMaxTexts, kLongestText));
   }
   refuse_too_large(variable);
+  errno = 0;
   std::string all(count * width, '\0');
   check(nc_get_var_text(id_, variable, all.data()), "read a list of texts");
   std::vector<std::string> texts;

@@ -15,7 +15,8 @@
 namespace gearsweep {
 
 // Ids of variables and dimensions are those of the NetCDF library. Unless said otherwise, functions
-// throw RunError: what was being done, the file, the library's reason.
+// throw what was being done, the file, the library's reason: InputError of a file that was opened
+// for reading, where the disk is not to blame; else RunError.
 class NetcdfFile {
  public:
   // Creates a NetCDF-4 file over whatever is at `path`. Messages call it `shown_name`.

@@ -48,8 +48,7 @@ void read_range(const toml::node& place, TableReader* reader, std::pair<double, 
   }
   const double from = reader->number("from", 0.0, range.first, range.second);
   const double to = reader->number("to", from, range.first, range.second);
-  // Exactly: the library's conversion of a float that no integer can be is undefined.
-  const std::optional<std::int64_t> count = count_node->value_exact<std::int64_t>();
+  const std::optional<std::int64_t> count = whole_value(*count_node);
   if (!count) {
     fail_at(*count_node, fmt::format("axis '{}': count must be a whole number", axis->name));
   }

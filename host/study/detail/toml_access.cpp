@@ -39,6 +39,15 @@ void fail_at(const toml::node& node, const std::string& message) {
   throw InputError(fmt::format("{}: {}", place_of(node), message));
 }
 
+std::optional<std::int64_t> whole_value(const toml::node& node) {
+  if (node.is_integer()) return node.as_integer()->get();
+  if (!node.is_floating_point()) return std::nullopt;
+  constexpr double kExact = 9007199254740992.0;  // 2^53: up to here each whole number has its own
+  const double value = node.as_floating_point()->get();
+  const bool is_whole = std::abs(value) <= kExact && value == std::floor(value);
+  return is_whole ? std::optional(static_cast<std::int64_t>(value)) : std::nullopt;
+}
+
 double read_number(const toml::node& node, const std::string& what, double min, double max) {
   if (!node.is_number()) {
     fail_at(node, fmt::format("{} must be a number, not {}", what, describe(node)));
@@ -120,7 +129,7 @@ std::size_t TableReader::count(const std::string& key, std::size_t fallback) {
   const StudyKey& range = declared(key);
   const toml::node* node = find(key);
   if (node == nullptr) return fallback;
-  if (!node->is_integer()) {
+  if (!whole_value(*node)) {
     fail_at(*node, fmt::format("{} must be a whole number, not {}", key, describe(*node)));
   }
   return static_cast<std::size_t>(read_number(*node, key, range.min, range.max));

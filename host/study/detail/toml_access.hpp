@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ std::string place_of(const toml::node& node);
 
 // Throws InputError "place: message".
 [[noreturn]] void fail_at(const toml::node& node, const std::string& message);
+
+// An integer, or a float that is one: TOML takes 1e3 for a float. nullopt of all else.
+std::optional<std::int64_t> whole_value(const toml::node& node);
 
 // A finite number (integer or float) within [min, max]; `what` names it in the message.
 double read_number(const toml::node& node, const std::string& what, double min, double max);

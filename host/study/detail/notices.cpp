@@ -1,4 +1,4 @@
-#include "study/notices.hpp"
+#include "study/detail/notices.hpp"
 
 #include <fmt/format.h>
 
