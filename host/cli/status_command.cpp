@@ -7,7 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
+#include "result/json_text.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/standard_streams.hpp"
 #include "journal/journal.hpp"

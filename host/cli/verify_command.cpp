@@ -8,7 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/detail/answer_check.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
+#include "result/json_text.hpp"
 #include "cli/detail/named_model.hpp"
 #include "cli/detail/signal_watch.hpp"
 #include "cli/detail/stop_on_signals.hpp"

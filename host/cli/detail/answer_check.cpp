@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/detail/json_text.hpp"
+#include "result/json_text.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "verify/answers.hpp"

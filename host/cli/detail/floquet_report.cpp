@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/detail/digits.hpp"
-#include "cli/detail/json_text.hpp"
+#include "result/json_text.hpp"
 #include "orbits/returns.hpp"
 
 namespace gearsweep {

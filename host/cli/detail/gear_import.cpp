@@ -11,7 +11,7 @@
 #include <string>
 
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
+#include "result/json_text.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "result/output_file.hpp"
