@@ -116,6 +116,31 @@ void refuse_unknown_section(const Model& model, const std::string& name) {
                                                model.name, suggest_name(name, known)));
 }
 
+// One order of a channel: "dte_order_2_amplitude", "dte_order_0_5_phase".
+struct OneOrder {
+  std::string quantity;  // of all orders: "dte_order_amplitude"
+  std::size_t place;     // among the study's orders
+};
+
+// The text of an order in the name of a quantity: "0_5" of 0.5.
+std::string order_word(double order) {
+  std::string word = fmt::format("{}", order);
+  std::ranges::replace(word, '.', '_');
+  return word;
+}
+
+std::optional<OneOrder> find_order(const std::string& name, const std::vector<double>& orders) {
+  for (const char* what : {"amplitude", "phase"}) {
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      const std::string ending = fmt::format("_order_{}_{}", order_word(orders[i]), what);
+      if (!name.ends_with(ending)) continue;
+      return OneOrder{fmt::format("{}_order_{}", name.substr(0, name.size() - ending.size()), what),
+                      i};
+    }
+  }
+  return std::nullopt;
+}
+
 [[noreturn]] void refuse_unknown_quantity(const Model& model, const std::string& name,
                                           const std::vector<Offer>& offers,
                                           const std::vector<Quantity>& known) {
@@ -215,16 +240,19 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
   selection.section = section;
   if (!section.empty()) refuse_unknown_section(model, section);
   std::set<std::string> listed;
-  for (const std::string& name : names) {
+  for (const std::string& asked : names) {
+    const bool is_known = std::ranges::find(known, asked, &Quantity::name) != known.end();
+    const std::optional<OneOrder> order = is_known ? std::nullopt : find_order(asked, orders);
+    const std::string& name = order ? order->quantity : asked;
     const auto found = std::find_if(known.begin(), known.end(), [&](const Quantity& candidate) {
       return candidate.name == name;
     });
     if (found == known.end()) {
-      refuse_unknown_quantity(model, name, offers, known);
+      refuse_unknown_quantity(model, asked, offers, known);
     }
     if (name == "status") continue;  // always there
-    if (!listed.insert(name).second) {
-      throw InputError(fmt::format("quantity '{}' is listed twice", name));
+    if (!listed.insert(asked).second) {
+      throw InputError(fmt::format("quantity '{}' is listed twice", asked));
     }
     const auto same = std::find_if(
         found + 1, known.end(), [&](const Quantity& candidate) { return candidate.name == name; });
@@ -261,6 +289,13 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
     quantity.output = add_output(offer, sizes, &selection);
     quantity.width = offer.quantity.width;
     if (quantity.dimension == kOrders) selection.orders = orders;
+    if (order) {
+      quantity.name = asked;
+      quantity.meaning = fmt::format("order {}: {}", orders[order->place], quantity.meaning);
+      quantity.output += order->place;
+      quantity.width = 1;
+      quantity.dimension.clear();
+    }
     if (offer.source.observable->role == ObservableRole::samples) {
       selection.poincare = sampled;
       continue;

@@ -247,9 +247,9 @@ double Scatter::scale_of(const std::string& quantity) const {
 }
 
 std::optional<Scatter> find_scatter(const Study& study, const ToleranceOptions& options) {
-  find_speed_axis(study);
   Scatter scatter;
   static_cast<AsBuilt&>(scatter) = as_built(study, options);
+  find_speed_axis(study);
   overrides_of_draw(scatter.study, 0);  // throws, before it takes time, where there are none
   ScatterRuns runs(options, &scatter);
   if (!runs.run_gears()) return std::nullopt;
