@@ -14,12 +14,12 @@
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/bench_report.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/signal_watch.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/names.hpp"
 #include "opencl/device.hpp"
+#include "result/json_text.hpp"
 #include "result/output_file.hpp"
 
 namespace gearsweep {

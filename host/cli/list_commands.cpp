@@ -6,11 +6,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "opencl/device.hpp"
+#include "result/json_text.hpp"
 
 namespace gearsweep {
 namespace {

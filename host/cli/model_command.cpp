@@ -10,11 +10,11 @@
 #include "cli/commands.hpp"
 #include "cli/detail/answer_list.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/named_model.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
+#include "result/json_text.hpp"
 #include "study/builtin_models.hpp"
 #include "study/toml_text.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/standard_streams.hpp"
 #include "journal/journal.hpp"
@@ -15,6 +14,7 @@
 #include "model/error.hpp"
 #include "model/regular_file.hpp"
 #include "result/broken_file.hpp"
+#include "result/json_text.hpp"
 #include "result/result_file.hpp"
 
 namespace gearsweep {

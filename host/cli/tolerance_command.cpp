@@ -9,6 +9,7 @@
 #include "cli/detail/several_runs.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
+#include "model/error.hpp"
 #include "report/tolerance_report.hpp"
 
 namespace gearsweep {
@@ -28,7 +29,8 @@ std::string tolerance_command_line(const ToleranceArguments& arguments) {
                       options.tolerance_class, options.percentile);
   if (options.width) line += fmt::format(" --width {}", *options.width);
   for (const std::string& text : arguments.overrides) line += " --set " + shell_quoted(text);
-  return line + " -o " + shell_quoted(arguments.output);
+  if (!arguments.output.empty()) line += " -o " + shell_quoted(arguments.output);
+  return line;
 }
 
 // Files whose names begin so.
@@ -42,12 +44,17 @@ void remove_all_from(const std::string& path) {
 
 int run_tolerance(ToleranceArguments* arguments, SignalWatch* signals) {
   ToleranceOptions& options = arguments->options;
+  if (arguments->output.empty() && options.json_path.empty()) {
+    throw InputError("nothing would be written: give -o PAGE.html, --json FINDINGS.json or both");
+  }
+  const std::string& main_output =
+      arguments->output.empty() ? options.json_path : arguments->output;
   const Study study = load_study(arguments->study, arguments->overrides);
   options.devices = chosen_devices(arguments->device);
   options.command_line = tolerance_command_line(*arguments);
-  options.journal_path = arguments->output + ".journal";
+  options.journal_path = main_output + ".journal";
   if (arguments->restart) remove_all_from(options.journal_path);
-  return tell_several_runs(&options, arguments->output, arguments->quiet, signals, [&] {
+  return tell_several_runs(&options, main_output, arguments->quiet, signals, [&] {
     return write_tolerance_report(study, arguments->output, options);
   });
 }
@@ -62,8 +69,11 @@ void add_tolerance_command(CLI::App* app, SignalWatch* signals, int* status) {
   ToleranceOptions& options = arguments->options;
   add_study_argument(command, &arguments->study);
   command->add_option("-o,--output", arguments->output, "The page: .html or .pdf")
-      ->type_name(kFileValue)
-      ->required();
+      ->type_name(kFileValue);
+  command
+      ->add_option("--json", options.json_path,
+                   "Also the findings for programs, .json; without -o they alone")
+      ->type_name(kFileValue);
   command->add_option("--gears", options.gears, "How many gears are drawn")
       ->check(CLI::Range(20, 100000))
       ->capture_default_str();
@@ -98,7 +108,8 @@ void add_tolerance_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep gear new 19/61 --module 2.5 -o mine.toml\n"
       "  gearsweep tolerance mine.toml -o built.html\n"
       "  gearsweep tolerance mine.toml --class 5 --width 0.01 -o built.pdf\n"
-      "  gearsweep tolerance mine.toml --gears 40000 --worst worst -o built.html\n\n"
+      "  gearsweep tolerance mine.toml --gears 40000 --worst worst -o built.html\n"
+      "  gearsweep tolerance mine.toml --json built.json\n\n"
       "The study needs one axis, a speed. What scatters is in its [uncertain] table; a study with\n"
       "a [gear] table that has none gets usual tolerances: flanks by ISO 1328-1, estimates of the\n"
       "rest, all listed on the page. Each gear is followed on the motion of the nominal one. A\n"

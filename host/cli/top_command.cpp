@@ -7,11 +7,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "result/broken_file.hpp"
+#include "result/json_text.hpp"
 #include "result/peaks.hpp"
 #include "result/result_file.hpp"
 #include "result/study_source.hpp"

@@ -79,10 +79,14 @@ double add_mesh_damping(const GearDrawing& drawing, const GearBases& bases, Gear
                          "mesh_damping_ratio and mesh_damping_N_s_per_mm are two numbers for one "
                          "thing; give one of them");
     }
-    const double zeta = *ratio / dampers;
-    target->add("zeta", zeta, kDampingRatio,
-                fmt::format("ratio/{} = {:.6g}/{}: cm = {:.6g} N s/m{}", dampers, *ratio, dampers,
-                            zeta * critical, dampers == 1 ? "" : " in each pair of teeth"));
+    // The critical value is that of the mesh as it is; zeta counts in that of k0.
+    const double stiffer = std::sqrt(bases.stiffness_factor);
+    const double zeta = stiffer * *ratio / dampers;
+    target->add(
+        "zeta", zeta, kDampingRatio,
+        fmt::format("ratio/{} = {:.6g}/{}{}: cm = {:.6g} N s/m{}", dampers, *ratio, dampers,
+                    stiffer == 1.0 ? "" : fmt::format(" {:.6g}, for stiffness_factor", stiffer),
+                    zeta * critical, dampers == 1 ? "" : " in each pair of teeth"));
     return zeta * critical;
   }
   const double cm = drawing.required(kMeshDamping) * 1e3;
@@ -119,6 +123,12 @@ void add_bases(const GearBases& bases, GearTarget* target) {
   target->add("varpi", bases.varpi, kInertia, "sqrt(k0/me)");
 }
 
+void add_stiffness_factor(const GearDrawing& drawing, const GearBases& bases, GearTarget* target) {
+  if (!drawing.has(kStiffnessFactor)) return;
+  target->add("stiffness_factor", bases.stiffness_factor, kStiffnessFactor,
+              fmt::format("mean mesh stiffness {:.6g} N/m", bases.stiffness_factor * bases.k0));
+}
+
 void add_lengths(const GearGeometry& geometry, const GearBases& bases, GearTarget* target) {
   const double centre = geometry.centre * 1e-3;
   target->add("b", bases.half_backlash / bases.b_n, kHalfBacklash,
@@ -152,6 +162,7 @@ GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
   const GearBases bases = bases_of(drawing, geometry, bodies, path.contact_ratio(),
                                    stiffness ? stiffness->mean : 0.0, &target);
   add_bases(bases, &target);
+  add_stiffness_factor(drawing, bases, &target);
   add_masses(bodies, bases, &target);
   add_springs_and_dampers(drawing, bases, &target);
   add_lengths(geometry, bases, &target);

@@ -31,11 +31,25 @@ void GearDrawing::set_numbers(const GearKey& key, std::vector<double> values) {
   entries_[key.name].numbers = std::move(values);
 }
 
-void GearDrawing::vary(const GearKey& key, double value) {
-  const std::vector<double> before = numbers(key);
-  set_number(key, value);
+void GearDrawing::vary(const GearKey& key, double value, std::optional<std::size_t> member) {
+  const bool varied = varies(key);
+  std::vector<double> before = numbers(key);
+  if (member) {
+    check_range(key, value);
+    if (before.empty() && key.fallback != "0") {
+      throw DrawingError(key, fmt::format("one of {} varies, which {} does not have: give both",
+                                          key.name, name_));
+    }
+    before.resize(key.count());
+    std::vector<double> both = before;
+    both[*member] = value;
+    entries_[key.name].numbers = std::move(both);
+  } else {
+    set_number(key, value);
+  }
   Entry& entry = entries_[key.name];
   if (!entry.unvaried) entry.unvaried = before.empty() ? value : before.front();
+  entry.member = !varied || entry.member == member ? member : std::nullopt;
   if (key.form == KeyForm::harmonics && before.size() > 1) {
     entry.numbers.insert(entry.numbers.end(), before.begin() + 1, before.end());
   }
@@ -44,6 +58,10 @@ void GearDrawing::vary(const GearKey& key, double value) {
 bool GearDrawing::varies(const GearKey& key) const {
   const Entry* entry = find(key);
   return entry != nullptr && entry->unvaried;
+}
+
+bool GearDrawing::varies(const GearKey& key, std::size_t member) const {
+  return varies(key) && find(key)->member.value_or(member) == member;
 }
 
 double GearDrawing::unvaried(const GearKey& key) const {

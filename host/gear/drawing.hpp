@@ -52,8 +52,9 @@ class GearDrawing {
     entries_[key.name].measured = std::move(measured);
   }
   // In place of what the key has, a number that differs from point to point: the one of this point.
-  // A key of harmonics stands for the first.
-  void vary(const GearKey& key, double value);
+  // A key of harmonics stands for the first. member: of a pair, the one that varies, 0 the pinion;
+  // the other one stays, and is 0 where the drawing has none.
+  void vary(const GearKey& key, double value, std::optional<std::size_t> member = std::nullopt);
 
   // What the key has is a guess.
   void set_estimated(const GearKey& key) { estimated_.insert(key.name); }
@@ -62,6 +63,8 @@ class GearDrawing {
   bool is_estimated(const GearKey& key) const { return estimated_.contains(key.name); }
   bool has(const GearKey& key) const { return entries_.contains(key.name); }
   bool varies(const GearKey& key) const;
+  // Whether this one of a pair does, alone or with the other.
+  bool varies(const GearKey& key, std::size_t member) const;
   // What the key had before it varied; where it had nothing, the first number that it was given
   // then. Throws DrawingError where there is none.
   double unvaried(const GearKey& key) const;
@@ -84,7 +87,8 @@ class GearDrawing {
     std::vector<double> numbers;
     std::string word;
     Measured measured;
-    std::optional<double> unvaried;  // of a number that varies
+    std::optional<double> unvaried;     // of a number that varies
+    std::optional<std::size_t> member;  // of a pair, the only one that does
   };
   const Entry* find(const GearKey& key) const;
 

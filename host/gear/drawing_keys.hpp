@@ -121,6 +121,11 @@ inline constexpr GearKey kHalfBacklash = number_key(
 inline constexpr GearKey kMeshStiffness =
     number_key("mesh_stiffness_N_per_m", 1e-3, 1e15, "mean mesh stiffness", KeyForm::number,
                "by ISO 6336-1 method B from face_width_mm");
+inline constexpr GearKey kStiffnessFactor = number_key(
+    "stiffness_factor", 1e-3, 1e3,
+    "what the mesh stiffness is multiplied by, as where misaligned teeth bear on a part of their "
+    "width; the units of the result stay those without it",
+    KeyForm::number, "1", {"stiffness_factor"});
 inline constexpr GearKey kFaceWidth =
     number_key("face_width_mm", 1e-3, 1e5, "face width", KeyForm::number,
                "needed without mesh_stiffness_N_per_m", {},
@@ -231,6 +236,7 @@ inline constexpr GearKey kGearKeys[] = {kTeeth,
                                         kDampingRatio,
                                         kHalfBacklash,
                                         kMeshStiffness,
+                                        kStiffnessFactor,
                                         kFaceWidth,
                                         kDedendum,
                                         kTorque,

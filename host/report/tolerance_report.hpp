@@ -16,14 +16,20 @@ struct ToleranceOptions : ReportOptions, AsBuiltOptions {
   std::optional<double> width;
   std::string worst_folder;  // where the ten worst gears go as studies; empty: nowhere
   std::string bands_path;    // where the maps go, .nc; empty: nowhere
+  std::string json_path;     // where the findings go; empty: nowhere
   // Where the runs over all speeds keep their journals, each with "-" and its number of gears
   // behind it; empty: nowhere.
   std::string journal_path;
 };
 
-// Runs what the report takes and writes it as write_report() does. Throws as that, and InputError
-// for a study with a second axis, or without [gear] and [uncertain].
+// Runs what the report takes and writes it as write_report() does; with an empty path the files of
+// the options alone. Throws as that, and InputError for a study with a second axis, or without
+// [gear] and [uncertain].
 bool write_tolerance_report(const Study& study, const std::string& path,
                             const ToleranceOptions& options);
+
+// What the page says, for programs: the text of a JSON object (doc/tolerances.md). Nothing when
+// stopped. Throws as above; of the options' files it writes the journals alone.
+std::optional<std::string> tolerance_findings(const Study& study, const ToleranceOptions& options);
 
 }  // namespace gearsweep

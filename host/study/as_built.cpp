@@ -11,6 +11,7 @@ namespace gearsweep {
 namespace {
 
 constexpr const char* kContactClass = "contact_class";
+constexpr int kHeardOrders = 3;  // of the transmission error
 
 // The force first, what gears are judged by, and what an engineer looks at beside it.
 std::vector<std::string> looked_at(const Model& model, AsBuilt* built) {
@@ -21,6 +22,13 @@ std::vector<std::string> looked_at(const Model& model, AsBuilt* built) {
   std::vector<std::string> wanted;
   const auto add = [&](const std::string& name) {
     if (is_offered(name)) wanted.push_back(name);
+  };
+  // Those of the mesh frequency that are heard.
+  const auto add_orders = [&](const std::string& channel, int last) {
+    if (!is_offered(channel + "_order_amplitude")) return;
+    for (int order = 1; order <= last; ++order) {
+      wanted.push_back(fmt::format("{}_order_{}_amplitude", channel, order));
+    }
   };
   for (const ChannelInfo& signal : model.signals_of(Role::mesh_force)) add(signal.name + "_max");
   if (wanted.empty()) wanted.push_back(model.states.front().name + "_max");
@@ -33,8 +41,12 @@ std::vector<std::string> looked_at(const Model& model, AsBuilt* built) {
   }
   for (const ChannelInfo& signal : model.signals_of(Role::transmission_error)) {
     add(signal.name + "_peak_to_peak");
+    add_orders(signal.name, kHeardOrders);
   }
-  for (const ChannelInfo& signal : model.signals_of(Role::bearing_force)) add(signal.name + "_max");
+  for (const ChannelInfo& signal : model.signals_of(Role::bearing_force)) {
+    add(signal.name + "_max");
+    add_orders(signal.name, 1);
+  }
   add(kContactClass);
   return wanted;
 }
@@ -44,6 +56,7 @@ std::vector<std::string> as_built_overrides(const Study& study, const AsBuiltOpt
   std::vector<std::string> overrides = {
       fmt::format("observe.quantities=[\"{}\"]",
                   fmt::join(looked_at(*study.model, built), "\", \"")),
+      "observe.orders=[1, 2, 3]",
       fmt::format("uncertain.samples={}", options.gears),
       "uncertain.start=\"nominal\"",
       "uncertain.keep=true",
@@ -59,6 +72,14 @@ std::vector<std::string> as_built_overrides(const Study& study, const AsBuiltOpt
 }  // namespace
 
 AsBuilt as_built(const Study& study, const AsBuiltOptions& options) {
+  const auto is_point_list = [](const Axis& axis) { return axis.name == kPointAxis; };
+  if (std::ranges::any_of(study.axes, is_point_list)) {
+    throw InputError(
+        "gears as built are looked at over a speed alone, and the study has a list of points: "
+        "leave "
+        "out [points], give one of its loads, as in --set gear.torque_N_m=60, and [[axes]] with "
+        "name = \"pinion_speed_rpm\"");
+  }
   if (study.axes.size() != 1) {
     throw InputError(
         "gears as built are looked at over a speed alone, and the study has two axes: take one "

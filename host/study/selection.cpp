@@ -116,6 +116,31 @@ void refuse_unknown_section(const Model& model, const std::string& name) {
                                                model.name, suggest_name(name, known)));
 }
 
+// One order of a channel: "dte_order_2_amplitude", "dte_order_0_5_phase".
+struct OneOrder {
+  std::string quantity;  // of all orders: "dte_order_amplitude"
+  std::size_t place;     // among the study's orders
+};
+
+// The text of an order in the name of a quantity: "0_5" of 0.5.
+std::string order_word(double order) {
+  std::string word = fmt::format("{}", order);
+  std::ranges::replace(word, '.', '_');
+  return word;
+}
+
+std::optional<OneOrder> find_order(const std::string& name, const std::vector<double>& orders) {
+  for (const char* what : {"amplitude", "phase"}) {
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      const std::string ending = fmt::format("_order_{}_{}", order_word(orders[i]), what);
+      if (!name.ends_with(ending)) continue;
+      return OneOrder{fmt::format("{}_order_{}", name.substr(0, name.size() - ending.size()), what),
+                      i};
+    }
+  }
+  return std::nullopt;
+}
+
 [[noreturn]] void refuse_unknown_quantity(const Model& model, const std::string& name,
                                           const std::vector<Offer>& offers,
                                           const std::vector<Quantity>& known) {
@@ -135,13 +160,14 @@ void refuse_unknown_section(const Model& model, const std::string& name) {
                                suggest_name(name, known_names)));
 }
 
-// The quantity of a name; refuses a name that is unknown or stands for two.
-const Quantity& find_quantity(const Model& model, const std::string& name,
+// The quantity of a name, of which `asked` speaks; refuses a name that is unknown or stands for
+// two.
+const Quantity& find_quantity(const Model& model, const std::string& name, const std::string& asked,
                               const std::vector<Offer>& offers,
                               const std::vector<Quantity>& known) {
   const auto is_named = [&](const Quantity& candidate) { return candidate.name == name; };
   const auto found = std::find_if(known.begin(), known.end(), is_named);
-  if (found == known.end()) refuse_unknown_quantity(model, name, offers, known);
+  if (found == known.end()) refuse_unknown_quantity(model, asked, offers, known);
   const auto same = std::find_if(found + 1, known.end(), is_named);
   if (same == known.end()) return *found;
   throw InputError(fmt::format(
@@ -168,6 +194,20 @@ class Selector {
       return candidate.quantity.name == quantity.name;
     });
     quantity.output = add_role(offers_, OutputRole::peak, factor->force, sizes_, &selection_);
+    selection_.quantities.push_back(std::move(quantity));
+  }
+
+  // One of the numbers of a quantity that has one for each order.
+  void add_one_order(Quantity quantity, const OneOrder& order, const std::string& asked,
+                     const std::vector<double>& orders) {
+    const Offer& offer = offer_of(quantity.name);
+    quantity.output = add_output(offer, sizes_, &selection_) + order.place;
+    quantity.role = offer.role();
+    quantity.name = asked;
+    quantity.meaning = fmt::format("order {}: {}", orders[order.place], quantity.meaning);
+    quantity.width = 1;
+    quantity.dimension.clear();
+    selection_.orders = orders;
     selection_.quantities.push_back(std::move(quantity));
   }
 
@@ -296,13 +336,18 @@ Selection select_quantities(const Model& model, const std::vector<std::string>& 
   if (!section.empty()) refuse_unknown_section(model, section);
   Selector selector(model, sizes, offers, &selection);
   std::set<std::string> listed;
-  for (const std::string& name : names) {
-    if (name == "status") continue;  // always there
-    if (!listed.insert(name).second) {
-      throw InputError(fmt::format("quantity '{}' is listed twice", name));
+  for (const std::string& asked : names) {
+    const bool is_known = std::ranges::find(known, asked, &Quantity::name) != known.end();
+    const std::optional<OneOrder> order = is_known ? std::nullopt : find_order(asked, orders);
+    if (asked == "status") continue;  // always there
+    if (!listed.insert(asked).second) {
+      throw InputError(fmt::format("quantity '{}' is listed twice", asked));
     }
-    const Quantity& quantity = find_quantity(model, name, offers, known);
-    if (quantity.of_census) {
+    const Quantity& quantity =
+        find_quantity(model, order ? order->quantity : asked, asked, offers, known);
+    if (order) {
+      selector.add_one_order(quantity, *order, asked, orders);
+    } else if (quantity.of_census) {
       selector.add_of_census(quantity);
     } else if (quantity.divided_by) {
       selector.add_load_factor(quantity);

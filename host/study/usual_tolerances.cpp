@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
 #include "gear/tolerance_class.hpp"
 #include "model/error.hpp"
+#include "study/detail/drawing_axis.hpp"
 #include "study/detail/gear_reader.hpp"
 
 namespace gearsweep {
@@ -31,6 +33,16 @@ std::optional<double> one_number(const Study& study, const DrawingTable& from, c
   const toml::node* node = from.table->get(key.name);
   if (node == nullptr || !node->is_number() || is_on_axis(study, key.name)) return std::nullopt;
   return node->value<double>();
+}
+
+// What the drawing gives one of a pair, which no axis has; nothing where that is 0.
+std::optional<double> one_of_pair(const Study& study, const DrawingTable& from, const GearKey& key,
+                                  std::size_t member) {
+  const toml::node* node = from.table->get(key.name);
+  if (node != nullptr && node->is_array()) node = node->as_array()->get(member);
+  const bool is_swept = is_on_axis(study, key.name) || is_on_axis(study, member_name(key, member));
+  const double value = node == nullptr || is_swept ? 0.0 : node->value_or(0.0);
+  return value == 0.0 ? std::nullopt : std::optional(value);
 }
 
 // The standard deviation of the first harmonic of the transmission error, um. A deviation h of the
@@ -78,6 +90,22 @@ bool gives_in_proportion(const Axis& axis, std::size_t parameter) {
   return false;
 }
 
+// Both of a pair in a draw, as TOML has them: what the drawing gives where no draw does.
+std::string pair_of_draw(const Study& study, const SweptKey& key, std::size_t draw) {
+  const toml::node* node = key.from.table->get(key.key->name);
+  std::array<double, 2> both = {};
+  for (std::size_t i = 0; i < both.size() && node != nullptr; ++i) {
+    both[i] = (node->is_array() ? *node->as_array()->get(i) : *node).value_or(0.0);
+  }
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const std::string name = SweptKey{key.key, key.from, i}.name();
+    for (const UncertainParameter& parameter : study.uncertain.parameters) {
+      if (parameter.draws.name == name) both[i] = parameter.draws.values[draw];
+    }
+  }
+  return fmt::format("[{}, {}]", both[0], both[1]);
+}
+
 // The override that multiplies the values of the axis that gives a parameter.
 std::string scaled_axis(const Study& study, std::size_t parameter, double factor) {
   bool is_found = false;
@@ -96,6 +124,31 @@ std::string scaled_axis(const Study& study, std::size_t parameter, double factor
         study.model->parameters[parameter].name));
   }
   return fmt::format("axes=[{}]", fmt::join(axes, ", "));
+}
+
+// Of a gear that has runout in its drawing: as wide as the class allows, and at any place of the
+// turn. Half of the runout, from highest to lowest, is the eccentricity.
+void add_runout(const Study& study, const DrawingTable& from, const GearDrawing& drawing,
+                int tolerance_class, std::vector<UsualTolerance>* all) {
+  for (std::size_t i = 0; i < kRunout.count(); ++i) {
+    if (!one_of_pair(study, from, kRunout, i)) continue;
+    const double deviation = flanks_of(drawing, tolerance_class)[i].runout / (2.0 * kSigmas);
+    all->push_back(
+        {member_name(kRunout, i),
+         fmt::format(R"({{distribution = "normal", std = {:.4g}, folded = true}})", deviation),
+         fmt::format("runout by ISO 1328-1 class {}, half of which is the eccentricity",
+                     tolerance_class)});
+  }
+  // Where the numbers of teeth have no common factor, any two teeth meet, however they begin.
+  const std::vector<double>& teeth = drawing.list(kTeeth);
+  const bool have_own_pairs = std::gcd(std::lround(teeth[0]), std::lround(teeth[1])) > 1;
+  if (!have_own_pairs || !one_of_pair(study, from, kRunout, 0) ||
+      !one_of_pair(study, from, kRunout, 1) || is_on_axis(study, kRunoutPhase.name)) {
+    return;
+  }
+  all->push_back({member_name(kRunoutPhase, 0),
+                  R"({distribution = "uniform", from = 0.0, to = 360.0})",
+                  "the gears are mounted with any teeth in mesh"});
 }
 
 }  // namespace
@@ -129,6 +182,7 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
                     "the mesh",
                     tolerance_class));
   }
+  add_runout(study, from, drawing, tolerance_class, &all);
   if (study.model->find_parameter("mu") >= 0 && !is_on_axis(study, "mu")) {
     add("mu", R"({distribution = "triangular", from = 0.6, mode = 1.0, to = 1.4, relative = true})",
         "estimate: friction is known to 40 % at most");
@@ -141,6 +195,15 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
     add(kDampingRatio.name,
         R"({distribution = "triangular", from = 0.5, mode = 1.0, to = 1.5, relative = true})",
         "estimate: damping is known to 50 % at most");
+  }
+  if (study.model->find_parameter("stiffness_factor") >= 0 &&
+      (from.table->get(kStiffnessFactor.name) == nullptr
+           ? !is_on_axis(study, kStiffnessFactor.name)
+           : one_number(study, from, kStiffnessFactor).has_value())) {
+    add(kStiffnessFactor.name,
+        R"({distribution = "triangular", from = 0.8, mode = 1.0, to = 1.05, relative = true})",
+        "estimate: misaligned shafts leave 80 % of the face width bearing at least "
+        "(K_Hbeta of 2.5)");
   }
   if (one_number(study, from, kBearingStiffness)) {
     add(kBearingStiffness.name, R"({distribution = "normal", std = 0.1, relative = true})",
@@ -186,15 +249,11 @@ std::vector<std::string> overrides_of_draw(const Study& study, std::size_t draw)
     double value = draws.values[draw];
     if (draws.is_list) {  // a key of [gear], or of [gear.first]
       const toml::table root = toml::parse(study.toml);
-      for (const DrawingTable& from : drawing_tables(root, *study.model)) {
-        const std::string& name = draws.name;
-        if (!name.ends_with(from.suffix) || from.table == nullptr) continue;
-        const std::string key = name.substr(0, name.size() - from.suffix.size());
-        const std::string heading = from.heading.substr(1, from.heading.size() - 2);
-        if (from.table->contains(key)) {
-          overrides.push_back(fmt::format("{}.{}={}", heading, key, value));
-        }
-      }
+      const SweptKey key = find_swept_key(root, *study.model, draws.name).value();
+      const std::string heading = key.from.heading.substr(1, key.from.heading.size() - 2);
+      overrides.push_back(
+          fmt::format("{}.{}={}", heading, key.key->name,
+                      key.member ? pair_of_draw(study, key, draw) : fmt::format("{}", value)));
       continue;
     }
     if (parameter.is_factor) {

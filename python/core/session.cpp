@@ -117,6 +117,7 @@ void add_session(py::module_* module) {
   add_orders(&session);
   add_floquet(&session);
   add_verify(&session);
+  add_tolerance(&session);
   add_exploration(module, &session);
 }
 

@@ -35,6 +35,7 @@ void add_trace(SessionClass* session);
 void add_orders(SessionClass* session);
 void add_floquet(SessionClass* session);
 void add_verify(SessionClass* session);
+void add_tolerance(SessionClass* session);
 void add_exploration(pybind11::module_* module, SessionClass* session);
 
 }  // namespace gearsweep::python

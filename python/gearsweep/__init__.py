@@ -23,7 +23,7 @@ from gearsweep._run import Running, run, submit
 from gearsweep._session import Device, devices
 from gearsweep._study import Study
 from gearsweep._study_source import studies
-from gearsweep._tolerance import tolerance
+from gearsweep._tolerance import tolerance, tolerance_findings
 from gearsweep._trace import trace
 from gearsweep._verify import Check, Verification, verify
 
@@ -58,6 +58,7 @@ __all__ = [
     "studies",
     "submit",
     "tolerance",
+    "tolerance_findings",
     "trace",
     "triangular",
     "uniform",

@@ -102,6 +102,17 @@ class Session:
         device: str,
         tell: Callable[[tuple[str, str, str, float, int, int, str]], object] | None,
     ) -> tuple[str, list[tuple[str, str, str, float, int, int, str]]]: ...
+    def tolerance_findings(
+        self,
+        study: Study,
+        gears: int,
+        tolerance_class: int,
+        percentile: float,
+        width: float | None,
+        journal: str,
+        device: str,
+        call: str,
+    ) -> str: ...
     def devices(self) -> list[dict[str, Any]]: ...
 
 _Columns = list[tuple[str, numpy.ndarray[Any, Any]]]

@@ -71,6 +71,17 @@ GOOD: dict[str, Mapping[str, object]] = {
         "journal": None,
         "device": None,
     },
+    "tolerance_findings": {
+        "study": "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [1.0]\n"
+        "[uncertain]\nmu = {distribution = 'normal', std = 0.001}\n",
+        "gears": 20,
+        "tolerance_class": 7,
+        "percentile": 90.0,
+        "width": None,
+        "set": SMALL,
+        "journal": None,
+        "device": None,
+    },
     "verify": {"device": None, "progress": None},
     "gear_keys": {},
     "model": {"name": "gear5"},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -11,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 import pytest
-from conftest import LONG, MAP, command
+from conftest import LONG, MAP, command, options_of
 
 import gearsweep
 
@@ -209,3 +210,15 @@ def test_gears_as_built_have_bands_around_the_nominal_one(tmp_path):
     assert (maps.dmf_max_p50 < maps.dmf_max_p90).all()
     names = maps.uncertain_parameter.values.tolist()
     assert {"torque_N_m", "mu", "transmission_error_um"} <= set(names)
+
+
+def test_findings_of_gears_as_built_are_those_of_the_command(tmp_path):
+    command("gear", "new", "19/61", "--module", "2.5", "-o", str(tmp_path / "mine.toml"))
+    changes = {"axes.pinion_speed_rpm.count": 2, "model.backlash": "constant"}
+    found = gearsweep.tolerance_findings(tmp_path / "mine.toml", gears=24, set=changes)
+    written = tmp_path / "findings.json"
+    words = ("--gears", "24", *options_of(changes))
+    command("tolerance", str(tmp_path / "mine.toml"), *words, "--json", str(written), "--quiet")
+    expected = json.loads(written.read_text())
+    assert {**expected, "command": found["command"]} == found
+    assert found["speeds"][0]["error"] is None  # 24 gears do not know their percentile 99

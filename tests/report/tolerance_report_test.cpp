@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "model/error.hpp"
 #include "report/detail/scatter.hpp"
@@ -134,6 +136,58 @@ TEST(ToleranceReport, IsAPageWithGearsThatRun) {
               scatter.worst_gears.front().value, 2e-3);
 }
 
+// Numbers for programs are those of the draws, whose closed form is known, each with its unit.
+TEST(ToleranceReport, TellsProgramsWhatThePageSays) {
+  const Folder folder;
+  ToleranceOptions options;
+  options.gears = 100;
+  options.percentile = 90.0;
+  options.json_path = folder / "findings.json";
+  ASSERT_TRUE(write_tolerance_report(read_study(kLinear, "test.toml"), "", options));
+  const nlohmann::json found = nlohmann::json::parse(read_all(options.json_path));
+  const Scatter scatter = scatter_of(kLinear, options);
+  const std::vector<UncertainParameter>& parameters = scatter.study.uncertain.parameters;
+  ASSERT_EQ(found["speeds"].size(), 3U);
+  for (const nlohmann::json& one : found["speeds"]) {
+    std::vector<double> exact;
+    for (std::size_t draw = 0; draw < options.gears; ++draw) {
+      exact.push_back(amplitude(one["speed"], parameters[0].draws.values[draw],
+                                parameters[1].draws.values[draw]));
+    }
+    const Percentile expected = percentile_with_error(exact, 90.0);
+    EXPECT_NEAR(one["percentile"], expected.value, 1e-3);  // sampled at the steps
+    EXPECT_NEAR(one["error"], expected.error, 1e-3);
+    EXPECT_NEAR(one["nominal"], amplitude(one["speed"], 1.0, 0.1), 1e-3);
+  }
+  EXPECT_EQ(found["worst"], found["speeds"][2]);
+  EXPECT_EQ(found["bands"]["x_max"]["percentiles"][2]["values"][1],
+            found["speeds"][1]["percentile"]);
+  EXPECT_EQ(found["ranking"][0]["tolerance"], "F");
+  const nlohmann::json& worst = found["worst_gears"][0];
+  EXPECT_NEAR(
+      worst["value"],
+      amplitude(worst["speed"], worst["parameters"][0]["value"], worst["parameters"][1]["value"]),
+      1e-3);
+}
+
+TEST(ToleranceReport, TellsProgramsInTheUnitsOfThePage) {
+  ToleranceOptions options;
+  options.gears = 20;
+  const Study study = read_study(kGears, "gears.toml");
+  const nlohmann::json found = nlohmann::json::parse(tolerance_findings(study, options).value());
+  EXPECT_EQ(found["speed"]["unit"], "rpm");
+  EXPECT_EQ(found["speeds"][1]["speed"], 16000.0);
+  EXPECT_EQ(found["bands"]["dmf_max"]["unit"], "N");
+  EXPECT_EQ(found["bands"]["dte_peak_to_peak"]["unit"], "µm");
+  // Load factor and force are in proportion: the load of the nominal gear is T/Rp, 59 N m over the
+  // base radius of 19 teeth.
+  const double load = 59.0 / (0.5 * 19 * 2.5e-3 * std::cos(20.0 * std::numbers::pi / 180.0));
+  EXPECT_NEAR(found["bands"]["dmf_max"]["nominal"][0].get<double>() / load,
+              found["speeds"][0]["nominal"], 1e-9);
+  EXPECT_TRUE(found["speeds"][0]["error"].is_null());  // 20 gears do not know their percentile 99
+  EXPECT_EQ(found["assumed"].size(), found["ranking"].size());
+}
+
 // Gears that have no value are told, and a speed at which all diverge is not the worst.
 TEST(ToleranceReport, TellsOfGearsWithoutAValue) {
   ToleranceOptions options;
@@ -164,6 +218,10 @@ TEST(ToleranceReport, SaysWhatItNeeds) {
               ThrowsMessage<InputError>(HasSubstr("[uncertain] table")));
   EXPECT_THAT(write(kGears + "[[axes]]\nname = 'mu'\nfrom = 0.01\nto = 0.1\ncount = 3\n"),
               ThrowsMessage<InputError>(HasSubstr("two axes")));
+  const std::string points = "[points]\ntorque_N_m = [20, 61]\n";
+  const std::string drawing = kGears.substr(0, kGears.find("[[axes]]"));
+  EXPECT_THAT(write(drawing + points), ThrowsMessage<InputError>(HasSubstr("leave out [points]")));
+  EXPECT_THAT(write(kGears + points), ThrowsMessage<InputError>(HasSubstr("leave out [points]")));
 }
 
 }  // namespace

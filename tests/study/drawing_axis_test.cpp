@@ -52,6 +52,24 @@ TEST(DrawingAxis, PointsHaveWhatTheTableGivesForTheirValues) {
   }
 }
 
+// The other one of the pair stays.
+TEST(DrawingAxis, OneOfAPairVaries) {
+  for (const auto& [key, first, second] : {std::tuple("pinion_mass_kg", "[2.5, 3.2]", "[1.0, 3.2]"),
+                                           std::tuple("gear_mass_kg", "[0.9, 2.5]", "[0.9, 1.0]"),
+                                           std::tuple("gear_runout_um", "[0, 2.5]", "[0, 1.0]")}) {
+    const std::string name = std::string(key).substr(std::string(key).find('_') + 1);
+    const Study swept = read_study(kDrawing + axis_over(key, "1.0, 2.5"), "s.toml");
+    for (std::size_t point = 0; point < 2; ++point) {
+      const Study given =
+          read_study(kDrawing + kSpeeds, "g.toml",
+                     {fmt::format("gear.{}={}", name, point == 0 ? second : first)});
+      std::vector<double> parameters = swept.setting.parameters;
+      for (const Swept* one : swept.swept()) parameters[one->index] = one->values[point];
+      EXPECT_EQ(parameters, given.setting.parameters) << key;
+    }
+  }
+}
+
 TEST(DrawingAxis, MayGiveWhatTheTableLacks) {
   std::string drawing = kDrawing;
   drawing.erase(drawing.find("torque_N_m"), std::string("torque_N_m = 150\n").size());

@@ -157,6 +157,13 @@ TEST(Uncertain, KeysOfAGearAreDrawnInTheirUnits) {
   }
 }
 
+TEST(Uncertain, CurvesAreRefusedWithWhatCanBeDrawn) {
+  EXPECT_THAT(refusal("pinion_pitch_error_file = {distribution = 'normal', std = 1}\n"),
+              HasSubstr("pinion_runout_um"));
+  EXPECT_THAT(refusal("stiffness_file = {distribution = 'normal', std = 1}\n"),
+              HasSubstr("one for all draws"));
+}
+
 TEST(Uncertain, WhatIsWrongIsTold) {
   EXPECT_THAT(refusal("samples = 20\n"), HasSubstr("names no parameter"));
   EXPECT_THAT(refusal("mu = 3\n"), HasSubstr("mu must be a table"));

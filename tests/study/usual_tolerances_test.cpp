@@ -39,7 +39,7 @@ TEST(UsualTolerances, AreThoseOfTheClass) {
       usual_tolerances(study_of(kGear + kToleranceSpeeds), 7);
   EXPECT_THAT(names_of(tolerances),
               ElementsAre("torque_N_m", "transmission_error_um", "mu", "half_backlash_mm",
-                          "mesh_damping_ratio", "bearing_stiffness_N_per_mm"));
+                          "mesh_damping_ratio", "stiffness_factor", "bearing_stiffness_N_per_mm"));
   const double expected =
       std::sqrt(2.0 * (std::pow(10.0 / 3.0 / std::numbers::pi, 2) + std::pow(13.0 / 6.0, 2)));
   const std::string& error = tolerances[1].distribution;
@@ -109,6 +109,48 @@ TEST(UsualTolerances, TheStudyOfADrawHasItsNumbers) {
             << swept.name;
       }
     }
+  }
+}
+
+// Keys of one drawing that change the same parameters, as torque and stiffness the entry of a pair,
+// change them together; one of a pair changes alone.
+TEST(UsualTolerances, TheStudyOfADrawHasWhatFollowsFromAllItsKeys) {
+  const Study study =
+      study_of(kGear + "tooth_entry = 'gradual'\nrunout_um = [4, 3]\n" + kToleranceSpeeds +
+               "[uncertain]\nsamples = 5\nsobol = true\n"
+               "torque_N_m = {distribution = 'normal', std = 0.05, relative = true}\n"
+               "mesh_damping_ratio = {distribution = 'uniform', from = 0.04, to = 0.1}\n"
+               "stiffness_factor = {distribution = 'uniform', from = 0.7, to = 1.1}\n"
+               "gear_runout_um = {distribution = 'uniform', from = 1, to = 9}\n"
+               "pinion_runout_um = {distribution = 'uniform', from = 1, to = 9}\n");
+  const auto engagement = static_cast<std::size_t>(study.model->find_parameter("engagement"));
+  std::size_t given = 0;
+  for (std::size_t draw = 0; draw < study.uncertain.draws(); ++draw) {
+    const Study one = read_study(study.toml, "test.toml", overrides_of_draw(study, draw));
+    std::vector<double> parameters = study.setting.parameters;
+    for (const UncertainParameter& parameter : study.uncertain.parameters) {
+      for (const Swept& swept : parameter.draws.swept()) {
+        parameters[swept.index] = swept.values[draw];
+        given += swept.index == engagement ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(one.setting.parameters, parameters) << draw;
+  }
+  EXPECT_EQ(given, study.uncertain.draws());
+}
+
+// Half of the runout is the eccentricity. F_r of class 7 is 0.9 F_p: F_p of class 5 is 0.002 d +
+// 0.55 sqrt(d) + 0.7 m + 12 um, two classes are a factor of 2.
+TEST(UsualTolerances, HaveTheRunoutOfGearsThatHaveOne) {
+  const std::vector<UsualTolerance> tolerances =
+      usual_tolerances(study_of(kGear + "runout_um = [4, 0]\n" + kToleranceSpeeds), 7);
+  EXPECT_THAT(names_of(tolerances), ::testing::Contains("pinion_runout_um"));
+  EXPECT_THAT(names_of(tolerances), ::testing::Not(::testing::Contains("gear_runout_um")));
+  const double total = 2.0 * (0.002 * 47.5 + 0.55 * std::sqrt(47.5) + 0.7 * 2.5 + 12.0);
+  for (const UsualTolerance& one : tolerances) {
+    if (one.name != "pinion_runout_um") continue;
+    EXPECT_NEAR(std::stod(one.distribution.substr(one.distribution.find("std = ") + 6)),
+                0.9 * total / 6.0, 0.1);  // the standard rounds to 1 um
   }
 }
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
+#include "result/json_text.hpp"
 #include "verify/answers.hpp"
 
 namespace gearsweep {

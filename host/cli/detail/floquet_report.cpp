@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/detail/digits.hpp"
-#include "cli/detail/json_text.hpp"
 #include "orbits/returns.hpp"
+#include "result/json_text.hpp"
 
 namespace gearsweep {
 namespace {

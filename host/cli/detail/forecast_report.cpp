@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/detail/summary.hpp"
+#include "result/json_text.hpp"
 
 namespace gearsweep {
 namespace {

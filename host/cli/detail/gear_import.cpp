@@ -11,9 +11,9 @@
 #include <string>
 
 #include "cli/detail/arguments.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
+#include "result/json_text.hpp"
 #include "result/output_file.hpp"
 #include "rexs/stage_choice.hpp"
 #include "rexs/stage_drawing.hpp"

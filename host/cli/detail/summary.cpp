@@ -11,13 +11,13 @@
 #include "cli/commands.hpp"
 #include "cli/detail/attractor_report.hpp"
 #include "cli/detail/exponent_report.hpp"
-#include "cli/detail/json_text.hpp"
 #include "cli/detail/pilot_report.hpp"
 #include "cli/detail/progress_bar.hpp"
 #include "cli/detail/spectrum_report.hpp"
 #include "cli/detail/tolerance_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "plan/failed_start.hpp"
+#include "result/json_text.hpp"
 #include "sweep_types.h"
 
 namespace gearsweep {

@@ -21,6 +21,7 @@ GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry,
                   "Ig/Rg^2 = {:.6g} kg",
                   out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
   out.k0 = mean_mesh_stiffness(drawing, geometry, contact_ratio, measured_stiffness, target);
+  out.stiffness_factor = drawing.number(kStiffnessFactor).value_or(1.0);
   // Where the model counts the backlash in b_n, another backlash needs no other unit.
   out.half_backlash = drawing.required(kHalfBacklash) * 1e-3;
   out.b_n = target->has_parameter("b") ? drawing.unvaried(kHalfBacklash) * 1e-3 : out.half_backlash;

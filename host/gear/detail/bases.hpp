@@ -11,7 +11,8 @@ namespace gearsweep {
 struct GearBases {
   double pinion_mesh_mass, gear_mesh_mass;  // I/R^2, kg
   double me;                                // kg
-  double k0;                                // N/m
+  double k0;                                // N/m, the unit of stiffness
+  double stiffness_factor;                  // the mean mesh stiffness over k0
   double b_n;                               // m, the unit of length
   double half_backlash;                     // m
   double varpi;                             // rad/s

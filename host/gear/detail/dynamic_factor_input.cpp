@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "gear/detail/mesh_stiffness.hpp"
 
 namespace gearsweep {
@@ -23,13 +25,14 @@ std::optional<DynamicFactorInput> dynamic_factor_input(const GearDrawing& drawin
   }
   if (!pitch) return std::nullopt;
   const double width = drawing.required(kFaceWidth);
-  const double mesh = bases.k0 * 1e-6 / width;
+  const double mesh = bases.stiffness_factor * bases.k0 * 1e-6 / width;
   DynamicFactorInput out;
   out.single_stiffness = mesh / pairs_in_mean(path.contact_ratio());
   out.contact_ratio = path.contact_ratio() + geometry.overlap(width);
   out.pitch_deviation = *pitch;
   out.profile_deviation = *profile;
   out.tip_relief = relief;
+  out.resonance = std::sqrt(bases.stiffness_factor);
   // The torque's force at the reference circle is smaller than that along the line of action.
   const double to_reference = geometry.pinion_base / geometry.reference(geometry.pinion_teeth);
   out.line_load_per_load = bases.k0 * bases.b_n * to_reference / width;

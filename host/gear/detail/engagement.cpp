@@ -58,7 +58,7 @@ void add_engagement(const GearDrawing& drawing, const GearGeometry& geometry,
                        "gradual by itself");
   }
   const double force = mean_torque(drawing) / bases.pinion_base;
-  const double single = bases.k0 / pairs_in_mean(path.contact_ratio());
+  const double single = bases.stiffness_factor * bases.k0 / pairs_in_mean(path.contact_ratio());
   const double deflection = force / single * 1e3;
   const auto reach = [&](double share, double base) {
     return base * std::tan(geometry.alpha) + share * geometry.base_pitch;

@@ -104,7 +104,7 @@ bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double
     const bool is_damaged =
         add_damage_curve(drawing, geometry, i, damage[i], target) || damage[i] > 0.0;
     const bool has_torque = i == 0 && drawing.has(kTorqueFile);
-    const bool turns = has_torque || drawing.varies(kRunout) || drawing.varies(kDamage) ||
+    const bool turns = has_torque || drawing.varies(kRunout, i) || drawing.varies(kDamage, i) ||
                        runout[i] > 0.0 || is_damaged || pitch != nullptr;
     if (turns) cycle = std::lcm(cycle, static_cast<std::size_t>(teeth[i]));
     is_faulty = is_faulty || turns;

@@ -111,11 +111,28 @@ std::string markup_of_one(const std::string& name) {
   return "";
 }
 
+std::string name_markup(const std::string& name);
+
+// "amplitude of transmission error, order 2" of "dte_order_2_amplitude"; empty of other names.
+std::string markup_of_order(const std::string& name) {
+  constexpr std::string_view kOrder = "_order_";
+  const std::size_t order = name.rfind(kOrder);
+  const std::size_t end = name.rfind('_');
+  if (order == std::string::npos || end <= order + kOrder.size()) return "";
+  std::string number = name.substr(order + kOrder.size(), end - order - kOrder.size());
+  const std::string what = name.substr(end + 1);
+  if (number.find_first_not_of("0123456789_") != std::string::npos) return "";
+  if (what != "amplitude" && what != "phase") return "";
+  std::ranges::replace(number, '_', '.');
+  return fmt::format("{} of {}, order {}", what, name_markup(name.substr(0, order)), number);
+}
+
 // Without a unit.
 std::string name_markup(const std::string& name) {
   const auto known = known_names().find(name);
   if (known != known_names().end()) return known->second;
   if (const std::string own = markup_of_one(name); !own.empty()) return own;
+  if (const std::string order = markup_of_order(name); !order.empty()) return order;
   const std::string symbol = symbol_of(name);
   if (!symbol.empty()) return symbol;
   static const std::map<std::string, std::string> kAverages = {

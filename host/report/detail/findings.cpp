@@ -67,7 +67,7 @@ double enough_orders(const Study& study) {
   return std::clamp(std::ceil(kShown * std::max(first / last, last / first)), kFewest, kMost);
 }
 
-// K_v at each point. The mesh frequency in varpi = sqrt(k0/me) is the standard's resonance ratio.
+// K_v at each point. Over `resonance` the mesh frequency is the standard's resonance ratio.
 // What a drawing gives has a load.
 std::vector<double> dynamic_factors_of(const Study& study) {
   const Plan plan(study, study.points());
@@ -80,7 +80,7 @@ std::vector<double> dynamic_factors_of(const Study& study) {
         2.0 * std::numbers::pi * model.mesh_periods(setting) / model.period(setting);
     factors.push_back(dynamic_factor(
         *study.dynamic_factor, study.dynamic_factor->line_load_per_load * setting.parameters[load],
-        mesh_frequency));
+        mesh_frequency / study.dynamic_factor->resonance));
   }
   return factors;
 }
@@ -295,6 +295,13 @@ std::optional<ReportFindings> find_for_report(const Study& study, const ReportOp
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     if (i == findings.speed) continue;
     const Axis& other = findings.study.axes[i];
+    if (other.is_list && other.name == kPointAxis) {
+      throw InputError(
+          "a report goes over a speed, and beside it the study has a list of points: leave out "
+          "[points] and give one of its points, as in --set gear.torque_N_m=60; with speeds and a "
+          "column time_share in it, a list without [[axes]] is a load spectrum, which has a "
+          "report");
+    }
     const double value = own_value(findings.study, other).value_or(other.values.front());
     findings.at = {study.axes[i].name, value};
     zooms.push_back(fmt::format("{}={}:{}:1", study.axes[i].name, value, value));

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "model/error.hpp"
-#include "model/version.hpp"
 #include "report/detail/findings.hpp"
 #include "result/si_units.hpp"
 #include "sweep/draw_maps.hpp"
@@ -23,21 +22,9 @@ constexpr std::size_t kMostGears = 100'000;
 // Of these what a tolerance half as wide brings is known well enough: the draws are the same.
 constexpr std::size_t kMostTightened = 4000;
 
-// [speed][draw]
-std::vector<std::vector<double>> by_speed(const SweepResult& result, const std::string& quantity) {
-  const std::vector<double>& all = map_of(result, quantity + "_draws");
-  const std::size_t draws = result.study.uncertain.draws();
-  std::vector<std::vector<double>> rows;
-  for (std::size_t point = 0; point < result.study.points(); ++point) {
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(point * draws);
-    rows.emplace_back(first, first + static_cast<std::ptrdiff_t>(draws));
-  }
-  return rows;
-}
-
 void judge_speeds(const ToleranceOptions& options, Scatter* scatter) {
   scatter->percentiles.clear();
-  for (std::vector<double>& row : by_speed(scatter->result, scatter->target)) {
+  for (std::vector<double>& row : draws_of_points(scatter->result, scatter->target)) {
     scatter->percentiles.push_back(percentile_with_error(std::move(row), options.percentile));
   }
   const auto largest =
@@ -56,7 +43,7 @@ void judge_contact(Scatter* scatter) {
     return name == "single_sided" || name == "double_sided";
   };
   std::set<std::size_t> known, parting;  // draws
-  for (const std::vector<double>& row : by_speed(scatter->result, kContact)) {
+  for (const std::vector<double>& row : draws_of_points(scatter->result, kContact)) {
     double all = 0.0, lost = 0.0;
     for (std::size_t draw = 0; draw < row.size(); ++draw) {
       if (std::isnan(row[draw])) continue;
@@ -74,7 +61,7 @@ void judge_contact(Scatter* scatter) {
 
 void find_worst_gears(Scatter* scatter) {
   constexpr std::size_t kShown = 10;
-  const std::vector<std::vector<double>> rows = by_speed(scatter->result, scatter->target);
+  const std::vector<std::vector<double>> rows = draws_of_points(scatter->result, scatter->target);
   std::vector<WorstGear> gears;
   for (std::size_t draw = 0; draw < scatter->study.uncertain.draws(); ++draw) {
     WorstGear gear;
@@ -144,13 +131,6 @@ class ScatterRuns {
     return true;
   }
 
-  void keep() const {
-    write_result(out_.result, out_.file("bands.nc"), provenance());
-    if (!options_.bands_path.empty()) {
-      write_result(out_.result, options_.bands_path, provenance());
-    }
-  }
-
  private:
   std::optional<SweepResult> run(const Study& study, const SweepOptions& sweep,
                                  const std::string& what) const {
@@ -190,7 +170,8 @@ class ScatterRuns {
     const std::optional<SweepResult> result =
         run(changed(here, overrides), options_.sweep_options(), what);
     if (!result) return std::nullopt;
-    return percentile_with_error(by_speed(*result, out_.target).front(), options_.percentile).value;
+    return percentile_with_error(draws_of_points(*result, out_.target).front(), options_.percentile)
+        .value;
   }
 
   // The same draws, but for this parameter's, which lie half as far from its middle. now: the
@@ -206,13 +187,23 @@ class ScatterRuns {
     return true;
   }
 
-  Provenance provenance() const { return {options_.command_line, version(), source_hash()}; }
-
   const ToleranceOptions& options_;
   Scatter& out_;
 };
 
 }  // namespace
+
+std::vector<std::vector<double>> draws_of_points(const SweepResult& result,
+                                                 const std::string& quantity) {
+  const std::vector<double>& all = map_of(result, quantity + "_draws");
+  const std::size_t draws = result.study.uncertain.draws();
+  std::vector<std::vector<double>> rows;
+  for (std::size_t point = 0; point < result.study.points(); ++point) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(point * draws);
+    rows.emplace_back(first, first + static_cast<std::ptrdiff_t>(draws));
+  }
+  return rows;
+}
 
 Percentile percentile_with_error(std::vector<double> numbers, double percentile) {
   std::erase_if(numbers, [](double number) { return std::isnan(number); });
@@ -233,26 +224,35 @@ Percentile percentile_with_error(std::vector<double> numbers, double percentile)
 }
 
 ResultMap Scatter::map(const std::string& quantity) const {
-  ResultMap map = ResultFile(file("bands.nc")).read(quantity);
+  const std::vector<Quantity>& all = result.study.selection.quantities;
+  const auto found = std::ranges::find(all, quantity, &Quantity::name);
+  const Axis& speed = study.axes.front();
+  ResultMap map;
+  map.name = found->name;
+  map.unit = found->unit;
+  map.meaning = found->meaning;
+  map.flags = found->flags;
+  map.axes.push_back({speed.name, speed.unit, speed.meaning, speed.values, speed.logarithmic});
+  map.values = map_of(result, quantity);
   if (study.scales.known()) convert_to_si(study.scales, &map);
   return map;
 }
 
 double Scatter::scale_of(const std::string& quantity) const {
-  ResultMap one = ResultFile(file("bands.nc")).read(quantity);
-  one.values.assign(one.values.size(), 1.0);
-  if (study.scales.known()) convert_to_si(study.scales, &one);
-  return one.values.front();
+  if (!study.scales.known()) return 1.0;
+  const std::vector<Quantity>& all = result.study.selection.quantities;
+  const SiUnit si =
+      shown_unit(std::ranges::find(all, quantity, &Quantity::name)->unit, study.scales);
+  return si.scale > 0.0 ? si.scale : 1.0;
 }
 
 std::optional<Scatter> find_scatter(const Study& study, const ToleranceOptions& options) {
-  find_speed_axis(study);
   Scatter scatter;
   static_cast<AsBuilt&>(scatter) = as_built(study, options);
+  find_speed_axis(study);
   overrides_of_draw(scatter.study, 0);  // throws, before it takes time, where there are none
   ScatterRuns runs(options, &scatter);
   if (!runs.run_gears()) return std::nullopt;
-  runs.keep();
   judge_contact(&scatter);
   find_worst_gears(&scatter);
   if (!runs.rank()) return std::nullopt;

@@ -20,6 +20,10 @@ struct Percentile {
   double error = 0.0;  // half the width of its 95 % interval
 };
 
+// What each draw of each point has: [point][draw]; NaN: no value. The study keeps it.
+std::vector<std::vector<double>> draws_of_points(const SweepResult& result,
+                                                 const std::string& quantity);
+
 // numbers: NaN counts as none. The interval is that of the ranks that a binomial distribution gives
 // (normal approximation). Where it needs more numbers than there are, the error is infinite.
 Percentile percentile_with_error(std::vector<double> numbers, double percentile);
@@ -55,13 +59,13 @@ struct Scatter : AsBuilt {
 
   std::string file(const std::string& stored) const { return (folder->path() / stored).string(); }
   std::size_t gears() const { return study.uncertain.samples; }
-  // A map of bands.nc, in SI units where these are known.
+  // A map of `result` over the speed, in SI units where these are known.
   ResultMap map(const std::string& quantity) const;
   // What its numbers in `result` are multiplied by there.
   double scale_of(const std::string& quantity) const;
 };
 
-// Nothing when stopped.
+// Nothing when stopped. Reads and writes no file but the journals.
 std::optional<Scatter> find_scatter(const Study& study, const ToleranceOptions& options);
 
 }  // namespace gearsweep

@@ -210,6 +210,8 @@ void add_assumed(const Scatter& scatter, HtmlPage* page) {
 
 HtmlPage scatter_page(const Scatter& scatter, const ToleranceOptions& options) {
   const Study& study = scatter.study;
+  write_result(scatter.result, scatter.file("bands.nc"),
+               {options.command_line, version(), source_hash()});
   HtmlPage page((study.title.empty() ? study.model->name : study.title) + ": gears as built");
   const ResultMap target = scatter.map(scatter.target);
   std::vector<std::string> remarks;

@@ -26,7 +26,8 @@ class FollowingParameters {
     if (conversion.scales != first_.scales) {
       throw InputError(
           "what the result is measured in would change: its lengths are in half backlashes, its "
-          "forces in k0 b_n, its times in 1/varpi; make a study for each value");
+          "forces in k0 b_n, its times in 1/varpi; make a study for each value, or vary "
+          "stiffness_factor, which multiplies the stiffness in the same units");
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
       values_[i].push_back(value_of(conversion, i));
@@ -101,10 +102,14 @@ std::vector<SweptKey> swept_keys(const toml::table& study, const Model& model) {
   std::vector<SweptKey> keys;
   for (const DrawingTable& from : drawing_tables(study, model)) {
     for (const GearKey& key : kGearKeys) {
-      const SweptKey swept{&key, from};
-      const bool is_of_model =
-          model.find_parameter(swept.name()) >= 0 || model.find_state(swept.name()) >= 0;
-      if (key.can_vary() && !is_of_model) keys.push_back(swept);
+      std::vector<std::optional<std::size_t>> members = {std::nullopt};
+      if (key.form == KeyForm::pair) members.insert(members.end(), {0, 1});
+      for (const std::optional<std::size_t>& member : members) {
+        const SweptKey swept{&key, from, member};
+        const bool is_of_model =
+            model.find_parameter(swept.name()) >= 0 || model.find_state(swept.name()) >= 0;
+        if (key.can_vary() && !is_of_model) keys.push_back(swept);
+      }
     }
   }
   return keys;
@@ -140,13 +145,14 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
     fail_at(place, fmt::format("{} = {}: {}", axis->name, axis->values[i], wrong));
   };
   try {
-    drawing.vary(*swept.key, axis->values.front());  // what it was before is remembered
+    drawing.vary(*swept.key, axis->values.front(),
+                 swept.member);  // what it was before is remembered
   } catch (const InputError& error) {
     fail(0, error.what());
   }
   const auto convert = [&](std::size_t i) {
     GearDrawing own = drawing;
-    own.vary(*swept.key, axis->values[i]);
+    own.vary(*swept.key, axis->values[i], swept.member);
     return convert_gear(own, model, swept.from);
   };
   follow_all(axis->values.size(), convert, fail, &following);
@@ -157,15 +163,47 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
   }
 }
 
+void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const GearValues& others,
+                     const Model& model, const toml::node& place) {
+  const DrawingTable& from = keys.front().first.from;
+  const GearDrawing drawing = read_drawing(from, others);
+  const auto convert = [&](std::size_t draw) {
+    GearDrawing own = drawing;
+    for (const auto& [key, axis] : keys) own.vary(*key.key, axis->values[draw], key.member);
+    return convert_gear(own, model, from);
+  };
+  const auto fail = [&](std::size_t draw, const std::string& wrong) {
+    fail_at(place, fmt::format("draw {}: {}", draw + 1, wrong));
+  };
+  FollowingParameters following;
+  follow_all(keys.front().second->values.size(), convert, fail, &following);
+  std::vector<std::string_view> names;
+  for (const auto& [key, axis] : keys) names.push_back(key.key->name);
+  for (Swept& column : following.take(model, names)) {
+    Axis* owner = nullptr;
+    for (const auto& [key, axis] : keys) {
+      const auto own = std::ranges::find(axis->columns, column.index, &Swept::index);
+      if (own == axis->columns.end()) continue;
+      if (owner == nullptr) {
+        owner = axis;
+        *own = column;
+      } else {
+        axis->columns.erase(own);
+      }
+    }
+    if (owner == nullptr) keys.front().second->columns.push_back(std::move(column));
+  }
+}
+
 void add_parameters_of_list(const toml::table& study, const std::vector<Axis>& axes,
                             const Model& model, const toml::node& place, Axis* list) {
   for (const DrawingTable& from : drawing_tables(study, model)) {
-    std::vector<std::pair<const GearKey*, const Swept*>> given;
+    std::vector<std::pair<SweptKey, const Swept*>> given;
     std::vector<std::string_view> names;
     for (const Swept& other : list->others) {
       const std::optional<SweptKey> swept = find_swept_key(study, model, other.name);
       if (!swept || swept->from.suffix != from.suffix) continue;
-      given.emplace_back(swept->key, &other);
+      given.emplace_back(*swept, &other);
       names.push_back(swept->key->name);
     }
     if (given.empty()) continue;
@@ -173,7 +211,9 @@ void add_parameters_of_list(const toml::table& study, const std::vector<Axis>& a
     GearDrawing drawing = read_drawing(from, first_values(study, model, from, axes));
     for (std::size_t point = 0; point < list->values.size(); ++point) {
       try {
-        for (const auto& [key, column] : given) drawing.vary(*key, column->values[point]);
+        for (const auto& [key, column] : given) {
+          drawing.vary(*key.key, column->values[point], key.member);
+        }
         following.add(convert_gear(drawing, model, from));
       } catch (const InputError& error) {
         fail_at(place, fmt::format("point {}: {}", point + 1, error.what()));
@@ -192,7 +232,7 @@ GearValues first_values(const toml::table& study, const Model& model, const Draw
   const auto take = [&](const Swept& given) {
     const std::optional<SweptKey> swept = find_swept_key(study, model, given.name);
     if (!swept || swept->from.suffix != from.suffix) return;
-    values[std::string(swept->key->name)] = given.values.front();
+    values[swept->own_name()] = given.values.front();
   };
   for (const Axis& axis : axes) {
     take(axis);

@@ -16,8 +16,13 @@ namespace gearsweep {
 struct SweptKey {
   const GearKey* key = nullptr;
   DrawingTable from;
+  std::optional<std::size_t> member = {};  // of a pair the one that varies, 0 the pinion
+
   // What the axis is called: torque_N_m, or torque_N_m_first for the drawing `first`.
-  std::string name() const { return std::string(key->name) + from.suffix; }
+  std::string name() const { return own_name() + from.suffix; }
+  std::string own_name() const {
+    return member ? member_name(*key, *member) : std::string(key->name);
+  }
 };
 
 // All that a study of the model may sweep; a parameter or state of the same name comes first.
@@ -36,6 +41,12 @@ std::pair<double, double> bind_key(const GearKey& key, Swept* swept);
 // The values of a drawing that the axes of the study give: the first of each.
 GearValues first_values(const toml::table& study, const Model& model, const DrawingTable& from,
                         const std::vector<Axis>& axes);
+
+// Of draws of several keys of one drawing, each of which has its columns: gives each column what
+// follows from all keys in each draw, and takes it from all but the first that has it. others,
+// place: as below.
+void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const GearValues& others,
+                     const Model& model, const toml::node& place);
 
 // Gives the axis, whose values are there, the parameters that follow from each of them as columns.
 // others: values of other keys, in place of those of the table. place: what messages point to.

@@ -84,6 +84,10 @@ std::vector<DrawingTable> drawing_tables(const toml::table& study, const Model& 
   return tables;
 }
 
+std::string member_name(const GearKey& key, std::size_t member) {
+  return (member == 0 ? "pinion_" : "gear_") + std::string(key.name);
+}
+
 const toml::node& node_of(const DrawingTable& from, std::string_view key) {
   const toml::node* found = from.table->get(key);
   return found == nullptr ? *from.table : *found;
@@ -104,6 +108,10 @@ GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
     try {
       if (table.contains(key.name) && !is_replaced) read_key(table, key, &reader, &drawing);
       if (value != values.end()) drawing.vary(key, value->second);
+      for (std::size_t i = 0; key.form == KeyForm::pair && i < key.count(); ++i) {
+        const auto member = values.find(member_name(key, i));
+        if (member != values.end()) drawing.vary(key, member->second, i);
+      }
     } catch (const DrawingError& error) {
       fail_at(node_of(from, key.name), error.what());
     }

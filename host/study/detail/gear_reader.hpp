@@ -25,6 +25,9 @@ struct DrawingTable {
 // Those that a study of the model may have. Throws InputError for what [gear] has besides.
 std::vector<DrawingTable> drawing_tables(const toml::table& study, const Model& model);
 
+// What one of a pair is called where it varies alone: pinion_runout_um, gear_runout_um.
+std::string member_name(const GearKey& key, std::size_t member);
+
 // Numbers that stand in place of those of a table, by the names of keys, which axes give.
 using GearValues = std::map<std::string, double, std::less<>>;
 

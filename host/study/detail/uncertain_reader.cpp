@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "model/error.hpp"
 #include "study/detail/drawing_axis.hpp"
@@ -135,15 +136,27 @@ void check_draws(const toml::node& place, const UncertainParameter& parameter,
   }
 }
 
-// The one number that a key of [gear] has.
+// The one number that a key of [gear] has, or one of its pair. Without stiffness_factor the
+// stiffness is once itself, without a phase of the runout that is 0.
 double nominal_of_key(const SweptKey& swept, const toml::node& place) {
   const GearKey& key = *swept.key;
   const toml::node* node = swept.from.table->get(key.name);
+  if (node == nullptr && key.name == kStiffnessFactor.name) return 1.0;
+  if (node == nullptr && key.name == kRunoutPhase.name) return 0.0;
+  if (node != nullptr && swept.member && node->is_array())
+    node = node->as_array()->get(*swept.member);
   if (node == nullptr || !node->is_number()) {
-    fail_at(place, fmt::format("{} is uncertain, but {} does not give it as one number", key.name,
-                               swept.from.heading));
+    fail_at(place, fmt::format("{} is uncertain, but {} does not give it as one number",
+                               swept.own_name(), swept.from.heading));
   }
-  return read_number(*node, std::string(key.name), key.min, key.max);
+  const double nominal = read_number(*node, std::string(key.name), key.min, key.max);
+  // Whether a gear has such a fault decides what the period of the forcing is.
+  if (nominal == 0.0 && (key.name == kRunout.name || key.name == kDamage.name)) {
+    fail_at(place,
+            fmt::format("{} is uncertain, and 0 in {}: give there what a usual gear has, above 0",
+                        swept.own_name(), swept.from.heading));
+  }
+  return nominal;
 }
 
 void read_of_model(const toml::table& table, const std::string& name, std::size_t place,
@@ -203,6 +216,38 @@ void read_of_gear(const toml::table& root, const toml::table& table, const Swept
     }
   }
   study->uncertain.parameters.push_back(std::move(parameter));
+}
+
+// Of each drawing, what follows from several of its keys follows from all of them at once.
+void join_keys(const toml::table& root, const toml::table& table, Study* study) {
+  std::map<std::string, std::vector<std::pair<SweptKey, Axis*>>> by_drawing;
+  for (UncertainParameter& parameter : study->uncertain.parameters) {
+    if (!parameter.draws.is_list) continue;
+    const auto swept = find_swept_key(root, *study->model, parameter.draws.name);
+    by_drawing[swept->from.suffix].emplace_back(*swept, &parameter.draws);
+  }
+  for (const auto& [suffix, keys] : by_drawing) {
+    if (keys.size() < 2) continue;
+    const DrawingTable& from = keys.front().first.from;
+    join_parameters(keys, first_values(root, *study->model, from, study->axes), *study->model,
+                    table);
+  }
+}
+
+// What a study may not draw, and what may be drawn in its place.
+void refuse_measured(const toml::table& table) {
+  for (const GearKey& key : kGearKeys) {
+    const toml::node* node = table.get(key.name);
+    if (node == nullptr || !key.is_measured()) continue;
+    fail_at(*node,
+            fmt::format("{} is a curve, which is one for all draws{}; or make a study for each "
+                        "measured gear",
+                        key.name,
+                        key.form == KeyForm::tooth_list
+                            ? ": what pitch errors have once per turn can be drawn, as "
+                              "pinion_runout_um, gear_runout_um and their phases"
+                            : ""));
+  }
 }
 
 void refuse_given_twice(const toml::table& table, const Study& study) {
@@ -268,6 +313,7 @@ void read_uncertain(const toml::table& root, Study* study) {
   for (const ParameterInfo& info : model.parameters) reader.know(info.name);
   for (const ChannelInfo& info : model.states) reader.know(info.name);
   for (const SweptKey& swept : swept_keys(root, model)) reader.know(swept.name());
+  refuse_measured(table);
   reader.refuse_unknown();
   std::vector<std::pair<std::string, const toml::table*>> entries;
   for (const auto& [key, entry] : table) {
@@ -302,6 +348,7 @@ void read_uncertain(const toml::table& root, Study* study) {
       read_of_model(*entry, name, i, entries.size(), study);
     }
   }
+  join_keys(root, table, study);
   refuse_given_twice(table, *study);
   add_draw_quantities(study);
 }
