@@ -41,7 +41,7 @@ struct Bordered {
   std::complex<double> value;  // 0 where the matrix is singular
 };
 
-Bordered solve_bordered(const MatrixXcd& matrix, const NullVectors& near) {
+Bordered solve_bordered(const MatrixXcd& matrix, const Critical& near) {
   const Index n = matrix.rows();
   MatrixXcd bordered(n + 1, n + 1);
   bordered << matrix, near.left, near.right.adjoint(), 0.0;
@@ -60,6 +60,10 @@ std::string name_of(BorderKind kind) {
       return "fold";
     case BorderKind::flip:
       return "flip";
+    case BorderKind::symmetry_breaking:
+      return "symmetry breaking";
+    case BorderKind::grazing:
+      return "grazing";
     case BorderKind::neimark_sacker:
       break;
   }
@@ -72,8 +76,13 @@ bool BorderPoint::is_of_stable_motion() const {
 }
 
 BorderEquations::BorderEquations(const ParameterPlane& plane, OrbitMap* map, BorderKind kind,
-                                 std::size_t period, BorderScale scale)
-    : plane_(plane), map_(map), kind_(kind), period_(period), scale_(std::move(scale)) {}
+                                 std::size_t period, BorderScale scale, GrazedLimit limit)
+    : plane_(plane),
+      map_(map),
+      kind_(kind),
+      period_(period),
+      scale_(std::move(scale)),
+      limit_(limit) {}
 
 VectorXd BorderEquations::unknowns_of(const BorderPoint& point) const {
   VectorXd out(unknowns());
@@ -92,13 +101,17 @@ PlanePlace BorderEquations::place_of(const VectorXd& unknowns) const {
 
 double BorderEquations::angle_of(const VectorXd& unknowns) const {
   if (has_angle()) return unknowns[states()];
+  // Of the half return map, where a symmetry breaks.
   return kind_ == BorderKind::fold ? 0.0 : std::numbers::pi;
 }
 
-OrbitQuery BorderEquations::query_at(const VectorXd& unknowns) const {
+OrbitQuery BorderEquations::query_at(const VectorXd& unknowns, const Critical& near) const {
   const PlanePlace place = place_of(unknowns);
-  return {
+  OrbitQuery query{
       {place.begin(), place.end()}, scale_.sizes.cwiseProduct(unknowns.head(states())), period_};
+  query.is_half = kind_ == BorderKind::symmetry_breaking;
+  if (grazes()) query.graze = GrazeMark{limit_, near.moment};
+  return query;
 }
 
 MatrixXd BorderEquations::scaled(const MatrixXd& derivative) const {
@@ -106,27 +119,35 @@ MatrixXd BorderEquations::scaled(const MatrixXd& derivative) const {
 }
 
 VectorXd BorderEquations::return_of(const OrbitAnswer& answer, const VectorXd& unknowns) const {
-  return gearsweep::residual_of(plane_, answer, query_at(unknowns).state, scale_.sizes);
+  return gearsweep::residual_of(plane_, answer, scale_.sizes.cwiseProduct(unknowns.head(states())),
+                                scale_.sizes);
 }
 
-std::optional<NullVectors> BorderEquations::null_vectors_near(const VectorXd& guess) const {
-  const std::optional<OrbitAnswer> answer = map_->answer({query_at(guess)}).front();
+std::optional<Critical> BorderEquations::critical_near(const VectorXd& guess) const {
+  const std::optional<OrbitAnswer> answer = map_->answer({query_at(guess, {})}).front();
   if (!answer) return std::nullopt;
   const MatrixXcd matrix = less_multiplier(scaled(answer->derivative), angle_of(guess));
   const Eigen::JacobiSVD<MatrixXcd> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Index last = states() - 1;
-  return NullVectors{svd.matrixU().col(last), svd.matrixV().col(last)};
+  return Critical{svd.matrixU().col(last), svd.matrixV().col(last), 0.0};
 }
 
 VectorXd BorderEquations::residual_of(const OrbitAnswer& answer, const VectorXd& unknowns,
-                                      const NullVectors& near, State* state) const {
+                                      const Critical& near, State* state) const {
   const Index n = states();
-  state->monodromy = scaled(answer.derivative);
+  if (answer.derivative.cols() > 0) state->monodromy = scaled(answer.derivative);
+  state->turn = answer.turn;
+  if (grazes()) {
+    state->critical.moment = answer.turn->moment;
+    VectorXd out(n + 1);
+    out << return_of(answer, unknowns), answer.turn->level / scale_.level;
+    return out;
+  }
   const Bordered bordered =
       solve_bordered(less_multiplier(state->monodromy, angle_of(unknowns)), near);
-  state->null_vectors = {bordered.left.normalized(), bordered.right.normalized()};
-  state->overlap = state->null_vectors.left.real().dot(state->null_vectors.right.real());
-  state->stretch = {bordered.left, bordered.right};
+  state->critical = {bordered.left.normalized(), bordered.right.normalized(), 0.0};
+  state->overlap = state->critical.left.real().dot(state->critical.right.real());
+  state->stretch = {bordered.left, bordered.right, 0.0};
   VectorXd out(n + (has_angle() ? 2 : 1));
   out.head(n) = return_of(answer, unknowns);
   out[n] = bordered.value.real();
@@ -135,16 +156,19 @@ VectorXd BorderEquations::residual_of(const OrbitAnswer& answer, const VectorXd&
 }
 
 std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& unknowns,
-                                                               const NullVectors& near) const {
+                                                               const Critical& near) const {
   const Index n = states(), all = this->unknowns();
-  std::vector<OrbitQuery> queries = {query_at(unknowns)};
+  std::vector<OrbitQuery> queries = {query_at(unknowns, near)};
   const auto ask = [&](const VectorXd& way) {
-    queries.push_back(query_at(unknowns + kDifference * way));
+    queries.push_back(query_at(unknowns + kDifference * way, near));
+    queries.back().needs_derivative = !grazes();
   };
   for (Index i = 1; i <= 2; ++i) ask(VectorXd::Unit(all, all - i));
   VectorXd way = VectorXd::Zero(all);
-  way.head(n) = near.right.real();
-  ask(way);
+  if (!grazes()) {
+    way.head(n) = near.right.real();
+    ask(way);
+  }
   if (has_angle()) {
     way.head(n) = near.right.imag();
     ask(way);
@@ -154,26 +178,46 @@ std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& u
 
   Linearized out;
   out.residual = residual_of(*answers[0], unknowns, near, &out.state);
-  const NullVectors& stretch = out.state.stretch;
-  const auto change = [&](std::size_t query) -> MatrixXd {
-    return (scaled(answers[query]->derivative) - out.state.monodromy) / kDifference;
-  };
   out.slope.setZero(out.residual.size(), all);
-  const auto set_value = [&](Index column, std::complex<double> slope) {
-    out.slope(n, column) = slope.real();
-    if (has_angle()) out.slope(n + 1, column) = slope.imag();
-  };
   out.slope.topLeftCorner(n, n) = out.state.monodromy - MatrixXd::Identity(n, n);
   for (Index i = 1; i <= 2; ++i) {
-    const auto query = static_cast<std::size_t>(i);
     out.slope.col(all - i).head(n) =
-        (return_of(*answers[query], unknowns) - out.residual.head(n)) / kDifference;
-    set_value(all - i, -stretch.left.dot(change(query) * stretch.right));
+        (return_of(*answers[static_cast<std::size_t>(i)], unknowns) - out.residual.head(n)) /
+        kDifference;
   }
-  const auto by_parameters = out.slope.topRightCorner(n, 2);
+  if (grazes()) {
+    const LevelTurn& turn = *out.state.turn;
+    out.slope.row(n).head(n) = turn.gradient * scale_.sizes.asDiagonal() / scale_.level;
+    for (Index i = 1; i <= 2; ++i) {
+      out.slope(n, all - i) = (answers[static_cast<std::size_t>(i)]->turn->level - turn.level) /
+                              (scale_.level * kDifference);
+    }
+  } else {
+    take_bend(answers, unknowns, &out);
+  }
+  return out;
+}
+
+// What changes the bordered scalar.
+void BorderEquations::take_bend(const std::vector<std::optional<OrbitAnswer>>& answers,
+                                const VectorXd& unknowns, Linearized* out) const {
+  const Index n = states(), all = this->unknowns();
+  const Critical& stretch = out->state.stretch;
+  const auto change = [&](std::size_t query) -> MatrixXd {
+    return (scaled(answers[query]->derivative) - out->state.monodromy) / kDifference;
+  };
+  const auto set_value = [&](Index column, std::complex<double> slope) {
+    out->slope(n, column) = slope.real();
+    if (has_angle()) out->slope(n + 1, column) = slope.imag();
+  };
+  for (Index i = 1; i <= 2; ++i) {
+    set_value(all - i, -stretch.left.dot(change(static_cast<std::size_t>(i)) * stretch.right));
+  }
+  const Critical& unit = out->state.critical;
   if (kind_ == BorderKind::fold) {
-    out.transversality = (out.state.null_vectors.left.real().transpose() * by_parameters).norm() /
-                         by_parameters.norm();
+    const auto by_parameters = out->slope.topRightCorner(n, 2);
+    out->transversality =
+        (unit.left.real().transpose() * by_parameters).norm() / by_parameters.norm();
   }
   // The second derivative is symmetric: its change along the null vector is the change of its
   // product with the null vector along each state.
@@ -186,13 +230,26 @@ std::optional<BorderEquations::Linearized> BorderEquations::at(const VectorXd& u
     const std::complex<double> turned(0.0, 1.0);
     set_value(n, stretch.left.dot(stretch.right) * turned * std::polar(1.0, angle_of(unknowns)));
   }
-  const NullVectors& unit = out.state.null_vectors;
-  out.fold_bend = unit.left.real().dot(bend.real() / stretch.right.norm() * unit.right.real());
-  return out;
+  out->fold_bend = unit.left.real().dot(bend.real() / stretch.right.norm() * unit.right.real());
+}
+
+OrbitQuery BorderEquations::query_of(const BorderPoint& point) const {
+  return query_at(unknowns_of(point), point.critical);
+}
+
+VectorXd BorderEquations::residual_of(const BorderPoint& point, const OrbitAnswer& answer) const {
+  State state;
+  return residual_of(answer, unknowns_of(point), point.critical, &state);
+}
+
+std::optional<MatrixXd> BorderEquations::slope_at(const BorderPoint& point) const {
+  std::optional<Linearized> out = at(unknowns_of(point), point.critical);
+  if (!out) return std::nullopt;
+  return std::move(out->slope);
 }
 
 std::optional<BorderPoint> BorderEquations::correct(const VectorXd& guess, const VectorXd& across,
-                                                    const NullVectors& near, double reach) const {
+                                                    const Critical& near, double reach) const {
   const Index all = unknowns();
   if (!plane_.is_allowed(place_of(guess))) return std::nullopt;
   std::optional<Linearized> first = at(guess, near);
@@ -209,6 +266,11 @@ std::optional<BorderPoint> BorderEquations::correct(const VectorXd& guess, const
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     const double off = residual.cwiseAbs().maxCoeff();
     if (off <= kResidual || (off <= kRounding && off > kBetter * before)) {
+      if (grazes() && iteration > 0) {  // its multipliers, which no residual needs
+        const std::optional<OrbitAnswer> answer = map_->answer({query_at(z, near)}).front();
+        if (!answer) return std::nullopt;
+        residual_of(*answer, z, near, &now);
+      }
       BorderPoint point = point_at(z, now);
       point.residual = off;
       point.fold_bend = first->fold_bend;
@@ -224,7 +286,9 @@ std::optional<BorderPoint> BorderEquations::correct(const VectorXd& guess, const
     if (!z.allFinite() || (z - guess).norm() > reach || !plane_.is_allowed(place_of(z))) {
       return std::nullopt;
     }
-    const std::optional<OrbitAnswer> answer = map_->answer({query_at(z)}).front();
+    OrbitQuery query = query_at(z, near);
+    query.needs_derivative = !grazes();
+    const std::optional<OrbitAnswer> answer = map_->answer({query}).front();
     if (!answer) return std::nullopt;
     VectorXd next(all);
     next << residual_of(*answer, z, near, &now), across.dot(z - guess);
@@ -238,12 +302,20 @@ BorderPoint BorderEquations::point_at(const VectorXd& unknowns, const State& sta
   BorderPoint point;
   point.place = place_of(unknowns);
   point.state = scale_.sizes.cwiseProduct(unknowns.head(states()));
-  point.angle = angle_of(unknowns);
   point.multipliers = state.monodromy.eigenvalues();
+  switch (kind_) {
+    case BorderKind::symmetry_breaking:  // the return map is the half one, twice
+      point.multipliers = point.multipliers.cwiseProduct(point.multipliers).eval();
+      break;
+    case BorderKind::grazing:
+      break;
+    default:
+      point.angle = angle_of(unknowns);
+  }
   std::ranges::sort(point.multipliers,
                     [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
   point.overlap = state.overlap;
-  point.null_vectors = state.null_vectors;
+  point.critical = state.critical;
   return point;
 }
 

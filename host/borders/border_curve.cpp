@@ -26,17 +26,6 @@ constexpr double kAlmostStraight = 0.998;            // cosine
 constexpr double kSamePlace = 3e-4, kAtEdge = 1e-4;  // of the window
 constexpr double kNearAxis = 1e-3;  // of the angle of a pair: a resonance ends its curve
 
-int real_beyond(const BorderPoint& point, double sign) {
-  return static_cast<int>(std::ranges::count_if(
-      point.multipliers, [&](const auto& m) { return m.imag() == 0.0 && sign * m.real() > 1.0; }));
-}
-
-// How many pairs lie outside the circle.
-int pairs_beyond(const BorderPoint& point) {
-  return static_cast<int>(std::ranges::count_if(
-      point.multipliers, [](const auto& m) { return m.imag() > 0.0 && std::abs(m) > 1.0; }));
-}
-
 class Tracer {
  public:
   Tracer(const BorderEquations& equations, const BorderPoint& start)
@@ -54,6 +43,7 @@ class Tracer {
       if (!next) {
         length = kShorter * allowed;
         if (length >= kMinStep) continue;
+        if (!is_at_edge(last)) stops_.push_back(last);
         if (turns_ < kMaxCorners) next = over_corner(last, points);
         if (!next) {
           return ended(is_at_edge(last) ? "leaves the window" : "no way on", std::move(points));
@@ -72,6 +62,9 @@ class Tracer {
       }
       const bool is_beyond = has_angle() && std::sin(next->angle) * std::sin(last.angle) < 0.0;
       if (!is_beyond) points.push_back(*next);
+      if (equations_.kind() == BorderKind::grazing && !next->is_of_stable_motion()) {
+        return ended("no motion that settles grazes from here on", std::move(points));
+      }
       if (is_beyond || meets_axis(*next)) {
         const bool is_front = std::cos(next->angle) > 0.0;
         return ended(is_front ? "ends at a resonance 1:1" : "ends at a resonance 1:2",
@@ -85,6 +78,7 @@ class Tracer {
 
   const std::string& reason() const { return reason_; }
   const std::vector<PlanePlace>& corners() const { return corners_; }
+  const std::vector<BorderPoint>& stops() const { return stops_; }
   bool is_closed() const { return is_closed_; }
 
  private:
@@ -103,7 +97,7 @@ class Tracer {
   std::optional<BorderPoint> step(const BorderPoint& last, double length) const {
     const VectorXd guess = equations_.unknowns_of(last) + length * last.tangent;
     std::optional<BorderPoint> next =
-        equations_.correct(guess, last.tangent, last.null_vectors, kFarLanding * length);
+        equations_.correct(guess, last.tangent, last.critical, kFarLanding * length);
     if (!next || next->tangent.dot(last.tangent) < kStraight) return std::nullopt;
     return next;
   }
@@ -126,7 +120,7 @@ class Tracer {
       across[y] = std::sin(angle);
       guess += kOverCorner * across;
       std::optional<BorderPoint> found =
-          equations_.correct(guess, across, corner.null_vectors, kFarFromCorner);
+          equations_.correct(guess, across, corner.critical, kFarFromCorner);
       if (!found) continue;
       const VectorXd gone = equations_.unknowns_of(*found) - from;
       const double turned = std::cos(std::atan2(gone[y], gone[x]) - came);
@@ -163,7 +157,7 @@ class Tracer {
     const Index n = from.size();
     const VectorXd guess = from + share * (to - from);
     return equations_.correct(guess, VectorXd::Unit(n, n - 2 + static_cast<Index>(axis)),
-                              inside.null_vectors, kFarLanding * (to - from).norm());
+                              inside.critical, kFarLanding * (to - from).norm());
   }
 
   // Whether the start lies between two neighbours.
@@ -221,69 +215,12 @@ class Tracer {
   const BorderPoint& start_;
   std::string reason_;
   std::vector<PlanePlace> corners_;
+  std::vector<BorderPoint> stops_;
   std::size_t turns_ = 0;
   bool is_closed_ = false;
 };
 
-// Adds the special points between two neighbours.
-void add_special(const BorderPoint& a, const BorderPoint& b, BorderCurve* curve) {
-  const auto add = [&](SpecialKind kind, double share) {
-    SpecialPoint special{kind, {}};
-    for (std::size_t i = 0; i < 2; ++i) {
-      special.place[i] = a.place[i] + share * (b.place[i] - a.place[i]);
-    }
-    curve->special.push_back(special);
-  };
-  const auto where_zero = [&](double before, double after, SpecialKind kind) {
-    if ((before < 0.0) != (after < 0.0)) add(kind, before / (before - after));
-  };
-  const auto where_counted = [&](int before, int after, SpecialKind kind) {
-    if (before != after) add(kind, 0.5);
-  };
-  switch (curve->kind) {
-    case BorderKind::fold:
-      where_zero(a.fold_bend, b.fold_bend, SpecialKind::cusp);
-      where_zero(a.overlap, b.overlap, SpecialKind::resonance_1_1);
-      where_counted(real_beyond(a, -1.0), real_beyond(b, -1.0), SpecialKind::fold_flip);
-      where_counted(pairs_beyond(a), pairs_beyond(b), SpecialKind::fold_neimark);
-      return;
-    case BorderKind::flip:
-      where_zero(a.overlap, b.overlap, SpecialKind::resonance_1_2);
-      where_counted(real_beyond(a, 1.0), real_beyond(b, 1.0), SpecialKind::fold_flip);
-      where_counted(pairs_beyond(a), pairs_beyond(b), SpecialKind::fold_neimark);
-      return;
-    case BorderKind::neimark_sacker:
-      where_zero(std::cos(a.angle) + 0.5, std::cos(b.angle) + 0.5, SpecialKind::resonance_1_3);
-      where_zero(std::cos(a.angle), std::cos(b.angle), SpecialKind::resonance_1_4);
-      where_counted(real_beyond(a, 1.0), real_beyond(b, 1.0), SpecialKind::fold_neimark);
-      where_counted(real_beyond(a, -1.0), real_beyond(b, -1.0), SpecialKind::fold_neimark);
-      return;
-  }
-}
-
 }  // namespace
-
-std::string name_of(SpecialKind kind) {
-  switch (kind) {
-    case SpecialKind::cusp:
-      return "cusp";
-    case SpecialKind::resonance_1_1:
-      return "resonance 1:1";
-    case SpecialKind::resonance_1_2:
-      return "resonance 1:2";
-    case SpecialKind::resonance_1_3:
-      return "resonance 1:3";
-    case SpecialKind::resonance_1_4:
-      return "resonance 1:4";
-    case SpecialKind::fold_flip:
-      return "fold-flip";
-    case SpecialKind::fold_neimark:
-      return "with a Neimark-Sacker pair";
-    case SpecialKind::corner:
-      break;
-  }
-  return "corner";
-}
 
 double BorderCurve::max_residual() const {
   double out = 0.0;
@@ -292,13 +229,11 @@ double BorderCurve::max_residual() const {
 }
 
 BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& start) {
-  BorderCurve curve{.kind = equations.kind(),
-                    .period = equations.period(),
-                    .points = {},
-                    .is_closed = false,
-                    .begins = "",
-                    .ends = "",
-                    .special = {}};
+  BorderCurve curve;
+  curve.kind = equations.kind();
+  curve.period = equations.period();
+  curve.limit = equations.limit();
+  curve.scale = equations.scale();
   Tracer onwards(equations, start);
   const std::vector<BorderPoint> after = onwards.go(1.0);
   curve.ends = onwards.reason();
@@ -306,6 +241,7 @@ BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& s
   const bool may_touch = !model.contacts.empty() || model.corners > 0 || !model.surfaces.empty();
   const auto add_corners = [&](const Tracer& tracer) {
     if (!may_touch) return;
+    curve.stops.insert(curve.stops.end(), tracer.stops().begin(), tracer.stops().end());
     for (const PlanePlace& place : tracer.corners()) {
       curve.special.push_back({SpecialKind::corner, place});
     }
@@ -325,9 +261,7 @@ BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& s
   curve.points.push_back(start);
   curve.points.insert(curve.points.end(), after.begin(), after.end());
   if (curve.is_closed) curve.points.push_back(start);
-  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    add_special(curve.points[i], curve.points[i + 1], &curve);
-  }
+  add_special_points(&curve);
   return curve;
 }
 

@@ -6,12 +6,16 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 #include "borders/crossing.hpp"
-#include "borders/curve_distance.hpp"
+#include "borders/curve_accuracy.hpp"
 #include "borders/device_orbit_map.hpp"
+#include "borders/find_breaking.hpp"
+#include "borders/graze_borders.hpp"
 #include "borders/joined_orbit_map.hpp"
+#include "borders/known_curves.hpp"
+#include "borders/mirror_symmetry.hpp"
+#include "borders/on_threads.hpp"
 #include "borders/settled_pixels.hpp"
 #include "model/error.hpp"
 #include "orbits/period_map.hpp"
@@ -20,13 +24,13 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kHalfPixel = 0.5, kOnCurve = 0.05;  // pixels
-constexpr std::size_t kMinOpen = 3;    // pairs of a border without a reason: worth a search
-constexpr double kNearlyAll = 0.9;     // points of a curve that lie on others: it is one of them
-constexpr std::size_t kMinPoints = 4;  // of a curve
+constexpr std::size_t kMinOpen = 3;  // pairs of a border without a reason: worth a search
 constexpr std::size_t kMaxRounds = 12;
 constexpr std::size_t kMaxTries = 8;  // seeds of a border that find nothing
-constexpr std::size_t kAtOnce = 8;    // threads, which mostly wait for the device
+// Places, along each axis, at which mirrored orbits are looked for, and how far from one their
+// symmetry may break, in distances to the next.
+constexpr std::size_t kMirrorGrid = 24;
+constexpr double kBesideMirrored = 1.2, kBesidePixel = 2.5;
 
 // A pair of pixels, seen from the one whose orbit is known.
 struct Seed {
@@ -51,6 +55,8 @@ class BorderSearch {
     }
     device_ = std::make_unique<DeviceOrbitMap>(setting_.following, engine_.get(), stop_);
     joined_ = std::make_unique<JoinedOrbitMap>(device_.get());
+    host_ = std::make_unique<HostOrbitMap>(plane_, host_steps(*setting_.following), stop_);
+    is_mirrored_ = is_mirrored(plane_);
     settled_ = std::make_unique<SettledPixels>(setting_.settling, plane_, pixels_, engine_.get(),
                                                device_.get(), stop_);
   }
@@ -71,20 +77,40 @@ class BorderSearch {
       if (seeds.empty()) break;
       grow(seeds);
       tell(fmt::format("round {}: {} curves, {} of {} pairs of pixels explained", round + 1,
-                       curves_.size(), explained(), edges()));
+                       known_.size(), explained(), edges()));
+    }
+    find_breakings();
+    GrazeBorders grazes(plane_, pixels_, host_.get(), device_.get(), settled_.get(), &known_);
+    if (may_graze()) {
+      grazes.from_stops();
+      tell(fmt::format("{} curves, those that graze included", known_.size()));
     }
     tell(fmt::format("{} pairs of pixels without a curve are looked at", edges() - explained()));
     explain_without_curves(plane_, pixels_, device_.get(), settled_.get(), &borders_);
     BorderFindings out;
+    if (may_graze()) {
+      grazes.from_lost(&borders_);
+      out.contacts = grazes.from_contacts(request_.min_edges);
+    }
     out.study = *setting_.following;
     out.steps = setting_.following->integrate.steps_per_period;
-    out.curves = std::move(curves_);
+    out.ranges = {plane_.range(0), plane_.range(1)};
+    out.curves = known_.take();
     out.borders = std::move(borders_);
+    tell(fmt::format("{} curves: how exact they are, and what moves them", out.curves.size()));
+    const CurveJudge judge = {plane_, pixels_, setting_.following, engine_.get(), stop_};
+    find_step_errors(judge, &out.curves);
+    if (!out.curves.empty()) find_gradients(judge, &out.curves);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     return out;
   }
 
  private:
+  bool may_graze() const {
+    const Model& model = plane_.model->full();
+    return !model.contacts.empty() || model.corners > 0 || !model.surfaces.empty();
+  }
+
   void tell(const std::string& line) const {
     if (!request_.tell) return;
     const std::chrono::duration<double> past = std::chrono::steady_clock::now() - begin_;
@@ -133,31 +159,7 @@ class BorderSearch {
       pixels.push_back(seed.to);
     }
     settled_->settle(pixels);
-    std::size_t next = 0;
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto work = [&] {
-      const JoinedOrbitMap::Member member(joined_.get());
-      while (true) {
-        std::size_t own = 0;
-        {
-          const std::lock_guard lock(mutex);
-          if (next >= seeds.size() || failure) return;
-          own = next++;
-        }
-        try {
-          grow(seeds[own]);
-        } catch (...) {
-          const std::lock_guard lock(mutex);
-          failure = std::current_exception();
-        }
-      }
-    };
-    {
-      std::vector<std::jthread> threads;
-      for (std::size_t i = 0; i < std::min(kAtOnce, seeds.size()); ++i) threads.emplace_back(work);
-    }
-    if (failure) std::rethrow_exception(failure);
+    for_each_on_threads(seeds.size(), joined_.get(), [&](std::size_t i) { grow(seeds[i]); });
   }
 
   void grow(const Seed& seed) {
@@ -166,58 +168,73 @@ class BorderSearch {
       const HeldOrbit* orbit = settled_->orbit(from);
       if (orbit == nullptr) continue;
       const BorderEdge& edge = borders_[seed.border].border.edges[seed.edge];
-      const std::optional<Crossing> found =
-          find_crossing(plane_, pixels_, joined_.get(), *orbit, to, edge);
-      if (!found) continue;
-      const BorderKind kind = found->equations->kind();
-      if (!is_known(kind, orbit->period, found->point)) {
-        add(follow_border(*found->equations, found->point), found->point);
+      std::optional<Crossing> found = breaking(*orbit, pixels_.place(to), kBesidePixel);
+      if (!found) found = find_crossing(plane_, pixels_, joined_.get(), *orbit, to, edge);
+      if (is_mirrored_ && found && found->equations->kind() == BorderKind::fold &&
+          is_breaking(plane_, host_.get(), *found->equations, found->point)) {
+        continue;
       }
+      if (!found) continue;
+      follow(*found);
       return;
     }
   }
 
-  bool is_known(BorderKind kind, std::size_t period, const BorderPoint& point) {
-    const std::lock_guard lock(curves_mutex_);
-    return is_on_a_curve(kind, period, point);
+  std::optional<Crossing> breaking(const HeldOrbit& orbit, const PlanePlace& there, double reach) {
+    if (!is_mirrored_ || !is_own_image(plane_, host_.get(), orbit)) return std::nullopt;
+    return find_breaking(plane_, host_.get(), last_stable(plane_, joined_.get(), orbit, there),
+                         there, reach);
   }
-  // With the mutex held.
-  bool is_on_a_curve(BorderKind kind, std::size_t period, const BorderPoint& point) const {
-    const PixelPlace at = pixel_place(pixels_, point.place);
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const bool is_alike = curves_[i].kind == kind && curves_[i].period == period;
-      if (is_alike && lines_[i].distance_to(at) <= kOnCurve) return true;
+
+  // Where a symmetry breaks the period stays what it is. Orbits that are their own images are
+  // looked for at some pixels all over the map, beside others that are not.
+  void find_breakings() {
+    if (!is_mirrored_) return;
+    const std::size_t nx = pixels_.columns(), ny = pixels_.axes[1].size();
+    const std::size_t dx = (nx + kMirrorGrid - 1) / kMirrorGrid,
+                      dy = (ny + kMirrorGrid - 1) / kMirrorGrid;
+    std::vector<std::size_t> chosen;
+    for (std::size_t y = 0; y < ny; y += dy) {
+      for (std::size_t x = 0; x < nx; x += dx) {
+        if (pixels_.label(y * nx + x) % 2 == 1) chosen.push_back(y * nx + x);
+      }
     }
-    return false;
-  }
-
-  // Another thread may have been faster, or the curve may be one that was begun elsewhere: its
-  // start or nearly all of it lies on others.
-  bool is_old(const BorderCurve& curve, const BorderPoint& start) const {
-    const auto is_on_one = [&](const BorderPoint& point) {
-      return is_on_a_curve(curve.kind, curve.period, point);
+    settled_->settle(chosen);
+    std::vector<char> images(nx * ny, 0);  // 1: it is its own, 2: it is not
+    for_each_on_threads(chosen.size(), nullptr, [&](std::size_t i) {
+      const HeldOrbit* const orbit = settled_->orbit(chosen[i]);
+      if (orbit != nullptr) images[chosen[i]] = is_own_image(plane_, host_.get(), *orbit) ? 1 : 2;
+    });
+    std::vector<std::array<std::size_t, 2>> pairs;  // from an own image to another motion
+    const auto look = [&](std::size_t a, std::size_t b) {
+      if (images[a] == 1 && images[b] == 2) pairs.push_back({a, b});
+      if (images[a] == 2 && images[b] == 1) pairs.push_back({b, a});
     };
-    if (is_on_one(start)) return true;
-    const auto known = std::ranges::count_if(curve.points, is_on_one);
-    return static_cast<double>(known) > kNearlyAll * static_cast<double>(curve.points.size());
+    for (const std::size_t pixel : chosen) {
+      if (pixel % nx + dx < nx) look(pixel, pixel + dx);
+      if (pixel / nx + dy < ny) look(pixel, pixel + dy * nx);
+    }
+    for_each_on_threads(pairs.size(), joined_.get(), [&](std::size_t i) {
+      const std::optional<Crossing> found =
+          breaking(*settled_->orbit(pairs[i][0]), pixels_.place(pairs[i][1]), kBesideMirrored);
+      if (found) follow(*found);
+    });
   }
 
-  void add(BorderCurve curve, const BorderPoint& start) {
-    // Newton's method came to a place around which the equations have no curve.
-    if (curve.points.size() < kMinPoints) return;
-    PixelLine line(pixels_, curve);
-    const std::lock_guard lock(curves_mutex_);
-    if (is_old(curve, start)) return;
+  void follow(const Crossing& found) {
+    if (known_.has(*found.equations, found.point)) return;
+    BorderCurve curve = follow_border(*found.equations, found.point);
+    const std::optional<PixelLine> line = known_.add(curve, found.point);
+    if (!line) return;
+    const std::lock_guard lock(borders_mutex_);
     for (ExplainedBorder& border : borders_) {
       if (!may_explain(curve, border.border)) continue;
       for (std::size_t i = 0; i < border.reasons.size(); ++i) {
         if (border.reasons[i] == EdgeReason::curve) continue;
         const PixelPlace middle = middle_of(pixels_, border.border.edges[i]);
-        if (line.distance_to(middle, true) <= kHalfPixel) border.reasons[i] = EdgeReason::curve;
+        if (line->distance_to(middle, true) <= kHalfPixel) border.reasons[i] = EdgeReason::curve;
       }
     }
-    curves_.push_back(std::move(curve));
-    lines_.push_back(std::move(line));
   }
 
   // Whether an orbit of the border's bifurcates on the curve, or is born there.
@@ -237,13 +254,14 @@ class BorderSearch {
   std::unique_ptr<Engine> engine_;
   std::unique_ptr<DeviceOrbitMap> device_;
   std::unique_ptr<JoinedOrbitMap> joined_;
+  std::unique_ptr<HostOrbitMap> host_;
+  bool is_mirrored_ = false;
   std::unique_ptr<SettledPixels> settled_;
   std::vector<ExplainedBorder> borders_;
   std::vector<std::vector<bool>> is_tried_;  // [border][edge]
   std::vector<std::size_t> tries_;           // [border]
-  std::mutex curves_mutex_;
-  std::vector<BorderCurve> curves_;
-  std::vector<PixelLine> lines_;  // [curve]
+  std::mutex borders_mutex_;
+  KnownCurves known_{pixels_};
 };
 
 }  // namespace

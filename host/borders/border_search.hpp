@@ -20,8 +20,10 @@ namespace gearsweep {
 struct BorderFindings {
   Study study;
   std::size_t steps = 0;  // of a forcing period
+  PlanePlace ranges{};    // of the window
   std::vector<BorderCurve> curves;
   std::vector<ExplainedBorder> borders;  // the longest first
+  ContactPairs contacts;                 // of a map that has the contact
   double seconds = 0.0;                  // in all
 };
 

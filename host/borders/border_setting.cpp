@@ -19,6 +19,16 @@ constexpr std::size_t kMinSettle = 64;  // periods: enough for orbits to be look
 void require_plane(const Study& study) {
   if (study.axes.size() != 2) throw InputError("curves take a map of two axes");
   for (const Axis& axis : study.axes) {
+    if (axis.values.size() < 2) {
+      throw InputError(fmt::format("axis '{}' has one value: curves take two at least", axis.name));
+    }
+    if (!axis.columns.empty() && !axis.is_list) {
+      throw InputError(fmt::format(
+          "axis '{}' is a key of [gear], from which several parameters follow: curves take axes of "
+          "one parameter each. Give the axis to a parameter instead, as omega for a speed; "
+          "gearsweep model --study STUDY says what the key comes to",
+          axis.name));
+    }
     if (axis.is_list || !axis.columns.empty() || axis.is_state) {
       throw InputError(
           fmt::format("curves take axes of one parameter each; '{}' is none", axis.name));

@@ -1,6 +1,7 @@
 // What a search for borders computes with: the plane of a map's parameters, and its study twice.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "borders/parameter_plane.hpp"
@@ -20,5 +21,9 @@ struct BorderSetting {
 BorderSetting make_border_setting(const Study& study, std::size_t steps);
 
 inline constexpr std::size_t kBorderSteps = 512;
+// The host, which cuts steps at contacts and is slow, takes fewer.
+inline std::size_t host_steps(const Study& following) {
+  return std::max<std::size_t>(following.integrate.steps_per_period / 2, 64);
+}
 
 }  // namespace gearsweep

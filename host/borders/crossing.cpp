@@ -45,7 +45,7 @@ class CrossingSearch {
     if (!critical) return std::nullopt;
     near.angle = std::arg(*critical);
     const VectorXd guess = equations.unknowns_of(near);
-    const std::optional<NullVectors> vectors = equations.null_vectors_near(guess);
+    const std::optional<Critical> vectors = equations.critical_near(guess);
     if (!vectors) return std::nullopt;
     VectorXd across = VectorXd::Zero(guess.size());
     across[guess.size() - 2] = (there_[1] - orbit.place[1]) / plane_.range(1);
@@ -59,30 +59,6 @@ class CrossingSearch {
     return found;
   }
 
-  // The orbit on the way to a pixel, as near as it is found to where it ends or loses its
-  // stability.
-  HeldOrbit last_stable(const HeldOrbit& start) const {
-    HeldOrbit at = start;
-    VectorXd slope = VectorXd::Zero(start.state.size());  // by the share of the way
-    double share = 0.0, step = 0.125;
-    while (step > kNearestShare && share < 2.0) {
-      HeldOrbit guess = at;
-      for (std::size_t k = 0; k < 2; ++k) {
-        guess.place[k] = start.place[k] + (share + step) * (there_[k] - start.place[k]);
-      }
-      guess.state += step * slope;
-      const std::optional<HeldOrbit> next = hold_orbits(plane_, map_, {guess}, kNearReach).front();
-      if (next && next->is_stable()) {
-        slope = (next->state - at.state) / step;
-        at = *next;
-        share += step;
-      } else {
-        step *= 0.5;
-      }
-    }
-    return at;
-  }
-
  private:
   const ParameterPlane& plane_;
   OrbitMap* const map_;
@@ -90,6 +66,29 @@ class CrossingSearch {
 };
 
 }  // namespace
+
+HeldOrbit last_stable(const ParameterPlane& plane, OrbitMap* map, const HeldOrbit& start,
+                      const PlanePlace& there) {
+  HeldOrbit at = start;
+  VectorXd slope = VectorXd::Zero(start.state.size());  // by the share of the way
+  double share = 0.0, step = 0.125;
+  while (step > kNearestShare && share < 2.0) {
+    HeldOrbit guess = at;
+    for (std::size_t k = 0; k < 2; ++k) {
+      guess.place[k] = start.place[k] + (share + step) * (there[k] - start.place[k]);
+    }
+    guess.state += step * slope;
+    const std::optional<HeldOrbit> next = hold_orbits(plane, map, {guess}, kNearReach).front();
+    if (next && next->is_stable()) {
+      slope = (next->state - at.state) / step;
+      at = *next;
+      share += step;
+    } else {
+      step *= 0.5;
+    }
+  }
+  return at;
+}
 
 std::optional<Crossing> find_crossing(const ParameterPlane& plane, const PeriodPixels& pixels,
                                       OrbitMap* map, const HeldOrbit& orbit, std::size_t to,
@@ -107,7 +106,7 @@ std::optional<Crossing> find_crossing(const ParameterPlane& plane, const PeriodP
     auto equations = std::make_unique<BorderEquations>(plane, map, kind, orbit.period, scale);
     std::optional<BorderPoint> found = search.crossing(*equations, orbit);
     if (!is_beside(found)) {
-      if (!nearer) nearer = search.last_stable(orbit);
+      if (!nearer) nearer = last_stable(plane, map, orbit, pixels.place(to));
       found = search.crossing(*equations, *nearer);
     }
     if (is_beside(found)) return Crossing{std::move(equations), *std::move(found)};

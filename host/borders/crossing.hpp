@@ -22,4 +22,9 @@ std::optional<Crossing> find_crossing(const ParameterPlane& plane, const PeriodP
                                       OrbitMap* map, const HeldOrbit& orbit, std::size_t to,
                                       const BorderEdge& edge);
 
+// The orbit on the way to another place, as near as it is found to where it ends or loses its
+// stability.
+HeldOrbit last_stable(const ParameterPlane& plane, OrbitMap* map, const HeldOrbit& start,
+                      const PlanePlace& there);
+
 }  // namespace gearsweep

@@ -26,6 +26,8 @@ std::string describe(EdgeReason reason) {
       return "a motion goes on beyond the border (a change of basin)";
     case EdgeReason::lost:
       return "an orbit is lost, and no curve was found";
+    case EdgeReason::graze:
+      return "an orbit is lost where it begins to touch or to part";
     case EdgeReason::unsettled:
       break;
   }

@@ -16,8 +16,11 @@ enum class EdgeReason {
   basin,      // the orbit of one goes on beyond the other, stable: two motions are stable there
   lost,       // the orbit loses its stability or ends between them, and no curve was found there
   unsettled,  // neither motion was found again
+  graze,      // the orbit is lost, and begins or ceases to touch a limit there
 };
-inline constexpr std::size_t kEdgeReasons = 4;
+inline constexpr std::size_t kEdgeReasons = 5;
+// How far from a pair's middle a curve may pass that explains it, in pixels.
+inline constexpr double kHalfPixel = 0.5;
 
 // "a curve", "a change of basin", ...
 std::string describe(EdgeReason reason);
@@ -27,6 +30,12 @@ struct ExplainedBorder {
   std::vector<EdgeReason> reasons;  // [edge]
 
   std::size_t count(EdgeReason reason) const;
+};
+
+// Pairs of neighbouring pixels of one period that differ in the contact, and those of them that a
+// grazing curve of a stable motion passes between, within half a pixel of their middle.
+struct ContactPairs {
+  std::size_t pairs = 0, on_curve = 0;
 };
 
 // Of pairs without a curve: whether an orbit of the two goes on, stable, to the other pixel and one

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace gearsweep {
@@ -10,6 +12,9 @@ namespace {
 
 // An edge in half pixels: where its middle is.
 using Middle = std::pair<long, long>;
+// Edges of the same key may hang together: the labels, and the contacts.
+using Key = std::array<long, 4>;
+using KeyOf = std::function<std::optional<Key>(std::size_t, std::size_t)>;
 
 }  // namespace
 
@@ -22,19 +27,21 @@ PlanePlace PeriodPixels::place(std::size_t pixel) const {
   return {axes[0][pixel % columns()], axes[1][pixel / columns()]};
 }
 
-std::vector<MapBorder> find_map_borders(const PeriodPixels& pixels, std::size_t min_edges) {
+namespace {
+
+std::vector<MapBorder> borders_by(const KeyOf& key_of, const PeriodPixels& pixels,
+                                  std::size_t min_edges) {
   const std::size_t nx = pixels.columns(), ny = pixels.axes[1].size();
-  using Labels = std::array<int, 2>;
-  std::map<Labels, std::map<Middle, BorderEdge>> all;
+  std::map<Key, std::map<Middle, BorderEdge>> all;
   const auto look = [&](std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax({pixels.label(a), pixels.label(b)});
-    if (low == high) return;
+    const std::optional<Key> key = key_of(a, b);
+    if (!key) return;
     const auto middle = [&](std::size_t (*part)(std::size_t, std::size_t)) {
       return static_cast<long>(part(a, nx) + part(b, nx));
     };
     const Middle at = {middle([](std::size_t p, std::size_t n) { return p % n; }),
                        middle([](std::size_t p, std::size_t n) { return p / n; })};
-    all[{low, high}].emplace(at, BorderEdge{{a, b}});
+    all[*key].emplace(at, BorderEdge{{a, b}});
   };
   for (std::size_t y = 0; y < ny; ++y) {
     for (std::size_t x = 0; x < nx; ++x) {
@@ -44,9 +51,9 @@ std::vector<MapBorder> find_map_borders(const PeriodPixels& pixels, std::size_t 
     }
   }
   std::vector<MapBorder> out;
-  for (auto& [labels, edges] : all) {
+  for (auto& [key, edges] : all) {
     while (!edges.empty()) {
-      MapBorder border{labels, {}};
+      MapBorder border{{static_cast<int>(key[0]), static_cast<int>(key[1])}, {}};
       std::vector<Middle> open = {edges.begin()->first};
       border.edges.push_back(edges.begin()->second);
       edges.erase(edges.begin());
@@ -69,6 +76,33 @@ std::vector<MapBorder> find_map_borders(const PeriodPixels& pixels, std::size_t 
   std::ranges::stable_sort(
       out, [](const MapBorder& a, const MapBorder& b) { return a.edges.size() > b.edges.size(); });
   return out;
+}
+
+}  // namespace
+
+std::vector<MapBorder> find_map_borders(const PeriodPixels& pixels, std::size_t min_edges) {
+  const auto key_of = [&](std::size_t a, std::size_t b) -> std::optional<Key> {
+    const auto [low, high] = std::minmax({pixels.label(a), pixels.label(b)});
+    if (low == high) return std::nullopt;
+    return Key{low, high, 0, 0};
+  };
+  return borders_by(key_of, pixels, min_edges);
+}
+
+std::vector<MapBorder> find_contact_borders(const PeriodPixels& pixels, std::size_t min_edges) {
+  if (pixels.contact.empty()) return {};
+  const auto key_of = [&](std::size_t a, std::size_t b) -> std::optional<Key> {
+    const int label = pixels.label(a);
+    const double one = pixels.contact[a], other = pixels.contact[b];
+    if (label == 0 || label != pixels.label(b) || !std::isfinite(one) || !std::isfinite(other)) {
+      return std::nullopt;
+    }
+    // Impacts a period, of all periods of the orbit.
+    const auto [low, high] = std::minmax({std::lround(one * label), std::lround(other * label)});
+    if (low == high) return std::nullopt;
+    return Key{label, label, low, high};
+  };
+  return borders_by(key_of, pixels, min_edges);
 }
 
 }  // namespace gearsweep

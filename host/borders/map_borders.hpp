@@ -15,6 +15,8 @@ struct PeriodPixels {
   std::array<std::vector<double>, 2> axes;  // the values of x and y
   std::array<bool, 2> is_logarithmic{};
   std::vector<double> period;  // [iy * nx + ix]; no number: not periodic
+  // The same of what the motion touches, as a class or a number of impacts a period; may be empty.
+  std::vector<double> contact;
 
   std::size_t columns() const { return axes[0].size(); }
   // 0: the motion has no period, or a longer one than is looked at.
@@ -38,5 +40,7 @@ struct MapBorder {
 
 // The longest first; those of fewer edges are left out.
 std::vector<MapBorder> find_map_borders(const PeriodPixels& pixels, std::size_t min_edges);
+// The same between neighbours of one period that differ in the contact.
+std::vector<MapBorder> find_contact_borders(const PeriodPixels& pixels, std::size_t min_edges);
 
 }  // namespace gearsweep

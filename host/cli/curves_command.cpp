@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <utility>
 
 #include "borders/border_search.hpp"
 #include "cli/commands.hpp"
@@ -52,10 +54,19 @@ PeriodPixels read_periods(const std::string& path) {
   }
   PeriodPixels pixels;
   for (std::size_t i = 0; i < 2; ++i) {
+    if (map.axes[i].values.size() < 2) {
+      throw InputError(fmt::format("axis '{}' of '{}' has one value: curves take two at least",
+                                   map.axes[i].name, path));
+    }
     pixels.axes[i] = map.axes[i].values;
     pixels.is_logarithmic[i] = map.axes[i].logarithmic;
   }
   pixels.period = map.values;
+  const auto contact = std::ranges::find_if(known, [](const std::string& quantity) {
+    return quantity == "contact_class" || quantity.ends_with("_contact_class") ||
+           quantity.ends_with("_impacts");
+  });
+  if (contact != known.end()) pixels.contact = file.read(*contact).values;
   return pixels;
 }
 
@@ -63,17 +74,64 @@ std::string label_of(int period) {
   return period == 0 ? "no period" : fmt::format("period {}", period);
 }
 
+// Curves that could not be solved again.
+std::string unknown_steps(const BorderFindings& findings) {
+  const auto count = std::ranges::count_if(
+      findings.curves, [](const BorderCurve& curve) { return std::isnan(curve.step_error); });
+  return count == 0 ? "" : fmt::format(" ({} curves could not be solved again)", count);
+}
+
+// What moves the curves most: a table, a parameter a line.
+std::string describe_gradients(const BorderFindings& findings) {
+  struct Row {
+    std::string name;
+    std::vector<double> shifts;  // of curves, in percent of the window
+  };
+  const Study& study = findings.study;
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < study.model->parameters.size(); ++i) {
+    const double change = 0.01 * std::fabs(study.setting.parameters[i]);
+    Row row{study.model->parameters[i].name, {}};
+    for (const BorderCurve& curve : findings.curves) {
+      if (curve.gradients.empty() || change == 0.0) continue;
+      const auto [x, y] = curve.gradients[i];
+      const double shift =
+          100.0 * change * std::hypot(x / findings.ranges[0], y / findings.ranges[1]);
+      if (std::isfinite(shift)) row.shifts.push_back(shift);
+    }
+    if (row.shifts.empty()) continue;
+    std::ranges::sort(row.shifts);
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return "";
+  const auto median = [](const Row& row) { return row.shifts[row.shifts.size() / 2]; };
+  std::ranges::stable_sort(rows, std::ranges::greater(), median);
+  std::string out =
+      "what moves the curves across themselves, in % of the window, when a parameter grows by 1 "
+      "%:\n"
+      "  parameter        median        most\n";
+  for (const Row& row : rows) {
+    if (row.shifts.back() == 0.0) continue;
+    out += fmt::format("  {:<12} {:>10.2g}  {:>10.2g}\n", row.name, median(row), row.shifts.back());
+  }
+  return out;
+}
+
 std::string describe_curves(const BorderFindings& findings) {
   std::string out;
   const Study& study = findings.study;
   const std::string &x = study.axes[0].name, &y = study.axes[1].name;
-  double residual = 0.0;
+  double residual = 0.0, step_error = 0.0;
   for (const BorderCurve& curve : findings.curves) {
     residual = std::max(residual, curve.max_residual());
+    if (curve.step_error > step_error) step_error = curve.step_error;
+    const std::string touches = curve.kind == BorderKind::grazing
+                                    ? fmt::format(" ({})", describe(*study.model, curve.limit))
+                                    : "";
     const PlanePlace &first = curve.points.front().place, &last = curve.points.back().place;
     out += fmt::format(
-        "{} of period {}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
-        name_of(curve.kind), curve.period, curve.points.size(), x, first[0], y, first[1],
+        "{} of period {}{}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
+        name_of(curve.kind), curve.period, touches, curve.points.size(), x, first[0], y, first[1],
         curve.begins, last[0], last[1], curve.ends);
     for (const SpecialPoint& special : curve.special) {
       out += fmt::format("    {} near {} = {:.5g}, {} = {:.5g}\n", name_of(special.kind), x,
@@ -83,8 +141,9 @@ std::string describe_curves(const BorderFindings& findings) {
   if (!findings.curves.empty()) {
     out += fmt::format(
         "{} curves; residuals of at most {:.1g} of the states' sizes, with {} steps "
-        "a period\n",
-        findings.curves.size(), residual, findings.steps);
+        "a period; with twice as many curves move by at most {:.1g} pixels{}\n",
+        findings.curves.size(), residual, findings.steps, step_error, unknown_steps(findings));
+    out += describe_gradients(findings);
   }
   std::size_t pairs = 0;
   std::array<std::size_t, kEdgeReasons> counts{};
@@ -105,15 +164,41 @@ std::string describe_curves(const BorderFindings& findings) {
     out += "\n";
   }
   out += fmt::format("of {} pairs in {} borders:", pairs, findings.borders.size());
-  for (std::size_t i = 0; i < kEdgeReasons && pairs > 0; ++i) {
-    out += fmt::format("{} {:.1f} % {}", i > 0 ? "," : "",
+  const char* comma = "";
+  for (std::size_t i = 0; i < kEdgeReasons; ++i) {
+    if (counts[i] == 0) continue;
+    out += fmt::format("{} {:.1f} % {}", std::exchange(comma, ","),
                        100.0 * static_cast<double>(counts[i]) / static_cast<double>(pairs),
                        describe(static_cast<EdgeReason>(i)));
   }
-  return out + "\n";
+  out += "\n";
+  if (findings.contacts.pairs > 0) {
+    out += fmt::format(
+        "of {} pairs of one period that differ in the contact {:.1f} % have a grazing curve "
+        "between them\n",
+        findings.contacts.pairs,
+        100.0 * static_cast<double>(findings.contacts.on_curve) /
+            static_cast<double>(findings.contacts.pairs));
+  }
+  return out;
+}
+
+void warn_of_steps(const BorderFindings& findings) {
+  const auto is_rough = [](const BorderCurve& curve) { return curve.step_error > kHalfPixel; };
+  const auto count = std::ranges::count_if(findings.curves, is_rough);
+  if (count == 0) return;
+  tell(
+      "warning: {} of {} curves move by more than half a pixel with twice the steps: "
+      "use --steps {}\n",
+      count, findings.curves.size(), 4 * findings.steps);
 }
 
 int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
+  if (is_netcdf(arguments.map) && holds_borders(arguments.map)) {
+    throw InputError(fmt::format(
+        "'{}' holds curves already: give the map that they are of (plot MAP.nc --curves {})",
+        arguments.map, arguments.map));
+  }
   if (!is_netcdf(arguments.map)) {
     throw InputError(fmt::format(
         "'{}' is no result file: compute the map first, with period among its quantities "
@@ -144,6 +229,7 @@ int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
   write_borders(*findings, arguments.output,
                 {curves_command_line(arguments), version(), source_hash()});
   answer("{}", describe_curves(*findings));
+  warn_of_steps(*findings);
   if (!arguments.quiet) {
     tell("{}: {} curves in {:.1f} s\n", arguments.output, findings->curves.size(),
          findings->seconds);
@@ -185,8 +271,10 @@ void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
       "  gearsweep curves map.nc -o curves.nc\n"
       "  gearsweep plot map.nc --curves curves.nc -q period -o borders.pdf\n\n"
       "Where neighbouring pixels differ in their period, Newton's method finds the bifurcation\n"
-      "between them: a fold, a flip (the period doubles) or a Neimark-Sacker bifurcation (a torus\n"
-      "is born). Its curve is followed through the plane. Of all other pairs the summary says\n"
+      "between them: a fold, a flip (the period doubles), a Neimark-Sacker bifurcation (a torus\n"
+      "is born) or the breaking of a symmetry. Its curve is followed through the plane, and so "
+      "are\n"
+      "those along which a motion only just touches a limit. Of all other pairs the summary says\n"
       "whether the orbit of one goes on, stable, beyond the other: then two motions are stable "
       "there,\n"
       "and the starts of the two pixels lie in different basins.");

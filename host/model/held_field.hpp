@@ -70,6 +70,8 @@ class HeldField {
   bool is_contact(std::size_t surface) const { return surface >= sides_.size(); }
   void hold_contacts(const double* coefs, const double* x);
   void free_contacts() { touches_.clear(); }
+  // Its own sides, where a copy of it has held others of the same point since.
+  void hold_again() { point_->hold(sides_); }
 
   bool slides() const;
   bool slides(std::size_t surface) const { return slides_[surface]; }

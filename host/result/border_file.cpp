@@ -22,8 +22,9 @@ constexpr const char* kContentOfBorders = "border curves of gearsweep";
 
 // A parameter with the name of something else here gives way.
 std::string variable_of(const std::string& parameter) {
-  constexpr std::array<std::string_view, 8> kOwn = {"point", "state",  "section",  "multiplier",
-                                                    "angle", "stable", "residual", "side"};
+  constexpr std::array<std::string_view, 9> kOwn = {"point",      "state", "section",
+                                                    "multiplier", "angle", "stable",
+                                                    "residual",   "side",  "parameter"};
   const bool is_taken = std::ranges::find(kOwn, parameter) != kOwn.end() ||
                         parameter.starts_with("curve") || parameter.starts_with("special") ||
                         parameter.starts_with("border") || parameter.starts_with("multiplier_") ||
@@ -49,6 +50,11 @@ class BorderDescription {
     out_.attributes.push_back({"x", parameter(0).name});
     out_.attributes.push_back({"y", parameter(1).name});
     out_.attributes.push_back({"steps_per_period", static_cast<double>(findings_.steps)});
+    if (findings_.contacts.pairs > 0) {
+      out_.attributes.push_back({"contact_pairs", static_cast<double>(findings_.contacts.pairs)});
+      out_.attributes.push_back(
+          {"contact_pairs_on_curve", static_cast<double>(findings_.contacts.on_curve)});
+    }
     const std::size_t states = model_.states.size();
     out_.dimensions = {{"curve", findings_.curves.size()},
                        {"point", points_.size()},
@@ -119,8 +125,8 @@ class BorderDescription {
   }
 
   void add_curves() {
-    std::vector<std::string> kinds, begins, ends;
-    std::vector<double> periods, counts, closed;
+    std::vector<std::string> kinds, begins, ends, limits;
+    std::vector<double> periods, counts, closed, errors;
     for (const BorderCurve& curve : findings_.curves) {
       kinds.push_back(name_of(curve.kind));
       begins.push_back(curve.begins);
@@ -128,15 +134,48 @@ class BorderDescription {
       periods.push_back(static_cast<double>(curve.period));
       counts.push_back(static_cast<double>(curve.points.size()));
       closed.push_back(curve.is_closed ? 1.0 : 0.0);
+      errors.push_back(curve.step_error);
+      limits.push_back(curve.kind == BorderKind::grazing ? describe(model_, curve.limit)
+                                                         : std::string());
     }
     add_texts("curve_kind", "what happens at the curve", "curve", kinds, &out_);
     add_texts("curve_begins", "why the curve begins where it does", "curve", begins, &out_);
     add_texts("curve_ends", "why the curve ends where it does", "curve", ends, &out_);
+    add_texts("curve_limit", "of a grazing curve: what the orbit only just does", "curve", limits,
+              &out_);
     add("curve_period", Stored::integer, {"curve"}, "1",
         "forcing periods of the orbit that bifurcates", periods);
     add("curve_points", Stored::integer, {"curve"}, "1", "how many points the curve has", counts);
     out_.variables.back().attributes.push_back({"sample_dimension", "point"});
     add("curve_closed", Stored::byte, {"curve"}, "1", "1: the curve is closed", closed);
+    add("curve_step_error", Stored::real, {"curve"}, "1",
+        "how far the curve moves across itself with twice the steps, in pixels of the map, at most",
+        errors);
+    add_gradients();
+  }
+
+  void add_gradients() {
+    std::vector<double> judged;
+    std::array<std::vector<double>, 2> moved;
+    for (const BorderCurve& curve : findings_.curves) {
+      judged.push_back(static_cast<double>(curve.judged));
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t i = 0; i < model_.parameters.size(); ++i) {
+          moved[axis].push_back(curve.gradients.empty() ? std::nan("") : curve.gradients[i][axis]);
+        }
+      }
+    }
+    std::vector<std::string> names;
+    for (const ParameterInfo& info : model_.parameters) names.push_back(info.name);
+    out_.dimensions.push_back({"parameter", names.size()});
+    add_texts("parameter", "parameter of the model", "parameter", names, &out_);
+    add("curve_judged", Stored::integer, {"curve"}, "1",
+        "the point of the curve, from 0, whose gradient is given", judged);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      add("curve_gradient_" + parameter(axis).name, Stored::real, {"curve", "parameter"}, "1",
+          "how far the curve moves across itself with a parameter: in its unit over that one's",
+          moved[axis]);
+    }
   }
 
   void add_special() {
@@ -170,8 +209,8 @@ class BorderDescription {
         "periods on both sides of a border of the map; 0: none", labels);
     add("border_pairs", Stored::integer, {"border"}, "1",
         "pairs of neighbouring pixels that the border parts", pairs);
-    const std::array<std::string, kEdgeReasons> names = {"border_on_curve", "border_basin",
-                                                         "border_lost", "border_unsettled"};
+    const std::array<std::string, kEdgeReasons> names = {
+        "border_on_curve", "border_basin", "border_lost", "border_unsettled", "border_grazing"};
     for (std::size_t i = 0; i < kEdgeReasons; ++i) {
       const auto reason = static_cast<EdgeReason>(i);
       std::vector<double> counts;
@@ -204,6 +243,11 @@ Dataset dataset_of(const BorderFindings& findings, const Provenance& provenance)
 void write_borders(const BorderFindings& findings, const std::string& path,
                    const Provenance& provenance) {
   write_dataset(dataset_of(findings, provenance), path);
+}
+
+bool holds_borders(const std::string& path) {
+  const NetcdfFile file = NetcdfFile::open(path);
+  return file.text_attribute(NC_GLOBAL, "content").value_or("") == kContentOfBorders;
 }
 
 StoredCurves read_borders(const std::string& path) {

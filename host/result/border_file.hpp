@@ -16,10 +16,12 @@ struct BorderFindings;  // borders/border_search.hpp
 // `multiplier_real` and `multiplier_imag` (point, multiplier), largest modulus first, `angle` of
 // the critical multiplier, `stable`, `residual` of all equations in sizes of the states. Along
 // `curve`: `curve_kind`, `curve_period` in forcing periods, `curve_points` (how many points it
-// has), `curve_closed`, `curve_begins`, `curve_ends`. Along `special`: `special_kind`,
+// has), `curve_closed`, `curve_begins`, `curve_ends`, `curve_limit` of a grazing curve,
+// `curve_step_error` in pixels, `curve_judged` and, along `parameter`, too, curve_gradient_NAME:
+// how far the curve moves across itself there with a parameter. Along `special`: `special_kind`,
 // `special_curve` and the two parameters as special_NAME. Along `border`: `border_period` (border,
 // side), 0: none, `border_pairs`, and how many of these are `border_on_curve`, `border_basin`,
-// `border_lost`, `border_unsettled`.
+// `border_lost`, `border_unsettled`, `border_grazing`.
 Dataset dataset_of(const BorderFindings& findings, const Provenance& provenance);
 
 void write_borders(const BorderFindings& findings, const std::string& path,
@@ -38,6 +40,8 @@ struct StoredCurves {
   std::vector<std::pair<std::string, std::pair<double, double>>> special;  // kind and place
 };
 
+// Whether a NetCDF file is one of curves. Throws InputError when it is no NetCDF file.
+bool holds_borders(const std::string& path);
 // Throws InputError when the file holds no curves.
 StoredCurves read_borders(const std::string& path);
 

@@ -3,7 +3,9 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/parts.hpp"
@@ -12,6 +14,7 @@
 #include "plot/band.hpp"
 #include "plot/classes.hpp"
 #include "plot/colours.hpp"
+#include "plot/curve_styles.hpp"
 #include "plot/labels.hpp"
 #include "plot/value_range.hpp"
 #include "result/si_units.hpp"
@@ -25,6 +28,19 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 std::vector<double> vector_of(const Numbers& numbers) {
   return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+// Kind, colour and dashes of border curves.
+std::vector<std::tuple<std::string, std::string, std::vector<double>>> curve_styles() {
+  std::vector<std::tuple<std::string, std::string, std::vector<double>>> out;
+  for (const CurveStyle& style : kCurveStyles) {
+    std::vector<double> dashes;
+    std::istringstream text(style.dashes);
+    char mark = 0;
+    for (double length = 0.0; text >> mark && text >> length;) dashes.push_back(0.4 * length);
+    out.emplace_back(style.kind, style.colour, std::move(dashes));
+  }
+  return out;
 }
 
 // The scales in a Dataset's attributes; none without a [gear] table.
@@ -140,6 +156,7 @@ void add_picture(py::module_* module) {
   module->def("classes_of", classes_of);
   module->def("band_of", band_of);
   module->def("usual_colormap", &usual_colormap);
+  module->def("curve_styles", &curve_styles);
   module->def("colour_anchors", anchors_of);
   module->def("colour_range", colour_range_of);
   module->def("amplitude_spectrum", spectrum_of);

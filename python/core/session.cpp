@@ -116,6 +116,7 @@ void add_session(py::module_* module) {
   add_trace(&session);
   add_orders(&session);
   add_floquet(&session);
+  add_curves(&session);
   add_verify(&session);
   add_tolerance(&session);
   add_exploration(module, &session);

@@ -34,6 +34,7 @@ using SessionClass = pybind11::class_<Session>;
 void add_trace(SessionClass* session);
 void add_orders(SessionClass* session);
 void add_floquet(SessionClass* session);
+void add_curves(SessionClass* session);
 void add_verify(SessionClass* session);
 void add_tolerance(SessionClass* session);
 void add_exploration(pybind11::module_* module, SessionClass* session);

@@ -2,6 +2,7 @@
 
 from gearsweep import _core
 from gearsweep._accessor import Gear
+from gearsweep._curves import curves
 from gearsweep._distribution import normal, triangular, uniform, values
 from gearsweep._errors import InputError, RunError
 from gearsweep._explore import Exploration, explore
@@ -46,6 +47,7 @@ __all__ = [
     "Running",
     "Study",
     "Verification",
+    "curves",
     "devices",
     "explore",
     "floquet",

@@ -101,6 +101,7 @@ class Gear:
             Of traces the kind of picture, and after a colon what of: ``"time:dmf"``, ``"phase"``,
             ``"section"``, ``"spectrum:x1"`` or ``"force"``; ``"time"`` without one. Time is in
             periods, and in ms of a Dataset in SI: ``trace.gear.si().gear.plot("force")``.
+            Of `gearsweep.curves` none: all curves, over the map that `ax` has.
         over : str, optional
             Of a list of points: the column along the horizontal axis, in place of the number.
         ax : Axes, optional
@@ -126,10 +127,13 @@ class Gear:
         InputError
             The result has no such quantity.
         """
+        from gearsweep._curves import is_curves, plot_curves
         from gearsweep._order_plot import plot_orders, is_order_map
         from gearsweep._plot import draw
         from gearsweep._trace_plot import is_traces, plot_traces
 
+        if is_curves(self._maps):
+            return plot_curves(self._maps, ax, title)
         if is_traces(self._maps):
             return plot_traces(self._maps, quantity, ax=ax, limits=range, title=title)
         if is_order_map(self._maps):

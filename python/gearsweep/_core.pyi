@@ -97,6 +97,17 @@ class Session:
         device: str,
         call: str,
     ) -> _Described: ...
+    def curves(
+        self,
+        study: Study,
+        period: list[float],
+        contact: list[float],
+        steps: int,
+        min_pairs: int,
+        pilot_step: float | None,
+        device: str,
+        call: str,
+    ) -> _Described: ...
     def verify(
         self,
         device: str,
@@ -163,6 +174,7 @@ def classes_of(
     /,
 ) -> tuple[_Numbers, list[str], list[str]] | None: ...
 def band_of(quantity: str, names: list[str], /) -> tuple[str, str, str, str] | None: ...
+def curve_styles() -> list[tuple[str, str, list[float]]]: ...
 def usual_colormap(quantity: str, /) -> str: ...
 def colour_anchors(name: str, least: float, most: float, /) -> list[tuple[float, str]]: ...
 def colour_range(

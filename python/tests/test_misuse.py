@@ -82,6 +82,7 @@ GOOD: dict[str, Mapping[str, object]] = {
         "journal": None,
         "device": None,
     },
+    "curves": {"maps": "map.nc", "steps": None, "min_pairs": None, "device": None},
     "verify": {"device": None, "progress": None},
     "gear_keys": {},
     "model": {"name": "gear5"},

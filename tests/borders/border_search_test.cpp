@@ -77,7 +77,7 @@ TEST_F(BorderSearchOfAGear, CurvesOfTheEngineAreThoseOfTheHost) {
     const BorderEquations equations(plane, &host, curve.kind, curve.period,
                                     {sizes_of(*image), {plane.range(0), plane.range(1)}});
     const auto found =
-        equations.correct(equations.unknowns_of(point), point.tangent, point.null_vectors, 0.1);
+        equations.correct(equations.unknowns_of(point), point.tangent, point.critical, 0.1);
     ASSERT_TRUE(found) << name_of(curve.kind);
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_NEAR(found->place[k], point.place[k], 2e-6 * plane.range(k)) << name_of(curve.kind);

@@ -36,7 +36,7 @@ BorderCurve curve_from(const ParameterPlane& plane, BorderKind kind, const Orbit
   near.state = orbit.state;
   near.angle = std::arg(orbit.multipliers[0]);
   const Eigen::VectorXd guess = equations.unknowns_of(near);
-  const auto vectors = equations.null_vectors_near(guess);
+  const auto vectors = equations.critical_near(guess);
   const Eigen::Index n = guess.size();
   const auto start = equations.correct(guess, Eigen::VectorXd::Unit(n, n - 1), *vectors, 10.0);
   EXPECT_TRUE(start.has_value());

@@ -41,14 +41,19 @@ TEST(CurvesCommand, FindsTheDoublingOfAPendulumAndDrawsIt) {
   const Outcome outcome = gearsweep(folder, "curves map.nc -o curves.nc --quiet --min-pairs 5");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("flip of period 1: "), HasSubstr("period 1 | period 2: "),
-                    HasSubstr("residuals of at most")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(HasSubstr("flip of period 1: "), HasSubstr("period 1 | period 2: "),
+            HasSubstr("residuals of at most"), HasSubstr("with twice as many curves move by"),
+            HasSubstr("what moves the curves across themselves")));
   const Outcome plot = gearsweep(folder, "plot map.nc --curves curves.nc -q period -o map.svg");
   EXPECT_EQ(plot.status, 0) << plot.err;
   EXPECT_THAT(read_all(folder / "map.svg"), HasSubstr("flip"));
   EXPECT_THAT(gearsweep(folder, "plot map.nc --curves map.nc -o m.png").err,
               HasSubstr("'map.nc' holds no curves"));
+  const Outcome again = gearsweep(folder, "curves curves.nc -o again.nc");
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, HasSubstr("'curves.nc' holds curves already: give the map"));
   EXPECT_THAT(gearsweep(folder, "plot map.nc --curves curves.nc --at drive=1.5 -o m.png").err,
               HasSubstr("--curves takes a map of two axes"));
 }
@@ -77,6 +82,10 @@ TEST_P(CurvesRefusal, SaysWhatIsWrong) {
 constexpr const char* kTwoAxes =
     "[model]\nname = \"duffing\"\n[[axes]]\nname = \"omega\"\nfrom = 1\nto = 2\ncount = 3\n"
     "[[axes]]\nname = \"amplitude\"\nfrom = 1\nto = 2\ncount = 3\n";
+constexpr const char* kOneValue =
+    "[model]\nname = \"duffing\"\n[[axes]]\nname = \"omega\"\nfrom = 1\nto = 2\ncount = 3\n"
+    "[[axes]]\nname = \"amplitude\"\nfrom = 1\nto = 1\ncount = 1\n"
+    "[observe]\nquantities = [\"period\"]\n";
 constexpr const char* kOneAxis =
     "[model]\nname = \"duffing\"\n[[axes]]\nname = \"omega\"\nfrom = 1\nto = 2\ncount = 3\n"
     "[observe]\nquantities = [\"period\"]\n";
@@ -84,6 +93,7 @@ constexpr const char* kOneAxis =
 INSTANTIATE_TEST_SUITE_P(
     Cases, CurvesRefusal,
     ::testing::Values(WrongCurves{kOneAxis, "curves map.nc -o curves.nc", "no map of two axes"},
+                      WrongCurves{kOneValue, "curves map.nc -o curves.nc", "has one value"},
                       WrongCurves{kOneAxis, "curves study.toml -o curves.nc",
                                   "compute the map first"},
                       WrongCurves{kTwoAxes, "curves map.nc -o curves.png", "must end in .nc"},

@@ -3,25 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "model/error.hpp"
+#include "plot/curve_styles.hpp"
 #include "plot/detail/text.hpp"
 #include "result/border_file.hpp"
 
 namespace gearsweep {
 namespace {
 
-// Told apart by their dashes, too, where there are no colours.
-struct CurveStyle {
-  const char* kind;
-  const char* colour;
-  const char* dashes;
-};
-constexpr std::array<CurveStyle, 3> kStyles = {{{"fold", "#c8102e", "1"},
-                                                {"flip", "#000000", "(14,4)"},
-                                                {"Neimark-Sacker", "#7b2fd0", "(3,3)"}}};
 constexpr double kLineWidth = 1.8, kRimWidth = 3.4;
 constexpr double kThinWidth = 0.6;  // where no motion settles that bifurcates
 
@@ -69,7 +60,7 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
   const std::vector<ResultAxis> own = ResultFile(map_path).axes();
   const double x = scale_of(axes[0], own[0]), y = scale_of(axes[1], own[1]);
   std::vector<MapLine> lines;
-  for (const CurveStyle& style : kStyles) {
+  for (const CurveStyle& style : kCurveStyles) {
     bool is_there = false;
     for (const StoredCurve& curve : stored.curves) {
       if (curve.kind != style.kind) continue;
