@@ -45,6 +45,7 @@ void add_commands(CLI::App* app, const Run& run, SignalWatch* signals, int* stat
               fmt::format("Exit status: {}.", fmt::join(exit_statuses(), ", ")));
   add_run_command(app, run, signals, status);
   add_merge_command(app, status);
+  add_slurm_command(app);
   add_status_command(app);
   add_trace_command(app);
   add_explore_command(app, signals, status);

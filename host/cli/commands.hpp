@@ -23,6 +23,7 @@ inline std::vector<std::pair<int, std::string>> exit_meanings() {
 
 void add_run_command(CLI::App* app, const Run& run, SignalWatch* signals, int* status);
 void add_merge_command(CLI::App* app, int* status);
+void add_slurm_command(CLI::App* app);
 void add_status_command(CLI::App* app);
 void add_trace_command(CLI::App* app);
 void add_explore_command(CLI::App* app, SignalWatch* signals, int* status);

@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/progress_bar.hpp"
+#include "cli/detail/shard_status.hpp"
 #include "cli/standard_streams.hpp"
 #include "journal/journal.hpp"
 #include "journal/notes.hpp"
@@ -16,6 +20,7 @@
 #include "result/broken_file.hpp"
 #include "result/json_text.hpp"
 #include "result/result_file.hpp"
+#include "scheduler/shard.hpp"
 
 namespace gearsweep {
 namespace {
@@ -83,6 +88,40 @@ nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
           {"command", note(status, notes::kCommand)}};
 }
 
+// Shards that have not begun have no journal: how many points they have is not known.
+std::string describe(const std::string& output, const std::vector<ShardState>& shards) {
+  std::map<std::string, std::vector<std::string>> by_state;
+  std::size_t count = 0;
+  std::string text;
+  for (const ShardState& one : shards) {
+    const Shard shard = one.shard.empty() ? Shard() : parse_shard(one.shard);
+    count = std::max(count, shard.count);
+    by_state[state_of(one.status)].push_back(one.shard.empty() ? one.journal : one.shard);
+    if (share_of(one.status) < 1.0) text += describe(one.journal, one.status);
+  }
+  std::string head = fmt::format("{}: {} of {} shards have begun", output, shards.size(), count);
+  for (const auto& [state, names] : by_state) {
+    head += fmt::format("; {}: {}", state, fmt::join(names, ", "));
+  }
+  head += '\n';
+  if (by_state["computed"].size() == count) {
+    head += fmt::format("to put them together: gearsweep merge {0}.shard-*.journal -o {0}\n",
+                        shell_quoted(output));
+  }
+  return head + text;
+}
+
+nlohmann::json as_json(const std::string& output, const std::vector<ShardState>& shards) {
+  nlohmann::json all = {
+      {"output", output}, {"state", "shards"}, {"shards", nlohmann::json::array()}};
+  for (const ShardState& one : shards) {
+    nlohmann::json shard = as_json(one.journal, one.status);
+    shard["shard"] = one.shard;
+    all["shards"].push_back(std::move(shard));
+  }
+  return all;
+}
+
 void show(const std::string& output, bool with_json) {
   const std::string journal = output.ends_with(".journal") ? output : output + ".journal";
   if (has_regular_file(journal, "a journal")) {
@@ -93,6 +132,8 @@ void show(const std::string& output, bool with_json) {
     const ResultFile whole(output);  // throws when it is none
     answer("{}", with_json ? json_text({{"output", output}, {"state", "finished"}})
                            : fmt::format("{}: finished\n", output));
+  } else if (const std::vector<ShardState> shards = shards_of(output); !shards.empty()) {
+    answer("{}", with_json ? json_text(as_json(output, shards)) : describe(output, shards));
   } else {
     throw InputError(fmt::format(
         "{0}: there is neither this result nor {0}.journal of a run that is to write it", output));

@@ -26,14 +26,14 @@ namespace {
 void add_geometry(const GearDrawing& drawing, const GearGeometry& geometry, GearTarget* target) {
   const double degrees = geometry.alpha * 180.0 / std::numbers::pi;
   target->note(
-      fmt::format("base radii Rp = {:.7g} mm, Rg = {:.7g} mm (module z/2 cos(alpha)); "
-                  "base pitch {:.7g} mm",
-                  geometry.pinion_base, geometry.gear_base, geometry.base_pitch));
-  target->note(fmt::format("working pressure angle {:.6g} degrees at centre distance {:.6g} mm",
-                           degrees, geometry.centre));
+      "base radii Rp = {:.7g} mm, Rg = {:.7g} mm (module z/2 cos(alpha)); "
+      "base pitch {:.7g} mm",
+      geometry.pinion_base, geometry.gear_base, geometry.base_pitch);
+  target->note("working pressure angle {:.6g} degrees at centre distance {:.6g} mm", degrees,
+               geometry.centre);
   target->add("zp", geometry.pinion_teeth, kTeeth, "teeth of the pinion as given");
-  target->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth,
-              fmt::format("zg/zp = {} / {}", geometry.gear_teeth, geometry.pinion_teeth));
+  target->add("teeth_ratio", geometry.gear_teeth / geometry.pinion_teeth, kTeeth, "zg/zp = {} / {}",
+              geometry.gear_teeth, geometry.pinion_teeth);
   if (geometry.helix > 0.0) {
     if (!drawing.has(kFaceWidth)) {
       throw DrawingError(
@@ -43,30 +43,26 @@ void add_geometry(const GearDrawing& drawing, const GearGeometry& geometry, Gear
     }
     const double width = drawing.required(kFaceWidth);
     target->add("overlap", geometry.overlap(width), kHelix,
-                fmt::format("b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm",
-                            width * std::sin(geometry.helix), std::numbers::pi * geometry.module));
+                "b sin(beta)/(pi m) = {:.6g} mm / {:.6g} mm", width * std::sin(geometry.helix),
+                std::numbers::pi * geometry.module);
     target->note(
         "helical teeth: radii, pressure angle, torque's force and backlash are those "
         "of the transverse section; axial forces are left out");
   }
   const GearKey& origin = drawing.has(kCentreDistance) ? kCentreDistance : kPressureAngle;
-  target->add("alpha", degrees, origin,
-              fmt::format("working pressure angle at a = {:.6g} mm", geometry.centre));
+  target->add("alpha", degrees, origin, "working pressure angle at a = {:.6g} mm", geometry.centre);
 }
 
 void add_masses(const GearBodies& bodies, const GearBases& bases, GearTarget* target) {
   const double sum = bases.pinion_mesh_mass + bases.gear_mesh_mass;
-  target->add(
-      "rho_p", bases.gear_mesh_mass / sum, kInertia,
-      fmt::format("me/(Ip/Rp^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.pinion_mesh_mass));
+  target->add("rho_p", bases.gear_mesh_mass / sum, kInertia, "me/(Ip/Rp^2) = {:.6g} kg / {:.6g} kg",
+              bases.me, bases.pinion_mesh_mass);
   target->add("rho_g", bases.pinion_mesh_mass / sum, kInertia,
-              fmt::format("me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.gear_mesh_mass));
+              "me/(Ig/Rg^2) = {:.6g} kg / {:.6g} kg", bases.me, bases.gear_mesh_mass);
   if (!target->takes(kMass)) return;
   const std::vector<double>& mass = bodies.mass;
-  target->add("m1", bases.me / mass[0], kMass,
-              fmt::format("me/mp = {:.6g} kg / {:.6g} kg", bases.me, mass[0]));
-  target->add("m2", bases.me / mass[1], kMass,
-              fmt::format("me/mg = {:.6g} kg / {:.6g} kg", bases.me, mass[1]));
+  target->add("m1", bases.me / mass[0], kMass, "me/mp = {:.6g} kg / {:.6g} kg", bases.me, mass[0]);
+  target->add("m2", bases.me / mass[1], kMass, "me/mg = {:.6g} kg / {:.6g} kg", bases.me, mass[1]);
 }
 
 // Returns cm in N s/m.
@@ -82,17 +78,16 @@ double add_mesh_damping(const GearDrawing& drawing, const GearBases& bases, Gear
     // The critical value is that of the mesh as it is; zeta counts in that of k0.
     const double stiffer = std::sqrt(bases.stiffness_factor);
     const double zeta = stiffer * *ratio / dampers;
-    target->add(
-        "zeta", zeta, kDampingRatio,
-        fmt::format("ratio/{} = {:.6g}/{}{}: cm = {:.6g} N s/m{}", dampers, *ratio, dampers,
-                    stiffer == 1.0 ? "" : fmt::format(" {:.6g}, for stiffness_factor", stiffer),
-                    zeta * critical, dampers == 1 ? "" : " in each pair of teeth"));
+    target->add("zeta", zeta, kDampingRatio, "ratio/{} = {:.6g}/{}{}: cm = {:.6g} N s/m{}", dampers,
+                *ratio, dampers,
+                stiffer == 1.0 ? "" : fmt::format(" {:.6g}, for stiffness_factor", stiffer),
+                zeta * critical, dampers == 1 ? "" : " in each pair of teeth");
     return zeta * critical;
   }
   const double cm = drawing.required(kMeshDamping) * 1e3;
   target->add("zeta", cm / critical, kMeshDamping,
-              fmt::format("cm/(2 varpi me) = {:.6g} N s/m / (2 {:.6g} rad/s {:.6g} kg)", cm,
-                          bases.varpi, bases.me));
+              "cm/(2 varpi me) = {:.6g} N s/m / (2 {:.6g} rad/s {:.6g} kg)", cm, bases.varpi,
+              bases.me);
   return cm;
 }
 
@@ -102,7 +97,7 @@ void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
   for (std::size_t i = 0; target->takes(kBearingStiffness) && i < kBearingStiffness.count(); ++i) {
     const double spring = drawing.list(kBearingStiffness)[i] * 1e3;
     target->add(fmt::format("k{}", i + 1), spring / bases.k0, kBearingStiffness,
-                fmt::format("K{}/k0 = {:.6g} N/m / {:.6g} N/m", i + 1, spring, bases.k0));
+                "K{}/k0 = {:.6g} N/m / {:.6g} N/m", i + 1, spring, bases.k0);
   }
   for (std::size_t i = 0; target->takes(kBearingDamping) && i < kBearingDamping.count(); ++i) {
     const double damper = drawing.list(kBearingDamping)[i] * 1e3;
@@ -113,7 +108,7 @@ void add_springs_and_dampers(const GearDrawing& drawing, const GearBases& bases,
           "mesh damping (c = C/cm); give a positive number, or no damping at all");
     }
     target->add(fmt::format("c{}", i + 1), cm == 0.0 ? 0.0 : damper / cm, kBearingDamping,
-                fmt::format("C{}/cm = {:.6g} N s/m / {:.6g} N s/m", i + 1, damper, cm));
+                "C{}/cm = {:.6g} N s/m / {:.6g} N s/m", i + 1, damper, cm);
   }
 }
 
@@ -132,27 +127,26 @@ void add_stiffness_factor(const GearDrawing& drawing, const GearBases& bases, Ge
 void add_lengths(const GearGeometry& geometry, const GearBases& bases, GearTarget* target) {
   const double centre = geometry.centre * 1e-3;
   target->add("b", bases.half_backlash / bases.b_n, kHalfBacklash,
-              fmt::format("{:.6g} m / {:.6g} m: the half backlash of the drawing is the unit of "
-                          "length",
-                          bases.half_backlash, bases.b_n));
-  target->add("A", centre / bases.b_n, kHalfBacklash,
-              fmt::format("a/b_n = {:.6g} m / {:.6g} m", centre, bases.b_n));
+              "{:.6g} m / {:.6g} m: the half backlash of the drawing is the unit of "
+              "length",
+              bases.half_backlash, bases.b_n);
+  target->add("A", centre / bases.b_n, kHalfBacklash, "a/b_n = {:.6g} m / {:.6g} m", centre,
+              bases.b_n);
 }
 
 void add_speed(const GearDrawing& drawing, double rpm_per_omega, GearTarget* target) {
-  target->note(
-      fmt::format("pinion speed at omega = 1: {:.6g} rpm (60 varpi/(2 pi zp))", rpm_per_omega));
+  target->note("pinion speed at omega = 1: {:.6g} rpm (60 varpi/(2 pi zp))", rpm_per_omega);
   const std::optional<double> speed = drawing.number(kSpeed);
   if (!speed) return;
   target->add("omega", *speed / rpm_per_omega, kSpeed,
-              fmt::format("zp 2 pi n/60 / varpi = {:.6g} rpm / {:.6g} rpm", *speed, rpm_per_omega));
+              "zp 2 pi n/60 / varpi = {:.6g} rpm / {:.6g} rpm", *speed, rpm_per_omega);
 }
 
 }  // namespace
 
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
-                            const std::string& suffix) {
-  GearTarget target(drawing, model, suffix);
+                            const std::string& suffix, GearTexts texts) {
+  GearTarget target(drawing, model, suffix, texts);
   require_keys(drawing, target);
   const GearGeometry geometry = geometry_of(drawing);
   add_geometry(drawing, geometry, &target);
@@ -177,15 +171,14 @@ GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
       60.0 * (bases.varpi / (2.0 * std::numbers::pi * geometry.pinion_teeth));
   add_speed(drawing, rpm_per_omega, &target);
 
+  GearConversion out = target.take();
+  out.scales = {bases.varpi, bases.b_n, bases.k0, rpm_per_omega};
+  out.dynamic_factor = factor;
+  if (texts == GearTexts::none) return out;
   const WorkedOut worked_out = {
       bodies.mass,     bodies.inertia,       bases.k0,
       geometry.centre, path.contact_ratio(), target.takes(kTorque) ? mean_torque(drawing) : 0.0};
-  std::vector<GearDatum> data =
-      data_of(drawing, worked_out, [&](const GearKey& key) { return target.takes(key); });
-  GearConversion out = target.take();
-  out.data = std::move(data);
-  out.scales = {bases.varpi, bases.b_n, bases.k0, rpm_per_omega};
-  out.dynamic_factor = factor;
+  out.data = data_of(drawing, worked_out, [&](const GearKey& key) { return target.takes(key); });
   out.doubts = doubts_about(drawing, geometry);
   return out;
 }

@@ -1,6 +1,7 @@
 // What follows from a drawing for a model of a gear pair: parameters, curves, options and scales.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,9 @@ struct GearDoubt {
   std::string text;
 };
 
+// Whether notes and data are written, too. Of the many drawings of an axis nobody reads them.
+enum class GearTexts : std::uint8_t { all, none };
+
 struct GearConversion {
   std::vector<GearParameter> parameters;  // each once; omega only when the pinion's speed is given
   std::vector<GearOption> options;
@@ -55,7 +59,7 @@ struct GearConversion {
 // The model may be any that calls what it takes as gear5 does, with the suffix: eps_first. It may
 // take the bases of the drawing, too: k0 in N/m, b_n in m and varpi in rad/s.
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
-                            const std::string& suffix = "");
+                            const std::string& suffix = "", GearTexts texts = GearTexts::all);
 
 // Whether the model has something of what the key gives where it stands in a drawing with this
 // suffix; a drawing with other keys is refused.

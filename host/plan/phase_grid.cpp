@@ -25,8 +25,8 @@ std::vector<double> segment_bounds(const Model& model, const ModelSetting& setti
   return bounds;
 }
 
-PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps) {
-  const std::vector<double> bounds = segment_bounds(model, setting);
+PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps,
+                          const std::vector<double>& bounds) {
   PhaseGrid grid;
   std::vector<PhasePlace> places;
   for (std::size_t segment = 0; segment + 1 < bounds.size(); ++segment) {
@@ -47,6 +47,10 @@ PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::
   grid.coefs.resize(places.size() * model.phase_coefs.size());
   model.phase_table(setting, places, grid.coefs.data());
   return grid;
+}
+
+PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps) {
+  return make_phase_grid(model, setting, steps, segment_bounds(model, setting));
 }
 
 namespace {

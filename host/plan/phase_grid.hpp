@@ -22,7 +22,10 @@ struct PhaseGrid {
 // Break phases, sorted, distinct, from 0 to 1 (both included).
 std::vector<double> segment_bounds(const Model& model, const ModelSetting& setting);
 
-// At least `steps` steps in all, each segment a whole number of them.
+// At least `steps` steps in all, each segment a whole number of them. bounds: segment_bounds() of a
+// setting that differs in nothing that shapes the phase.
+PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps,
+                          const std::vector<double>& bounds);
 PhaseGrid make_phase_grid(const Model& model, const ModelSetting& setting, std::size_t steps);
 
 // The smallest number of the ladder 16, 20, 24, 28, 32, 40, 48, ... (four per octave) that is at

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "model/error.hpp"
@@ -18,6 +19,11 @@ constexpr double kMaxMeshSteps = 65536, kMaxSteps = 4194304;
 // With fewer in a wave of an order Simpson's rule is off by more than (2 pi/8)^4/2880 = 1.3e-4 of
 // what it integrates.
 constexpr double kStepsOfWave = 8;
+
+// Of keys of grids, whose last number is that of their steps.
+bool have_one_shape(const std::vector<double>& one, const std::vector<double>& other) {
+  return std::equal(one.begin(), one.end() - 1, other.begin());
+}
 
 }  // namespace
 
@@ -142,6 +148,21 @@ PhaseGrid Plan::phase_grid_of(std::size_t point) const {
   return make_phase_grid(*study_.model, setting_of(point), steps_of(point));
 }
 
+void Plan::for_each_phase_grid(
+    const std::vector<std::size_t>& points,
+    const std::function<void(std::size_t point, const PhaseGrid& grid)>& take) const {
+  std::map<std::vector<double>, std::vector<double>> bounds_of_shape;
+  for (const std::size_t point : points) {
+    const ModelSetting setting = setting_of(point);
+    std::vector<double> shape;
+    set_key(setting, &shape);
+    shape.pop_back();
+    const auto [bounds, is_new] = bounds_of_shape.try_emplace(std::move(shape));
+    if (is_new) bounds->second = segment_bounds(*study_.model, setting);
+    take(point, make_phase_grid(*study_.model, setting, steps_at(setting), bounds->second));
+  }
+}
+
 std::vector<double> Plan::grid_key(std::size_t point) const {
   std::vector<double> key;
   set_key(setting_of(point), &key);
@@ -196,7 +217,11 @@ std::vector<Plan::Group> Plan::groups_of(std::size_t stage) const {
     if (entry == nullptr || entry->first != key) entry = above;
     if (entry == nullptr || entry->first != key) {
       const auto [place, is_new] = by_grid.try_emplace(key);
-      if (is_new) check_breaks(point, setting);
+      // The map has keys of one shape beside each other.
+      const bool is_checked =
+          (place != by_grid.begin() && have_one_shape(std::prev(place)->first, key)) ||
+          (std::next(place) != by_grid.end() && have_one_shape(std::next(place)->first, key));
+      if (is_new && !is_checked) check_breaks(point, setting);
       entry = &*place;
     }
     above = entry;

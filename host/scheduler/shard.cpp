@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -21,6 +23,11 @@ Shard parse_shard(const std::string& text) {
         fmt::format("shard '{}': expected K/N, the K-th of N shards, such as 1/8 .. 8/8", text));
   }
   return shard;
+}
+
+std::size_t tile_for_shards(std::size_t trajectories, std::size_t count) {
+  constexpr std::size_t kTiles = 4;
+  return std::max<std::size_t>(1, trajectories / (kTiles * count));
 }
 
 }  // namespace gearsweep

@@ -17,4 +17,8 @@ struct Shard {
 // "2/8". Throws InputError.
 Shard parse_shard(const std::string& text);
 
+// How many trajectories a tile of a sweep in `count` shards has that run on machines of different
+// kinds, which would each cut it in their own way: a shard has four tiles then.
+std::size_t tile_for_shards(std::size_t trajectories, std::size_t count);
+
 }  // namespace gearsweep

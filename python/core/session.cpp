@@ -113,6 +113,7 @@ void add_session(py::module_* module) {
       .def("run", run, py::call_guard<Computation>(), py::arg("study"), py::arg("device"),
            py::arg("journal"), py::arg("call"), py::arg("progress"), py::arg("priority"))
       .def("devices", list_as_dicts);
+  add_shards(module, &session);
   add_trace(&session);
   add_orders(&session);
   add_floquet(&session);

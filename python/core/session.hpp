@@ -31,6 +31,7 @@ class Session {
 using SessionClass = pybind11::class_<Session>;
 
 // What each file adds to the class.
+void add_shards(pybind11::module_* module, SessionClass* session);
 void add_trace(SessionClass* session);
 void add_orders(SessionClass* session);
 void add_floquet(SessionClass* session);

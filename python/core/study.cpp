@@ -54,6 +54,7 @@ void add_study(py::module_* module) {
       // What a study may give as parameters, too: those that are plain numbers.
       .def_property_readonly("constant_names",
                              [](const Study& study) { return names_of(study.model->constants); })
+      .def_property_readonly("trajectories", &Study::trajectories)
       .def_property_readonly("axis_names", axis_names)
       .def_property_readonly("axis_counts", axis_counts);
   using Texts = std::vector<std::string>;

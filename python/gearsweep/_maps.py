@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import xarray
 
@@ -64,6 +64,11 @@ def maps_of(
         )
     for warning in warnings:
         warn(warning)
+    return told(described)
+
+
+def told(described: Any) -> xarray.Dataset:
+    """The Dataset of what the core describes; warns of the points that failed."""
     made = dataset_of(*described)
     _warn_of_failures(made.status)
     return made

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from concurrent.futures import Future
+from concurrent.futures import Executor, Future
 from threading import Thread
 from typing import Any
 
@@ -14,6 +14,7 @@ from gearsweep._errors import InputError
 from gearsweep._maps import maps_of, means_of
 from gearsweep._named import options_by_name
 from gearsweep._progress import Progress, Watch
+from gearsweep._shards import computed
 from gearsweep._study import Study
 from gearsweep._study_source import study_of
 from gearsweep._value import shown
@@ -31,6 +32,8 @@ def run(
     progress: Watch = True,
     journal: str | os.PathLike[str] | None = None,
     device: int | str | None = None,
+    executor: Executor | None = None,
+    shards: int | None = None,
 ) -> xarray.Dataset:
     """Compute the maps of a study.
 
@@ -53,6 +56,13 @@ def run(
         goes on where an interrupted one ended.
     device : int or str, optional
         A number of `devices`, or several as in the command: ``"0,1"``, ``"all"``.
+    executor : concurrent.futures.Executor, optional
+        Whose workers compute the study, in shards: a pool of processes (not forked), Dask's
+        ``client.get_executor()``, mpi4py's, ipyparallel's, Parsl's. They need no common disk. With
+        a journal, a shard that a worker has finished is kept, and the same call computes the others
+        alone.
+    shards : int, optional
+        How many there are, for an executor; four a worker, or 32, unless given.
 
     Returns
     -------
@@ -65,7 +75,7 @@ def run(
     InputError
         The study or an option is wrong.
     RunError
-        A device or a disk failed.
+        A device, a disk or a worker failed.
     KeyboardInterrupt
         After Ctrl-C, once the running round is over. A journal keeps what is finished.
 
@@ -82,7 +92,7 @@ def run(
     {'omega': 3}
     """
     asked, call = _asked("run", study, set, points)
-    return maps_of(asked._core, call, means_of(journal, device), progress)
+    return computed(asked, call, means_of(journal, device), progress, executor, shards)
 
 
 class Running(Future[xarray.Dataset]):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from typing import TYPE_CHECKING, Any
 
 import xarray
@@ -11,12 +12,13 @@ import xarray
 from gearsweep import _core
 from gearsweep._axis import axis_table
 from gearsweep._errors import InputError
-from gearsweep._maps import maps_of, means_of
+from gearsweep._maps import means_of
 from gearsweep._model import Model
 from gearsweep._model import model as builtin_model
 from gearsweep._points import columns_of
 from gearsweep._progress import Watch
 from gearsweep._result import call_text
+from gearsweep._shards import computed
 from gearsweep._study_text import StudyText
 from gearsweep._value import assignments, path_of, text_of
 from gearsweep._warning import warn
@@ -342,10 +344,12 @@ class Study(StudyText):
         progress: Watch = True,
         journal: str | os.PathLike[str] | None = None,
         device: int | str | None = None,
+        executor: Executor | None = None,
+        shards: int | None = None,
     ) -> xarray.Dataset:
         """Compute it, as `gearsweep.run` does with the same options."""
         asked, call = (self.set(set) if set else self)._asked("run", self, set, points)
-        return maps_of(asked._core, call, means_of(journal, device), progress)
+        return computed(asked, call, means_of(journal, device), progress, executor, shards)
 
     def _asked(
         self, function: str, given: Any, changes: Mapping[str, Any] | None, points: Any

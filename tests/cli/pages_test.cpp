@@ -174,10 +174,10 @@ TEST(Documentation, CommandsAndOptionsAreThere) {
   const std::map<std::string, std::string> help = [&] {
     std::map<std::string, std::string> texts;
     for (const std::string command :
-         {"run",    "merge",   "status",     "trace",     "plot",      "export",
-          "top",    "floquet", "curves",     "reproduce", "studies",   "model",
-          "gear",   "explore", "orders",     "report",    "tolerance", "devices",
-          "verify", "bench",   "completion", "manual"}) {
+         {"run",     "merge",  "slurm",   "status",     "trace",     "plot",
+          "export",  "top",    "floquet", "curves",     "reproduce", "studies",
+          "model",   "gear",   "explore", "orders",     "report",    "tolerance",
+          "devices", "verify", "bench",   "completion", "manual"}) {
       texts[command] = gearsweep(folder, command + " --help").out;
     }
     for (const std::string part : {"new", "import"}) {

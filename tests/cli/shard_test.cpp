@@ -1,6 +1,9 @@
 // Shards that know nothing of each other give, merged, the maps of one run.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 #include "support/process.hpp"
 #include "support/same_result.hpp"
@@ -10,6 +13,7 @@ namespace gearsweep::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // 10 tiles of each point's own and of an ensemble's trajectories.
 const std::string kShardStudy = coarse_study(10, 16, R"([initial]
@@ -49,6 +53,44 @@ TEST_F(ShardTest, MergedTheyAreTheMapsOfOneRun) {
   const Outcome merged = merge("map.nc.shard-*.journal");
   EXPECT_EQ(merged.status, 0) << merged.err;
   EXPECT_EQ(difference("merged.nc", "map.nc"), "");
+}
+
+TEST_F(ShardTest, StatusTellsWhichAreThere) {
+  ASSERT_EQ(run("--shard 1/2").status, 0);
+  const Outcome one = gearsweep(folder_, "status map.nc");
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("1 of 2 shards have begun; computed: 1/2"));
+  EXPECT_THAT(one.out, Not(HasSubstr("merge")));
+  ASSERT_EQ(run("--shard 2/2").status, 0);
+  EXPECT_THAT(gearsweep(folder_, "status map.nc").out,
+              HasSubstr("computed: 1/2, 2/2\nto put them together: gearsweep merge "));
+  const Outcome json = gearsweep(folder_, "status map.nc --json");
+  EXPECT_THAT(json.out, HasSubstr("\"shard\": \"2/2\""));
+}
+
+// What a node does with the script: each job of the array, then the line that merges.
+TEST_F(ShardTest, TheScriptOfAJobArrayGivesTheMapsOfOneRun) {
+  ASSERT_EQ(run("").status, 0);
+  const Outcome script = gearsweep(folder_, "slurm study.toml --jobs 3 -o jobs.nc");
+  ASSERT_EQ(script.status, 0) << script.err;
+  EXPECT_THAT(script.out, HasSubstr("#SBATCH --array=1-3\n"));
+  folder_.write("job.sh", script.out);
+  const std::string path = std::filesystem::path(GEARSWEEP_BINARY).parent_path().string();
+  for (const char* job : {"2", "1", "3"}) {
+    const std::string line =
+        fmt::format("PATH='{}':$PATH SLURM_ARRAY_TASK_ID={} bash job.sh", path, job);
+    ASSERT_EQ(run_in(folder_, line).status, 0) << job;
+  }
+  const Outcome merged = gearsweep(folder_, "merge jobs.nc.shard-*.journal -o merged.nc --quiet");
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(difference("merged.nc", "map.nc"), "");
+}
+
+TEST_F(ShardTest, AJobArrayNeedsAnythingToShare) {
+  EXPECT_THAT(gearsweep(folder_, "slurm study.toml --jobs 321").err,
+              HasSubstr("has 320 trajectories; give at most so many"));
+  EXPECT_THAT(gearsweep(folder_, "slurm study.toml --jobs 2 --time soon").err,
+              HasSubstr("'soon' is no time"));
 }
 
 // The draws of a point lie in tiles of all three, and Sobol indices take every one of them.

@@ -17,9 +17,9 @@ GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry,
   out.gear_mesh_mass = inertia[1] / (geometry.gear_base * geometry.gear_base);
   out.me = out.pinion_mesh_mass * out.gear_mesh_mass / (out.pinion_mesh_mass + out.gear_mesh_mass);
   target->note(
-      fmt::format("me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
-                  "Ig/Rg^2 = {:.6g} kg",
-                  out.me, out.pinion_mesh_mass, out.gear_mesh_mass));
+      "me = {:.6g} kg from 1/me = Rp^2/Ip + Rg^2/Ig, Ip/Rp^2 = {:.6g} kg, "
+      "Ig/Rg^2 = {:.6g} kg",
+      out.me, out.pinion_mesh_mass, out.gear_mesh_mass);
   out.k0 = mean_mesh_stiffness(drawing, geometry, contact_ratio, measured_stiffness, target);
   out.stiffness_factor = drawing.number(kStiffnessFactor).value_or(1.0);
   // Where the model counts the backlash in b_n, another backlash needs no other unit.
@@ -27,7 +27,7 @@ GearBases bases_of(const GearDrawing& drawing, const GearGeometry& geometry,
   out.b_n = target->has_parameter("b") ? drawing.unvaried(kHalfBacklash) * 1e-3 : out.half_backlash;
   out.varpi = std::sqrt(out.k0 / out.me);
   out.pinion_base = geometry.pinion_base * 1e-3;
-  target->note(fmt::format("varpi = sqrt(k0/me) = {:.6g} rad/s", out.varpi));
+  target->note("varpi = sqrt(k0/me) = {:.6g} rad/s", out.varpi);
   return out;
 }
 

@@ -54,9 +54,9 @@ GearBodies bodies_of(const GearDrawing& drawing, const GearGeometry& geometry, G
     if (!numbers->empty()) return;
     *numbers = {discs[0].*what, discs[1].*what};
     target->note(
-        fmt::format("{}: {:.6g} and {:.6g} {}, an estimate: steel discs of the reference "
-                    "diameters",
-                    key.meaning, discs[0].*what, discs[1].*what, unit));
+        "{}: {:.6g} and {:.6g} {}, an estimate: steel discs of the reference "
+        "diameters",
+        key.meaning, discs[0].*what, discs[1].*what, unit);
   };
   estimate(kMass, &Disc::mass, "kg", &bodies.mass);
   estimate(kInertia, &Disc::inertia, "kg mm^2", &bodies.inertia);

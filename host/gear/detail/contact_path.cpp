@@ -113,13 +113,12 @@ ContactPath add_contact_path(const GearDrawing& drawing, const GearGeometry& geo
   const std::string formula =
       fmt::format("addenda {:.6g} and {:.6g} mm: eps_a + eps_r = {:.6g} + {:.6g} = {:.6g}",
                   addenda[0], addenda[1], drawn.approach, drawn.recess, from_geometry);
-  target->note(given ? fmt::format("contact ratio {:.6g} as given ({})", eps, formula)
-                     : fmt::format("contact ratio {:.6g} from {}", eps, formula));
-  target->add("eps", eps, given ? kContactRatio : tips_from,
+  target->note("contact ratio {:.6g} {}", eps,
+               given ? fmt::format("as given ({})", formula) : "from " + formula);
+  target->add("eps", eps, given ? kContactRatio : tips_from, "{}",
               given ? "contact_ratio as given" : formula);
-  target->add(
-      "approach", approach, tips_from,
-      fmt::format("eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}", drawn.approach, from_geometry));
+  target->add("approach", approach, tips_from, "eps_a/(eps_a + eps_r) = {:.6g} / {:.6g}",
+              drawn.approach, from_geometry);
   const ContactPath used{approach * eps, (1.0 - approach) * eps};
   refuse_interference(drawing, geometry, used);
   return used;

@@ -37,12 +37,12 @@ std::optional<DynamicFactorInput> dynamic_factor_input(const GearDrawing& drawin
   const double to_reference = geometry.pinion_base / geometry.reference(geometry.pinion_teeth);
   out.line_load_per_load = bases.k0 * bases.b_n * to_reference / width;
   target->note(
-      fmt::format("K_v by ISO 6336-1 method B: c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
-                  "eps_gamma = {:.6g}, a line load of {:.4g} N/mm for each N m; after running-in "
-                  "f_pb = {:.4g} um, f_falpha = {:.4g} um",
-                  out.single_stiffness, mesh, out.contact_ratio,
-                  1e3 / geometry.reference(geometry.pinion_teeth) / width,
-                  run_in_deviation(out.pitch_deviation), run_in_deviation(out.profile_deviation)));
+      "K_v by ISO 6336-1 method B: c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
+      "eps_gamma = {:.6g}, a line load of {:.4g} N/mm for each N m; after running-in "
+      "f_pb = {:.4g} um, f_falpha = {:.4g} um",
+      out.single_stiffness, mesh, out.contact_ratio,
+      1e3 / geometry.reference(geometry.pinion_teeth) / width,
+      run_in_deviation(out.pitch_deviation), run_in_deviation(out.profile_deviation));
   return out;
 }
 

@@ -68,12 +68,11 @@ void add_engagement(const GearDrawing& drawing, const GearGeometry& geometry,
   const double exit = touches_ahead(geometry.gear_base, geometry.pinion_base, geometry,
                                     reach(path.recess, geometry.pinion_base), deflection);
   const double engagement = 0.5 * (entry + exit);
-  target->add(
-      "engagement", engagement, kToothEntry,
-      fmt::format("estimate: one pair gives way by {:.4g} um, F/c' = {:.6g} N / {:.6g} N/m, so "
-                  "tips touch {:.4g} base pitches early at the entry and {:.4g} late at the exit; "
-                  "tip relief is not counted",
-                  deflection * 1e3, force, single, entry, exit));
+  target->add("engagement", engagement, kToothEntry,
+              "estimate: one pair gives way by {:.4g} um, F/c' = {:.6g} N / {:.6g} N/m, so "
+              "tips touch {:.4g} base pitches early at the entry and {:.4g} late at the exit; "
+              "tip relief is not counted",
+              deflection * 1e3, force, single, entry, exit);
 }
 
 }  // namespace gearsweep

@@ -88,12 +88,12 @@ bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string gear = i == 0 ? "p" : "g";
     if (drawing.has(kRunout)) {
-      target->add("runout_" + gear, runout[i] * 1e-6 / b_n, kRunout,
-                  fmt::format("{:.6g} m / {:.6g} m", runout[i] * 1e-6, b_n));
+      target->add("runout_" + gear, runout[i] * 1e-6 / b_n, kRunout, "{:.6g} m / {:.6g} m",
+                  runout[i] * 1e-6, b_n);
     }
     if (drawing.has(kRunoutPhase)) {
       target->add("runout_phase_" + gear, phase[i] * std::numbers::pi / 180.0, kRunoutPhase,
-                  fmt::format("{:.6g} degrees", phase[i]));
+                  "{:.6g} degrees", phase[i]);
     }
     if (drawing.has(kDamage)) target->add("damage_" + gear, damage[i], kDamage, "as given");
     // An axis may begin with 0.
@@ -110,11 +110,10 @@ bool add_faults(const GearDrawing& drawing, const GearGeometry& geometry, double
     is_faulty = is_faulty || turns;
   }
   if (is_faulty) {
-    target->add(
-        "cycle", static_cast<double>(cycle), kTeeth,
-        fmt::format("mesh periods until all comes back: {:.6g} turns of the "
-                    "pinion, {:.6g} of the gear",
-                    static_cast<double>(cycle) / teeth[0], static_cast<double>(cycle) / teeth[1]));
+    target->add("cycle", static_cast<double>(cycle), kTeeth,
+                "mesh periods until all comes back: {:.6g} turns of the "
+                "pinion, {:.6g} of the gear",
+                static_cast<double>(cycle) / teeth[0], static_cast<double>(cycle) / teeth[1]);
   }
   return has_pitch || drawing.varies(kRunout) || runout[0] > 0.0 || runout[1] > 0.0;
 }

@@ -48,11 +48,11 @@ double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geome
   }
   if (drawing.has(kMeshStiffness)) {
     const double k0 = drawing.required(kMeshStiffness);
-    target->note(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as given", k0));
+    target->note("mean mesh stiffness k0 = {:.6g} N/m as given", k0);
     return k0;
   }
   if (measured > 0.0) {
-    target->note(fmt::format("mean mesh stiffness k0 = {:.6g} N/m as measured", measured));
+    target->note("mean mesh stiffness k0 = {:.6g} N/m as measured", measured);
     return measured;
   }
   if (!drawing.has(kFaceWidth)) {
@@ -72,11 +72,11 @@ double mean_mesh_stiffness(const GearDrawing& drawing, const GearGeometry& geome
   const double mesh = single * pairs_in_mean(contact_ratio);
   const double k0 = mesh * width * 1e6;
   target->note(
-      fmt::format("mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
-                  "q' = {:.6g} um mm/N, C_B = {:.6g}, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
-                  "face width {:.6g} "
-                  "mm",
-                  k0, q, rack, single, mesh, width));
+      "mean mesh stiffness k0 = {:.6g} N/m from ISO 6336-1 method B (steel): "
+      "q' = {:.6g} um mm/N, C_B = {:.6g}, c' = {:.6g}, c_gamma = {:.6g} N/(um mm), "
+      "face width {:.6g} "
+      "mm",
+      k0, q, rack, single, mesh, width);
   return k0;
 }
 
@@ -91,9 +91,9 @@ void add_stiffness(const GearDrawing& drawing, const std::optional<MeasuredCurve
   target->add_curve("measured_stiffness", stiffness->in(keeps ? k0 : stiffness->mean));
   if (share) target->add_curve("load_share", share->in(1.0));
   target->choose("stiffness", "table");
-  target->note(fmt::format("mesh stiffness from '{}': mean {:.6g} N/m, which is {:.6g} k0{}",
-                           stiffness->table->name(), stiffness->mean, stiffness->mean / k0,
-                           keeps ? "" : ", scaled to k0"));
+  target->note("mesh stiffness from '{}': mean {:.6g} N/m, which is {:.6g} k0{}",
+               stiffness->table->name(), stiffness->mean, stiffness->mean / k0,
+               keeps ? "" : ", scaled to k0");
 }
 
 }  // namespace gearsweep

@@ -31,8 +31,9 @@ bool takes_key(const Model& model, const std::string& suffix, const GearKey& key
   });
 }
 
-GearTarget::GearTarget(const GearDrawing& drawing, const Model& model, std::string suffix)
-    : drawing_(drawing), model_(model), suffix_(std::move(suffix)) {
+GearTarget::GearTarget(const GearDrawing& drawing, const Model& model, std::string suffix,
+                       GearTexts texts)
+    : drawing_(drawing), model_(model), suffix_(std::move(suffix)), texts_(texts) {
   for (const GearKey& key : kGearKeys) {
     if (!drawing.has(key) || takes(key)) continue;
     std::vector<std::string> names;
@@ -50,25 +51,29 @@ bool GearTarget::has_curve(std::string_view name) const {
   return std::ranges::find(model_.curves, name) != model_.curves.end();
 }
 
-void GearTarget::add(const std::string& name, double value, const GearKey& origin, std::string note,
-                     std::size_t i) {
-  const std::string full = name_in_list(name_in(model_, suffix_, name), i);
-  const int index = model_.find_parameter(full);
-  const std::string_view giver =
-      drawing_.has(origin) ? origin.name : std::string_view(drawing_.name());
+std::string GearTarget::full_name(const std::string& name) const {
+  return name_in(model_, suffix_, name);
+}
+
+void GearTarget::add_noted(std::string name, double value, const GearKey& origin,
+                           fmt::string_view note, fmt::format_args args) {
+  const int index = model_.find_parameter(name);
+  const auto giver = [&] { return drawing_.has(origin) ? origin.name : drawing_.name(); };
   if (index < 0) {
     if (origin.gives.front().empty() || value == 0.0) return;
     throw DrawingError(origin, fmt::format("{} gives {} = {:.6g}, which model '{}' does not have",
-                                           giver, full, value, model_.name));
+                                           giver(), name, value, model_.name));
   }
   const ParameterInfo& info = model_.parameters[static_cast<std::size_t>(index)];
   if (!(value >= info.min && value <= info.max)) {
     throw DrawingError(
-        origin,
-        fmt::format("{} gives {} = {:.6g}, out of range; from {:g} to {:g} is allowed ({}: {})",
-                    giver, full, value, info.min, info.max, info.meaning, note));
+        origin, fmt::format("{} gives {} = {:.6g}, out of range; from {:g} to {:g} is allowed ({}: "
+                            "{})",
+                            giver(), name, value, info.min, info.max, info.meaning,
+                            fmt::vformat(note, args)));
   }
-  out_.parameters.push_back({full, value, std::move(note), origin.name});
+  out_.parameters.push_back(
+      {std::move(name), value, has_texts() ? fmt::vformat(note, args) : "", origin.name});
 }
 
 void GearTarget::add_curve(const std::string& name, std::shared_ptr<const PeriodicTable> curve) {

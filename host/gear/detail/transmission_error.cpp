@@ -42,9 +42,9 @@ std::vector<Harmonic> measured_error(const GearDrawing& drawing, const MeasuredC
   const double all = power_of(curve);
   double left = all;
   for (const Harmonic& harmonic : harmonics) left -= 0.5 * harmonic.amplitude * harmonic.amplitude;
-  target->note(fmt::format(
+  target->note(
       "transmission error: the first {} harmonics of '{}'; they leave out {:.3g} % of its power",
-      harmonics.size(), curve.table->name(), all > 0.0 ? 100.0 * std::fmax(0.0, left) / all : 0.0));
+      harmonics.size(), curve.table->name(), all > 0.0 ? 100.0 * std::fmax(0.0, left) / all : 0.0);
   return harmonics;
 }
 
@@ -166,20 +166,19 @@ bool add_transmission_error(const GearDrawing& drawing, const GearGeometry& geom
         geometry.helix > 0.0 ? geometry.overlap(drawing.required(kFaceWidth)) : 0.0;
     const CarriedPath carried(removed->points, path.contact_ratio());
     series = sum_of(std::move(series), profile_error(carried, overlap));
-    target->note(fmt::format(
+    target->note(
         "transmission error: with the first {} harmonics of what the profile's deviations add{}",
-        kMostHarmonics, overlap > 0.0 ? ", slice by slice along the helix" : ""));
+        kMostHarmonics, overlap > 0.0 ? ", slice by slice along the helix" : "");
   }
   const GearKey& origin = measured ? kErrorFile : kTransmissionError;
   const bool has_phases = measured || removed != nullptr || drawing.has(kErrorPhase);
   const GearKey& phase_origin = drawing.has(kErrorPhase) ? kErrorPhase : origin;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double error = series[i].amplitude * 1e-6;
-    target->add("e0", error / b_n, origin, fmt::format("e/b_n = {:.6g} m / {:.6g} m", error, b_n),
-                i);
+    target->add_to_list("e0", i, error / b_n, origin, "e/b_n = {:.6g} m / {:.6g} m", error, b_n);
     if (!has_phases) continue;
-    target->add("e0_phase", series[i].phase, phase_origin,
-                fmt::format("{:.6g} degrees", series[i].phase * 180.0 / std::numbers::pi), i);
+    target->add_to_list("e0_phase", i, series[i].phase, phase_origin, "{:.6g} degrees",
+                        series[i].phase * 180.0 / std::numbers::pi);
   }
   return series.size() == 1;
 }

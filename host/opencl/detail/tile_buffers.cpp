@@ -80,17 +80,16 @@ std::size_t rows_of(const Plan& plan, const std::vector<std::size_t>& points,
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points) {
   const std::size_t width = table_width(plan.study());
   GridTables tables;
-  for (const std::size_t point : points) {
-    const PhaseGrid grid = plan.phase_grid_of(point);
+  const auto append = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  plan.for_each_phase_grid(points, [&](std::size_t point, const PhaseGrid& grid) {
     if (tables.grids.empty()) {
       tables.coefs.reserve(width * rows_of(plan, points, grid.segment_steps.size()));
     }
     tables.grids.push_back({static_cast<sweep_uint>(tables.coefs.size() / width),
                             static_cast<sweep_uint>(tables.segment_steps.size()),
                             static_cast<sweep_uint>(grid.segment_steps.size())});
-    const auto append = [](const auto& from, auto& to) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
     append(grid.segment_steps, tables.segment_steps);
     append(grid.segment_fractions, tables.segment_fractions);
     if (plan.study().selection.orders.empty()) {
@@ -99,7 +98,7 @@ GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& po
       append(table_rows(plan, point, grid), tables.coefs);
     }
     tables.steps.push_back(grid.steps);
-  }
+  });
   return tables;
 }
 

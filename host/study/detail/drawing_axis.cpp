@@ -153,7 +153,7 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
   const auto convert = [&](std::size_t i) {
     GearDrawing own = drawing;
     own.vary(*swept.key, axis->values[i], swept.member);
-    return convert_gear(own, model, swept.from);
+    return convert_gear(own, model, swept.from, GearTexts::none);
   };
   follow_all(axis->values.size(), convert, fail, &following);
   axis->columns = following.take(model, {swept.key->name});
@@ -214,7 +214,7 @@ void add_parameters_of_list(const toml::table& study, const std::vector<Axis>& a
         for (const auto& [key, column] : given) {
           drawing.vary(*key.key, column->values[point], key.member);
         }
-        following.add(convert_gear(drawing, model, from));
+        following.add(convert_gear(drawing, model, from, GearTexts::none));
       } catch (const InputError& error) {
         fail_at(place, fmt::format("point {}: {}", point + 1, error.what()));
       }

@@ -121,9 +121,9 @@ GearDrawing read_drawing(const DrawingTable& from, const GearValues& values) {
 }
 
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
-                            const DrawingTable& from) {
+                            const DrawingTable& from, GearTexts texts) {
   try {
-    return convert_gear(drawing, model, from.suffix);
+    return convert_gear(drawing, model, from.suffix, texts);
   } catch (const DrawingError& error) {
     fail_at(node_of(from, error.key()), error.what());
   }

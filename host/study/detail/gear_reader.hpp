@@ -37,7 +37,7 @@ GearDrawing read_drawing(const DrawingTable& from, const GearValues& values);
 
 // What follows from the drawing that the table says. Throws InputError with the place.
 GearConversion convert_gear(const GearDrawing& drawing, const Model& model,
-                            const DrawingTable& from);
+                            const DrawingTable& from, GearTexts texts = GearTexts::all);
 
 // What a message about a key should point at: the key, or the table that lacks it.
 const toml::node& node_of(const DrawingTable& from, std::string_view key);
