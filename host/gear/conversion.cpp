@@ -121,7 +121,7 @@ void add_bases(const GearBases& bases, GearTarget* target) {
 void add_stiffness_factor(const GearDrawing& drawing, const GearBases& bases, GearTarget* target) {
   if (!drawing.has(kStiffnessFactor)) return;
   target->add("stiffness_factor", bases.stiffness_factor, kStiffnessFactor,
-              fmt::format("mean mesh stiffness {:.6g} N/m", bases.stiffness_factor * bases.k0));
+              "mean mesh stiffness {:.6g} N/m", bases.stiffness_factor * bases.k0);
 }
 
 void add_lengths(const GearGeometry& geometry, const GearBases& bases, GearTarget* target) {
