@@ -37,8 +37,8 @@ void GearDrawing::vary(const GearKey& key, double value, std::optional<std::size
   if (member) {
     check_range(key, value);
     if (before.empty() && key.fallback != "0") {
-      throw DrawingError(key, fmt::format("one of {} varies, which {} does not have: give both",
-                                          key.name, name_));
+      throw DrawingError(
+          key, fmt::format("one of {} varies, which {} does not have: give both", key.name, name_));
     }
     before.resize(key.count());
     std::vector<double> both = before;
