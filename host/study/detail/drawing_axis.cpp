@@ -157,6 +157,11 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
   };
   follow_all(axis->values.size(), convert, fail, &following);
   axis->columns = following.take(model, {swept.key->name});
+  if (swept.member) {
+    // What the other one of the pair gives stays.
+    const std::string other = std::string(swept.key->gives[1 - *swept.member]) + swept.from.suffix;
+    std::erase_if(axis->columns, [&](const Swept& column) { return column.name == other; });
+  }
   if (axis->columns.empty()) {
     fail_at(place, fmt::format("{} changes nothing in the equations of this study ({})", axis->name,
                                swept.key->meaning));
@@ -180,18 +185,24 @@ void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const 
   std::vector<std::string_view> names;
   for (const auto& [key, axis] : keys) names.push_back(key.key->name);
   for (Swept& column : following.take(model, names)) {
-    Axis* owner = nullptr;
+    std::vector<Axis*> owners;
     for (const auto& [key, axis] : keys) {
       const auto own = std::ranges::find(axis->columns, column.index, &Swept::index);
-      if (own == axis->columns.end()) continue;
-      if (owner == nullptr) {
-        owner = axis;
-        *own = column;
-      } else {
-        axis->columns.erase(own);
-      }
+      if (own != axis->columns.end()) owners.push_back(axis);
     }
-    if (owner == nullptr) keys.front().second->columns.push_back(std::move(column));
+    // An axis must keep a column.
+    const auto fewest =
+        std::ranges::min_element(owners, {}, [](const Axis* axis) { return axis->columns.size(); });
+    Axis* const owner = owners.empty() ? keys.front().second : *fewest;
+    for (Axis* axis : owners) {
+      std::erase_if(axis->columns, [&](const Swept& one) { return one.index == column.index; });
+    }
+    owner->columns.push_back(std::move(column));
+  }
+  for (const auto& [key, axis] : keys) {
+    if (!axis->columns.empty()) continue;
+    fail_at(place, fmt::format("{} gives only what other entries give, too: take one of them away",
+                               axis->name));
   }
 }
 

@@ -43,8 +43,8 @@ GearValues first_values(const toml::table& study, const Model& model, const Draw
                         const std::vector<Axis>& axes);
 
 // Of draws of several keys of one drawing, each of which has its columns: gives each column what
-// follows from all keys in each draw, and takes it from all but the first that has it. others,
-// place: as below.
+// follows from all keys in each draw, and leaves it to one of those that have it. others, place: as
+// below. Throws InputError where one would be left without any.
 void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const GearValues& others,
                      const Model& model, const toml::node& place);
 
