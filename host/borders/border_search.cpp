@@ -31,6 +31,7 @@ constexpr std::size_t kMaxTries = 8;  // seeds of a border that find nothing
 // symmetry may break, in distances to the next.
 constexpr std::size_t kMirrorGrid = 24;
 constexpr double kBesideMirrored = 1.2, kBesidePixel = 2.5;
+constexpr double kBeyondPixel = 1.5;  // from the middle of a pair
 
 // A pair of pixels, seen from the one whose orbit is known.
 struct Seed {
@@ -86,7 +87,18 @@ class BorderSearch {
       tell(fmt::format("{} curves, those that graze included", known_.size()));
     }
     tell(fmt::format("{} pairs of pixels without a curve are looked at", edges() - explained()));
-    explain_without_curves(plane_, pixels_, device_.get(), settled_.get(), &borders_);
+    const CurveBeyond has_curve_beyond = [&](const MapBorder& border, const BorderEdge& edge) {
+      const PixelPlace middle = middle_of(pixels_, edge);
+      for (std::size_t i = 0; i < known_.curves().size(); ++i) {
+        if (may_explain(known_.curves()[i], border) &&
+            known_.lines()[i].distance_to(middle, true) <= kBeyondPixel) {
+          return true;
+        }
+      }
+      return false;
+    };
+    explain_without_curves(plane_, pixels_, device_.get(), settled_.get(), has_curve_beyond,
+                           &borders_);
     BorderFindings out;
     if (may_graze()) {
       grazes.from_lost(&borders_);

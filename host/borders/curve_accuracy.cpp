@@ -9,6 +9,7 @@
 #include "borders/device_orbit_map.hpp"
 #include "borders/host_orbit_map.hpp"
 #include "borders/on_threads.hpp"
+#include "model/error.hpp"
 
 namespace gearsweep {
 namespace {
@@ -66,6 +67,7 @@ std::vector<Change> changes_of(const CurveJudge& judge) {
         std::ranges::find(judge.plane.parameters, i) != judge.plane.parameters.end();
     if (is_axis || model.find_derived(i) != nullptr) continue;
     if (!model.uses_parameter(model.parameters[i].name)) continue;
+    if (changed_together(model, i).empty()) continue;
     const double value = judge.plane.setting.parameters[i];
     const double by = kChange * (value == 0.0 ? 1.0 : std::fabs(value));
     const double way = value + by <= model.parameters[i].max ? by : -by;
@@ -89,6 +91,17 @@ PlanePlace moved(const MatrixXd& slope, const BorderPoint& point, const VectorXd
 }
 
 }  // namespace
+
+std::vector<std::size_t> changed_together(const Model& model, std::size_t parameter) {
+  if (model.reduction.mirrors.empty()) return {parameter};
+  for (const MirrorPairs& mirrored : model.full().mirror_pairs) {
+    for (const MirrorPairs::Pair& pair : mirrored.parameters) {
+      if (pair.second == parameter) return {};  // it goes with the first
+      if (pair.first == parameter) return {pair.first, pair.second};
+    }
+  }
+  return {parameter};
+}
 
 void find_step_errors(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
   Study finer = *judge.study;
@@ -171,11 +184,18 @@ void find_gradients(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
   for (const Change& change : changes_of(judge)) {
     ParameterPlane plane = judge.plane;
     Study changed = *judge.study;
-    plane.setting.parameters[change.parameter] += change.by;
-    changed.setting.parameters[change.parameter] += change.by;
+    for (const std::size_t parameter : changed_together(*judge.plane.model, change.parameter)) {
+      plane.setting.parameters[parameter] += change.by;
+      changed.setting.parameters[parameter] += change.by;
+    }
     if (!plane.is_allowed((*curves)[0].points.front().place)) continue;
     DeviceOrbitMap map(std::make_shared<const Study>(std::move(changed)), judge.engine, judge.stop);
-    const auto behind = residuals(plane, &map);
+    std::vector<std::optional<VectorXd>> behind;
+    try {
+      behind = residuals(plane, &map);
+    } catch (const InputError&) {
+      continue;  // the model does not take a value so near to its own, or finds no phase grid
+    }
     for (std::size_t i = 0; i < count; ++i) {
       if (!before[i] || !behind[i]) continue;
       BorderCurve& curve = (*curves)[i];

@@ -11,6 +11,8 @@ constexpr double kNextReach = 0.5;  // sizes of the states, in one of them
 // An orbit on its way from a pixel over its neighbour.
 struct Carried {
   EdgeReason* reason;
+  const MapBorder* border;
+  const BorderEdge* edge;
   HeldOrbit at;
   PlanePlace step;
   Eigen::VectorXd change;  // of the state, by the last step
@@ -39,29 +41,32 @@ std::size_t ExplainedBorder::count(EdgeReason reason) const {
 }
 
 void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pixels, OrbitMap* map,
-                            SettledPixels* settled, std::vector<ExplainedBorder>* borders) {
+                            SettledPixels* settled, const CurveBeyond& has_curve_beyond,
+                            std::vector<ExplainedBorder>* borders) {
   const auto each_open = [&](const auto& take) {
     for (ExplainedBorder& border : *borders) {
       for (std::size_t i = 0; i < border.reasons.size(); ++i) {
         if (border.reasons[i] == EdgeReason::curve) continue;
-        const auto [a, b] = border.border.edges[i].pixels;
-        take(a, b, &border.reasons[i]);
-        take(b, a, &border.reasons[i]);
+        const BorderEdge& edge = border.border.edges[i];
+        const auto [a, b] = edge.pixels;
+        take(a, b, Carried{&border.reasons[i], &border.border, &edge, {}, {}, {}});
+        take(b, a, Carried{&border.reasons[i], &border.border, &edge, {}, {}, {}});
       }
     }
   };
   std::vector<std::size_t> ends;
-  each_open([&](std::size_t from, std::size_t, EdgeReason*) { ends.push_back(from); });
+  each_open([&](std::size_t from, std::size_t, const Carried&) { ends.push_back(from); });
   settled->settle(ends);
   std::vector<Carried> under_way;
-  each_open([&](std::size_t from, std::size_t to, EdgeReason* reason) {
+  each_open([&](std::size_t from, std::size_t to, Carried carried) {
     const HeldOrbit* orbit = settled->orbit(from);
     if (orbit == nullptr) return;
-    *reason = EdgeReason::lost;
+    *carried.reason = EdgeReason::lost;
     const PlanePlace here = pixels.place(from), there = pixels.place(to);
-    PlanePlace step{};
-    for (std::size_t k = 0; k < 2; ++k) step[k] = (there[k] - here[k]) / kPartsOfWay;
-    under_way.push_back({reason, *orbit, step, Eigen::VectorXd::Zero(orbit->state.size())});
+    for (std::size_t k = 0; k < 2; ++k) carried.step[k] = (there[k] - here[k]) / kPartsOfWay;
+    carried.at = *orbit;
+    carried.change = Eigen::VectorXd::Zero(orbit->state.size());
+    under_way.push_back(std::move(carried));
   });
   for (int part = 0; part < 2 * kPartsOfWay && !under_way.empty(); ++part) {
     std::vector<HeldOrbit> guesses;
@@ -73,8 +78,17 @@ void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pix
     const auto found = hold_orbits(plane, map, guesses, kNextReach);
     std::vector<Carried> left;
     std::vector<HeldOrbit> orbits;
+    // It has come to the other pixel, and ends behind it where a curve tells why.
+    const auto end = [&](const Carried& carried) {
+      if (part >= kPartsOfWay && has_curve_beyond(*carried.border, *carried.edge)) {
+        *carried.reason = EdgeReason::basin;
+      }
+    };
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (!found[i] || !found[i]->is_stable()) continue;
+      if (!found[i] || !found[i]->is_stable()) {
+        end(under_way[i]);
+        continue;
+      }
       Carried carried = under_way[i];
       carried.change = found[i]->state - carried.at.state;
       carried.at = *found[i];
@@ -85,7 +99,11 @@ void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pix
     const std::vector<bool> is_shorter = return_sooner(plane, map, orbits);
     under_way.clear();
     for (std::size_t i = 0; i < left.size(); ++i) {
-      if (!is_shorter[i]) under_way.push_back(std::move(left[i]));
+      if (is_shorter[i]) {
+        end(left[i]);
+      } else {
+        under_way.push_back(std::move(left[i]));
+      }
     }
   }
   for (const Carried& carried : under_way) *carried.reason = EdgeReason::basin;

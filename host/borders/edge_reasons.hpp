@@ -1,6 +1,7 @@
 // What parts neighbouring pixels of different periods.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,14 @@ struct ContactPairs {
   std::size_t pairs = 0, on_curve = 0;
 };
 
+// Whether a curve that a motion of the border bifurcates at passes within 1.5 pixels of the middle
+// of one of its pairs: behind one of the two pixels, but not between them.
+using CurveBeyond = std::function<bool(const MapBorder&, const BorderEdge&)>;
+
 // Of pairs without a curve: whether an orbit of the two goes on, stable, to the other pixel and one
-// pixel beyond it. Throws SearchStopped.
+// pixel beyond it, or to a curve on the way there. Throws SearchStopped.
 void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pixels, OrbitMap* map,
-                            SettledPixels* settled, std::vector<ExplainedBorder>* borders);
+                            SettledPixels* settled, const CurveBeyond& has_curve_beyond,
+                            std::vector<ExplainedBorder>* borders);
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "borders/border_search.hpp"
+#include "borders/curve_accuracy.hpp"
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/stop_on_signals.hpp"
@@ -91,7 +92,10 @@ std::string describe_gradients(const BorderFindings& findings) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < study.model->parameters.size(); ++i) {
     const double change = 0.01 * std::fabs(study.setting.parameters[i]);
-    Row row{study.model->parameters[i].name, {}};
+    Row row{"", {}};
+    for (const std::size_t parameter : changed_together(*study.model, i)) {
+      row.name += (row.name.empty() ? "" : ", ") + study.model->parameters[parameter].name;
+    }
     for (const BorderCurve& curve : findings.curves) {
       if (curve.gradients.empty() || change == 0.0) continue;
       const auto [x, y] = curve.gradients[i];

@@ -173,7 +173,8 @@ class BorderDescription {
         "the point of the curve, from 0, whose gradient is given", judged);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       add("curve_gradient_" + parameter(axis).name, Stored::real, {"curve", "parameter"}, "1",
-          "how far the curve moves across itself with a parameter: in its unit over that one's",
+          "how far the curve moves across itself with a parameter, where shafts mirror each other "
+          "with both of a pair, at the first: in its unit over that one's",
           moved[axis]);
     }
   }
