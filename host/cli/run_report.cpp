@@ -80,7 +80,7 @@ void RunReport::plotted() {
 int RunReport::finished(const SweepResult& result) {
   const Cluster* cluster = request_.cluster;
   if (cluster != nullptr && !request_.quiet) {
-    tell("{} processes; {} bytes for each point came from the others\n", cluster->size(),
+    tell("{} processes shared the work; they sent {} bytes for each point\n", cluster->size(),
          cluster->bytes_received() / result.study.trajectories());
   }
   return status_of(result);

@@ -173,10 +173,10 @@ class Gear:
         Examples
         --------
         >>> import gearsweep
-        >>> study = gearsweep.Study.gear5("coarse").sweep(omega=[0.5, 0.8, 1.0])
+        >>> study = gearsweep.Study.gear5("coarse", omega=1.4).sweep(e0=[0.05, 0.4, 0.8])
         >>> maps = study.observe("contact_class").integrate(settle=60, record=10).run()
         >>> maps.gear.classes("contact_class").values.tolist()
-        ['single_sided', 'no_impact', 'single_sided']
+        ['single_sided', 'single_sided', 'double_sided']
         """
         return class_names(self._maps, quantity)
 

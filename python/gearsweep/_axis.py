@@ -12,6 +12,12 @@ def axis_table(name: str, values: Any) -> dict[str, Any]:
     """An axis as a table of a study."""
     is_range = isinstance(values, tuple) and len(values) in (3, 4)
     if is_range and (len(values) == 3 or values[3] in ("log", "linear")):
+        # 2.0 is refused: three numbers in a tuple may be meant as three values.
+        if not hasattr(values[2], "__index__"):
+            raise InputError(
+                f"axis {name!r}: {shown(values)} is (from, to, count), and count must be a whole "
+                "number; values come in a list"
+            )
         axis = {"name": name, **dict(zip(("from", "to", "count"), values, strict=False))}
         return axis | ({"scale": values[3]} if len(values) == 4 else {})
     if isinstance(values, tuple) and len(values) == 2:

@@ -46,7 +46,7 @@ std::string describe_forecast(const Forecast& forecast, const std::string& outpu
     text += "steps   " + steps;
   }
   text += fmt::format(
-      "time    {}about {} for the tiles: {:.2g} steps planned, {} points were run to tell\n",
+      "time    {}about {} for the tiles: {:.2g} steps planned, estimated from a run of {} points\n",
       forecast.has_whole_sample ? "" : "up to ", format_duration(forecast.seconds), forecast.steps,
       forecast.sample);
   text += fmt::format("memory  up to {}{}\n", format_bytes(estimate.memory()),
