@@ -1,5 +1,5 @@
-// What gear5 works out of the phase alone, for the host, in double: checks, breaks, tooth pairs, the
-// start.
+// What gear5 works out of the phase alone, for the host, in double: checks, breaks, tooth pairs,
+// the start.
 
 // The errors beyond the first harmonic, and those that come back once per turn.
 struct Gear5Sine {
