@@ -56,10 +56,10 @@ void read_maps(const std::string& path) {
   const ResultAxis& axis = file.axes().back();
   PlotRequest cut = request_for(path, last);
   cut.at = {axis.name, axis.values.front()};
-  attempt([&] { draw_maps(Page({}, PictureFormat::kPdf), cut); });
+  attempt([&] { plot_maps(Page({}, PictureFormat::kPdf), cut); });
   cut.quantity += ",status";
-  attempt([&] { draw_maps(Page({}, PictureFormat::kPdf), cut); });
-  attempt([&] { draw_maps(Page({}, PictureFormat::kPdf), request_for(path, "")); });
+  attempt([&] { plot_maps(Page({}, PictureFormat::kPdf), cut); });
+  attempt([&] { plot_maps(Page({}, PictureFormat::kPdf), request_for(path, "")); });
   attempt([&] { export_maps(path, {last}, path + ".csv"); });
   attempt([&] { export_maps(path, {last}, path + ".npy"); });
   attempt([&] { export_maps(path, {}, path + ".csv"); });
