@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 #include "model/error.hpp"
 #include "sweep/sweep.hpp"
@@ -78,7 +79,7 @@ Outcome carry_out(const Check& check, const Subject& subject) {
   }
   try {
     return judge(check.compare(subject));
-  } catch (const RunError& error) {
+  } catch (const std::exception& error) {  // of a device, a disk, a folder that is not there
     outcome.verdict = Verdict::fail;
     outcome.reason = error.what();
     return outcome;

@@ -11,7 +11,7 @@ import gearsweep as gs
 
 STUDY = (
     gs.Study.of("duffing")
-    .sweep(omega=(0.5, 1.5, 12), forcing=(0.2, 0.4, 4))
+    .sweep(omega=(0.5, 1.5, 12), amplitude=(0.2, 0.4, 4))
     .observe("x_rms", "period")
     .integrate(settle=40, record=10)
 )

@@ -145,11 +145,14 @@ class Headers : public ::testing::TestWithParam<std::size_t> {
 
 TEST_P(Headers, AgreeWithTheEquationsWhateverIsSwept) {
   const std::string text = *model_text(header().name);
-  // A table without its curve is what both refuse.
+  // A table without its curve is what both refuse. A gear has a tooth.
   const auto choose = [this](ModelSetting* setting) {
-    if (const int shape = header().find_option("stiffness"); header().name == "gear5") {
-      setting->options[static_cast<std::size_t>(shape)] %= 3;
-    }
+    if (header().name != "gear5") return;
+    setting->options[static_cast<std::size_t>(header().find_option("stiffness"))] %= 3;
+    const auto value = [&](const char* name) -> double& {
+      return setting->parameters[static_cast<std::size_t>(header().find_parameter(name))];
+    };
+    value("teeth_ratio") = std::max(value("teeth_ratio"), 1.0 / value("zp"));
   };
   compare(*find_model(header().name), header(), choose);
   for (const std::set<std::string>& swept :
@@ -268,6 +271,7 @@ class FaultyGears : public ::testing::Test {
     }
     for (const char* name : {"runout_phase_p", "runout_phase_g"}) value(name) = 6.0 * share();
     if (coin()) value("overlap") = 2.5 * share();
+    if (coin()) value("stiffness_factor") = 0.5 + share();
     const bool is_helical = value("overlap") > 0.0;
     if (!is_helical && option("stiffness") < 2 && coin()) value("engagement") = 0.5 * share();
     if (option("stiffness") == 3) {

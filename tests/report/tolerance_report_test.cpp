@@ -218,7 +218,7 @@ TEST(ToleranceReport, SaysWhatItNeeds) {
               ThrowsMessage<InputError>(HasSubstr("[uncertain] table")));
   EXPECT_THAT(write(kGears + "[[axes]]\nname = 'mu'\nfrom = 0.01\nto = 0.1\ncount = 3\n"),
               ThrowsMessage<InputError>(HasSubstr("two axes")));
-  const std::string points = "[points]\ntorque_N_m = [20, 61]\n";
+  const std::string points = "[points]\nnames = ['torque_N_m']\nnumbers = '''\n20\n61\n'''\n";
   const std::string drawing = kGears.substr(0, kGears.find("[[axes]]"));
   EXPECT_THAT(write(drawing + points), ThrowsMessage<InputError>(HasSubstr("leave out [points]")));
   EXPECT_THAT(write(kGears + points), ThrowsMessage<InputError>(HasSubstr("leave out [points]")));

@@ -92,7 +92,9 @@
     "share of its pair's stiffness that the pinion's tooth 0 loses")                              \
   X(damage_g, "1", 0.0, 0.0, 1.0, 1,                                                              \
     "share of its pair's stiffness that the gear's tooth 0 loses")                                \
-  X(overlap, "1", 0.0, 0.0, 10.0, 1, "overlap ratio of helical teeth")
+  X(overlap, "1", 0.0, 0.0, 10.0, 1, "overlap ratio of helical teeth")                            \
+  X(stiffness_factor, "1", 1.0, 1e-3, 1e3, 1,                                                     \
+    "what the stiffness of all pairs is multiplied by; k0 is that without it")
 
 // X(name, choices with the default first, meaning); the enums below number the choices.
 #define MODEL_OPTIONS(X)                                                             \

@@ -306,10 +306,13 @@ inline PhaseCoefs model_phase_coefs(const ModelParameters& p, const ModelOptions
                                     : curves.measured_stiffness.at(psi, inside);
     gear5_share_total(p, options, curves, period, psi, inside, total, &out);
   }
+  out.stiffness *= p.stiffness_factor;
+  out.lever *= p.stiffness_factor;
+  out.slide *= p.stiffness_factor;
   return out;
 }
 
-// Static equilibrium on the drive flank under F1 with mean stiffness 1 and no friction.
+// Static equilibrium on the drive flank under F1 with the mean stiffness and no friction.
 inline void model_equilibrium(const ModelParameters& p, const ModelOptions& options, double* x) {
   for (int i = 0; i < MODEL_STATE_COUNT; ++i) x[i] = 0.0;
   x[STATE_x3] = p.F1 / p.k2;
@@ -321,5 +324,5 @@ inline void model_equilibrium(const ModelParameters& p, const ModelOptions& opti
   plain.error = ERROR_SINE;
   const PhaseCoefs phase = model_phase_coefs(p, plain, 0.0, 1e-9);
   const double shafts = gear5_deflection(&point, 0.0, x[STATE_x3], x[STATE_x5]);
-  x[STATE_x1] = gear5_backlash(&point, &phase, x) + p.F1 - shafts;
+  x[STATE_x1] = gear5_backlash(&point, &phase, x) + p.F1 / p.stiffness_factor - shafts;
 }
