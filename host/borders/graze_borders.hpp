@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "borders/crossing.hpp"
 #include "borders/edge_reasons.hpp"
 #include "borders/host_orbit_map.hpp"
 #include "borders/known_curves.hpp"

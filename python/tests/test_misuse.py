@@ -20,7 +20,16 @@ from gearsweep import InputError, RunError, Study
 
 # Each function that users call, with arguments that are right.
 GOOD: dict[str, Mapping[str, object]] = {
-    "run": {"study": "coarse-map", "set": MAP, "points": None, "progress": None, "journal": None, "device": None},
+    "run": {
+        "study": "coarse-map",
+        "set": MAP,
+        "points": None,
+        "progress": None,
+        "journal": None,
+        "device": None,
+        "executor": None,
+        "shards": None,
+    },
     "submit": {"study": "coarse-map", "set": MAP, "points": None, "journal": None, "device": None, "priority": 0},
     "trace": {
         "study": "coarse-map",
