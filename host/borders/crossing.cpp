@@ -29,41 +29,30 @@ std::optional<std::complex<double>> critical_multiplier(BorderKind kind, const H
   return out;
 }
 
-class CrossingSearch {
- public:
-  CrossingSearch(const ParameterPlane& plane, OrbitMap* map, const PlanePlace& to)
-      : plane_(plane), map_(map), there_(to) {}
-
-  // Where the line from the orbit's place to that of a pixel meets a border of the orbit.
-  std::optional<BorderPoint> crossing(const BorderEquations& equations,
-                                      const HeldOrbit& orbit) const {
-    BorderPoint near;
-    near.place = orbit.place;
-    near.state = orbit.state;
-    const std::optional<std::complex<double>> critical =
-        critical_multiplier(equations.kind(), orbit);
-    if (!critical) return std::nullopt;
-    near.angle = std::arg(*critical);
-    const VectorXd guess = equations.unknowns_of(near);
-    const std::optional<Critical> vectors = equations.critical_near(guess);
-    if (!vectors) return std::nullopt;
-    VectorXd across = VectorXd::Zero(guess.size());
-    across[guess.size() - 2] = (there_[1] - orbit.place[1]) / plane_.range(1);
-    across[guess.size() - 1] = -(there_[0] - orbit.place[0]) / plane_.range(0);
-    std::optional<BorderPoint> found =
-        equations.correct(guess, across.normalized(), *vectors, kFarCrossing);
-    if (!found || !found->is_of_stable_motion()) return std::nullopt;
-    if (found->transversality < kNoFold) return std::nullopt;
-    const bool is_pair = equations.kind() == BorderKind::neimark_sacker;
-    if (is_pair && std::abs(std::sin(found->angle)) < kSmallAngle) return std::nullopt;
-    return found;
-  }
-
- private:
-  const ParameterPlane& plane_;
-  OrbitMap* const map_;
-  const PlanePlace there_;
-};
+// Where the line from the orbit's place to `there` meets a border of the orbit.
+std::optional<BorderPoint> crossing_on_line(const ParameterPlane& plane,
+                                            const BorderEquations& equations,
+                                            const HeldOrbit& orbit, const PlanePlace& there) {
+  BorderPoint near;
+  near.place = orbit.place;
+  near.state = orbit.state;
+  const std::optional<std::complex<double>> critical = critical_multiplier(equations.kind(), orbit);
+  if (!critical) return std::nullopt;
+  near.angle = std::arg(*critical);
+  const VectorXd guess = equations.unknowns_of(near);
+  const std::optional<Critical> vectors = equations.critical_near(guess);
+  if (!vectors) return std::nullopt;
+  VectorXd across = VectorXd::Zero(guess.size());
+  across[guess.size() - 2] = (there[1] - orbit.place[1]) / plane.range(1);
+  across[guess.size() - 1] = -(there[0] - orbit.place[0]) / plane.range(0);
+  std::optional<BorderPoint> found =
+      equations.correct(guess, across.normalized(), *vectors, kFarCrossing);
+  if (!found || !found->is_of_stable_motion()) return std::nullopt;
+  if (found->transversality < kNoFold) return std::nullopt;
+  const bool is_pair = equations.kind() == BorderKind::neimark_sacker;
+  if (is_pair && std::abs(std::sin(found->angle)) < kSmallAngle) return std::nullopt;
+  return found;
+}
 
 }  // namespace
 
@@ -93,7 +82,6 @@ HeldOrbit last_stable(const ParameterPlane& plane, OrbitMap* map, const HeldOrbi
 std::optional<Crossing> find_crossing(const ParameterPlane& plane, const PeriodPixels& pixels,
                                       OrbitMap* map, const HeldOrbit& orbit, std::size_t to,
                                       const BorderEdge& edge) {
-  const CrossingSearch search(plane, map, pixels.place(to));
   const PixelPlace middle = middle_of(pixels, edge);
   const auto is_beside = [&](const std::optional<BorderPoint>& point) {
     if (!point) return false;
@@ -104,10 +92,10 @@ std::optional<Crossing> find_crossing(const ParameterPlane& plane, const PeriodP
   for (const BorderKind kind : {BorderKind::flip, BorderKind::fold, BorderKind::neimark_sacker}) {
     const BorderScale scale = {orbit.sizes, {plane.range(0), plane.range(1)}};
     auto equations = std::make_unique<BorderEquations>(plane, map, kind, orbit.period, scale);
-    std::optional<BorderPoint> found = search.crossing(*equations, orbit);
+    std::optional<BorderPoint> found = crossing_on_line(plane, *equations, orbit, pixels.place(to));
     if (!is_beside(found)) {
       if (!nearer) nearer = last_stable(plane, map, orbit, pixels.place(to));
-      found = search.crossing(*equations, *nearer);
+      found = crossing_on_line(plane, *equations, *nearer, pixels.place(to));
     }
     if (is_beside(found)) return Crossing{std::move(equations), *std::move(found)};
   }
