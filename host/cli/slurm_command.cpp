@@ -1,6 +1,8 @@
 // gearsweep slurm: the job array of a study, for Slurm.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
@@ -10,6 +12,7 @@
 #include "model/error.hpp"
 #include "result/study_source.hpp"
 #include "scheduler/shard.hpp"
+#include "sweep/run_context.hpp"
 
 namespace gearsweep {
 namespace {
@@ -74,12 +77,13 @@ wait "$run"
 
 void print_script(const SlurmArguments& arguments) {
   require_result_path(arguments.output);
+  // It stands in comments of the script, which end where a line does.
+  if (std::ranges::any_of(arguments.output, [](unsigned char c) { return std::iscntrl(c) != 0; })) {
+    throw InputError("-o: a name of a file with control characters or line breaks; give another");
+  }
   const Study study = find_study(arguments.study, arguments.overrides);
-  if (study.stages() > 1) {
-    throw InputError(
-        fmt::format("{}: its points go along chains, so shards would need each other; start it "
-                    "under srun, with a build that has MPI",
-                    arguments.study));
+  if (const std::string wrong = why_no_shards(study); !wrong.empty()) {
+    throw InputError(fmt::format("{}: {}", arguments.study, wrong));
   }
   if (arguments.jobs > study.trajectories()) {
     throw InputError(fmt::format("--jobs {}: the study has {} trajectories; give at most so many",

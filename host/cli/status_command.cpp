@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,7 +19,6 @@
 #include "result/broken_file.hpp"
 #include "result/json_text.hpp"
 #include "result/result_file.hpp"
-#include "scheduler/shard.hpp"
 
 namespace gearsweep {
 namespace {
@@ -90,25 +88,27 @@ nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
 
 // Shards that have not begun have no journal: how many points they have is not known.
 std::string describe(const std::string& output, const std::vector<ShardState>& shards) {
-  std::map<std::string, std::vector<std::string>> by_state;
-  std::size_t count = 0;
-  std::string text;
+  std::map<std::size_t, std::map<std::string, std::vector<std::size_t>>> by_count;  // and state
+  std::string unfinished;
   for (const ShardState& one : shards) {
-    const Shard shard = one.shard.empty() ? Shard() : parse_shard(one.shard);
-    count = std::max(count, shard.count);
-    by_state[state_of(one.status)].push_back(one.shard.empty() ? one.journal : one.shard);
-    if (share_of(one.status) < 1.0) text += describe(one.journal, one.status);
+    by_count[one.shard.count][state_of(one.status)].push_back(one.shard.number);
+    if (share_of(one.status) < 1.0) unfinished += describe(one.journal, one.status);
   }
-  std::string head = fmt::format("{}: {} of {} shards have begun", output, shards.size(), count);
-  for (const auto& [state, names] : by_state) {
-    head += fmt::format("; {}: {}", state, fmt::join(names, ", "));
+  std::string text;
+  for (const auto& [count, by_state] : by_count) {
+    text += fmt::format("{}, in {} shards", output, count);
+    for (const auto& [state, numbers] : by_state) {
+      text += fmt::format("; {}: {}", state, fmt::join(numbers, ", "));
+    }
+    text += '\n';
+    const auto computed = by_state.find("computed");
+    if (computed != by_state.end() && computed->second.size() == count) {
+      text +=
+          fmt::format("to put them together: gearsweep merge {0}.shard-*-of-{1}.journal -o {0}\n",
+                      shell_quoted(output), count);
+    }
   }
-  head += '\n';
-  if (by_state["computed"].size() == count) {
-    head += fmt::format("to put them together: gearsweep merge {0}.shard-*.journal -o {0}\n",
-                        shell_quoted(output));
-  }
-  return head + text;
+  return text + unfinished;
 }
 
 nlohmann::json as_json(const std::string& output, const std::vector<ShardState>& shards) {
@@ -116,7 +116,7 @@ nlohmann::json as_json(const std::string& output, const std::vector<ShardState>&
       {"output", output}, {"state", "shards"}, {"shards", nlohmann::json::array()}};
   for (const ShardState& one : shards) {
     nlohmann::json shard = as_json(one.journal, one.status);
-    shard["shard"] = one.shard;
+    shard["shard"] = fmt::format("{}/{}", one.shard.number, one.shard.count);
     all["shards"].push_back(std::move(shard));
   }
   return all;

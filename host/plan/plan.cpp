@@ -217,11 +217,12 @@ std::vector<Plan::Group> Plan::groups_of(std::size_t stage) const {
     if (entry == nullptr || entry->first != key) entry = above;
     if (entry == nullptr || entry->first != key) {
       const auto [place, is_new] = by_grid.try_emplace(key);
-      // The map has keys of one shape beside each other.
-      const bool is_checked =
-          (place != by_grid.begin() && have_one_shape(std::prev(place)->first, key)) ||
-          (std::next(place) != by_grid.end() && have_one_shape(std::next(place)->first, key));
-      if (is_new && !is_checked) check_breaks(point, setting);
+      // The map has keys of one shape beside each other, and the first of them was checked.
+      const auto is_first = [&, at = place] {
+        return (at == by_grid.begin() || !have_one_shape(std::prev(at)->first, key)) &&
+               (std::next(at) == by_grid.end() || !have_one_shape(std::next(at)->first, key));
+      };
+      if (is_new && is_first()) check_breaks(point, setting);
       entry = &*place;
     }
     above = entry;

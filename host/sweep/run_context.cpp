@@ -66,6 +66,14 @@ std::string pack(const PilotFindings& pilot) {
 
 }  // namespace
 
+std::string why_no_shards(const Study& study) {
+  if (study.stages() <= 1) return "";
+  return fmt::format(
+      "{}, so the shards would need each other; start it under mpirun or srun instead",
+      study.is_chained() ? "initial.policy makes points start where their neighbours end"
+                         : "uncertain.start makes draws start where nominal motions end");
+}
+
 Identity identity_of(const Study& study, const Shard& shard) {
   Identity identity = {{notes::kStudy, study.toml},
                        {"kernels and formulas", source_hash()},
@@ -81,12 +89,8 @@ RunContext::RunContext(const SteppedStudy& stepped, const SweepOptions& options)
       study_(stepped.study),
       computed_(without_passive_states(study_)),
       options_(options) {
-  if (options.shard.count > 0 && study_.stages() > 1) {
-    throw InputError(fmt::format(
-        "--shard: {}, so the shards would need each other; start it under mpirun or srun instead",
-        study_.is_chained() ? "initial.policy makes points start where their neighbours end"
-                            : "uncertain.start makes draws start where nominal motions end"));
-  }
+  const std::string wrong = options.shard.count > 0 ? why_no_shards(study_) : "";
+  if (!wrong.empty()) throw InputError("--shard: " + wrong);
 }
 
 void RunContext::find_engines() {

@@ -18,6 +18,9 @@ namespace gearsweep {
 // merged.
 Identity identity_of(const Study& study, const Shard& shard);
 
+// Why a study cannot run in shards, as the beginning of a message; empty where it can.
+std::string why_no_shards(const Study& study);
+
 // Its functions are called once each, in this order. They throw InputError when the study does not
 // fit the machine or the journal, RunError when no device works or a file cannot be written.
 class RunContext {

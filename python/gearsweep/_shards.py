@@ -163,9 +163,9 @@ class _Work:
         waiting: dict[Future[tuple[bytes, list[str]]], int] = {}
         failures: list[BaseException] = []
         told: set[str] = set()
-        for i, path in enumerate(self.paths):
-            if os.path.exists(path):
-                continue
+        missing = [i for i, path in enumerate(self.paths) if not os.path.exists(path)]
+        done = len(self.paths) - len(missing)
+        for i in missing:
             try:
                 future = executor.submit(
                     compute_shard, toml, self._names[i], self._device, self._call
@@ -174,7 +174,6 @@ class _Work:
                 failures.append(error)
                 break
             waiting[future] = i
-        done = len(self.paths) - len(waiting) - len(failures)
         try:
             for future in as_completed(waiting):
                 try:
@@ -202,7 +201,7 @@ class _Work:
     def _fail(self, failures: list[BaseException]) -> None:
         missing = sum(not os.path.exists(path) for path in self.paths)
         raise RunError(
-            f"{missing} of {len(self.paths)} shards are not there: {failures[0] or 'a worker'} "
+            f"{missing} of {len(self.paths)} shards are not there: {failures[0]} "
             f"({type(failures[0]).__name__}). The same call with a journal keeps what is finished "
             "and computes the others alone"
         ) from failures[0]

@@ -59,13 +59,23 @@ TEST_F(ShardTest, StatusTellsWhichAreThere) {
   ASSERT_EQ(run("--shard 1/2").status, 0);
   const Outcome one = gearsweep(folder_, "status map.nc");
   EXPECT_EQ(one.status, 0) << one.err;
-  EXPECT_THAT(one.out, HasSubstr("1 of 2 shards have begun; computed: 1/2"));
+  EXPECT_THAT(one.out, HasSubstr("map.nc, in 2 shards; computed: 1\n"));
   EXPECT_THAT(one.out, Not(HasSubstr("merge")));
   ASSERT_EQ(run("--shard 2/2").status, 0);
   EXPECT_THAT(gearsweep(folder_, "status map.nc").out,
-              HasSubstr("computed: 1/2, 2/2\nto put them together: gearsweep merge "));
+              HasSubstr("computed: 1, 2\nto put them together: gearsweep merge "));
   const Outcome json = gearsweep(folder_, "status map.nc --json");
   EXPECT_THAT(json.out, HasSubstr("\"shard\": \"2/2\""));
+}
+
+// Its step is still being found: the journal is empty.
+TEST_F(ShardTest, StatusKnowsAShardThatHasJustBegun) {
+  folder_.write("map.nc.shard-2-of-3.journal", "");
+  folder_.write("map.nc.shard-of-mine.journal", "");
+  const Outcome begun = gearsweep(folder_, "status map.nc");
+  EXPECT_EQ(begun.status, 0) << begun.err;
+  EXPECT_THAT(begun.out, HasSubstr("map.nc, in 3 shards; interrupted: 2\n"));
+  EXPECT_THAT(begun.out, Not(HasSubstr("merge")));
 }
 
 // What a node does with the script: each job of the array, then the line that merges.
@@ -89,6 +99,8 @@ TEST_F(ShardTest, TheScriptOfAJobArrayGivesTheMapsOfOneRun) {
 TEST_F(ShardTest, AJobArrayNeedsAnythingToShare) {
   EXPECT_THAT(gearsweep(folder_, "slurm study.toml --jobs 321").err,
               HasSubstr("has 320 trajectories; give at most so many"));
+  EXPECT_THAT(gearsweep(folder_, "slurm study.toml --jobs 2 -o 'a\nb.nc'").err,
+              HasSubstr("control characters"));
   EXPECT_THAT(gearsweep(folder_, "slurm study.toml --jobs 2 --time soon").err,
               HasSubstr("'soon' is no time"));
 }
@@ -132,12 +144,17 @@ TEST_F(ShardTest, AShardWithoutTilesIsDone) {
 }
 
 TEST_F(ShardTest, AChainIsRefused) {
-  const Outcome outcome =
-      run("--shard 1/2 --set initial.policy=forward --set initial.along=omega "
-          "--set initial.ensemble=1 --set 'observe.quantities=[\"x1_rms\"]'");
+  const std::string chain =
+      "--set initial.policy=forward --set initial.along=omega --set initial.ensemble=1 "
+      "--set 'observe.quantities=[\"x1_rms\"]'";
+  const Outcome outcome = run("--shard 1/2 " + chain);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--shard"));
   EXPECT_THAT(outcome.err, HasSubstr("mpirun"));
+  const Outcome script = gearsweep(folder_, "slurm study.toml --jobs 2 " + chain);
+  EXPECT_EQ(script.status, 2);
+  EXPECT_EQ(script.out, "");
+  EXPECT_THAT(script.err, HasSubstr("start where their neighbours end"));
 }
 
 TEST_F(ShardTest, WhatIsNoShardIsRefused) {

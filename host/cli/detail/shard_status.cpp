@@ -2,18 +2,28 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
-#include "journal/notes.hpp"
-#include "scheduler/shard.hpp"
+#include "model/error.hpp"
 
 namespace gearsweep {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t number_of(const ShardState& state) {
-  return state.shard.empty() ? 0 : parse_shard(state.shard).number;
+constexpr std::string_view kEnd = ".journal", kOf = "-of-";
+
+// Of the text K-of-N, which stands in the name: a shard whose step is still being found has not
+// noted in its journal which it is.
+std::optional<Shard> shard_in(std::string text) {
+  const std::size_t of = text.find(kOf);
+  if (of == std::string::npos) return std::nullopt;
+  try {
+    return parse_shard(text.replace(of, kOf.size(), "/"));
+  } catch (const InputError&) {
+    return std::nullopt;  // another file
+  }
 }
 
 }  // namespace
@@ -26,14 +36,16 @@ std::vector<ShardState> shards_of(const std::string& output) {
   std::error_code no_folder;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, no_folder)) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(begin) || !name.ends_with(".journal")) continue;
-    ShardState state{entry.path().string(), "", Journal::status(entry.path().string())};
-    const auto note = state.status.notes.find(notes::kShard);
-    if (note != state.status.notes.end()) state.shard = note->second;
-    shards.push_back(std::move(state));
+    if (!name.starts_with(begin) || !name.ends_with(kEnd)) continue;
+    const std::optional<Shard> shard =
+        shard_in(name.substr(begin.size(), name.size() - begin.size() - kEnd.size()));
+    if (!shard) continue;
+    const std::string journal = entry.path().string();
+    shards.push_back({journal, *shard, Journal::status(journal)});
   }
   std::ranges::sort(shards, [](const ShardState& one, const ShardState& other) {
-    return std::pair(number_of(one), one.journal) < std::pair(number_of(other), other.journal);
+    return std::pair(one.shard.count, one.shard.number) <
+           std::pair(other.shard.count, other.shard.number);
   });
   return shards;
 }

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "journal/journal.hpp"
+#include "scheduler/shard.hpp"
 
 namespace gearsweep {
 
 struct ShardState {
   std::string journal;  // its path
-  std::string shard;    // "2/8"; empty: it is not planned yet
+  Shard shard;
   JournalStatus status;
 };
 
