@@ -62,7 +62,7 @@ class Tracer {
       }
       const bool is_beyond = has_angle() && std::sin(next->angle) * std::sin(last.angle) < 0.0;
       if (!is_beyond) points.push_back(*next);
-      if (equations_.kind() == BorderKind::grazing && !next->is_of_stable_motion()) {
+      if (equations_.kind() == BorderKind::grazing && settles_no_more(*next)) {
         return ended("no motion that settles grazes from here on", std::move(points));
       }
       if (is_beyond || meets_axis(*next)) {
@@ -172,6 +172,16 @@ class Tracer {
   bool has_angle() const { return equations_.kind() == BorderKind::neimark_sacker; }
   bool meets_axis(const BorderPoint& point) const {
     return has_angle() && std::abs(std::sin(point.angle)) < kNearAxis;
+  }
+
+  // Multipliers change with the root of how deep an orbit goes. Where a motion that settles comes
+  // up to the start and the graze itself is unstable, the curve goes on while it hardly gets more
+  // so.
+  bool settles_no_more(const BorderPoint& point) const {
+    const auto beyond_circle = [](const BorderPoint& at) {
+      return std::max(0.0, at.multipliers.cwiseAbs().maxCoeff() - 1.0);
+    };
+    return !point.is_of_stable_motion() && beyond_circle(point) > 2.0 * beyond_circle(start_);
   }
 
   // In shares of the window.

@@ -20,7 +20,7 @@ struct BorderSetting {
 // and for a model that is not driven, has two frequencies, or jumps where tangents do not.
 BorderSetting make_border_setting(const Study& study, std::size_t steps);
 
-inline constexpr std::size_t kBorderSteps = 512;
+inline constexpr std::size_t kBorderSteps = 256;
 // The host, which cuts steps at contacts and is slow, takes fewer.
 inline std::size_t host_steps(const Study& following) {
   return std::max<std::size_t>(following.integrate.steps_per_period / 2, 64);

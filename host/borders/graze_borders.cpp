@@ -16,7 +16,10 @@ constexpr double kAtStop = 0.02;      // of the window: how far from a stop its 
 constexpr std::size_t kMinLost = 3;   // pairs of a border: worth a search
 constexpr std::size_t kMaxSeeds = 4;  // of a border
 constexpr std::size_t kLongest = 4;   // period: the host takes long for longer ones
-constexpr double kAlready = 1.0;      // pixels: a graze so near to a stop is the one that is there
+// The same where an orbit is lost, and how many seeds a border has there.
+constexpr std::size_t kLongestLost = 9, kMaxLost = 2;
+constexpr double kUpToGraze = 0.05;  // pixels: a motion that settles so near comes up to the graze
+constexpr double kAlready = 1.0;     // pixels: a graze so near to a stop is the one that is there
 
 // Indices that lie evenly among so many.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
@@ -79,7 +82,10 @@ void GrazeBorders::follow(const std::vector<PairSeed>& seeds) {
     for (const Crossing& found : find_grazes(plane_, host_, at)) {
       const PixelPlace place = pixel_place(pixels_, found.point.place);
       const double apart = std::hypot(place[0] - middle[0], place[1] - middle[1]);
-      if (apart <= kBesidePair && found.point.is_of_stable_motion()) follow(found);
+      const PixelPlace orbit = pixel_place(pixels_, seed.orbit.place);
+      const bool settles = found.point.is_of_stable_motion() ||
+                           std::hypot(place[0] - orbit[0], place[1] - orbit[1]) <= kUpToGraze;
+      if (apart <= kBesidePair && settles) follow(found);
     }
   });
 }
@@ -121,11 +127,11 @@ void GrazeBorders::from_lost(std::vector<ExplainedBorder>* borders) {
       if (border.reasons[i] == EdgeReason::lost) open.push_back(i);
     }
     if (open.size() < kMinLost) continue;
-    for (const std::size_t i : evenly(open.size(), kMaxSeeds)) {
+    for (const std::size_t i : evenly(open.size(), kMaxLost)) {
       const BorderEdge& edge = border.border.edges[open[i]];
       for (const std::size_t side : {0U, 1U}) {
         const HeldOrbit* const orbit = settled_->orbit(edge.pixels[side]);
-        if (orbit == nullptr || orbit->period > kLongest) continue;
+        if (orbit == nullptr || orbit->period > kLongestLost) continue;
         all.push_back({*orbit, edge.pixels[1 - side], edge});
       }
     }

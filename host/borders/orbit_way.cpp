@@ -223,7 +223,9 @@ double OrbitWay::level(std::size_t limit, const double* coefs, const VectorXd& s
 RowVectorXd OrbitWay::level_gradient(std::size_t limit, const double* coefs,
                                      const VectorXd& state) {
   if (held_.is_contact(limit)) {
-    return contacts_.gradient_at(coefs, state.data(), limit - model_->surfaces.size());
+    const std::size_t flank = limit - model_->surfaces.size();
+    return model_->contact_limits()[flank].flank *
+           contacts_.gradient_at(coefs, state.data(), flank);
   }
   const auto n = static_cast<std::size_t>(state.size());
   std::vector<double> all(model_->surfaces.size() * n);

@@ -12,7 +12,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kNearby = 0.3;  // of the sizes: from where a motion settled to its orbit
-constexpr std::size_t kStepsForSizes = 128;
+constexpr std::size_t kStepsForSizes = 64;
 
 // The sizes of the states along a motion; nothing where it leaves its range. What the host knows of
 // a reduced model takes the states of the whole one; those that drive nothing may be anywhere.

@@ -30,8 +30,9 @@ class ContactField {
   void slope(const double* coefs, const double* x, const HeldContacts& held, double* out);
   // Writes the slope's derivative by the state, row by row.
   void jacobian(const double* coefs, const double* x, const HeldContacts& held, double* out);
-  // What the field gains per depth where a flank touches, and the depth's derivative by the state:
-  // their product is what the Jacobian gains where the flank begins to touch.
+  // What the field gains per distance beyond a flank, and the distance's derivative by the state:
+  // their product is what the Jacobian gains where the flank begins to touch. The distance is the
+  // depth on the drive flank, and less the depth on the back flank.
   const Eigen::VectorXd& force_at(const double* coefs, const double* x, std::size_t limit);
   const Eigen::RowVectorXd& gradient_at(const double* coefs, const double* x, std::size_t limit);
 

@@ -75,7 +75,8 @@ void HeldStep::stage(const double* coefs, const HeldMotion& at, Work* work) {
   if (at.tangents.cols() == 0) return;
   work->jacobian.resize(states, states);
   field_->jacobian(coefs, at.state.data(), work->jacobian.data());
-  work->slope.tangents.noalias() = work->jacobian * at.tangents;
+  // Products that are made for large matrices cost more than these do.
+  work->slope.tangents.noalias() = work->jacobian.lazyProduct(at.tangents);
 }
 
 void HeldStep::take(const StepMoments& moment_at, HeldMotion* motion, const PartCallback& each_part,

@@ -42,7 +42,7 @@ def curves(
         A result of `run` over two parameters, with ``period`` among its quantities; or its file.
         With ``contact_class``, too, grazing curves are looked for where it changes.
     steps : int, optional
-        Integration steps of a forcing period; by default 512, or the study's if that is more.
+        Integration steps of a forcing period; by default 256, or the study's if that is more.
     min_pairs : int, optional
         Borders of fewer pairs of neighbouring pixels are left out; by default 10.
     device : int or str, optional

@@ -1,6 +1,7 @@
 // Grazing curves against the closed form of linear oscillators that do not touch, or do not part.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "borders/border_curve.hpp"
 #include "borders/curve_accuracy.hpp"
 #include "borders/find_graze.hpp"
+#include "borders/orbit_way.hpp"
 #include "orbits/example_orbits.hpp"
 #include "study/study.hpp"
 
@@ -77,6 +79,31 @@ TEST(Grazing, AGearPairBeginsToPartWhereItsSwingIsItsMeanDeflection) {
     const double modulus = std::exp(-z * 2.0 * std::numbers::pi / w);
     EXPECT_NEAR(std::abs(point.multipliers[0]), modulus, 1e-8);
   }
+}
+
+// On either flank the level of a turn changes with the start of the motion as its gradient says.
+TEST(Grazing, LevelsOfBothFlanksHaveTheSlopesOfTheirDifferences) {
+  const Example example("gear1", {{"omega", 0.9}, {"z", 0.05}, {"Fm", 0.1}, {"Fte", 0.4}});
+  OrbitWay way(*example.model, example.setting, 256, nullptr);
+  const Eigen::Vector2d start(0.3, 0.8);
+  std::array<int, 2> seen{};
+  for (const OrbitWay::Seen& turn : way.turns(start, 1)) {
+    const auto level_from = [&](const Eigen::Vector2d& state) {
+      return way.go({state, Eigen::Matrix2d::Identity()}, 2, turn.mark);
+    };
+    const auto here = level_from(start);
+    ASSERT_TRUE(here.has_value());
+    ++seen[turn.mark.limit.index];
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const Eigen::Vector2d step = 1e-5 * Eigen::Vector2d::Unit(i);
+      const auto more = level_from(start + step), less = level_from(start - step);
+      ASSERT_TRUE(more && less);
+      EXPECT_NEAR((more->turn->level - less->turn->level) / 2e-5, here->turn->gradient[i], 1e-5)
+          << "limit " << turn.mark.limit.index << ", state " << i;
+    }
+  }
+  EXPECT_GT(seen[0], 0);
+  EXPECT_GT(seen[1], 0);
 }
 
 // What moves that curve, in closed form: with G = Fte - Fm/swing(omega) the curve moves across
