@@ -12,7 +12,8 @@ PACKAGE = pathlib.Path(__file__).parents[2] / "packaging" / "pocl" / "gearsweep_
 
 
 @pytest.fixture
-def driver(monkeypatch):
+def driver(monkeypatch, tmp_path_factory):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
     for name in ("OCL_ICD_VENDORS", "OPENCL_VENDOR_PATH", "COMPILER_PATH"):
         monkeypatch.setenv(name, "")
     spec = importlib.util.spec_from_file_location("gearsweep_pocl", PACKAGE / "__init__.py")
@@ -34,6 +35,13 @@ def test_other_drivers_of_the_machine_stay(driver, tmp_path):
     assert len(named) == 2
     assert "libnvidia-opencl.so.1" in named
     assert any(name.endswith("libpocl.so.2") for name in named)
+
+
+def test_without_a_folder_to_write_in_the_driver_stands_alone(driver, monkeypatch, tmp_path):
+    (tmp_path / "nvidia.icd").write_text("libnvidia-opencl.so.1\n")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/proc/none")
+    assert driver.offer(tmp_path)
+    assert os.environ["OCL_ICD_VENDORS"].endswith("libpocl.so.2")
 
 
 def test_a_machine_with_pocl_keeps_its_own(driver, tmp_path):

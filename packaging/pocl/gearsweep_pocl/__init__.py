@@ -3,9 +3,9 @@
 `offer()` names it to the OpenCL loader of this process and of those that it starts. gearsweep calls it.
 """
 
+import hashlib
 import os
 import pathlib
-import tempfile
 from typing import List
 
 _HERE = pathlib.Path(__file__).resolve().parent
@@ -24,12 +24,27 @@ def _drivers_of(vendors: pathlib.Path) -> List[str]:
     return [driver for driver in found if driver]
 
 
-def _folder_of(drivers: List[str]) -> str:
-    """A folder of .icd files, which is what the loader takes for several drivers; removed by nobody."""
-    folder = tempfile.mkdtemp(prefix="gearsweep-drivers-")
+def _folder_of(drivers: List[str]) -> pathlib.Path:
+    """A folder of .icd files, which is what the loader takes for several drivers; the same for the same ones."""
+    cache = os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache"
+    name = hashlib.sha256("\n".join(drivers).encode()).hexdigest()[:16]
+    folder = pathlib.Path(cache, "gearsweep-pocl", name)
+    folder.mkdir(parents=True, exist_ok=True)
     for number, driver in enumerate(drivers):
-        pathlib.Path(folder, f"{number}.icd").write_text(driver + "\n")
+        part = folder / f"{number}.{os.getpid()}"
+        part.write_text(driver + "\n")
+        part.replace(folder / f"{number}.icd")  # other processes see it whole
     return folder
+
+
+def _vendors(others: List[str]) -> str:
+    """What OCL_ICD_VENDORS takes: this driver, and the machine's own where a file can tell of them."""
+    if others:
+        try:
+            return str(_folder_of([*others, str(_DRIVER)]))
+        except (OSError, RuntimeError):  # no folder to write in, or no home
+            pass
+    return str(_DRIVER)
 
 
 def offer(vendors: pathlib.Path = _MACHINES) -> bool:
@@ -43,7 +58,7 @@ def offer(vendors: pathlib.Path = _MACHINES) -> bool:
     others = _drivers_of(vendors)
     if any("pocl" in driver for driver in others):
         return False
-    os.environ["OCL_ICD_VENDORS"] = _folder_of([*others, str(_DRIVER)]) if others else str(_DRIVER)
+    os.environ["OCL_ICD_VENDORS"] = _vendors(others)
     # Where the clang inside PoCL looks for `ld` first; bin/ld leaves all other links to the machine's.
     before = os.environ.get("COMPILER_PATH")
     os.environ["COMPILER_PATH"] = str(_HERE / "bin") + (os.pathsep + before if before else "")
