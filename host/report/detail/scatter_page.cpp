@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gear/drawing_keys.hpp"
 #include "model/version.hpp"
 #include "plot/labels.hpp"
 #include "plot/plot.hpp"
@@ -118,8 +119,10 @@ std::string tolerance_html(const Scatter& scatter, const std::string& name) {
   const std::vector<UncertainParameter>& all = scatter.study.uncertain.parameters;
   const auto found =
       std::ranges::find(all, name, [](const UncertainParameter& one) { return one.draws.name; });
+  const bool is_key =
+      std::ranges::any_of(kGearKeys, [&](const GearKey& key) { return key.name == name; });
   const bool has_meaning =
-      found != all.end() && !found->draws.is_list && !found->draws.meaning.empty();
+      found != all.end() && !found->draws.is_list && !is_key && !found->draws.meaning.empty();
   return html_named(html_text(has_meaning ? found->draws.meaning : words_and_unit(name).first),
                     name);
 }
