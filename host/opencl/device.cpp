@@ -219,8 +219,8 @@ std::vector<DeviceChoice> parse_devices(const std::string& text,
 std::size_t default_device(const std::vector<DeviceInfo>& devices) {
   if (devices.empty()) {
     throw InputError(
-        "no OpenCL device was found; install a driver (on Debian, "
-        "pocl-opencl-icd runs on any CPU), or use integrate.engine = \"reference\"" +
+        "no OpenCL device was found; install a driver (on Debian, pocl-opencl-icd runs on any CPU; "
+        "beside a wheel, without root, gearsweep-pocl), or use integrate.engine = \"reference\"" +
         describe_obstacles());
   }
   for (std::size_t i = 0; i < devices.size(); ++i) {

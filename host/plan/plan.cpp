@@ -148,21 +148,6 @@ PhaseGrid Plan::phase_grid_of(std::size_t point) const {
   return make_phase_grid(*study_.model, setting_of(point), steps_of(point));
 }
 
-void Plan::for_each_phase_grid(
-    const std::vector<std::size_t>& points,
-    const std::function<void(std::size_t point, const PhaseGrid& grid)>& take) const {
-  std::map<std::vector<double>, std::vector<double>> bounds_of_shape;
-  for (const std::size_t point : points) {
-    const ModelSetting setting = setting_of(point);
-    std::vector<double> shape;
-    set_key(setting, &shape);
-    shape.pop_back();
-    const auto [bounds, is_new] = bounds_of_shape.try_emplace(std::move(shape));
-    if (is_new) bounds->second = segment_bounds(*study_.model, setting);
-    take(point, make_phase_grid(*study_.model, setting, steps_at(setting), bounds->second));
-  }
-}
-
 std::vector<double> Plan::grid_key(std::size_t point) const {
   std::vector<double> key;
   set_key(setting_of(point), &key);

@@ -62,11 +62,6 @@ class Plan {
   // Integration steps of these points, each through its own number of periods.
   double steps_of(const PointList& points, const std::vector<std::uint32_t>& periods) const;
   PhaseGrid phase_grid_of(std::size_t point) const;
-  // Those of some points, in their order. Points whose grids differ in their steps alone share the
-  // search for break phases, which takes longer than a table.
-  void for_each_phase_grid(
-      const std::vector<std::size_t>& points,
-      const std::function<void(std::size_t point, const PhaseGrid& grid)>& take) const;
   // Points with the same key share a phase grid.
   std::vector<double> grid_key(std::size_t point) const;
   // The state that a point starts from when no predecessor gives one: of the study's model, which

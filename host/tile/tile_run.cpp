@@ -165,9 +165,15 @@ class TileRun {
     return states;
   }
 
+  bool judges_sections() const {
+    return std::ranges::any_of(study_.selection.observers, [](const Observer& observer) {
+      return observer.observable->role == ObservableRole::verdict;
+    });
+  }
+
   // Two passes: in the first, observers of states and signals see one turn of the orbit, or so many
   // that the waves of the orders fit; in the second, observers of tangents and sections see one
-  // turn repeated for the whole record.
+  // turn repeated for the whole record. Where there are none of these, the first tells all.
   bool record_alike(const std::vector<FoundOrbit>& orbits) {
     const std::size_t length = orbits.front().length;
     std::vector<std::size_t> positions;
@@ -191,16 +197,20 @@ class TileRun {
     std::optional<TileResult> once =
         engine_->compute(plan_, subset, *states, turn, callbacks_.after_round);
     if (!once) return false;
-    const Window repeated = {.record = whole.record, .is_last = whole.is_last};
-    std::optional<TileResult> replayed =
-        engine_->orbits()->replay(plan_, subset, once->final_states, length, log_stretchings,
-                                  repeated, callbacks_.after_round);
-    if (!replayed) return false;
-    count_settling(orbits, &*replayed);
-    std::vector<std::size_t> all(positions.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    adopt_verdicts(study_, all, *replayed, &*once);
-    once->final_states = std::move(replayed->final_states);
+    // The whole record ends at the section where one turn does, or takes a part of a turn more.
+    const bool is_told = !judges_sections() && whole.record % length == 0;
+    if (!is_told) {
+      const Window repeated = {.record = whole.record, .is_last = whole.is_last};
+      std::optional<TileResult> replayed =
+          engine_->orbits()->replay(plan_, subset, once->final_states, length, log_stretchings,
+                                    repeated, callbacks_.after_round);
+      if (!replayed) return false;
+      count_settling(orbits, &*replayed);
+      std::vector<std::size_t> all(positions.size());
+      std::iota(all.begin(), all.end(), std::size_t{0});
+      adopt_verdicts(study_, all, *replayed, &*once);
+      once->final_states = std::move(replayed->final_states);
+    }
     put_subset(study_, *once, positions, &result_);
     for (const std::size_t position : positions) has_stopped_[position] = 1;
     return true;

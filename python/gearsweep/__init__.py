@@ -1,6 +1,6 @@
 """Maps of gear dynamics and non-smooth oscillators from massively parallel parameter sweeps."""
 
-from gearsweep import _core
+from gearsweep import _core, _driver
 from gearsweep._accessor import Gear
 from gearsweep._curves import curves
 from gearsweep._distribution import normal, triangular, uniform, values
@@ -29,6 +29,7 @@ from gearsweep._trace import trace
 from gearsweep._verify import Check, Verification, verify
 
 __version__: str = _core.version()
+_driver.offer()
 
 __all__ = [
     "Channel",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import tempfile
@@ -192,7 +193,8 @@ class _Work:
                     tell(share, round(share * points), points, seconds)
         finally:
             for future in waiting:
-                future.cancel()
+                with contextlib.suppress(NotImplementedError):  # Parsl's cannot
+                    future.cancel()
         for warning in sorted(told):
             warn(warning)
         if failures:

@@ -70,6 +70,21 @@ def test_a_lost_worker_costs_its_shard_only(whole, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_futures_that_cannot_be_cancelled_are_waited_for(whole):
+    class Bound(Future):
+        def cancel(self):
+            raise NotImplementedError  # as those of Parsl
+
+    class Binding(Counting):
+        def submit(self, function, *arguments):
+            bound = Bound()
+            bound.set_result(super().submit(function, *arguments).result())
+            return bound
+
+    shared = gs.run(STUDY, executor=Binding(), shards=3, progress=None)
+    assert same_bits(shared, whole)
+
+
 def test_another_study_takes_no_shard_of_this_one(tmp_path):
     journal = tmp_path / "map"
     with pytest.raises(gs.RunError):

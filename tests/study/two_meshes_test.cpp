@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gear/dynamic_factor.hpp"
 #include "model/error.hpp"
@@ -214,6 +216,64 @@ TEST(TwoMeshes, HaveTheDynamicFactorOfTheDrawingThatGivesTheUnits) {
   EXPECT_THAT(refusal(plain + kOmega),
               HasSubstr("needs a parameter of the role \"load\" whose name "
                         "ends in _first"));
+}
+
+// Of a train in text. stiffness: of both meshes; lines: in both drawings.
+Study train_of(const std::string& model, double stiffness, double omega, const std::string& lines) {
+  const std::string both = fmt::format(
+      "module_mm = 3\nhalf_backlash_mm = 0.05\nmesh_stiffness_N_per_m = {}\n"
+      "mesh_damping_ratio = 0.05\ntransmission_error_um = 4\n{}",
+      stiffness, lines);
+  return read_study(
+      fmt::format(
+          "[model]\nname = '{}'\n[parameters]\nomega = {}\n[[axes]]\nname = 'q'\nvalues = [0.35]\n"
+          "[gear.first]\nteeth = [20, 30]\ninertia_kg_mm2 = [350, 900]\n"
+          "torque_N_m = 40\n{}[gear.second]\nteeth = [30, 36]\n"
+          "inertia_kg_mm2 = [900, 2000]\n{}",
+          model, omega, both, both),
+      "train.toml");
+}
+
+// Velocities are in b_n varpi, and varpi goes with the root of the stiffness.
+std::vector<double> in_stiffer_units(const Study& study, std::vector<double> states,
+                                     double stiffer) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const char kind = study.model->states[i].name.front();
+    if (kind == 'v' || kind == 'w') states[i] /= std::sqrt(stiffer);
+  }
+  return states;
+}
+
+// With a factor the units stay, and the motion is that of teeth so much stiffer.
+TEST(TwoMeshes, AStiffnessFactorIsADrawingOfSuchAStiffness) {
+  constexpr double kFactor = 0.7, kStiffness = 2.2e8, kOmegaOfFactor = 0.6;
+  for (const char* name : {"idler", "two_stages"}) {
+    const Study factor =
+        train_of(name, kStiffness, kOmegaOfFactor, fmt::format("stiffness_factor = {}\n", kFactor));
+    const Study drawing =
+        train_of(name, kFactor * kStiffness, kOmegaOfFactor / std::sqrt(kFactor), "");
+    const Model& model = *factor.model;
+    std::vector<double> x = model.equilibrium(factor.setting);
+    EXPECT_THAT(
+        drawing.model->equilibrium(drawing.setting),
+        ::testing::Pointwise(::testing::DoubleNear(1e-9), in_stiffer_units(factor, x, kFactor)))
+        << name;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const bool is_twist = model.states[i].name == "u" || model.states[i].name == "w";
+      if (!is_twist) x[i] += 0.1 + 0.05 * static_cast<double>(i);  // the shaft is rigid
+    }
+    const std::vector<double> other = in_stiffer_units(factor, x, kFactor);
+    const auto rates = [](const Study& study, const std::vector<double>& states) {
+      std::vector<double> row(study.model->phase_coefs.size()), out(states.size());
+      study.model->phase_coefs_at(study.setting, 0.013, 0.013, row.data());
+      study.model->prepare(study.setting)->rhs(row.data(), states.data(), out.data());
+      return out;
+    };
+    std::vector<double> expected = in_stiffer_units(factor, rates(factor, x), kFactor);
+    for (double& rate : expected) rate /= std::sqrt(kFactor);  // time, too
+    EXPECT_THAT(rates(drawing, other), ::testing::Pointwise(::testing::DoubleNear(1e-9), expected))
+        << name;
+  }
 }
 
 }  // namespace

@@ -112,12 +112,19 @@ void Launcher::fill_bank(const Plan& plan, const Tile& tile) {
     const std::size_t point = tile.points[start];
     if (bank_.index.emplace(plan.grid_key(point), number).second) points.push_back(point);
   }
-  const GridTables tables = make_grid_tables(plan, points);
-  bank_.steps = tables.steps;
+  GridTables tables = make_grid_tables(plan, points);
+  bank_.steps = std::move(tables.steps);
   bank_.tables = {
       upload_bytes(tables.grids.data(), tables.grids.size() * sizeof(SweepGrid), CL_MEM_READ_ONLY),
-      upload(tables.segment_steps), upload(tables.segment_fractions, CL_MEM_READ_ONLY),
-      upload(tables.coefs, CL_MEM_READ_ONLY)};
+      upload(tables.segment_steps), upload(tables.segment_fractions, CL_MEM_READ_ONLY)};
+  const bool is_read_in_place = fp64_ && device().shares_host_memory && !tables.coefs.empty();
+  if (is_read_in_place) {
+    bank_.coefs = std::move(tables.coefs);
+    bank_.tables.emplace_back(open_->context(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR,
+                              bank_.coefs.size() * sizeof(double), bank_.coefs.data());
+  } else {
+    bank_.tables.push_back(upload(tables.coefs, CL_MEM_READ_ONLY));
+  }
 }
 
 std::vector<std::uint32_t> Launcher::find_grids(const Plan& plan, const Tile& tile) {

@@ -100,6 +100,7 @@ class Launcher {
   struct GridBank {
     std::map<std::vector<double>, std::uint32_t> index;  // by Plan::grid_key()
     std::vector<std::size_t> steps;                      // of a period
+    std::vector<double> coefs;  // where the device reads them in place: they outlive its buffer
     std::vector<cl::Buffer> tables;
   };
   static void set_argument(cl::Kernel* kernel, cl_uint number, const cl::Buffer& buffer) {

@@ -1,8 +1,13 @@
 #include "opencl/detail/tile_buffers.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numbers>
+#include <span>
 
+#include "model/array.hpp"
+#include "model/on_all_cores.hpp"
 #include "plan/start_tangents.hpp"
 
 namespace gearsweep {
@@ -31,74 +36,91 @@ std::size_t table_width(const Study& study) {
 namespace {
 
 // Cosines, then sines, of the orders' angles at a phase of the forcing period; whole turns are
-// taken out of them while they are exact.
-void append_orders(const std::vector<double>& orders, double mesh_periods, double psi,
-                   std::vector<double>* row) {
-  std::vector<double> angles;
-  for (const double order : orders) {
-    const double turns = order * mesh_periods * psi;
-    angles.push_back(2.0 * std::numbers::pi * (turns - std::round(turns)));
+// taken out of them while they are exact. The angle of an order that is the sum of the first one
+// and of that before it, as of 1, 2, 3, is a sum, too.
+void write_orders(const std::vector<double>& orders, double mesh_periods, double psi,
+                  double* cosines) {
+  double* const sines = cosines + orders.size();
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    if (i > 0 && orders[i] == orders[0] + orders[i - 1]) {
+      cosines[i] = cosines[0] * cosines[i - 1] - sines[0] * sines[i - 1];
+      sines[i] = sines[0] * cosines[i - 1] + cosines[0] * sines[i - 1];
+      continue;
+    }
+    const double turns = orders[i] * mesh_periods * psi;
+    const double angle = 2.0 * std::numbers::pi * (turns - std::round(turns));
+    cosines[i] = std::cos(angle);
+    sines[i] = std::sin(angle);
   }
-  for (const double angle : angles) row->push_back(std::cos(angle));
-  for (const double angle : angles) row->push_back(std::sin(angle));
 }
 
-// The rows of a phase grid as the kernels have them where orders are asked for.
-std::vector<double> table_rows(const Plan& plan, std::size_t point, const PhaseGrid& grid) {
+// The rows of a phase grid as the kernels have them. Its segments end where the next begin.
+void write_rows(const Plan& plan, std::size_t point, const PhaseGrid& grid, double* row) {
   const Study& study = plan.study();
   const std::size_t width = study.model->phase_coefs.size();
-  const ModelSetting setting = plan.setting_of(point);
-  const std::vector<double> bounds = segment_bounds(*study.model, setting);
-  const double mesh_periods = study.model->mesh_periods(setting);
-  std::vector<double> rows;
-  auto coefs = grid.coefs.begin();
+  const double mesh_periods = study.model->mesh_periods(plan.setting_of(point));
+  const double* coefs = grid.coefs.data();
+  double begin = 0.0;
   for (std::size_t segment = 0; segment < grid.segment_steps.size(); ++segment) {
-    const std::uint32_t last = 2 * grid.segment_steps[segment];
-    for (std::uint32_t row = 0; row <= last; ++row) {
-      rows.insert(rows.end(), coefs, coefs + static_cast<std::ptrdiff_t>(width));
-      coefs += static_cast<std::ptrdiff_t>(width);
-      const double psi = row == last
-                             ? bounds[segment + 1]
-                             : bounds[segment] + 0.5 * row * grid.segment_fractions[segment];
-      append_orders(study.selection.orders, mesh_periods, psi, &rows);
+    const std::uint32_t steps = grid.segment_steps[segment];
+    const double fraction = grid.segment_fractions[segment];
+    for (std::uint32_t i = 0; i <= 2 * steps; ++i) {
+      std::copy_n(coefs, width, row);
+      write_orders(study.selection.orders, mesh_periods, begin + 0.5 * i * fraction, row + width);
+      coefs += width;
+      row += table_width(study);
     }
+    begin += steps * fraction;
   }
-  return rows;
 }
 
-// At most, of grids with so many segments. Tables may be large: to copy them as they grow would
-// take as long as to make them.
-std::size_t rows_of(const Plan& plan, const std::vector<std::size_t>& points,
-                    std::size_t segments) {
-  std::size_t rows = 0;
-  for (const std::size_t point : points) rows += 2 * (plan.steps_of(point) + segments) + segments;
-  return rows;
+// Those of some points, in their order. On all cores: draws of a study have tables of their own.
+std::vector<PhaseGrid> grids_of(const Plan& plan, std::span<const std::size_t> points) {
+  std::vector<PhaseGrid> grids(points.size());
+  std::vector<std::exception_ptr> failures(points.size());
+  for_each_on_all_cores(points.size(), [&](std::size_t i) {
+    try {
+      grids[i] = plan.phase_grid_of(points[i]);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return grids;
 }
 
 }  // namespace
 
 GridTables make_grid_tables(const Plan& plan, const std::vector<std::size_t>& points) {
+  constexpr std::size_t kHeld = 512;  // grids at a time, before they are packed
   const std::size_t width = table_width(plan.study());
   GridTables tables;
-  const auto append = [](const auto& from, auto& to) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  plan.for_each_phase_grid(points, [&](std::size_t point, const PhaseGrid& grid) {
-    if (tables.grids.empty()) {
-      tables.coefs.reserve(width * rows_of(plan, points, grid.segment_steps.size()));
+  std::size_t rows = 0;
+  for (std::size_t first = 0; first < points.size(); first += kHeld) {
+    const std::span<const std::size_t> some =
+        std::span(points).subspan(first, std::min(kHeld, points.size() - first));
+    const std::vector<PhaseGrid> grids = grids_of(plan, some);
+    for (const PhaseGrid& grid : grids) {
+      tables.grids.push_back({static_cast<sweep_uint>(rows),
+                              static_cast<sweep_uint>(tables.segment_steps.size()),
+                              static_cast<sweep_uint>(grid.segment_steps.size())});
+      tables.segment_steps.insert(tables.segment_steps.end(), grid.segment_steps.begin(),
+                                  grid.segment_steps.end());
+      append(grid.segment_fractions, &tables.segment_fractions);
+      tables.steps.push_back(grid.steps);
+      rows += 2 * grid.steps + grid.segment_steps.size();
     }
-    tables.grids.push_back({static_cast<sweep_uint>(tables.coefs.size() / width),
-                            static_cast<sweep_uint>(tables.segment_steps.size()),
-                            static_cast<sweep_uint>(grid.segment_steps.size())});
-    append(grid.segment_steps, tables.segment_steps);
-    append(grid.segment_fractions, tables.segment_fractions);
-    if (plan.study().selection.orders.empty()) {
-      append(grid.coefs, tables.coefs);
-    } else {
-      append(table_rows(plan, point, grid), tables.coefs);
-    }
-    tables.steps.push_back(grid.steps);
-  });
+    // Tables may be large, and mostly have one size: to copy them as they grow would take as long
+    // as to make them.
+    if (first == 0) tables.coefs.reserve(width * (rows / some.size() + 1) * points.size());
+    tables.coefs.resize(width * rows);
+    for_each_on_all_cores(some.size(), [&](std::size_t i) {
+      write_rows(plan, some[i], grids[i],
+                 tables.coefs.data() + width * tables.grids[first + i].first_stage);
+    });
+  }
   return tables;
 }
 

@@ -19,7 +19,9 @@ void run(const std::vector<std::string>& arguments) {
   const ChildEnd end = run_child(words, {"LC_ALL=C.UTF-8"}, 0.0, "gnuplot");
   if (!end.is_found) {
     throw RunError(
-        "cannot draw: there is no gnuplot on the PATH; install it (Debian, Ubuntu: gnuplot-nox)");
+        "cannot draw: there is no gnuplot on the PATH; install it (Debian, Ubuntu: gnuplot-nox), "
+        "or "
+        "plot the result in Python, which needs matplotlib");
   }
   if (!end.is_well) {
     throw RunError(

@@ -57,7 +57,8 @@ bool is_whole_pdf(const std::string& path) {
 void print_to_pdf(const std::string& browser, const std::string& html, const std::string& pdf) {
   constexpr double kLongest = 120.0;  // s; a page takes two
   const TemporaryFolder folder;
-  const std::string page = folder.path() / "page.html", printed = folder.path() / "page.pdf";
+  const std::string page = (folder.path() / "page.html").string();
+  const std::string printed = (folder.path() / "page.pdf").string();
   write_file(page, html);
   std::vector<std::string> words = {browser,
                                     "--headless",

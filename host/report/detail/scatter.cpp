@@ -108,8 +108,8 @@ class ScatterRuns {
 
   // At the worst speed: which tolerance makes the scatter, and what half of it would bring.
   bool rank() {
-    const Study here = at_worst_speed();
     out_.tightened_gears = std::min(out_.gears(), kMostTightened);
+    const Study here = at_worst_speed();
     const std::size_t samples = std::clamp<std::size_t>(out_.gears() / 2, 40, 1000);
     const std::optional<SweepResult> sobol =
         run(changed(here, {"uncertain.sobol=true", "uncertain.keep=false",
@@ -153,10 +153,13 @@ class ScatterRuns {
   // With the step of the run over all speeds.
   Study at_worst_speed() const {
     const Axis& speed = out_.study.axes.front();
-    std::vector<std::string> overrides;
+    // Not more draws than what follows takes: each is worked out where a study is read.
+    std::vector<std::string> overrides = {
+        fmt::format("uncertain.samples={}", out_.tightened_gears)};
     if (out_.result.pilot) {
-      overrides = {"integrate.tolerance=0",
-                   fmt::format("integrate.max_step={}", out_.result.pilot->step)};
+      overrides.insert(
+          overrides.end(),
+          {"integrate.tolerance=0", fmt::format("integrate.max_step={}", out_.result.pilot->step)});
     }
     const double value = speed.values[out_.worst];
     return changed(out_.study, overrides, {fmt::format("{}={}:{}:1", speed.name, value, value)});
@@ -164,9 +167,8 @@ class ScatterRuns {
 
   // The percentile at the worst speed with the first draws of the study, changed so. Nothing when
   // stopped.
-  std::optional<double> percentile_at(const Study& here, std::vector<std::string> overrides,
+  std::optional<double> percentile_at(const Study& here, const std::vector<std::string>& overrides,
                                       const std::string& what) const {
-    overrides.push_back(fmt::format("uncertain.samples={}", out_.tightened_gears));
     const std::optional<SweepResult> result =
         run(changed(here, overrides), options_.sweep_options(), what);
     if (!result) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gear/drawing_keys.hpp"
 #include "model/version.hpp"
 #include "plot/labels.hpp"
 #include "plot/plot.hpp"
@@ -112,6 +113,20 @@ void add_speeds(const Scatter& scatter, const ToleranceOptions& options, const R
       quantity_cell(target), scatter.gears()));
 }
 
+// In words, with the name that studies have beside them: a key of the drawing says itself what it
+// is.
+std::string tolerance_html(const Scatter& scatter, const std::string& name) {
+  const std::vector<UncertainParameter>& all = scatter.study.uncertain.parameters;
+  const auto found =
+      std::ranges::find(all, name, [](const UncertainParameter& one) { return one.draws.name; });
+  const bool is_key =
+      std::ranges::any_of(kGearKeys, [&](const GearKey& key) { return key.name == name; });
+  const bool has_meaning =
+      found != all.end() && !found->draws.is_list && !is_key && !found->draws.meaning.empty();
+  return html_named(html_text(has_meaning ? found->draws.meaning : words_and_unit(name).first),
+                    name);
+}
+
 // {distribution = "normal", std = 0.05, relative = true} as "normal, std 0.05, relative".
 std::string distribution_html(std::string toml) {
   std::erase_if(toml, [](char c) { return c == '{' || c == '}' || c == '"' || c == '\''; });
@@ -135,12 +150,13 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
   const double scale = scatter.scale_of(scatter.target);
   const double now = scatter.percentiles[scatter.worst].value;
   for (const RankedTolerance& one : scatter.ranking) {
-    table.rows.push_back(
-        {html_text(one.name), fmt::format("{:.2f} ± {:.2f}", one.first, one.first_error),
-         fmt::format("{:.2f}", one.total),
-         one.tightened ? fmt::format("{} ({:+.1f} %)", html_number(*one.tightened * scale),
-                                     100.0 * (*one.tightened / now - 1.0))
-                       : "–"});
+    table.rows.push_back({tolerance_html(scatter, one.name),
+                          fmt::format("{:.2f} ± {:.2f}", one.first, one.first_error),
+                          fmt::format("{:.2f}", one.total),
+                          one.tightened
+                              ? fmt::format("{} ({:+.1f} %)", html_number(*one.tightened * scale),
+                                            100.0 * (*one.tightened / now - 1.0))
+                              : "–"});
   }
   page->table(table);
   page->small(fmt::format(
@@ -172,7 +188,7 @@ void add_worst_gears(const Scatter& scatter, const ResultMap& target, HtmlPage* 
   table.head = {""};
   table.rows = {{target_html(target)}, {"at " + (unit == "1" ? html_text(speed.name) : unit)}};
   for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
-    table.rows.push_back({html_text(parameter.draws.name)});
+    table.rows.push_back({tolerance_html(scatter, parameter.draws.name)});
   }
   const double scale = scatter.scale_of(scatter.target);
   std::vector<std::string> commands;
@@ -199,8 +215,8 @@ void add_assumed(const Scatter& scatter, HtmlPage* page) {
   page->heading("What was assumed to scatter");
   std::vector<std::vector<std::string>> rows;
   for (const UsualTolerance& one : scatter.assumed) {
-    rows.push_back(
-        {html_text(one.name), distribution_html(one.distribution), html_text(one.reason)});
+    rows.push_back({tolerance_html(scatter, one.name), distribution_html(one.distribution),
+                    html_text(one.reason)});
   }
   page->table({"tolerance", "distribution", "why"}, rows);
   page->small("An [uncertain] table in the study takes the place of all of these.");

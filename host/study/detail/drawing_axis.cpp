@@ -138,7 +138,7 @@ std::pair<double, double> bind_key(const GearKey& key, Swept* swept) {
 }
 
 void add_parameters(const SweptKey& swept, const GearValues& others, const Model& model,
-                    const toml::node& place, Axis* axis) {
+                    const toml::node& place, Axis* axis, std::size_t most) {
   FollowingParameters following;
   GearDrawing drawing = read_drawing(swept.from, others);
   const auto fail = [&](std::size_t i, const std::string& wrong) {
@@ -155,7 +155,7 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
     own.vary(*swept.key, axis->values[i], swept.member);
     return convert_gear(own, model, swept.from, GearTexts::none);
   };
-  follow_all(axis->values.size(), convert, fail, &following);
+  follow_all(std::min(axis->values.size(), most), convert, fail, &following);
   axis->columns = following.take(model, {swept.key->name});
   if (swept.member) {
     // What the other one of the pair gives stays.
@@ -175,7 +175,7 @@ void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const 
   const auto convert = [&](std::size_t draw) {
     GearDrawing own = drawing;
     for (const auto& [key, axis] : keys) own.vary(*key.key, axis->values[draw], key.member);
-    return convert_gear(own, model, from);
+    return convert_gear(own, model, from, GearTexts::none);
   };
   const auto fail = [&](std::size_t draw, const std::string& wrong) {
     fail_at(place, fmt::format("draw {}: {}", draw + 1, wrong));
@@ -184,7 +184,14 @@ void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const 
   follow_all(keys.front().second->values.size(), convert, fail, &following);
   std::vector<std::string_view> names;
   for (const auto& [key, axis] : keys) names.push_back(key.key->name);
-  for (Swept& column : following.take(model, names)) {
+  std::vector<Swept> all = following.take(model, names);
+  // What differs where a key varies alone, and not where all do, is what the study has.
+  for (const auto& [key, axis] : keys) {
+    std::erase_if(axis->columns, [&](const Swept& one) {
+      return std::ranges::find(all, one.index, &Swept::index) == all.end();
+    });
+  }
+  for (Swept& column : all) {
     std::vector<Axis*> owners;
     for (const auto& [key, axis] : keys) {
       const auto own = std::ranges::find(axis->columns, column.index, &Swept::index);

@@ -29,11 +29,14 @@ void read_spectrum(const toml::table& root, Study* study) {
     fail_at(*slope, fmt::format("slope is of a load spectrum, which has a column {}", kTimeShare));
   }
   if (study->axes.size() > 1) {
-    fail_at(
-        *root.get("axes"),
-        "a load spectrum is answered as a whole, so that no axis can stand beside it: leave out "
-        "[[axes]], and run it for each value, as in --set parameters.NAME=VALUE; without the "
-        "column time_share each point of the list has all values of the axis");
+    const Axis& axis = study->axes.front();
+    const char* const table = !axis.is_list ? (axis.is_state ? "initial" : "parameters") : "gear";
+    fail_at(*root.get("axes"),
+            fmt::format("a load spectrum is answered as a whole, so that no axis can stand beside "
+                        "it: leave out [[axes]], and run it for each value, as in --set "
+                        "{}.{}=VALUE; without the column time_share each point of the list has all "
+                        "values of the axis",
+                        table, axis.name));
   }
   LoadSpectrum spectrum{shares->values, reader.number("slope", kUsualSlope)};
   const double sum = std::accumulate(spectrum.shares.begin(), spectrum.shares.end(), 0.0);

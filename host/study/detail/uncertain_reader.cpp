@@ -185,8 +185,12 @@ void read_of_model(const toml::table& table, const std::string& name, std::size_
   study->uncertain.parameters.push_back(std::move(parameter));
 }
 
+// Where several keys of a drawing vary, what follows from them is worked out in join_keys(): so few
+// draws tell which parameters a key gives.
+constexpr std::size_t kTelling = 64;
+
 void read_of_gear(const toml::table& root, const toml::table& table, const SweptKey& swept,
-                  std::size_t place, std::size_t count, Study* study) {
+                  std::size_t place, std::size_t count, bool is_joined, Study* study) {
   const GearKey& key = *swept.key;
   if (swept.from.table == nullptr) {
     fail_at(table, fmt::format("'{}' is a key of {}, and the study has no such table", swept.name(),
@@ -205,7 +209,7 @@ void read_of_gear(const toml::table& root, const toml::table& table, const Swept
   }
   check_draws(table, parameter, {key.min, key.max}, *study);
   const GearValues others = first_values(root, *study->model, swept.from, study->axes);
-  add_parameters(swept, others, *study->model, table, &draws);
+  add_parameters(swept, others, *study->model, table, &draws, is_joined ? kTelling : SIZE_MAX);
   for (const Swept& column : draws.columns) {
     if (study->find_on_axes(column.index) != nullptr) {
       fail_at(table, fmt::format("{} and an axis both give {}", draws.name, column.name));
@@ -339,11 +343,16 @@ void read_uncertain(const toml::table& root, Study* study) {
   if (study->initial.ensemble > 1) {
     fail_at(table, "uncertain parameters and an [initial] ensemble; a study has one of them");
   }
+  std::map<std::string, std::size_t> keys_of_drawing;  // by its suffix
+  for (const auto& [name, entry] : entries) {
+    if (const auto swept = find_swept_key(root, model, name)) ++keys_of_drawing[swept->from.suffix];
+  }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& [name, entry] = entries[i];
     // An entry may bind the study to another model.
     if (const auto swept = find_swept_key(root, *study->model, name)) {
-      read_of_gear(root, *entry, *swept, i, entries.size(), study);
+      const bool is_joined = keys_of_drawing[swept->from.suffix] > 1;
+      read_of_gear(root, *entry, *swept, i, entries.size(), is_joined, study);
     } else {
       read_of_model(*entry, name, i, entries.size(), study);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tile/detail/small_matrix.hpp"
 #include "tile/detail/state_distance.hpp"
 
 namespace gearsweep {
@@ -23,13 +24,14 @@ constexpr Eigen::Index kPatience = 8;
 Eigen::MatrixXd contracting_metric(const Eigen::MatrixXd& map, double contraction) {
   Eigen::MatrixXd power = map / contraction;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(map.rows(), map.cols());
-  Eigen::MatrixXd half(map.rows(), map.cols()), more = half, square = half;
+  Eigen::MatrixXd turned(map.rows(), map.cols()), half = turned, more = turned, square = turned;
   for (int doubling = 0; doubling < 24; ++doubling) {
-    half.noalias() = power.transpose() * sum;
-    more.noalias() = half * power;
+    turned = power.transpose();
+    multiply_small(turned, sum, &half);
+    multiply_small(half, power, &more);
     sum += more;
     if (more.norm() <= 1e-12 * sum.norm()) break;
-    square.noalias() = power * power;
+    multiply_small(power, power, &square);
     power.swap(square);
   }
   return sum;

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "model/eigenvalues.hpp"
+#include "tile/detail/small_matrix.hpp"
 #include "tile/detail/state_distance.hpp"
 
 namespace gearsweep {
@@ -27,6 +28,17 @@ std::vector<double> log_moduli(const Eigen::MatrixXd& derivative, double lost) {
   }
   std::sort(logs.rbegin(), logs.rend());
   return logs;
+}
+
+// Of the multipliers, what is asked for: all of them, or, where none is, their bound if that is
+// below `stable`.
+std::vector<double> log_multipliers_of(const Eigen::MatrixXd& derivative, double lost,
+                                       std::size_t tangents, double stable) {
+  if (tangents == 0) {
+    const double bound = eigenvalue_bound(derivative);
+    if (bound < stable) return {std::log(bound <= lost ? 0.0 : bound)};
+  }
+  return log_moduli(derivative, lost);
 }
 
 // How far the map carries the guess, relative to the ranges.
@@ -89,10 +101,11 @@ NewtonVerdict newton_step(std::span<const double> mapped, std::span<const double
   one->step = step.lpNorm<Eigen::Infinity>();
   if (one->step > std::max(limits.close, limits.kept)) return NewtonVerdict::going_on;
 
-  one->log_multipliers = log_moduli(slope, limits.lost);
-  if (one->log_multipliers.empty()) return NewtonVerdict::failed;
   const bool is_beside = one->step > limits.close;
-  if (is_beside && one->log_multipliers.front() > std::log(kStable - kChange * one->step)) {
+  const double stable = is_beside ? kStable - kChange * one->step : kStable;
+  one->log_multipliers = log_multipliers_of(slope, limits.lost, tangents, stable);
+  if (one->log_multipliers.empty()) return NewtonVerdict::failed;
+  if (is_beside && one->log_multipliers.front() > std::log(stable)) {
     return NewtonVerdict::going_on;
   }
   if (one->log_multipliers.front() > std::log(kStable)) return NewtonVerdict::unstable;

@@ -44,7 +44,8 @@ struct NewtonTry {
   double distance = std::numeric_limits<double>::infinity();
   // The length of the last step that came close: how far from the orbit the derivative was taken.
   double step = 0.0;
-  // Logarithms of the absolute values of the multipliers over the whole map, largest first.
+  // Logarithms of the absolute values of the multipliers over the whole map, largest first; of an
+  // orbit that is surely stable only a bound of the largest, where none is needed.
   std::vector<double> log_multipliers;
 };
 

@@ -52,6 +52,9 @@ inline std::string model_check(const ModelParameters& p, const ModelOptions& opt
   if (options.error != ERROR_SERIES && has_pitch) {
     return "pitch errors need the option error = 'series'";
   }
+  if (options.error == ERROR_SERIES && p.zp * p.teeth_ratio < 0.5) {
+    return "error = 'series' needs a gear of half a tooth or more: raise zp*teeth_ratio";
+  }
   if (options.error != ERROR_SERIES) {
     for (const Gear5Sine& sine : gear5_sines(p)) {
       if (sine.amplitude != 0.0) return "e0_2 .. e0_8 and runout need the option error = 'series'";
