@@ -26,9 +26,13 @@ whole = study.run(progress=None)
 # is kept. Here a worker is killed while it computes, as by a cluster that takes its node away.
 
 # %%
+killed = []
+
+
 def kill_one(news):
-    if news.share < 0.2:
-        os.kill(next(iter(pool._processes)), signal.SIGKILL)
+    if not killed:
+        killed.extend(list(pool._processes)[:1])
+        os.kill(killed[0], signal.SIGKILL)
 
 
 pool = ProcessPoolExecutor(2, mp_context=get_context("spawn"))

@@ -18,8 +18,11 @@ constexpr std::size_t kMaxSeeds = 4;  // of a border
 constexpr std::size_t kLongest = 4;   // period: the host takes long for longer ones
 // The same where an orbit is lost, and how many seeds a border has there.
 constexpr std::size_t kLongestLost = 9, kMaxLost = 2;
-constexpr double kUpToGraze = 0.05;  // pixels: a motion that settles so near comes up to the graze
-constexpr double kAlready = 1.0;     // pixels: a graze so near to a stop is the one that is there
+constexpr std::size_t kMinLongLost = 20;  // pairs of a border: worth a search for longer periods
+// A motion that settles comes up to a graze where it is so near, in pixels and in sizes of the
+// states, and the graze's multipliers are hardly outside the unit circle.
+constexpr double kUpToGraze = 0.05, kHardlyUnstable = 0.2;
+constexpr double kAlready = 1.0;  // pixels: a graze so near to a stop is the one that is there
 
 // Indices that lie evenly among so many.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
@@ -82,12 +85,19 @@ void GrazeBorders::follow(const std::vector<PairSeed>& seeds) {
     for (const Crossing& found : find_grazes(plane_, host_, at)) {
       const PixelPlace place = pixel_place(pixels_, found.point.place);
       const double apart = std::hypot(place[0] - middle[0], place[1] - middle[1]);
-      const PixelPlace orbit = pixel_place(pixels_, seed.orbit.place);
-      const bool settles = found.point.is_of_stable_motion() ||
-                           std::hypot(place[0] - orbit[0], place[1] - orbit[1]) <= kUpToGraze;
+      const bool settles =
+          found.point.is_of_stable_motion() || comes_up_to(seed.orbit, found.point);
       if (apart <= kBesidePair && settles) follow(found);
     }
   });
+}
+
+bool GrazeBorders::comes_up_to(const HeldOrbit& orbit, const BorderPoint& graze) const {
+  const PixelPlace here = pixel_place(pixels_, orbit.place),
+                   there = pixel_place(pixels_, graze.place);
+  const double far = (graze.state - orbit.state).cwiseQuotient(orbit.sizes).cwiseAbs().maxCoeff();
+  return std::hypot(here[0] - there[0], here[1] - there[1]) <= kUpToGraze && far <= kUpToGraze &&
+         graze.multipliers.cwiseAbs().maxCoeff() <= 1.0 + kHardlyUnstable;
 }
 
 bool GrazeBorders::is_on_graze(const BorderEdge& edge) const {
@@ -132,6 +142,7 @@ void GrazeBorders::from_lost(std::vector<ExplainedBorder>* borders) {
       for (const std::size_t side : {0U, 1U}) {
         const HeldOrbit* const orbit = settled_->orbit(edge.pixels[side]);
         if (orbit == nullptr || orbit->period > kLongestLost) continue;
+        if (orbit->period > kLongest && open.size() < kMinLongLost) continue;
         all.push_back({*orbit, edge.pixels[1 - side], edge});
       }
     }

@@ -42,6 +42,8 @@ class GrazeBorders {
 
   void follow(const std::vector<PairSeed>& seeds);
   void follow(const Crossing& found);
+  // Whether a motion that settles hardly differs from a graze.
+  bool comes_up_to(const HeldOrbit& orbit, const BorderPoint& graze) const;
   bool is_on_graze(const BorderEdge& edge) const;
 
   const ParameterPlane& plane_;

@@ -25,11 +25,10 @@ void GearDrawing::set_number(const GearKey& key, double value) {
 void GearDrawing::set_numbers(const GearKey& key, std::vector<double> values) {
   for (const double value : values) check_range(key, value);
   if (key.form != KeyForm::harmonics && values.size() != key.count()) {
-    constexpr std::size_t kOfBearings = 4;
     throw DrawingError(
         key, fmt::format("{} has {} numbers; it needs one number or a list of {}{}", key.name,
                          values.size(), key.count(),
-                         key.count() == kOfBearings
+                         key.form == KeyForm::bearings
                              ? ": of the pinion across and along the line of action, of the gear "
                                "across and along it"
                              : ""));

@@ -188,7 +188,9 @@ class TileRun {
     const Window& whole = windows_.front();
     const std::size_t recorded =
         length * turns_of_orders(study_.selection.orders, length, whole.record);
-    const Tile subset = subset_of(plan_, tile_, positions, recorded + length);
+    // The whole record ends at the section where one turn does, or takes a part of a turn more.
+    const bool is_told = !judges_sections() && whole.record % length == 0;
+    const Tile subset = subset_of(plan_, tile_, positions, recorded + (is_told ? 0 : length));
     callbacks_.on_work(subset.work);
     const std::optional<std::vector<double>> states = first_recorded(orbits, subset);
     if (!states) return false;
@@ -197,8 +199,6 @@ class TileRun {
     std::optional<TileResult> once =
         engine_->compute(plan_, subset, *states, turn, callbacks_.after_round);
     if (!once) return false;
-    // The whole record ends at the section where one turn does, or takes a part of a turn more.
-    const bool is_told = !judges_sections() && whole.record % length == 0;
     if (!is_told) {
       const Window repeated = {.record = whole.record, .is_last = whole.is_last};
       std::optional<TileResult> replayed =

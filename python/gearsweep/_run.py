@@ -92,7 +92,7 @@ def run(
     {'omega': 3}
     """
     asked, call = _asked("run", study, set, points)
-    return computed(asked, call, means_of(journal, device), progress, executor, shards)
+    return computed(asked._core, call, means_of(journal, device), progress, executor, shards)
 
 
 class Running(Future[xarray.Dataset]):

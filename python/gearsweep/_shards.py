@@ -22,7 +22,6 @@ from gearsweep._warning import warn
 if TYPE_CHECKING:
     import xarray
 
-    from gearsweep._study import Study
 
 # So many shards for a worker: one that is slow, or lost, holds up a part of its share.
 _SHARDS_OF_WORKER = 4
@@ -80,7 +79,7 @@ def shards_of(executor: Any, shards: int | None) -> int:
 
 
 def computed(
-    study: Study,
+    study: _core.Study,
     call: str,
     means: Means,
     progress: Watch,
@@ -91,7 +90,7 @@ def computed(
 
     Parameters
     ----------
-    study : Study
+    study : Study of the library
         What to compute.
     call : str
         The call that asks for it, for the record.
@@ -112,13 +111,13 @@ def computed(
     """
     count = shards_of(executor, shards)
     if executor is None:
-        return maps_of(study._core, call, means, progress)
+        return maps_of(study, call, means, progress)
     with watched(progress) as tell:
         return told(_maps_by_shards(study, call, means, executor, count, tell))
 
 
 def _maps_by_shards(
-    study: Study,
+    study: _core.Study,
     call: str,
     means: Means,
     executor: Executor,
@@ -126,10 +125,10 @@ def _maps_by_shards(
     tell: Callable[..., object] | None,
 ) -> Any:
     """What the core describes of the maps."""
-    points = study._core.trajectories
+    points = study.trajectories
     shards = max(1, min(shards, points))
-    if tile := _core.tile_for_shards(study._core, shards):
-        study = study.set({"integrate.tile": tile})
+    if tile := _core.tile_for_shards(study, shards):
+        study = _core.read_study(study.toml, "study", [f"integrate.tile={tile}"], [])
     with tempfile.TemporaryDirectory(prefix="gearsweep-") as folder:
         begin = means.journal or os.path.join(folder, "map")
         work = _Work(study, call, means.device, begin, shards)
@@ -143,7 +142,7 @@ def _maps_by_shards(
 class _Work:
     """The shards of a study, and the files that keep them."""
 
-    def __init__(self, study: Study, call: str, device: str, begin: str, shards: int) -> None:
+    def __init__(self, study: _core.Study, call: str, device: str, begin: str, shards: int) -> None:
         self._study = study
         self._call = call
         self._device = device

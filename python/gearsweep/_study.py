@@ -349,7 +349,7 @@ class Study(StudyText):
     ) -> xarray.Dataset:
         """Compute it, as `gearsweep.run` does with the same options."""
         asked, call = (self.set(set) if set else self)._asked("run", self, set, points)
-        return computed(asked, call, means_of(journal, device), progress, executor, shards)
+        return computed(asked._core, call, means_of(journal, device), progress, executor, shards)
 
     def _asked(
         self, function: str, given: Any, changes: Mapping[str, Any] | None, points: Any

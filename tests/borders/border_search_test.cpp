@@ -62,8 +62,8 @@ class BorderSearchOfAGear : public ::testing::Test {
 std::unique_ptr<Searched> BorderSearchOfAGear::searched_;
 
 // The engine corrects steps that cross a limit of the backlash; the host cuts them there, and takes
-// twice as many: 15/16 of what steps of that length are off by, at most 1.4e-7 of a window with 512
-// steps where it was looked at. 2e-6 leaves room for a graze.
+// four times as many. With 512 steps they were 1.4e-7 of a window apart where it was looked at,
+// with 256 some sixteen times that. 2e-6 must do.
 TEST_F(BorderSearchOfAGear, CurvesOfTheEngineAreThoseOfTheHost) {
   const BorderFindings& findings = searched_->findings;
   ASSERT_GE(findings.curves.size(), 2U);

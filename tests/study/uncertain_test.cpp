@@ -139,20 +139,52 @@ TEST(Uncertain, SamplesOfAFileTravelInTheStudy) {
             study.uncertain.parameters.front().draws.values);
 }
 
+const std::string kGearOfDraws =
+    "[gear]\nteeth = [40, 40]\nmodule_mm = 3\ninertia_kg_mm2 = 2230\nmass_kg = 1\n"
+    "bearing_stiffness_N_per_mm = 3e5\nbearing_damping_N_s_per_mm = 1.4\n"
+    "mesh_damping_N_s_per_mm = 0.7\nhalf_backlash_mm = 0.05\nmesh_stiffness_N_per_m = 2.174e8\n"
+    "torque_N_m = 61\ntransmission_error_um = 10\n";
+
 // A key of the drawing gives what [gear] makes of it.
 TEST(Uncertain, KeysOfAGearAreDrawnInTheirUnits) {
-  const std::string gear =
-      "[gear]\nteeth = [40, 40]\nmodule_mm = 3\ninertia_kg_mm2 = 2230\nmass_kg = 1\n"
-      "bearing_stiffness_N_per_mm = 3e5\nbearing_damping_N_s_per_mm = 1.4\n"
-      "mesh_damping_N_s_per_mm = 0.7\nhalf_backlash_mm = 0.05\nmesh_stiffness_N_per_m = 2.174e8\n"
-      "torque_N_m = 61\ntransmission_error_um = 10\n";
-  const Study study = read_with(
-      "samples = 10\ntorque_N_m = {distribution = 'uniform', from = 50, to = 70}\n", kAxis + gear);
+  const Study study =
+      read_with("samples = 10\ntorque_N_m = {distribution = 'uniform', from = 50, to = 70}\n",
+                kAxis + kGearOfDraws);
   const Axis& draws = study.uncertain.parameters.front().draws;
   ASSERT_THAT(draws.columns, SizeIs(1));
   EXPECT_EQ(draws.columns.front().name, "F1");
   const double nominal = study.setting.parameters[draws.columns.front().index];
   for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(draws.columns.front().values[i], nominal * draws.values[i] / 61.0, 1e-12);
+  }
+}
+
+// An odd gear now and then, beside another key that varies: it has its load, all others have the
+// study's. None is among the first hundred.
+TEST(Uncertain, RareValuesOfOneOfTwoKeysAreDrawn) {
+  const Folder folder;
+  std::ofstream samples(folder.path() / "torque.csv");
+  samples << "# N m\n122\n";
+  for (int i = 0; i < 200; ++i) samples << "61\n";
+  samples.close();
+  std::ofstream(folder.path() / "study.toml") << "";
+  const Study study =
+      read_study(kAxis + kGearOfDraws +
+                     "[observe]\nquantities = ['dmf_max']\n[uncertain]\nsamples = 600\n"
+                     "torque_N_m = {file = 'torque.csv'}\n"
+                     "transmission_error_um = {distribution = 'uniform', from = 8, to = 12}\n",
+                 (folder.path() / "study.toml").string());
+  const auto& all = study.uncertain.parameters;
+  const auto torque = std::ranges::find(
+      all, "torque_N_m", [](const UncertainParameter& one) { return one.draws.name; });
+  ASSERT_NE(torque, all.end());
+  const Axis& draws = torque->draws;
+  const auto odd = std::ranges::find(draws.values, 122.0);
+  ASSERT_NE(odd, draws.values.end());
+  ASSERT_GT(odd - draws.values.begin(), 100);
+  ASSERT_THAT(draws.columns, SizeIs(1));
+  const double nominal = study.setting.parameters[draws.columns.front().index];
+  for (std::size_t i = 0; i < draws.values.size(); ++i) {
     EXPECT_NEAR(draws.columns.front().values[i], nominal * draws.values[i] / 61.0, 1e-12);
   }
 }

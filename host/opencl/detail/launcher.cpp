@@ -105,6 +105,7 @@ void Launcher::set_argument(cl::Kernel* kernel, cl_uint number, double value) co
 }
 
 void Launcher::fill_bank(const Plan& plan, const Tile& tile) {
+  bank_.tables.clear();  // before what they may read in place
   bank_ = {};
   std::vector<std::size_t> points;  // one of each grid
   for (const std::size_t start : tile.grid_starts) {

@@ -138,7 +138,7 @@ std::pair<double, double> bind_key(const GearKey& key, Swept* swept) {
 }
 
 void add_parameters(const SweptKey& swept, const GearValues& others, const Model& model,
-                    const toml::node& place, Axis* axis, std::size_t most) {
+                    const toml::node& place, Axis* axis) {
   FollowingParameters following;
   GearDrawing drawing = read_drawing(swept.from, others);
   const auto fail = [&](std::size_t i, const std::string& wrong) {
@@ -155,7 +155,7 @@ void add_parameters(const SweptKey& swept, const GearValues& others, const Model
     own.vary(*swept.key, axis->values[i], swept.member);
     return convert_gear(own, model, swept.from, GearTexts::none);
   };
-  follow_all(std::min(axis->values.size(), most), convert, fail, &following);
+  follow_all(axis->values.size(), convert, fail, &following);
   axis->columns = following.take(model, {swept.key->name});
   if (swept.member) {
     // What the other one of the pair gives stays.
@@ -181,10 +181,12 @@ void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const 
     fail_at(place, fmt::format("draw {}: {}", draw + 1, wrong));
   };
   FollowingParameters following;
+  following.add(convert_gear(drawing, model, from, GearTexts::none));  // what the study has
   follow_all(keys.front().second->values.size(), convert, fail, &following);
   std::vector<std::string_view> names;
   for (const auto& [key, axis] : keys) names.push_back(key.key->name);
   std::vector<Swept> all = following.take(model, names);
+  for (Swept& column : all) column.values.erase(column.values.begin());
   // What differs where a key varies alone, and not where all do, is what the study has.
   for (const auto& [key, axis] : keys) {
     std::erase_if(axis->columns, [&](const Swept& one) {

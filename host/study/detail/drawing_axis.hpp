@@ -3,7 +3,6 @@
 
 #include <toml++/toml.h>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,10 +51,9 @@ void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const 
 // Gives the axis, whose values are there, the parameters that follow from each of them as columns.
 // others: values of other keys, in place of those of the table. place: what messages point to.
 // Throws InputError for what the drawing refuses, and where the units of the result would change
-// from value to value. most: of the values so many are looked at, where columns will follow from
-// several keys (join_parameters()).
+// from value to value.
 void add_parameters(const SweptKey& swept, const GearValues& others, const Model& model,
-                    const toml::node& place, Axis* axis, std::size_t most = SIZE_MAX);
+                    const toml::node& place, Axis* axis);
 
 // The same of a list of points whose columns are keys of [gear]: each point has the parameters that
 // follow from all of them.

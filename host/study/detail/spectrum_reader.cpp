@@ -30,13 +30,16 @@ void read_spectrum(const toml::table& root, Study* study) {
   }
   if (study->axes.size() > 1) {
     const Axis& axis = study->axes.front();
-    const char* const table = !axis.is_list ? (axis.is_state ? "initial" : "parameters") : "gear";
+    // A key of a drawing has another name there than on an axis.
+    const std::string setting =
+        axis.is_list ? ""
+                     : fmt::format(", as in --set {}.{}=VALUE",
+                                   axis.is_state ? "initial" : "parameters", axis.name);
     fail_at(*root.get("axes"),
-            fmt::format("a load spectrum is answered as a whole, so that no axis can stand beside "
-                        "it: leave out [[axes]], and run it for each value, as in --set "
-                        "{}.{}=VALUE; without the column time_share each point of the list has all "
-                        "values of the axis",
-                        table, axis.name));
+            fmt::format("a load spectrum is answered as a whole, so no axis can stand beside it: "
+                        "leave out [[axes]], and run the study for each value of {}{}; without the "
+                        "column time_share each point of the list has all values of the axis",
+                        axis.name, setting));
   }
   LoadSpectrum spectrum{shares->values, reader.number("slope", kUsualSlope)};
   const double sum = std::accumulate(spectrum.shares.begin(), spectrum.shares.end(), 0.0);

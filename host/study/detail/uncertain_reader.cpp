@@ -185,9 +185,29 @@ void read_of_model(const toml::table& table, const std::string& name, std::size_
   study->uncertain.parameters.push_back(std::move(parameter));
 }
 
+void refuse_given_elsewhere(const toml::table& table, const Axis& draws, const Study& study) {
+  for (const Swept& column : draws.columns) {
+    if (study.find_on_axes(column.index) != nullptr) {
+      fail_at(table, fmt::format("{} and an axis both give {}", draws.name, column.name));
+    }
+    if (const DerivedParameter* derived = study.model->find_derived(column.index)) {
+      fail_at(table, fmt::format("{} gives {}, and so does {} = {} ({})", draws.name, column.name,
+                                 column.name, derived->expression, derived->place));
+    }
+  }
+}
+
 // Where several keys of a drawing vary, what follows from them is worked out in join_keys(): so few
-// draws tell which parameters a key gives.
+// draws, the smallest and the largest among them, tell which parameters a key gives.
 constexpr std::size_t kTelling = 64;
+
+std::vector<double> telling(const std::vector<double>& draws) {
+  if (draws.size() <= kTelling) return draws;
+  const auto [min, max] = std::ranges::minmax(draws);
+  std::vector<double> out(draws.begin(), draws.begin() + kTelling - 2);
+  out.insert(out.end(), {min, max});
+  return out;
+}
 
 void read_of_gear(const toml::table& root, const toml::table& table, const SweptKey& swept,
                   std::size_t place, std::size_t count, bool is_joined, Study* study) {
@@ -209,16 +229,11 @@ void read_of_gear(const toml::table& root, const toml::table& table, const Swept
   }
   check_draws(table, parameter, {key.min, key.max}, *study);
   const GearValues others = first_values(root, *study->model, swept.from, study->axes);
-  add_parameters(swept, others, *study->model, table, &draws, is_joined ? kTelling : SIZE_MAX);
-  for (const Swept& column : draws.columns) {
-    if (study->find_on_axes(column.index) != nullptr) {
-      fail_at(table, fmt::format("{} and an axis both give {}", draws.name, column.name));
-    }
-    if (const DerivedParameter* derived = study->model->find_derived(column.index)) {
-      fail_at(table, fmt::format("{} gives {}, and so does {} = {} ({})", draws.name, column.name,
-                                 column.name, derived->expression, derived->place));
-    }
-  }
+  std::vector<double> all = draws.values;
+  if (is_joined) draws.values = telling(all);
+  add_parameters(swept, others, *study->model, table, &draws);
+  draws.values = std::move(all);
+  refuse_given_elsewhere(table, draws, *study);
   study->uncertain.parameters.push_back(std::move(parameter));
 }
 
@@ -235,6 +250,7 @@ void join_keys(const toml::table& root, const toml::table& table, Study* study) 
     const DrawingTable& from = keys.front().first.from;
     join_parameters(keys, first_values(root, *study->model, from, study->axes), *study->model,
                     table);
+    for (const auto& [key, axis] : keys) refuse_given_elsewhere(table, *axis, *study);
   }
 }
 

@@ -16,11 +16,6 @@ struct Column {
   std::array<Four, kMostFours> rows;
 };
 
-// Wider vectors where the processor has them, without fused products: all clones have the same
-// bits.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-__attribute__((target_clones("avx2", "default")))
-#endif
 void multiply_columns(std::size_t size, const Column* a, const double* b, double* out) {
   for (std::size_t column = 0; column < size; ++column) {
     Four sums[kMostFours] = {};

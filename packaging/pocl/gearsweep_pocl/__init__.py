@@ -26,10 +26,15 @@ def _drivers_of(vendors: pathlib.Path) -> List[str]:
 
 def _folder_of(drivers: List[str]) -> pathlib.Path:
     """A folder of .icd files, which is what the loader takes for several drivers; the same for the same ones."""
-    cache = os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache"
+    cache = os.environ.get("XDG_CACHE_HOME") or ""
+    if not os.path.isabs(cache):
+        cache = pathlib.Path.home() / ".cache"
     name = hashlib.sha256("\n".join(drivers).encode()).hexdigest()[:16]
     folder = pathlib.Path(cache, "gearsweep-pocl", name)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    about = folder.stat()
+    if about.st_uid != os.getuid() or about.st_mode & 0o022:
+        raise OSError(f"others may write into {folder}")  # and name what the loader runs
     for number, driver in enumerate(drivers):
         part = folder / f"{number}.{os.getpid()}"
         part.write_text(driver + "\n")
@@ -39,12 +44,10 @@ def _folder_of(drivers: List[str]) -> pathlib.Path:
 
 def _vendors(others: List[str]) -> str:
     """What OCL_ICD_VENDORS takes: this driver, and the machine's own where a file can tell of them."""
-    if others:
-        try:
-            return str(_folder_of([*others, str(_DRIVER)]))
-        except (OSError, RuntimeError):  # no folder to write in, or no home
-            pass
-    return str(_DRIVER)
+    try:
+        return str(_folder_of([*others, str(_DRIVER)]))
+    except (OSError, RuntimeError):  # no folder to write in, or no home
+        return str(_DRIVER)  # which Debian's loader takes, too
 
 
 def offer(vendors: pathlib.Path = _MACHINES) -> bool:
@@ -56,6 +59,8 @@ def offer(vendors: pathlib.Path = _MACHINES) -> bool:
     if os.environ.get("OCL_ICD_VENDORS") or os.environ.get("OPENCL_VENDOR_PATH"):
         return False
     others = _drivers_of(vendors)
+    if conda := os.environ.get("CONDA_PREFIX"):
+        others += _drivers_of(pathlib.Path(conda, "etc", "OpenCL", "vendors"))
     if any("pocl" in driver for driver in others):
         return False
     os.environ["OCL_ICD_VENDORS"] = _vendors(others)
