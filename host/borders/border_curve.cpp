@@ -22,6 +22,7 @@ constexpr std::size_t kMaxPoints = 2000;
 constexpr double kOverCorner = 3e-3, kFarFromCorner = 0.1, kBackwards = 0.9;
 constexpr int kDirections = 16;
 constexpr std::size_t kMaxCorners = 12;
+constexpr std::size_t kMaxCornersOfGraze = 2;        // the host takes long to look around one
 constexpr double kAlmostStraight = 0.998;            // cosine
 constexpr double kSamePlace = 3e-4, kAtEdge = 1e-4;  // of the window
 constexpr double kNearAxis = 1e-3;  // of the angle of a pair: a resonance ends its curve
@@ -44,7 +45,7 @@ class Tracer {
         length = kShorter * allowed;
         if (length >= kMinStep) continue;
         if (!is_at_edge(last)) stops_.push_back(last);
-        if (turns_ < kMaxCorners) next = over_corner(last, points);
+        if (turns_ < most_corners()) next = over_corner(last, points);
         if (!next) {
           return ended(is_at_edge(last) ? "leaves the window" : "no way on", std::move(points));
         }
@@ -172,6 +173,10 @@ class Tracer {
   bool has_angle() const { return equations_.kind() == BorderKind::neimark_sacker; }
   bool meets_axis(const BorderPoint& point) const {
     return has_angle() && std::abs(std::sin(point.angle)) < kNearAxis;
+  }
+
+  std::size_t most_corners() const {
+    return equations_.kind() == BorderKind::grazing ? kMaxCornersOfGraze : kMaxCorners;
   }
 
   // Multipliers change with the root of how deep an orbit goes. Where a motion that settles comes
