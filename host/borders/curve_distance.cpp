@@ -49,7 +49,8 @@ PixelPlace middle_of(const PeriodPixels& pixels, const BorderEdge& edge) {
 PixelLine::PixelLine(const PeriodPixels& pixels, const BorderCurve& curve) {
   for (const BorderPoint& point : curve.points) {
     places_.push_back(pixel_place(pixels, point.place));
-    // A graze is followed only where a motion that settles comes up to it.
+    // A graze is followed from where a motion that settles comes up to it, while it hardly gets
+    // more unstable.
     is_stable_.push_back(curve.kind == BorderKind::grazing || point.is_of_stable_motion());
   }
 }

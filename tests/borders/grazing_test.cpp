@@ -98,6 +98,7 @@ TEST(Grazing, LevelsOfBothFlanksHaveTheSlopesOfTheirDifferences) {
       const Eigen::Vector2d step = 1e-5 * Eigen::Vector2d::Unit(i);
       const auto more = level_from(start + step), less = level_from(start - step);
       ASSERT_TRUE(more && less);
+      // Squares of the step, and turns that are found to 1e-8 of their bracket, leave far less.
       EXPECT_NEAR((more->turn->level - less->turn->level) / 2e-5, here->turn->gradient[i], 1e-5)
           << "limit " << turn.mark.limit.index << ", state " << i;
     }

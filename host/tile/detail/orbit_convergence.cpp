@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "tile/detail/small_matrix.hpp"
 #include "tile/detail/state_distance.hpp"
 
 namespace gearsweep {
@@ -24,14 +23,13 @@ constexpr Eigen::Index kPatience = 8;
 Eigen::MatrixXd contracting_metric(const Eigen::MatrixXd& map, double contraction) {
   Eigen::MatrixXd power = map / contraction;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(map.rows(), map.cols());
-  Eigen::MatrixXd turned(map.rows(), map.cols()), half = turned, more = turned, square = turned;
+  Eigen::MatrixXd half(map.rows(), map.cols()), more = half, square = half;
   for (int doubling = 0; doubling < 24; ++doubling) {
-    turned = power.transpose();
-    multiply_small(turned, sum, &half);
-    multiply_small(half, power, &more);
+    half.noalias() = power.transpose() * sum;
+    more.noalias() = half * power;
     sum += more;
     if (more.norm() <= 1e-12 * sum.norm()) break;
-    multiply_small(power, power, &square);
+    square.noalias() = power * power;
     power.swap(square);
   }
   return sum;

@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "model/eigenvalues.hpp"
-#include "tile/detail/small_matrix.hpp"
+#include "tile/detail/eigenvalue_bound.hpp"
 #include "tile/detail/state_distance.hpp"
 
 namespace gearsweep {

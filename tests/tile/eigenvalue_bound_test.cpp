@@ -1,5 +1,5 @@
-// Products and bounds of small matrices, beside Eigen's own.
-#include "tile/detail/small_matrix.hpp"
+// The bound of eigenvalues beside Eigen's own.
+#include "tile/detail/eigenvalue_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,19 +8,8 @@
 namespace gearsweep::testing {
 namespace {
 
-// Sums of at most 20 products of numbers below 1: some roundings.
-TEST(SmallMatrix, IsMultipliedAsEigenDoes) {
-  for (const int size : {1, 3, 4, 10, 16, 20}) {
-    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(size, size);
-    const Eigen::MatrixXd b = Eigen::MatrixXd::Random(size, size);
-    Eigen::MatrixXd product;
-    multiply_small(a, b, &product);
-    EXPECT_LT((product - a * b).cwiseAbs().maxCoeff(), 1e-14) << size;
-  }
-}
-
 // The bound that says that an orbit is stable may never be below its largest multiplier.
-TEST(SmallMatrix, EigenvaluesStayBelowTheirBound) {
+TEST(EigenvalueBound, IsAboveAllEigenvalues) {
   for (int i = 0; i < 200; ++i) {
     const int size = 2 + i % 12;
     const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(size, size);
@@ -31,7 +20,7 @@ TEST(SmallMatrix, EigenvaluesStayBelowTheirBound) {
 }
 
 // Defective and nilpotent: norms of powers grow first, or are 0 in the end.
-TEST(SmallMatrix, TheBoundHoldsWhereEigenvectorsAreMissing) {
+TEST(EigenvalueBound, HoldsWhereEigenvectorsAreMissing) {
   Eigen::MatrixXd jordan = 0.9 * Eigen::MatrixXd::Identity(4, 4);
   for (int i = 0; i < 3; ++i) jordan(i, i + 1) = 100.0;
   EXPECT_GE(eigenvalue_bound(jordan), 0.9);

@@ -1,13 +1,9 @@
-// Products of the small matrices that orbits are judged by: as many rows as a model has states.
+// A bound of a matrix's eigenvalues, for a fraction of what they cost.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace gearsweep {
-
-// out = a b, of square matrices of one size; out is another matrix. Eigen packs blocks for its
-// product, which takes longer than the product here.
-void multiply_small(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::MatrixXd* out);
 
 // A number that no eigenvalue exceeds, as an absolute value, but for rounding: the root of the norm
 // of a high power nears the largest from above, to 3 % where that norm is 1000 times the power of
