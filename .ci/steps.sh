@@ -18,7 +18,7 @@ step() {
   used=$processor
   printf '\n== %s (after %d min %02d s)\n' "$this_step" $((SECONDS / 60)) $((SECONDS % 60))
 }
-# Of a step that failed, too.
+# Also where a step failed.
 finish() {
   end_step
   printf '\n  wall   CPU  in s\n'

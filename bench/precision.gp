@@ -16,7 +16,7 @@ set xrange [1e4:2e7]
 set yrange [1e-12:1e-1]
 set grid linecolor "gray85"
 set key bottom right samplen 2 spacing 1.3
-# Of the repetitions the one in which the machine did least beside.
+# The repetition in which the machine did least beside.
 table = "< grep -E '^name,|_fastest' '" . input . "'"
 # Random interleaving gives rows in any order; `smooth unique` puts them in that of the speed.
 # The error in the rows whose name starts so; nothing in the others.

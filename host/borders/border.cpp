@@ -101,7 +101,7 @@ PlanePlace BorderEquations::place_of(const VectorXd& unknowns) const {
 
 double BorderEquations::angle_of(const VectorXd& unknowns) const {
   if (has_angle()) return unknowns[states()];
-  // Of the half return map, where a symmetry breaks.
+  // The angle of the half return map, where a symmetry breaks.
   return kind_ == BorderKind::fold ? 0.0 : std::numbers::pi;
 }
 

@@ -51,7 +51,7 @@ struct BorderPoint {
   // motion across a fold (0 at a cusp). overlap: of the left and the right eigenvector, which are
   // orthogonal where a second multiplier is at the same place (resonances 1:1 and 1:2).
   double fold_bend = 0.0, overlap = 0.0;
-  // Of a fold: how far the parameters move the orbit along the left eigenvector, as a share of how
+  // How far the parameters move the orbit of a fold along the left eigenvector, as a share of how
   // far they move it at all. 0 where branches cross, as at a symmetry breaking: that is no fold.
   double transversality = 1.0;
   Eigen::VectorXd tangent;  // of the curve, in scaled unknowns, of length 1

@@ -140,7 +140,7 @@ class BorderSearch {
     return out;
   }
 
-  // Of each border that has enough edges left one of them, in the middle of a stretch.
+  // One edge, in the middle of a stretch, of each border that has enough edges left.
   std::vector<Seed> choose_seeds() {
     std::vector<Seed> seeds;
     for (std::size_t b = 0; b < borders_.size(); ++b) {

@@ -150,7 +150,7 @@ void find_gradients(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
       curve.gradients.assign(judge.plane.model->parameters.size(), none);
     });
   }
-  // Of each curve the residual at its point, with these values of all parameters.
+  // The residual of each curve at its point, with these values of all parameters.
   const auto residuals = [&](const ParameterPlane& plane, OrbitMap* of_device) {
     std::vector<std::optional<VectorXd>> out(count);
     HostOrbitMap of_host(plane, host_steps(*judge.study), judge.stop);

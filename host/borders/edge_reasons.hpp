@@ -43,8 +43,8 @@ struct ContactPairs {
 // of one of its pairs: behind one of the two pixels, but not between them.
 using CurveBeyond = std::function<bool(const MapBorder&, const BorderEdge&)>;
 
-// Of pairs without a curve: whether an orbit of the two goes on, stable, to the other pixel and one
-// pixel beyond it, or to a curve on the way there. Throws SearchStopped.
+// Asks of pairs without a curve whether an orbit of the two goes on, stable, to the other pixel and
+// one pixel beyond it, or to a curve on the way there. Throws SearchStopped.
 void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pixels, OrbitMap* map,
                             SettledPixels* settled, const CurveBeyond& has_curve_beyond,
                             std::vector<ExplainedBorder>* borders);

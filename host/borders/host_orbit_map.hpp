@@ -19,7 +19,7 @@ class HostOrbitMap final : public OrbitMap {
 
   std::vector<std::optional<OrbitAnswer>> answer(const std::vector<OrbitQuery>& queries) override;
 
-  // Of the whole model.
+  // The map of the whole model.
   PeriodMap map_at(const PlanePlace& place) const {
     return {plane_.model->full(), plane_.setting_at(place), steps_, stop_};
   }

@@ -20,7 +20,7 @@ constexpr double kMaxMeshSteps = 65536, kMaxSteps = 4194304;
 // what it integrates.
 constexpr double kStepsOfWave = 8;
 
-// Of keys of grids, whose last number is that of their steps.
+// Compares keys of grids, whose last number is that of their steps.
 bool have_one_shape(const std::vector<double>& one, const std::vector<double>& other) {
   return std::equal(one.begin(), one.end() - 1, other.begin());
 }
@@ -113,9 +113,9 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
   return longer(shared_steps_.at_least(ladder_steps(wanted)));
 }
 
-// Of a study whose draws have phase tables of their own, each one for all values of its axes, and
-// start from the nominal motion: draws with starts of their own are, to the bit, the points of a
-// study of these parameters. It knows no engine: shards of a study run on several.
+// Tells a study whose draws have phase tables of their own, each one for all values of its axes,
+// and start from the nominal motion: draws with starts of their own are, to the bit, the points of
+// a study of these parameters. The rule knows no engine: shards of a study run on several.
 SharedSteps Plan::shared_steps_of_study() const {
   const auto shapes_phase = [this](const Axis& axis) {
     return std::ranges::any_of(axis.swept(), [this](const Swept& one) {

@@ -17,7 +17,7 @@ struct GearTextKey {
 };
 using GearTextKeys = std::map<std::string_view, GearTextKey>;
 
-// Of a load spectrum: N m, rpm, share of the time.
+// A load of a spectrum: N m, rpm, share of the time.
 struct GearTextLoad {
   double torque = 0.0, speed = 0.0, share = 0.0;
 };

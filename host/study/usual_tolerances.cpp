@@ -126,8 +126,8 @@ std::string scaled_axis(const Study& study, std::size_t parameter, double factor
   return fmt::format("axes=[{}]", fmt::join(axes, ", "));
 }
 
-// Of a gear that has runout in its drawing: as wide as the class allows, and at any place of the
-// turn. Half of the runout, from highest to lowest, is the eccentricity.
+// Adds the runout of a gear that has one in its drawing: as wide as the class allows, and at any
+// place of the turn. Half of the runout, from highest to lowest, is the eccentricity.
 void add_runout(const Study& study, const DrawingTable& from, const GearDrawing& drawing,
                 int tolerance_class, std::vector<UsualTolerance>* all) {
   for (std::size_t i = 0; i < kRunout.count(); ++i) {

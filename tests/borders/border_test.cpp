@@ -102,7 +102,7 @@ TEST(Borders, APendulumsMotionDoublesAcrossItsCurve) {
   }
 }
 
-// Of a gear with square-wave stiffness 1 -+ k, soft for 0.4 of the period, in contact:
+// A gear with square-wave stiffness 1 -+ k, soft for 0.4 of the period, in contact:
 // det(M + I) = 1 + trace + determinant, in closed form (E. Meissner, 1918).
 double meissner_flip(double omega, double k) {
   const double T = 2.0 * pi / omega, z = 0.05;

@@ -60,7 +60,7 @@ TEST(SymmetryBreaking, APendulumsIsThatOfAnIndependentProgram) {
         found->equations->correct(guess, Eigen::VectorXd::Unit(n, n - 2), nearest->critical, 1.0);
     ASSERT_TRUE(there) << damping;
     EXPECT_NEAR(there->place[1], drive, 1e-9) << damping;
-    // Of the whole return map it is +1.
+    // The multiplier of the whole return map is +1.
     EXPECT_LT(std::abs(there->multipliers[0] - 1.0), 1e-6);
   }
 }

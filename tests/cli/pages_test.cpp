@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "cli/page.hpp"
+#include "cli/small_shell.hpp"
 #include "result/python.hpp"
 #include "support/process.hpp"
 
@@ -23,17 +24,6 @@ using ::testing::HasSubstr;
 
 const std::filesystem::path kSource = GEARSWEEP_SOURCE;
 const std::string kPackage = GEARSWEEP_PYTHON_FOLDER;
-
-// Runs shell commands as a reader would give them, but on few points, and without anything that a
-// shell has set beside HOME and PATH.
-Outcome run_small(const Folder& folder, const std::string& commands) {
-  const Folder script;
-  script.write("commands", commands);
-  return run_in(folder, fmt::format("env -i HOME=\"$HOME\" PATH='{}':\"$PATH\" GEARSWEEP='{}' "
-                                    "bash -eux '{}'",
-                                    (kSource / "tests/cli/small").string(), GEARSWEEP_BINARY,
-                                    (script / "commands").string()));
-}
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 

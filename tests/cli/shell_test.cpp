@@ -110,7 +110,7 @@ TEST(Manual, HelpOnACommandIsItsHelp) {
   EXPECT_EQ(gearsweep(folder, "help rnu").status, 2);
 }
 
-// Of whoever has no man: the same page without a sign of roff, as wide as a terminal.
+// For whoever has no man: the same page without a sign of roff, as wide as a terminal.
 TEST(Manual, IsPlainTextWhereItIsAskedFor) {
   const Folder folder;
   const std::string page = gearsweep(folder, "manual study --text").out;

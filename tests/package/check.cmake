@@ -16,7 +16,7 @@ get_filename_component(tools ${CMAKE_COMMAND} DIRECTORY)
 must(log ${tools}/cpack --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/pack)
 file(GLOB package ${WORK}/pack/gearsweep_*.deb)
 
-# Of a package's field, such as Depends.
+# A package's field, such as Depends.
 function(must_name package field)
   must(named dpkg-deb -f ${package} ${field})
   foreach(name ${ARGN})

@@ -119,8 +119,8 @@ TEST(StageDetails, TakeTheTipReliefOfSpurGears) {
   EXPECT_GT(study.setting.parameters[second], 0.0);
 }
 
-// Of helical teeth in the transverse section: its reference circle is wider by 1/cos(beta), its
-// pressure angle that of tan(alpha)/cos(beta).
+// Helical teeth in the transverse section: the reference circle is wider by 1/cos(beta), the
+// tangent of the pressure angle is tan(alpha)/cos(beta).
 TEST(StageDetails, TakeTheTipReliefOfHelicalGears) {
   UnitBuilder built = two_stages();
   built.add("98", "tip_relief",

@@ -59,7 +59,7 @@ TEST(NewGear, ListsOnlyKeysAsGuesses) {
                 ::testing::ThrowsMessage<InputError>(HasSubstr("a list of keys of the table")))
         << wrong;
   }
-  // Of a guess that a measured one replaces the name may stay.
+  // The name of a guess that a measured one replaces may stay.
   EXPECT_NO_THROW(read_study(text, "s", {"gear.estimated=['mass_kg']"}));
 }
 

@@ -218,7 +218,7 @@ TEST(TwoMeshes, HaveTheDynamicFactorOfTheDrawingThatGivesTheUnits) {
                         "ends in _first"));
 }
 
-// Of a train in text. stiffness: of both meshes; lines: in both drawings.
+// A train in text. stiffness: of both meshes; lines: in both drawings.
 Study train_of(const std::string& model, double stiffness, double omega, const std::string& lines) {
   const std::string both = fmt::format(
       "module_mm = 3\nhalf_backlash_mm = 0.05\nmesh_stiffness_N_per_m = {}\n"

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnd = ".journal", kOf = "-of-";
 
-// Of the text K-of-N, which stands in the name: a shard whose step is still being found has not
+// Reads the text K-of-N, which stands in the name: a shard whose step is still being found has not
 // noted in its journal which it is.
 std::optional<Shard> shard_in(std::string text) {
   const std::size_t of = text.find(kOf);

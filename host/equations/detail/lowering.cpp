@@ -197,7 +197,8 @@ class Lowering {
                 make(Operation::divide, phase_turn(), formula_->period));
   }
 
-  // Of the coefficients that surfaces are made of. How a table changes with the phase is not known.
+  // The slopes of the coefficients that surfaces are made of. How a table changes with the phase is
+  // not known.
   void find_phase_slopes() {
     std::vector<NodeId> roots;
     for (const Surface& surface : lowered_.surfaces) {
@@ -238,8 +239,8 @@ class Lowering {
                ->are_negative[static_cast<std::size_t>(parameter - formula_->parameters.begin())];
   }
 
-  // Of equations before they were lowered, as the names of constants are of these: as they are
-  // written, and as they are on the sides of their jumps.
+  // The contacts of equations before they were lowered, as the names of constants are of these: as
+  // they are written, and as they are on the sides of their jumps.
   void find_contacts_of(const std::vector<NodeId>& written, const std::vector<NodeId>& equations) {
     std::map<NodeId, std::string> names;
     for (const NodeId id : parts_of(*graph_, equations)) {

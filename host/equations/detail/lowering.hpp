@@ -22,8 +22,8 @@ struct Surface {
   // What a motion that stays at it keeps: along a jump the level, at a stop the level's rate; and
   // how that changes in time, with the phase alone.
   NodeId held = 0, held_drift = 0;
-  // Of one where the state is reset: [state], empty of another one; how that changes in time; and
-  // what a reset by a small rate changes.
+  // The reset of a surface by state, empty where it resets none; how that changes in time; and what
+  // a reset by a small rate changes.
   std::vector<NodeId> reset, reset_drift, turn;
 };
 
@@ -40,8 +40,8 @@ struct Lowered {
   std::vector<NodeId> jacobian;  // [row][column]
   Contacts contacts;
   std::vector<Surface> surfaces;
-  // Of what surfaces are made of: the places in `coefs` of a coefficient and of its derivative by
-  // the phase; and the phase that a period takes, of parameters.
+  // What surfaces are made of: the places in `coefs` of a coefficient and of its derivative by the
+  // phase; and the phase that a period takes, of parameters.
   std::vector<std::pair<std::size_t, std::size_t>> phase_slopes;
   NodeId phase_turn = 0;
   // Corners that are no contacts and are not corrected, and jumps with a state that steps are not

@@ -20,7 +20,7 @@ class TapeOfStudy {
   TapeOfStudy(Tape tape, std::vector<std::size_t> common, std::vector<std::size_t> own)
       : tape_(std::move(tape)), common_(std::move(common)), own_(std::move(own)) {}
 
-  // Of the other inputs. numbers: what `common` and `own` are places in.
+  // The tape of the other inputs. numbers: what `common` and `own` are places in.
   Tape given(const std::vector<double>& numbers) const {
     return of_common(numbers_at(common_, numbers))->given(numbers_at(own_, numbers));
   }

@@ -40,7 +40,7 @@ double largest(const std::vector<double>& values) {
   return out;
 }
 
-// Of a picture in other units, what they make of the file's numbers.
+// What the units of a picture make of the file's numbers.
 double scale_of(const ResultAxis& shown, const ResultAxis& own) {
   const double file = largest(own.values);
   return file == 0.0 ? 1.0 : largest(shown.values) / file;

@@ -97,8 +97,8 @@ double most_of(const SweepResult& line, const std::string& quantity) {
   return most;
 }
 
-// Of several meshes the one of the largest load factor: forces of meshes with other loads and radii
-// cannot be compared.
+// Chooses the mesh of the largest load factor: forces of meshes with other loads and radii cannot
+// be compared.
 void choose_mesh(const SweepResult& line, ReportFindings* findings) {
   const std::vector<ChannelInfo> forces = line.study.model->signals_of(Role::mesh_force);
   if (forces.size() < 2) return;

@@ -35,8 +35,8 @@ struct ReportFindings {
   std::size_t speed = 0;
   std::optional<std::pair<std::string, double>> at;  // that axis and value; none: there is no other
   std::vector<std::string> quantities;               // those of the list below that the model has
-  // Of several meshes the one that has the largest load factor at any speed: its force in words,
-  // "force of the second mesh", and the maps below. Of one mesh without words.
+  // The mesh that has the largest load factor at any speed: its force in words, "force of the
+  // second mesh", and the maps below. A gear pair has one mesh, and no words.
   std::string mesh;
   std::string force;               // the largest force
   std::string load_factor;         // may be empty

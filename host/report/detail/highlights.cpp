@@ -56,7 +56,7 @@ bool is_on_back_flank(const ReportFindings& findings, const std::string& file, s
          contact.values[point] == static_cast<double>(both - contact.flags.begin());
 }
 
-// Of several contacts the one whose teeth are apart longest: "second".
+// Names the contact whose teeth are apart longest, where there are several: "second".
 std::string contact_apart_html(const ReportFindings& findings, const std::string& file,
                                std::size_t point) {
   const auto share = [&](const std::string& quantity) {

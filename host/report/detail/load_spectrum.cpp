@@ -46,7 +46,7 @@ std::string parting_html(const SpectrumAnswers& answers) {
                      html_percent(*answers.parting_share));
 }
 
-// Of several forces the one with the largest factor; one that is not known comes before all.
+// The force with the largest factor; a factor that is not known comes before all.
 const SpectrumForce& worst_of(const SpectrumAnswers& answers) {
   return *std::ranges::max_element(answers.forces, {}, [](const SpectrumForce& one) {
     return std::isnan(one.max_factor) ? std::numeric_limits<double>::infinity() : one.max_factor;

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kContact = "contact_class";
 constexpr double kQuantile95 = 1.959964;  // of the normal distribution
 constexpr std::size_t kMostGears = 100'000;
-// Of these what a tolerance half as wide brings is known well enough: the draws are the same.
+// So many draws tell well enough what a tolerance half as wide brings: the draws are the same.
 constexpr std::size_t kMostTightened = 4000;
 
 void judge_speeds(const ToleranceOptions& options, Scatter* scatter) {

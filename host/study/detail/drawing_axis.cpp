@@ -54,8 +54,8 @@ class FollowingParameters {
   }
 
  private:
-  // Of a parameter of the first. What a drawing gives does not depend on the values of its keys,
-  // and its order hardly does.
+  // The value of a parameter of the first. Which parameters a drawing gives does not depend on the
+  // values of its keys, and their order hardly does.
   double value_of(const GearConversion& conversion, std::size_t i) const {
     const std::string& name = first_.parameters[i].name;
     const std::vector<GearParameter>& given = conversion.parameters;

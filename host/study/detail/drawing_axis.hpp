@@ -42,7 +42,7 @@ std::pair<double, double> bind_key(const GearKey& key, Swept* swept);
 GearValues first_values(const toml::table& study, const Model& model, const DrawingTable& from,
                         const std::vector<Axis>& axes);
 
-// Of draws of several keys of one drawing, each of which has its columns: gives each column what
+// Joins draws of several keys of one drawing, each of which has its columns: gives each column what
 // follows from all keys in each draw, and leaves it to one of those that have it. others, place: as
 // below. Throws InputError where one would be left without any.
 void join_parameters(const std::vector<std::pair<SweptKey, Axis*>>& keys, const GearValues& others,

@@ -237,7 +237,7 @@ void read_of_gear(const toml::table& root, const toml::table& table, const Swept
   study->uncertain.parameters.push_back(std::move(parameter));
 }
 
-// Of each drawing, what follows from several of its keys follows from all of them at once.
+// What follows from several keys of a drawing follows from all of them at once.
 void join_keys(const toml::table& root, const toml::table& table, Study* study) {
   std::map<std::string, std::vector<std::pair<SweptKey, Axis*>>> by_drawing;
   for (UncertainParameter& parameter : study->uncertain.parameters) {

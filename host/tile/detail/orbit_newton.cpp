@@ -30,8 +30,8 @@ std::vector<double> log_moduli(const Eigen::MatrixXd& derivative, double lost) {
   return logs;
 }
 
-// Of the multipliers, what is asked for: all of them, or, where none is, their bound if that is
-// below `stable`.
+// The multipliers that are asked for: all of them, or, where none is, their bound if that is below
+// `stable`.
 std::vector<double> log_multipliers_of(const Eigen::MatrixXd& derivative, double lost,
                                        std::size_t tangents, double stable) {
   if (tangents == 0) {

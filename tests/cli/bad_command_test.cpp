@@ -1,4 +1,4 @@
-// Bad input: a clear message that names the place, exit status 2, no file left behind.
+// Bad commands: a clear message that names the place, exit status 2, no file left behind.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/good_study.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
@@ -13,142 +14,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-const char* const kGood = R"([model]
-name = "gear5"
-preset = "coarse"
-[parameters]
-mu = 0.05
-[[axes]]
-name = "omega"
-from = 0.6
-to = 0.7
-count = 2
-[integrate]
-settle = 1
-record = 1
-[observe]
-quantities = ["x1_rms"]
-)";
-
-struct BadStudy {
-  std::string name;
-  std::string from, to;               // what is replaced in the good study
-  std::vector<std::string> messages;  // all must be in the message
-};
-
-void PrintTo(const BadStudy& study, std::ostream* out) { *out << study.name; }
-
-std::string replaced(const std::string& from, const std::string& to) {
-  std::string text = kGood;
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("the good study has no " + from);
-  return text.replace(at, from.size(), to);
-}
-
-class BadStudyTest : public ::testing::TestWithParam<BadStudy> {};
-
-TEST_P(BadStudyTest, IsRefusedWithPlaceAndAdvice) {
-  const Folder folder;
-  folder.write("study.toml", replaced(GetParam().from, GetParam().to));
-  const Outcome outcome = gearsweep(folder, "run study.toml -o out.nc");
-  EXPECT_EQ(outcome.status, 2) << outcome.err;
-  for (const std::string& message : GetParam().messages) {
-    EXPECT_THAT(outcome.err, HasSubstr(message));
-  }
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(folder.files(), std::set<std::string>{"study.toml"});
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    All, BadStudyTest,
-    ::testing::Values(
-        BadStudy{"unknown_table",
-                 "[integrate]",
-                 "[integrat]",
-                 {"study.toml:11:", "unknown key 'integrat'", "did you mean 'integrate'?"}},
-        BadStudy{"unknown_key",
-                 "settle = 1",
-                 "setle = 1",
-                 {"study.toml:12:", "unknown key 'setle' in [integrate]", "'settle'"}},
-        BadStudy{"unknown_model",
-                 "\"gear5\"",
-                 "\"gear6\"",
-                 {"study.toml:2:", "unknown model 'gear6'", "did you mean 'gear"}},
-        BadStudy{"unknown_preset",
-                 "\"coarse\"",
-                 "\"corse\"",
-                 {"study.toml:3:", "unknown preset 'corse'", "did you mean 'coarse'?"}},
-        BadStudy{"unknown_parameter",
-                 "mu = 0.05",
-                 "omga = 0.05",
-                 {"study.toml:5:", "unknown parameter 'omga' of model 'gear5'",
-                  "did you mean 'omega'?"}},
-        BadStudy{"unknown_axis",
-                 "\"omega\"",
-                 "\"omgea\"",
-                 {"study.toml:7:", "axis 'omgea'", "did you mean 'omega'?"}},
-        BadStudy{"unknown_quantity",
-                 "\"x1_rms\"",
-                 "\"x1_rsm\"",
-                 {"study.toml:15:", "unknown quantity 'x1_rsm'", "did you mean 'x1_rms'?"}},
-        BadStudy{"unknown_engine",
-                 "record = 1",
-                 "record = 1\nengine = \"cuda\"",
-                 {"study.toml:14:", "unknown engine 'cuda'", "opencl, reference"}},
-        BadStudy{"nan", "mu = 0.05", "mu = nan", {"study.toml:5:", "mu must be finite"}},
-        BadStudy{"infinity", "to = 0.7", "to = inf", {"study.toml:9:", "to must be finite"}},
-        BadStudy{"out_of_range",
-                 "mu = 0.05",
-                 "mu = -1",
-                 {"study.toml:5:", "mu = -1 is out of range", "from 0 to 1"}},
-        BadStudy{
-            "not_a_number", "mu = 0.05", "mu = \"much\"", {"study.toml:5:", "unknown name 'much'"}},
-        BadStudy{"largest_integer",
-                 "settle = 1",
-                 "settle = 9223372036854775807",
-                 {"study.toml:12:", "settle = 9.223372036854776e+18 is out of range",
-                  "from 0 to 100000000"}},
-        BadStudy{"integer_between_numbers",
-                 "mu = 0.05",
-                 "mu = -9007199254740993",
-                 {"study.toml:5:", "mu = -9007199254740992 is out of range", "from 0 to 1"}},
-        BadStudy{"count_zero",
-                 "count = 2",
-                 "count = 0",
-                 {"study.toml:10:", "axis 'omega' has count = 0; at least 1 is needed"}},
-        BadStudy{"count_negative", "count = 2", "count = -5", {"study.toml:10:", "count = -5"}},
-        BadStudy{"count_enormous",
-                 "count = 2",
-                 "count = 1000000000000",
-                 {"study.toml:10:", "count = 1000000000000", "at most"}},
-        BadStudy{"count_fraction",
-                 "count = 2",
-                 "count = 2.5",
-                 {"study.toml:10:", "must be a whole number"}},
-        BadStudy{"from_equals_to",
-                 "to = 0.7",
-                 "to = 0.6",
-                 {"study.toml:6:", "goes from 0.6 to 0.6", "must be greater"}},
-        BadStudy{"no_values",
-                 "from = 0.6\nto = 0.7\ncount = 2",
-                 "values = []",
-                 {"study.toml:8:", "has no values"}},
-        BadStudy{"log_from_zero",
-                 "from = 0.6",
-                 "scale = \"log\"\nfrom = 0",
-                 {"study.toml:9:", "out of range"}},
-        BadStudy{"axis_twice",
-                 "[integrate]",
-                 "[[axes]]\nname = \"omega\"\nvalues = [1.0]\n[integrate]",
-                 {"study.toml:11:", "axis 'omega' is given twice"}},
-        BadStudy{"too_many_steps", "from = 0.6", "from = 0.0001", {"steps", "integrate.max_step"}},
-        BadStudy{"both_step_keys",
-                 "record = 1",
-                 "record = 1\nmax_step = 0.1\nsteps_per_period = 64",
-                 {"study.toml:15:", "not both"}},
-        BadStudy{"bad_toml", "mu = 0.05", "mu = = 0.05", {"study.toml:5:", "not valid TOML"}}),
-    [](const auto& study) { return study.param.name; });
 
 class BadCommandTest : public ::testing::Test {
  protected:
@@ -184,7 +49,7 @@ TEST_F(BadCommandTest, MissingStudyIsRefused) {
 }
 
 TEST_F(BadCommandTest, UnwritableOutputIsRefusedBeforeTheRun) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   expect_refused("run study.toml -o missing/out.nc", {"missing"});
   expect_refused("run study.toml -o study.toml/out.nc", {"study.toml/out.nc"});
   expect_refused("run study.toml -o .", {"folder"});
@@ -193,36 +58,36 @@ TEST_F(BadCommandTest, UnwritableOutputIsRefusedBeforeTheRun) {
 }
 
 TEST_F(BadCommandTest, OutputsThatWouldDestroyAFileAreRefused) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   folder_.write("notes.txt", "mine");
   expect_refused("run study.toml -o study.toml", {"its own study"});
   expect_refused("run study.toml -o notes.txt", {"notes.txt", "no result file"});
   expect_refused("run study.toml -o ''", {"must not be empty"});
-  EXPECT_EQ(read_all(folder_ / "study.toml"), kGood);
+  EXPECT_EQ(read_all(folder_ / "study.toml"), kGoodStudy);
   EXPECT_EQ(read_all(folder_ / "notes.txt"), "mine");
 }
 
 TEST_F(BadCommandTest, WhatToDrawIsCheckedBeforeTheRun) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   expect_refused("run study.toml -o out.nc --plot map.png -q x1_rsm",
                  {"x1_rsm", "did you mean 'x1_rms'?"});
   expect_refused("run study.toml -o out.nc -q x1_rms", {"--plot"});
 }
 
 TEST_F(BadCommandTest, UnknownDeviceIsRefused) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   expect_refused("run study.toml -o out.nc --device 99", {"no device 99", "gearsweep devices"});
   expect_refused("run study.toml -o out.nc --device -1", {"--device"});
 }
 
 TEST_F(BadCommandTest, NoOpenClDeviceIsRefused) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   expect_refused("run study.toml -o out.nc", {"no OpenCL device", "pocl-opencl-icd"},
                  "OCL_ICD_VENDORS=/nonexistent-vendors");
 }
 
 TEST_F(BadCommandTest, WhatHidesAnInstalledDriverIsNamed) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   const std::string run = "run study.toml -o out.nc";
   expect_refused(run,
                  {"no OpenCL device", "/proc/none' cannot be written", "POCL_CACHE_DIR", "HOME"},
@@ -233,7 +98,7 @@ TEST_F(BadCommandTest, WhatHidesAnInstalledDriverIsNamed) {
 }
 
 TEST_F(BadCommandTest, WrongOverridesAreRefused) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   expect_refused("run study.toml -o out.nc --set integrate.setle=3",
                  {"--set integrate.setle=3", "unknown key 'setle'"});
   expect_refused("run study.toml -o out.nc --set settle", {"PATH=VALUE"});
@@ -241,7 +106,7 @@ TEST_F(BadCommandTest, WrongOverridesAreRefused) {
 }
 
 TEST_F(BadCommandTest, SettingsThatContradictEachOtherAreRefused) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   expect_refused("run study.toml --set model.formulation=printed --set parameters.teeth_ratio=2",
                  {"equal gears"});
   expect_refused("run study.toml --set parameters.rho_p=0.7", {"rho_p + rho_g must be 1"});
@@ -381,7 +246,7 @@ TEST_F(BadCommandTest, WhatIsNoRegularFileIsRefusedByAllThatReadIt) {
       expect_refused(before_it + file, {message}, "timeout 600");
     }
   }
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   const std::string message = "'pipe.nc.journal' is a pipe; a journal must be a regular file";
   for (const char* command : {"run study.toml -o pipe.nc", "run study.toml -o pipe.nc --restart",
                               "status pipe.nc", "status pipe.nc.journal"}) {
@@ -391,7 +256,7 @@ TEST_F(BadCommandTest, WhatIsNoRegularFileIsRefusedByAllThatReadIt) {
 
 TEST_F(BadCommandTest, OutputsThatAreNoRegularFilesAreRefused) {
   ASSERT_EQ(run_in(folder_, "mkfifo pipe.nc && ln -s loop.nc loop.nc").status, 0);
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   const std::string long_name = std::string(300, 'a') + ".nc";
   for (const std::string command :
        {"run study.toml -o ", "trace study.toml -o ", "merge none -o "}) {
@@ -402,7 +267,7 @@ TEST_F(BadCommandTest, OutputsThatAreNoRegularFilesAreRefused) {
 }
 
 TEST_F(BadCommandTest, AStatusIsOfARunOrOfAWholeResult) {
-  folder_.write("study.toml", kGood);
+  folder_.write("study.toml", kGoodStudy);
   ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc --quiet").status, 0);
   EXPECT_EQ(gearsweep(folder_, "status whole.nc").out, "whole.nc: finished\n");
   const std::string whole = read_all(folder_ / "whole.nc");
