@@ -47,7 +47,8 @@ class Tracer {
         if (!is_at_edge(last)) stops_.push_back(last);
         if (turns_ < most_corners()) next = over_corner(last, points);
         if (!next) {
-          return ended(is_at_edge(last) ? "leaves the window" : "no way on", std::move(points));
+          return ended(is_at_edge(last) ? CurveEnd::window : CurveEnd::no_way_on,
+                       std::move(points));
         }
         ++turns_;
         if (bends_at(last, *next)) corners_.push_back(last.place);
@@ -55,35 +56,35 @@ class Tracer {
       }
       if (!equations_.plane().contains(next->place)) {
         if (const auto edge = at_edge(last, *next)) points.push_back(*edge);
-        return ended("leaves the window", std::move(points));
+        return ended(CurveEnd::window, std::move(points));
       }
       if (is_closed(last, *next, points.size())) {
         is_closed_ = true;
-        return ended("closes", std::move(points));
+        return ended(CurveEnd::closes, std::move(points));
       }
       const bool is_beyond = has_angle() && std::sin(next->angle) * std::sin(last.angle) < 0.0;
       if (!is_beyond) points.push_back(*next);
       if (equations_.kind() == BorderKind::grazing && settles_no_more(*next)) {
-        return ended("no motion that settles grazes from here on", std::move(points));
+        return ended(CurveEnd::settles_no_more, std::move(points));
       }
       if (is_beyond || meets_axis(*next)) {
         const bool is_front = std::cos(next->angle) > 0.0;
-        return ended(is_front ? "ends at a resonance 1:1" : "ends at a resonance 1:2",
+        return ended(is_front ? CurveEnd::resonance_1_1 : CurveEnd::resonance_1_2,
                      std::move(points));
       }
       last = *std::move(next);
       length = last.iterations <= kQuickCorrection ? 1.5 * allowed : allowed;
     }
-    return ended("stopped: too many points", std::move(points));
+    return ended(CurveEnd::too_long, std::move(points));
   }
 
-  const std::string& reason() const { return reason_; }
+  CurveEnd reason() const { return reason_; }
   const std::vector<PlanePlace>& corners() const { return corners_; }
   const std::vector<BorderPoint>& stops() const { return stops_; }
   bool is_closed() const { return is_closed_; }
 
  private:
-  std::vector<BorderPoint> ended(const std::string& why, std::vector<BorderPoint> points) {
+  std::vector<BorderPoint> ended(CurveEnd why, std::vector<BorderPoint> points) {
     reason_ = why;
     return points;
   }
@@ -228,7 +229,7 @@ class Tracer {
 
   const BorderEquations& equations_;
   const BorderPoint& start_;
-  std::string reason_;
+  CurveEnd reason_ = CurveEnd::no_way_on;
   std::vector<PlanePlace> corners_;
   std::vector<BorderPoint> stops_;
   std::size_t turns_ = 0;
@@ -273,6 +274,7 @@ BorderCurve follow_border(const BorderEquations& equations, const BorderPoint& s
     add_corners(back);
   }
   curve.points.assign(before.rbegin(), before.rend());
+  curve.start = before.size();
   curve.points.push_back(start);
   curve.points.insert(curve.points.end(), after.begin(), after.end());
   if (curve.is_closed) curve.points.push_back(start);

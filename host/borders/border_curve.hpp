@@ -29,6 +29,20 @@ enum class SpecialKind {
 // "cusp", "resonance 1:1", "fold-flip", "with a Neimark-Sacker pair", "graze meets fold", "corner".
 std::string name_of(SpecialKind kind);
 
+// Why a curve ends where it does.
+enum class CurveEnd {
+  window,
+  no_way_on,
+  closes,
+  settles_no_more,
+  resonance_1_1,
+  resonance_1_2,
+  too_long
+};
+
+// "leaves the window", "no way on", "closes", ...
+std::string name_of(CurveEnd end);
+
 // Between two neighbours of the curve, on the straight line through both.
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::cusp;
@@ -41,8 +55,9 @@ struct BorderCurve {
   GrazedLimit limit;       // of a grazing curve
   BorderScale scale;
   std::vector<BorderPoint> points;
+  std::size_t start = 0;  // the point that it was followed from, both ways
   bool is_closed = false;
-  std::string begins, ends;  // why, in words: "leaves the window"
+  CurveEnd begins = CurveEnd::no_way_on, ends = CurveEnd::no_way_on;
   std::vector<SpecialPoint> special;
   std::vector<BorderPoint> stops;  // where it was hard to go on: the orbit may graze a limit there
 

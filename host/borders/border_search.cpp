@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <mutex>
 
 #include "borders/crossing.hpp"
 #include "borders/curve_accuracy.hpp"
@@ -16,6 +15,7 @@
 #include "borders/known_curves.hpp"
 #include "borders/mirror_symmetry.hpp"
 #include "borders/on_threads.hpp"
+#include "borders/search_record.hpp"
 #include "borders/settled_pixels.hpp"
 #include "model/error.hpp"
 #include "orbits/period_map.hpp"
@@ -26,7 +26,8 @@ namespace {
 
 constexpr std::size_t kMinOpen = 3;  // pairs of a border without a reason: worth a search
 constexpr std::size_t kMaxRounds = 12;
-constexpr std::size_t kMaxTries = 8;  // seeds of a border that find nothing
+constexpr std::size_t kRoundSeeds = std::size_t{1} << 24U;  // of a round: more than any map has
+constexpr std::size_t kMaxTries = 8;                        // seeds of a border that find nothing
 // Places, along each axis, at which mirrored orbits are looked for, and how far from one their
 // symmetry may break, in distances to the next.
 constexpr std::size_t kMirrorGrid = 24;
@@ -58,6 +59,11 @@ class BorderSearch {
     joined_ = std::make_unique<JoinedOrbitMap>(device_.get());
     host_ = std::make_unique<HostOrbitMap>(plane_, host_steps(*setting_.following), stop_);
     is_mirrored_ = is_mirrored(plane_);
+    record_ = std::make_unique<SearchRecord>(identity_of(study, request), options,
+                                             engine_->info().device);
+    if (record_->parts() > 0) {
+      tell(fmt::format("{} parts of the search are there from before", record_->parts()));
+    }
     settled_ = std::make_unique<SettledPixels>(setting_.settling, plane_, pixels_, engine_.get(),
                                                device_.get(), stop_);
   }
@@ -76,12 +82,13 @@ class BorderSearch {
     for (std::size_t round = 0; round < kMaxRounds; ++round) {
       const std::vector<Seed> seeds = choose_seeds();
       if (seeds.empty()) break;
-      grow(seeds);
+      grow(round, seeds);
       tell(fmt::format("round {}: {} curves, {} of {} pairs of pixels explained", round + 1,
                        known_.size(), explained(), edges()));
     }
     find_breakings();
-    GrazeBorders grazes(plane_, pixels_, host_.get(), device_.get(), settled_.get(), &known_);
+    GrazeBorders grazes(plane_, pixels_, host_.get(), device_.get(), settled_.get(), &known_,
+                        record_.get());
     if (may_graze()) {
       grazes.from_stops();
       tell(fmt::format("{} curves, those that graze included", known_.size()));
@@ -97,8 +104,11 @@ class BorderSearch {
       }
       return false;
     };
-    explain_without_curves(plane_, pixels_, device_.get(), settled_.get(), has_curve_beyond,
-                           &borders_);
+    take_reasons(record_->numbers({SearchStage::reasons, 0}, [&] {
+      explain_without_curves(plane_, pixels_, device_.get(), settled_.get(), has_curve_beyond,
+                             &borders_);
+      return reasons();
+    }));
     BorderFindings out;
     if (may_graze()) {
       grazes.from_lost(&borders_);
@@ -111,7 +121,10 @@ class BorderSearch {
     out.borders = std::move(borders_);
     tell(fmt::format("{} curves: how exact they are, and what moves them", out.curves.size()));
     const CurveJudge judge = {plane_, pixels_, setting_.following, engine_.get(), stop_};
-    find_step_errors(judge, &out.curves);
+    out.curves = record_->curves({SearchStage::accuracy, 0}, [&] {
+      find_step_errors(judge, &out.curves);
+      return out.curves;
+    });
     if (!out.curves.empty()) find_gradients(judge, &out.curves);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     return out;
@@ -164,17 +177,41 @@ class BorderSearch {
     return seeds;
   }
 
-  void grow(const std::vector<Seed>& seeds) {
-    std::vector<std::size_t> pixels;
-    for (const Seed& seed : seeds) {
-      pixels.push_back(seed.from);
-      pixels.push_back(seed.to);
+  // All reasons, border after border.
+  std::vector<double> reasons() const {
+    std::vector<double> out;
+    for (const ExplainedBorder& border : borders_) {
+      for (const EdgeReason reason : border.reasons) out.push_back(static_cast<double>(reason));
     }
-    settled_->settle(pixels);
-    for_each_on_threads(seeds.size(), joined_.get(), [&](std::size_t i) { grow(seeds[i]); });
+    return out;
+  }
+  void take_reasons(const std::vector<double>& reasons) {
+    if (reasons.size() != edges()) throw InputError("the journal is damaged; delete it");
+    std::size_t next = 0;
+    for (ExplainedBorder& border : borders_) {
+      for (EdgeReason& reason : border.reasons) reason = static_cast<EdgeReason>(reasons[next++]);
+    }
   }
 
-  void grow(const Seed& seed) {
+  void grow(std::size_t round, const std::vector<Seed>& seeds) {
+    const auto part = [&](std::size_t i) {
+      return SearchPart{SearchStage::rounds, round * kRoundSeeds + i};
+    };
+    std::vector<std::size_t> pixels;
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      if (record_->has(part(i))) continue;
+      pixels.push_back(seeds[i].from);
+      pixels.push_back(seeds[i].to);
+    }
+    settled_->settle(pixels);
+    for_each_in_order(
+        seeds.size(), joined_.get(),
+        [&](std::size_t i) { return record_->curves(part(i), [&] { return grow(seeds[i]); }); },
+        [&](std::size_t, const std::vector<BorderCurve>& curves) { take(curves); });
+  }
+
+  // The curve through a seed; none where it is known already.
+  std::vector<BorderCurve> grow(const Seed& seed) {
     for (const bool is_back : {false, true}) {
       const std::size_t from = is_back ? seed.to : seed.from, to = is_back ? seed.from : seed.to;
       const HeldOrbit* orbit = settled_->orbit(from);
@@ -186,10 +223,9 @@ class BorderSearch {
           is_breaking(plane_, host_.get(), *found->equations, found->point)) {
         continue;
       }
-      if (!found) continue;
-      follow(*found);
-      return;
+      if (found) return follow(*found);
     }
+    return {};
   }
 
   std::optional<Crossing> breaking(const HeldOrbit& orbit, const PlanePlace& there, double reach) {
@@ -226,19 +262,31 @@ class BorderSearch {
       if (pixel % nx + dx < nx) look(pixel, pixel + dx);
       if (pixel / nx + dy < ny) look(pixel, pixel + dy * nx);
     }
-    for_each_on_threads(pairs.size(), joined_.get(), [&](std::size_t i) {
+    const auto find = [&](std::size_t i) -> std::vector<BorderCurve> {
       const std::optional<Crossing> found =
           breaking(*settled_->orbit(pairs[i][0]), pixels_.place(pairs[i][1]), kBesideMirrored);
-      if (found) follow(*found);
-    });
+      return found ? follow(*found) : std::vector<BorderCurve>();
+    };
+    for_each_in_order(
+        pairs.size(), joined_.get(),
+        [&](std::size_t i) {
+          return record_->curves({SearchStage::breakings, i}, [&] { return find(i); });
+        },
+        [&](std::size_t, const std::vector<BorderCurve>& curves) { take(curves); });
   }
 
-  void follow(const Crossing& found) {
-    if (known_.has(*found.equations, found.point)) return;
-    BorderCurve curve = follow_border(*found.equations, found.point);
-    const std::optional<PixelLine> line = known_.add(curve, found.point);
+  std::vector<BorderCurve> follow(const Crossing& found) {
+    if (known_.has(*found.equations, found.point)) return {};
+    return {follow_border(*found.equations, found.point)};
+  }
+
+  void take(const std::vector<BorderCurve>& curves) {
+    for (const BorderCurve& curve : curves) take(curve);
+  }
+
+  void take(const BorderCurve& curve) {
+    const std::optional<PixelLine> line = known_.add(curve);
     if (!line) return;
-    const std::lock_guard lock(borders_mutex_);
     for (ExplainedBorder& border : borders_) {
       if (!may_explain(curve, border.border)) continue;
       for (std::size_t i = 0; i < border.reasons.size(); ++i) {
@@ -268,11 +316,11 @@ class BorderSearch {
   std::unique_ptr<JoinedOrbitMap> joined_;
   std::unique_ptr<HostOrbitMap> host_;
   bool is_mirrored_ = false;
+  std::unique_ptr<SearchRecord> record_;
   std::unique_ptr<SettledPixels> settled_;
   std::vector<ExplainedBorder> borders_;
   std::vector<std::vector<bool>> is_tried_;  // [border][edge]
   std::vector<std::size_t> tries_;           // [border]
-  std::mutex borders_mutex_;
   KnownCurves known_{pixels_};
 };
 

@@ -36,8 +36,9 @@ struct BorderRequest {
 };
 
 // study: that of the map, with the step that it was computed with. Of `options`, the first device,
-// the scheduler and stop are used; nothing when stopped. Throws InputError as make_border_setting()
-// does, RunError when the device fails.
+// the scheduler, stop, journal_path and notes are used; nothing when stopped. A journal stays when
+// it returns: delete it once the curves are in a safe place. Throws InputError as
+// make_border_setting() does, RunError when the device fails.
 std::optional<BorderFindings> find_borders(const Study& study, const BorderRequest& request,
                                            const SweepOptions& options);
 

@@ -34,62 +34,86 @@ std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
 
 }  // namespace
 
-void GrazeBorders::follow(const Crossing& found) {
-  if (known_->has(*found.equations, found.point)) return;
-  known_->add(follow_border(*found.equations, found.point), found.point);
+std::vector<BorderCurve> GrazeBorders::curves_of(const Search& search) const {
+  std::vector<BorderCurve> out;
+  if (known_->grazes_near(search.period, search.place, search.already)) return out;
+  for (const Crossing& found : search.find()) {
+    if (known_->has(*found.equations, found.point)) continue;
+    out.push_back(follow_border(*found.equations, found.point));
+  }
+  return out;
+}
+
+void GrazeBorders::run(SearchStage stage, const std::vector<Search>& searches) {
+  for_each_in_order(
+      searches.size(), nullptr,
+      [&](std::size_t i) {
+        return record_->curves({stage, i}, [&] { return curves_of(searches[i]); });
+      },
+      [&](std::size_t i, std::vector<BorderCurve> curves) {
+        const Search& search = searches[i];
+        if (known_->grazes_near(search.period, search.place, search.already)) return;
+        for (BorderCurve& curve : curves) known_->add(std::move(curve));
+      });
 }
 
 void GrazeBorders::from_stops() {
-  struct Halt {
-    const BorderCurve* curve;
-    const BorderPoint* point;
-  };
   const std::vector<BorderCurve> curves = known_->curves();
-  std::vector<Halt> stops;
+  std::vector<Search> searches;
   for (const BorderCurve& curve : curves) {
     for (const BorderPoint& point : curve.stops) {
-      if (curve.period <= kLongest && point.is_of_stable_motion())
-        stops.push_back({&curve, &point});
+      if (curve.period > kLongest || !point.is_of_stable_motion()) continue;
+      searches.push_back(
+          {curve.period, point.place, kAlready, [&] { return beside_stop(curve, point); }});
     }
   }
-  for_each_on_threads(stops.size(), nullptr, [&](std::size_t i) {
-    const auto [curve, point] = stops[i];
-    if (known_->grazes_near(curve->period, point->place, kAlready)) return;
-    const Eigen::Index n = point->tangent.size();
-    GrazeSeed seed{{point->place, curve->period, point->state, curve->scale.sizes, {}},
-                   {point->tangent[n - 2], point->tangent[n - 1]},
-                   kNearStop};
-    for (const Crossing& found : find_grazes(plane_, host_, seed)) {
-      double gone = 0.0;
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double way = (found.point.place[axis] - point->place[axis]) / plane_.range(axis);
-        gone = std::hypot(gone, way);
-      }
-      if (gone <= kAtStop) follow(found);
-    }
-  });
+  run(SearchStage::stops, searches);
 }
 
-void GrazeBorders::follow(const std::vector<PairSeed>& seeds) {
-  for_each_on_threads(seeds.size(), nullptr, [&](std::size_t i) {
-    const PairSeed& seed = seeds[i];
-    if (known_->grazes_near(seed.orbit.period, seed.orbit.place, kHalfPixel)) return;
-    const PlanePlace there = pixels_.place(seed.to);
-    GrazeSeed at{seed.orbit, {}, seed.near};
-    const auto [first, second] = seed.edge.pixels;
-    const PlanePlace from = pixels_.place(seed.to == first ? second : first);
+std::vector<Crossing> GrazeBorders::beside_stop(const BorderCurve& curve,
+                                                const BorderPoint& point) const {
+  const Eigen::Index n = point.tangent.size();
+  const GrazeSeed seed{{point.place, curve.period, point.state, curve.scale.sizes, {}},
+                       {point.tangent[n - 2], point.tangent[n - 1]},
+                       kNearStop};
+  std::vector<Crossing> out;
+  for (Crossing& found : find_grazes(plane_, host_, seed)) {
+    double gone = 0.0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      at.way[axis] = (there[axis] - from[axis]) / plane_.range(axis);
+      const double way = (found.point.place[axis] - point.place[axis]) / plane_.range(axis);
+      gone = std::hypot(gone, way);
     }
-    const PixelPlace middle = middle_of(pixels_, seed.edge);
-    for (const Crossing& found : find_grazes(plane_, host_, at)) {
-      const PixelPlace place = pixel_place(pixels_, found.point.place);
-      const double apart = std::hypot(place[0] - middle[0], place[1] - middle[1]);
-      const bool settles =
-          found.point.is_of_stable_motion() || comes_up_to(seed.orbit, found.point);
-      if (apart <= kBesidePair && settles) follow(found);
-    }
-  });
+    if (gone <= kAtStop) out.push_back(std::move(found));
+  }
+  return out;
+}
+
+void GrazeBorders::follow(SearchStage stage, const std::vector<PairSeed>& seeds) {
+  std::vector<Search> searches;
+  for (const PairSeed& seed : seeds) {
+    searches.push_back(
+        {seed.orbit.period, seed.orbit.place, kHalfPixel, [&] { return between(seed); }});
+  }
+  run(stage, searches);
+}
+
+std::vector<Crossing> GrazeBorders::between(const PairSeed& seed) const {
+  const PlanePlace there = pixels_.place(seed.to);
+  GrazeSeed at{seed.orbit, {}, seed.near};
+  const auto [first, second] = seed.edge.pixels;
+  const PlanePlace from = pixels_.place(seed.to == first ? second : first);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    at.way[axis] = (there[axis] - from[axis]) / plane_.range(axis);
+  }
+  const PixelPlace middle = middle_of(pixels_, seed.edge);
+  std::vector<Crossing> out;
+  for (Crossing& found : find_grazes(plane_, host_, at)) {
+    const PixelPlace place = pixel_place(pixels_, found.point.place);
+    const double apart = std::hypot(place[0] - middle[0], place[1] - middle[1]);
+    const bool settles = found.point.is_of_stable_motion() || comes_up_to(seed.orbit, found.point);
+    if (apart <= kBesidePair && settles) out.push_back(std::move(found));
+  }
+  return out;
 }
 
 bool GrazeBorders::comes_up_to(const HeldOrbit& orbit, const BorderPoint& graze) const {
@@ -125,12 +149,12 @@ void GrazeBorders::from_lost(std::vector<ExplainedBorder>* borders) {
     }
   };
   mark();
-  struct Lost {
-    HeldOrbit orbit;
-    std::size_t to;
+  struct Pair {
     BorderEdge edge;
+    std::size_t longest;  // period that is looked at
   };
-  std::vector<Lost> all;
+  std::vector<Pair> pairs;
+  std::vector<std::size_t> pixels;
   for (const ExplainedBorder& border : *borders) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < border.reasons.size(); ++i) {
@@ -139,12 +163,22 @@ void GrazeBorders::from_lost(std::vector<ExplainedBorder>* borders) {
     if (open.size() < kMinLost) continue;
     for (const std::size_t i : evenly(open.size(), kMaxLost)) {
       const BorderEdge& edge = border.border.edges[open[i]];
-      for (const std::size_t side : {0U, 1U}) {
-        const HeldOrbit* const orbit = settled_->orbit(edge.pixels[side]);
-        if (orbit == nullptr || orbit->period > kLongestLost) continue;
-        if (orbit->period > kLongest && open.size() < kMinLongLost) continue;
-        all.push_back({*orbit, edge.pixels[1 - side], edge});
-      }
+      pairs.push_back({edge, open.size() < kMinLongLost ? kLongest : kLongestLost});
+      pixels.insert(pixels.end(), edge.pixels.begin(), edge.pixels.end());
+    }
+  }
+  settled_->settle(pixels);  // those that a search had settled before it was interrupted
+  struct Lost {
+    HeldOrbit orbit;
+    std::size_t to;
+    BorderEdge edge;
+  };
+  std::vector<Lost> all;
+  for (const auto& [edge, longest] : pairs) {
+    for (const std::size_t side : {0U, 1U}) {
+      const HeldOrbit* const orbit = settled_->orbit(edge.pixels[side]);
+      if (orbit == nullptr || orbit->period > longest) continue;
+      all.push_back({*orbit, edge.pixels[1 - side], edge});
     }
   }
   std::vector<PairSeed> seeds(all.size());
@@ -154,7 +188,7 @@ void GrazeBorders::from_lost(std::vector<ExplainedBorder>* borders) {
     seeds[i] = {last_stable(plane_, &joined, lost.orbit, pixels_.place(lost.to)), lost.to,
                 lost.edge, kNearLost};
   });
-  follow(seeds);
+  follow(SearchStage::lost, seeds);
   mark();
 }
 
@@ -177,7 +211,7 @@ ContactPairs GrazeBorders::from_contacts(std::size_t min_edges) {
         seeds.push_back({*orbit, edge.pixels[1 - side], edge, kNearContact});
     }
   }
-  follow(seeds);
+  follow(SearchStage::contacts, seeds);
   ContactPairs out;
   for (const MapBorder& border : borders) {
     out.pairs += border.edges.size();

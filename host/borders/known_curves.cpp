@@ -40,12 +40,12 @@ bool KnownCurves::grazes_near(std::size_t period, const PlanePlace& place, doubl
   return false;
 }
 
-std::optional<PixelLine> KnownCurves::add(BorderCurve curve, const BorderPoint& start) {
+std::optional<PixelLine> KnownCurves::add(BorderCurve curve) {
   // Fewer points: Newton's method came to a place around which the equations have no curve.
   if (curve.points.size() < kMinPoints) return std::nullopt;
   PixelLine line(pixels_, curve);
   const std::lock_guard lock(mutex_);
-  if (is_on_one(curve, start)) return std::nullopt;
+  if (is_on_one(curve, curve.points[curve.start])) return std::nullopt;
   const auto known = std::ranges::count_if(
       curve.points, [&](const BorderPoint& point) { return is_on_one(curve, point); });
   if (static_cast<double>(known) > kNearlyAll * static_cast<double>(curve.points.size())) {

@@ -18,9 +18,9 @@ class KnownCurves {
   bool has(const BorderEquations& equations, const BorderPoint& point);
   // Whether a grazing curve of this period passes a place within so many pixels.
   bool grazes_near(std::size_t period, const PlanePlace& place, double pixels);
-  // Adds a curve that began at `start`; its line in pixels, or nothing where it is no curve or
-  // lies on others: another thread may have been faster, or it was begun elsewhere.
-  std::optional<PixelLine> add(BorderCurve curve, const BorderPoint& start);
+  // Adds a curve; its line in pixels, or nothing where it is no curve or lies on others: another
+  // search may have found it, or it was begun elsewhere.
+  std::optional<PixelLine> add(BorderCurve curve);
 
   std::size_t size();
   // Once no thread adds any more.

@@ -71,6 +71,26 @@ void add_special_points(BorderCurve* curve) {
   }
 }
 
+std::string name_of(CurveEnd end) {
+  switch (end) {
+    case CurveEnd::window:
+      return "leaves the window";
+    case CurveEnd::closes:
+      return "closes";
+    case CurveEnd::settles_no_more:
+      return "no motion that settles grazes from here on";
+    case CurveEnd::resonance_1_1:
+      return "ends at a resonance 1:1";
+    case CurveEnd::resonance_1_2:
+      return "ends at a resonance 1:2";
+    case CurveEnd::too_long:
+      return "stopped: too many points";
+    case CurveEnd::no_way_on:
+      break;
+  }
+  return "no way on";
+}
+
 std::string name_of(SpecialKind kind) {
   switch (kind) {
     case SpecialKind::cusp:

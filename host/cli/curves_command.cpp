@@ -14,6 +14,8 @@
 #include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
+#include "journal/journal.hpp"
+#include "journal/notes.hpp"
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "point/point_trace.hpp"
@@ -27,7 +29,7 @@ struct CurvesArguments {
   std::string map, output, device;
   std::optional<std::size_t> steps;
   std::size_t min_pairs = BorderRequest{}.min_edges;
-  bool quiet = false;
+  bool restart = false, quiet = false;
 };
 
 std::string curves_command_line(const CurvesArguments& arguments) {
@@ -136,7 +138,7 @@ std::string describe_curves(const BorderFindings& findings) {
     out += fmt::format(
         "{} of period {}{}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
         name_of(curve.kind), curve.period, touches, curve.points.size(), x, first[0], y, first[1],
-        curve.begins, last[0], last[1], curve.ends);
+        name_of(curve.begins), last[0], last[1], name_of(curve.ends));
     for (const SpecialPoint& special : curve.special) {
       out += fmt::format("    {} near {} = {:.5g}, {} = {:.5g}\n", name_of(special.kind), x,
                          special.place[0], y, special.place[1]);
@@ -225,13 +227,17 @@ int run_curves(const CurvesArguments& arguments, SignalWatch* signals) {
   SweepOptions options;
   options.devices = chosen_devices(arguments.device);
   options.stop = stop_on_signals(signals, arguments.quiet, options.scheduler);
+  options.journal_path = arguments.output + ".journal";
+  options.notes = {{notes::kCommand, curves_command_line(arguments)}};
+  if (arguments.restart) Journal::discard(options.journal_path);
   const std::optional<BorderFindings> findings = find_borders(study, request, options);
   if (!findings) {
-    tell("gearsweep: interrupted\n");
+    tell("gearsweep: interrupted; what is finished is kept, and the same command continues\n");
     return kInterrupted;
   }
   write_borders(*findings, arguments.output,
                 {curves_command_line(arguments), version(), source_hash()});
+  Journal::discard(options.journal_path);
   answer("{}", describe_curves(*findings));
   warn_of_steps(*findings);
   if (!arguments.quiet) {
@@ -268,6 +274,8 @@ void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
       ->type_name(kNumberValue)
       ->check(whole_number(1, 1000000));
   add_device_option(command, &arguments->device, false);
+  command->add_flag("--restart", arguments->restart,
+                    "Start afresh: discard what an interrupted search left in OUT.nc.journal");
   command->add_flag("--quiet", arguments->quiet, "No progress");
   command->footer(
       "Examples:\n"
@@ -281,7 +289,9 @@ void add_curves_command(CLI::App* app, SignalWatch* signals, int* status) {
       "those along which a motion only just touches a limit. Of all other pairs the summary says\n"
       "whether the orbit of one goes on, stable, beyond the other: then two motions are stable "
       "there,\n"
-      "and the starts of the two pixels lie in different basins.");
+      "and the starts of the two pixels lie in different basins.\n\n"
+      "An interrupted search keeps what it has finished in OUT.nc.journal; the same command\n"
+      "continues from there, and 'gearsweep status OUT.nc' tells of it.");
   command->callback([arguments, signals, status] { *status = run_curves(*arguments, signals); });
 }
 

@@ -49,7 +49,18 @@ std::string state_of(const JournalStatus& status) {
   return share_of(status) == 1.0 ? "computed" : "interrupted";
 }
 
+// Of a search for curves, whose parts are not known before it has found them.
+bool is_search(const JournalStatus& status) { return !note(status, notes::kSearch).empty(); }
+
+std::string describe_search(const std::string& output, const JournalStatus& status) {
+  std::string text = fmt::format("{}: a search for curves, {}; {} of its parts are finished\n",
+                                 output, status.is_held ? "running" : "interrupted", status.tiles);
+  if (!status.is_held) text += fmt::format("to continue: {}\n", note(status, notes::kCommand));
+  return text;
+}
+
 std::string describe(const std::string& output, const JournalStatus& status) {
+  if (is_search(status)) return describe_search(output, status);
   if (!is_planned(status)) {
     return status.is_held
                ? fmt::format(
@@ -74,6 +85,13 @@ std::string describe(const std::string& output, const JournalStatus& status) {
 }
 
 nlohmann::json as_json(const std::string& output, const JournalStatus& status) {
+  if (is_search(status)) {
+    return {{"output", output},
+            {"state", status.is_held ? "running" : "interrupted"},
+            {"share", nullptr},
+            {"parts_done", status.tiles},
+            {"command", note(status, notes::kCommand)}};
+  }
   const double share = share_of(status);
   return {{"output", output},
           {"state", state_of(status)},

@@ -129,8 +129,8 @@ class BorderDescription {
     std::vector<double> periods, counts, closed, errors;
     for (const BorderCurve& curve : findings_.curves) {
       kinds.push_back(name_of(curve.kind));
-      begins.push_back(curve.begins);
-      ends.push_back(curve.ends);
+      begins.push_back(name_of(curve.begins));
+      ends.push_back(name_of(curve.ends));
       periods.push_back(static_cast<double>(curve.period));
       counts.push_back(static_cast<double>(curve.points.size()));
       closed.push_back(curve.is_closed ? 1.0 : 0.0);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "borders/curve_distance.hpp"
+#include "borders/curve_numbers.hpp"
 #include "borders/host_orbit_map.hpp"
 #include "model/error.hpp"
 #include "orbits/floquet.hpp"
@@ -115,6 +117,29 @@ TEST_F(BorderSearchOfAGear, ResidualsAreSmallAndMultipliersOnTheCircle) {
       EXPECT_LT(nearest, 1e-4) << name_of(curve.kind);
     }
   }
+}
+
+// Threads are not equally fast each time. The curves do not depend on that, nor does their order.
+TEST_F(BorderSearchOfAGear, FindsTheSameBitsAgain) {
+  const std::vector<double> first = numbers_of(searched_->findings.curves),
+                            second = numbers_of(search(kCoarse, 6).findings.curves);
+  ASSERT_EQ(first.size(), second.size());
+  EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(double)), 0);
+}
+
+TEST_F(BorderSearchOfAGear, CurvesAreTheSameAfterTheyWereKept) {
+  const std::vector<double> kept = numbers_of(searched_->findings.curves);
+  const std::vector<BorderCurve> read = curves_of(kept);
+  ASSERT_EQ(read.size(), searched_->findings.curves.size());
+  const BorderCurve &a = read.back(), &b = searched_->findings.curves.back();
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.points.back().state, b.points.back().state);
+  EXPECT_EQ(a.points.back().multipliers, b.points.back().multipliers);
+  EXPECT_EQ(a.points[a.start].place, b.points[b.start].place);
+  EXPECT_EQ(a.step_error, b.step_error);
+  EXPECT_THROW(curves_of(std::span(kept).first(kept.size() - 1)), InputError);
+  EXPECT_THROW(curves_of(std::vector<double>{-1.0}), InputError);
+  EXPECT_THROW(curves_of(std::vector<double>{std::nan("")}), InputError);
 }
 
 // The only motion of a linear oscillator is stable everywhere. A map that shows it in one half

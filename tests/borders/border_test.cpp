@@ -79,8 +79,8 @@ TEST(Borders, APendulumsDoublingPassesThroughItsPublishedPoint) {
   const ParameterPlane plane = plane_of(example, {"damping", "drive"}, {0.7, 1.4}, {0.8, 1.5});
   const BorderCurve curve = curve_from(plane, BorderKind::flip, example.orbit(600, 512), 512);
   EXPECT_LT(curve.max_residual(), 1e-10);
-  EXPECT_EQ(curve.begins, "leaves the window");
-  EXPECT_EQ(curve.ends, "leaves the window");
+  EXPECT_EQ(curve.begins, CurveEnd::window);
+  EXPECT_EQ(curve.ends, CurveEnd::window);
   // It starts on the window's edge, where the published point is.
   EXPECT_NEAR(1.0 / curve.points.back().place[0], 1.34921264, 2e-8);
   for (const BorderPoint& point : curve.points) {
@@ -146,8 +146,8 @@ TEST(Borders, FoldsOfABentResonanceMeetInACusp) {
   const BorderCurve curve = curve_from(plane, BorderKind::fold, fold.orbit, 512);
   ASSERT_GE(curve.points.size(), 20U);
   // Up to the drive's largest value along one fold, over the cusp, and along the other.
-  EXPECT_EQ(curve.begins, "leaves the window");
-  EXPECT_EQ(curve.ends, "leaves the window");
+  EXPECT_EQ(curve.begins, CurveEnd::window);
+  EXPECT_EQ(curve.ends, CurveEnd::window);
   ASSERT_EQ(curve.special.size(), 1U);
   EXPECT_EQ(curve.special.front().kind, SpecialKind::cusp);
   const double d = 0.1, c = 0.02;

@@ -68,8 +68,8 @@ TEST(Grazing, AGearPairBeginsToPartWhereItsSwingIsItsMeanDeflection) {
   ASSERT_EQ(curves.size(), 1U);
   const BorderCurve& curve = curves.front();
   EXPECT_FALSE(curve.limit.is_from_below);
-  EXPECT_EQ(curve.begins, "leaves the window");
-  EXPECT_EQ(curve.ends, "leaves the window");
+  EXPECT_EQ(curve.begins, CurveEnd::window);
+  EXPECT_EQ(curve.ends, CurveEnd::window);
   EXPECT_GE(curve.points.size(), 30U);
   EXPECT_LT(curve.max_residual(), 1e-8);
   for (const BorderPoint& point : curve.points) {
@@ -192,8 +192,8 @@ TEST(Grazing, AnOscillatorMeetsItsWallWhereItsSwingIsTheGap) {
   const std::vector<BorderCurve> curves = curves_near(plane, Eigen::Vector2d(-swing, 0.0));
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_GE(curves.front().points.size(), 20U);
-  EXPECT_EQ(curves.front().begins, "leaves the window");
-  EXPECT_EQ(curves.front().ends, "leaves the window");
+  EXPECT_EQ(curves.front().begins, CurveEnd::window);
+  EXPECT_EQ(curves.front().ends, CurveEnd::window);
   for (const BorderPoint& point : curves.front().points) {
     const double w = point.place[0];
     EXPECT_NEAR(point.place[1], 1.0 / (w * w - 1.0), 1e-9) << w;

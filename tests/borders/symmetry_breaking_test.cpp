@@ -47,8 +47,8 @@ TEST(SymmetryBreaking, APendulumsIsThatOfAnIndependentProgram) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->point.place[1], 1.00431947742646, 1e-9);
   const BorderCurve curve = follow_border(*found->equations, found->point);
-  EXPECT_EQ(curve.begins, "leaves the window");
-  EXPECT_EQ(curve.ends, "leaves the window");
+  EXPECT_EQ(curve.begins, CurveEnd::window);
+  EXPECT_EQ(curve.ends, CurveEnd::window);
   for (const auto& [damping, drive] : kDrives) {
     const auto nearest = std::ranges::min_element(curve.points, {}, [&](const BorderPoint& point) {
       return std::fabs(point.place[0] - damping);

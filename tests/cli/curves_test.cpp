@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "result/border_file.hpp"
+#include "support/paused_run.hpp"
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
@@ -56,6 +58,76 @@ TEST(CurvesCommand, FindsTheDoublingOfAPendulumAndDrawsIt) {
   EXPECT_THAT(again.err, HasSubstr("'curves.nc' holds curves already: give the map"));
   EXPECT_THAT(gearsweep(folder, "plot map.nc --curves curves.nc --at drive=1.5 -o m.png").err,
               HasSubstr("--curves takes a map of two axes"));
+}
+
+// The places of all curves, curve after curve.
+std::vector<std::pair<double, double>> places_in(const std::filesystem::path& file) {
+  std::vector<std::pair<double, double>> out;
+  for (const StoredCurve& curve : read_borders(file.string()).curves) {
+    out.insert(out.end(), curve.places.begin(), curve.places.end());
+  }
+  return out;
+}
+
+constexpr const char* kSearch = "curves map.nc --quiet --min-pairs 3 -o ";
+
+class InterruptedCurves : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("pendulum.toml", kDoublingPendulum);
+    ASSERT_EQ(gearsweep(folder_, "run pendulum.toml -o map.nc --quiet").status, 0);
+    writes_ = count_writes(folder_, std::string(kSearch) + "whole.nc", ".journal");
+    ASSERT_GT(writes_, 10);
+  }
+
+  // A search that gets the signal in a write to its journal, with this share of all writes behind
+  // it.
+  Outcome interrupt(int signal_number, double share) const {
+    const long at = static_cast<long>(share * static_cast<double>(writes_));
+    PausedRun run(folder_, std::string(kSearch) + "out.nc", ".journal", at);
+    EXPECT_TRUE(run.is_paused()) << run.said();
+    run.send(signal_number);
+    run.go_on();
+    const int status = run.end();
+    return {status, "", run.said()};
+  }
+
+  Folder folder_;
+  long writes_ = 0;
+};
+
+// Bits, and the words of the summary.
+TEST_F(InterruptedCurves, ContinueToTheSameCurvesAfterKills) {
+  for (const double share : {0.9, 0.1}) {  // the second search has little left to write
+    EXPECT_EQ(interrupt(SIGKILL, share).status, 128 + SIGKILL);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out.nc.journal"));
+  }
+  EXPECT_THAT(gearsweep(folder_, "status out.nc").out,
+              AllOf(HasSubstr("a search for curves, interrupted"),
+                    HasSubstr("to continue: gearsweep curves 'map.nc' --min-pairs 3 -o 'out.nc'")));
+  const Outcome rest = gearsweep(folder_, "curves map.nc --min-pairs 3 -o out.nc");
+  EXPECT_EQ(rest.status, 0) << rest.err;
+  EXPECT_THAT(rest.err, HasSubstr("parts of the search are there from before"));
+  EXPECT_EQ(rest.out, gearsweep(folder_, std::string(kSearch) + "again.nc").out);
+  EXPECT_EQ(places_in(folder_ / "out.nc"), places_in(folder_ / "whole.nc"));
+  EXPECT_EQ(folder_.files(),
+            (std::set<std::string>{"again.nc", "map.nc", "out.nc", "pendulum.toml", "whole.nc"}));
+}
+
+TEST_F(InterruptedCurves, OtherSettingsAndDamagedJournalsAreRefused) {
+  const Outcome stopped = interrupt(SIGINT, 0.9);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  EXPECT_THAT(stopped.err, HasSubstr("the same command continues"));
+  const Outcome other = gearsweep(folder_, "curves map.nc --quiet --min-pairs 4 -o out.nc");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, AllOf(HasSubstr("out.nc.journal"), HasSubstr("borders of 3 pairs"),
+                               HasSubstr("--restart")));
+  folder_.write("out.nc.journal",
+                "no journal at all, of more than a hundred letters, so that it "
+                "is longer than the head of a database has to be");
+  EXPECT_EQ(gearsweep(folder_, std::string(kSearch) + "out.nc").status, 2);
+  EXPECT_EQ(gearsweep(folder_, std::string(kSearch) + "out.nc --restart").status, 0);
+  EXPECT_EQ(places_in(folder_ / "out.nc"), places_in(folder_ / "whole.nc"));
 }
 
 struct WrongCurves {

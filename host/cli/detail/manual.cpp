@@ -64,7 +64,8 @@ constexpr Item kFiles[] = {
      "from."},
     {"OUT.nc", "A result: NetCDF-4, one variable for each quantity, the study in its attributes."},
     {"OUT.nc.journal",
-     "What an interrupted run has finished. The same command continues from there."},
+     "What an interrupted run, or search for curves, has finished. The same command continues from "
+     "there."},
     {"~/.cache/gearsweep/", "Built kernels of devices whose drivers keep none. Safe to delete."},
 };
 
