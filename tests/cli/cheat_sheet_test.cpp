@@ -1,4 +1,4 @@
-// The page to print (doc/site/cheat_sheet.html) shows what works: its study, its commands, its Python.
+// The page to print (doc/site/cheat_sheet.html): its study, its commands and its Python work.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

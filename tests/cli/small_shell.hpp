@@ -7,8 +7,8 @@
 
 namespace gearsweep::testing {
 
-// Runs shell commands in the folder as a reader would give them, but on few points (small/gearsweep),
-// and without anything that a shell has set beside HOME and PATH.
+// Runs shell commands in the folder as a reader would give them, but on few points
+// (small/gearsweep), and without anything that a shell has set beside HOME and PATH.
 Outcome run_small(const Folder& folder, const std::string& commands);
 
 }  // namespace gearsweep::testing
