@@ -186,7 +186,12 @@ class BorderSearch {
     return out;
   }
   void take_reasons(const std::vector<double>& reasons) {
-    if (reasons.size() != edges()) throw InputError("the journal is damaged; delete it");
+    const bool are_reasons = std::ranges::all_of(reasons, [](double reason) {
+      return reason >= 0.0 && reason < static_cast<double>(kEdgeReasons);
+    });
+    if (!are_reasons || reasons.size() != edges()) {
+      throw InputError("the journal is damaged (what stands there are no reasons); delete it");
+    }
     std::size_t next = 0;
     for (ExplainedBorder& border : borders_) {
       for (EdgeReason& reason : border.reasons) reason = static_cast<EdgeReason>(reasons[next++]);

@@ -1,5 +1,9 @@
 #include "borders/curve_numbers.hpp"
 
+#include <algorithm>
+#include <complex>
+#include <utility>
+
 #include "model/error.hpp"
 
 namespace gearsweep {
@@ -10,6 +14,12 @@ class NumberWriter {
   void number(const double& value) { row_.push_back(value); }
   std::size_t whole(std::size_t value) {
     row_.push_back(static_cast<double>(value));
+    return value;
+  }
+  std::size_t count(std::size_t value) { return whole(value); }
+  template <typename Enum>
+  Enum one_of(Enum value, Enum) {
+    whole(static_cast<std::size_t>(value));
     return value;
   }
   std::vector<double> take() { return std::move(row_); }
@@ -26,12 +36,23 @@ class NumberReader {
     if (next_ == row_.size()) refuse();
     value = row_[next_++];
   }
-  // No count is larger than the row is long.
   std::size_t whole(std::size_t) {
     double value = 0.0;
     number(value);
     if (!(value >= 0.0 && value <= kMost)) refuse();
     return static_cast<std::size_t>(value);
+  }
+  // No more things than the row has numbers left: each takes one at least.
+  std::size_t count(std::size_t) {
+    const std::size_t value = whole(0);
+    if (value > row_.size() - next_) refuse();
+    return value;
+  }
+  template <typename Enum>
+  Enum one_of(Enum, Enum last) {
+    const std::size_t value = whole(0);
+    if (value > static_cast<std::size_t>(last)) refuse();
+    return static_cast<Enum>(value);
   }
   bool is_at_end() const { return next_ == row_.size(); }
   [[noreturn]] static void refuse() {
@@ -46,20 +67,15 @@ class NumberReader {
 
 // Each of these says for both ways of which numbers a thing is made, and in which order.
 
-template <typename Row, typename Enum>
-void visit_enum(Row& row, Enum& value) {
-  value = static_cast<Enum>(row.whole(static_cast<std::size_t>(value)));
-}
-
 template <typename Row>
 void visit_vector(Row& row, Eigen::VectorXd& vector) {
-  vector.resize(static_cast<Eigen::Index>(row.whole(static_cast<std::size_t>(vector.size()))));
+  vector.resize(static_cast<Eigen::Index>(row.count(static_cast<std::size_t>(vector.size()))));
   for (double& value : vector) row.number(value);
 }
 
 template <typename Row>
 void visit_vector(Row& row, Eigen::VectorXcd& vector) {
-  vector.resize(static_cast<Eigen::Index>(row.whole(static_cast<std::size_t>(vector.size()))));
+  vector.resize(static_cast<Eigen::Index>(row.count(static_cast<std::size_t>(vector.size()))));
   for (std::complex<double>& value : vector) {
     double real = value.real(), imag = value.imag();
     row.number(real);
@@ -75,7 +91,7 @@ void visit_place(Row& row, PlanePlace& place) {
 
 template <typename Row, typename Element, typename Visit>
 void visit_all(Row& row, std::vector<Element>& elements, const Visit& visit) {
-  elements.resize(row.whole(elements.size()));
+  elements.resize(row.count(elements.size()));
   for (Element& element : elements) visit(row, element);
 }
 
@@ -98,13 +114,13 @@ void visit_point(Row& row, BorderPoint& point) {
 
 template <typename Row>
 void visit_special(Row& row, SpecialPoint& special) {
-  visit_enum(row, special.kind);
+  special.kind = row.one_of(special.kind, SpecialKind::corner);
   visit_place(row, special.place);
 }
 
 template <typename Row>
 void visit_curve(Row& row, BorderCurve& curve) {
-  visit_enum(row, curve.kind);
+  curve.kind = row.one_of(curve.kind, BorderKind::grazing);
   curve.period = row.whole(curve.period);
   curve.limit.index = row.whole(curve.limit.index);
   curve.limit.is_from_below = row.whole(curve.limit.is_from_below ? 1 : 0) == 1;
@@ -114,8 +130,8 @@ void visit_curve(Row& row, BorderCurve& curve) {
   visit_all(row, curve.points, visit_point<Row>);
   curve.start = row.whole(curve.start);
   curve.is_closed = row.whole(curve.is_closed ? 1 : 0) == 1;
-  visit_enum(row, curve.begins);
-  visit_enum(row, curve.ends);
+  curve.begins = row.one_of(curve.begins, CurveEnd::too_long);
+  curve.ends = row.one_of(curve.ends, CurveEnd::too_long);
   visit_all(row, curve.special, visit_special<Row>);
   visit_all(row, curve.stops, visit_point<Row>);
   row.number(curve.step_error);

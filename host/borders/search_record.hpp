@@ -31,8 +31,8 @@ Identity identity_of(const Study& study, const BorderRequest& request);
 // Threads may share one.
 class SearchRecord {
  public:
-  // Of `options` journal_path (empty: nothing is kept) and notes. device: that computes. Throws as
-  // Journal does.
+  // Takes from `options` journal_path (empty: nothing is kept) and notes. device: that computes.
+  // Throws as Journal does.
   SearchRecord(const Identity& identity, const SweepOptions& options, std::string device);
   // Leaves no journal of a search that has finished nothing.
   ~SearchRecord();

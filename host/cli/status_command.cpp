@@ -49,7 +49,7 @@ std::string state_of(const JournalStatus& status) {
   return share_of(status) == 1.0 ? "computed" : "interrupted";
 }
 
-// Of a search for curves, whose parts are not known before it has found them.
+// A search for curves, whose parts are not known before it has found them.
 bool is_search(const JournalStatus& status) { return !note(status, notes::kSearch).empty(); }
 
 std::string describe_search(const std::string& output, const JournalStatus& status) {

@@ -14,7 +14,7 @@ from gearsweep._shown import Limits, Missing, Shown, classes_of
 if TYPE_CHECKING:
     import matplotlib.axes
 
-# Of a few classes with long names a bar would leave the map no room: they stand below it.
+# A bar for a few classes with long names would leave the map no room: they stand below it.
 _FEW_CLASSES = 6
 _LONG_NAME = 18
 

@@ -139,6 +139,10 @@ TEST_F(BorderSearchOfAGear, CurvesAreTheSameAfterTheyWereKept) {
   EXPECT_EQ(a.step_error, b.step_error);
   EXPECT_THROW(curves_of(std::span(kept).first(kept.size() - 1)), InputError);
   EXPECT_THROW(curves_of(std::vector<double>{-1.0}), InputError);
+  EXPECT_THROW(curves_of(std::vector<double>{1e7}), InputError);  // a count without its curves
+  std::vector<double> of_no_kind = kept;
+  of_no_kind[1] = 99.0;
+  EXPECT_THROW(curves_of(of_no_kind), InputError);
   EXPECT_THROW(curves_of(std::vector<double>{std::nan("")}), InputError);
 }
 

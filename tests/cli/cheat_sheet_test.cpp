@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/page.hpp"
 #include "cli/small_shell.hpp"
 #include "result/python.hpp"
 #include "support/process.hpp"
@@ -17,20 +18,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::vector<std::string> parts(const std::string& text, const std::string& pattern) {
-  const std::regex expression(pattern);
-  std::vector<std::string> found;
-  for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at) {
-    found.push_back((*at)[1]);
-  }
-  return found;
-}
-
 class CheatSheet : public ::testing::Test {
  protected:
   // The one block between <pre> and </pre> that begins so.
   std::string block(const std::string& beginning) const {
-    std::vector<std::string> blocks = parts(page_, "<pre>([^<]*)</pre>");
+    std::vector<std::string> blocks = matches_in(page_, "<pre>([^<]*)</pre>");
     std::erase_if(blocks, [&](const std::string& text) { return !text.starts_with(beginning); });
     return blocks.size() == 1 ? blocks.front() : throw std::logic_error("no block " + beginning);
   }
@@ -63,7 +55,7 @@ TEST_F(CheatSheet, ItsGearGivesItsPages) {
 }
 
 TEST_F(CheatSheet, ItsCommandsAndOptionsAreThere) {
-  const std::vector<std::string> first_cells = parts(page_, "<tr><td>([^<]*)</td>");
+  const std::vector<std::string> first_cells = matches_in(page_, "<tr><td>([^<]*)</td>");
   ASSERT_GT(first_cells.size(), 20U);
   const std::string commands = gearsweep(folder_, "--help").out;
   int count = 0;
@@ -75,7 +67,7 @@ TEST_F(CheatSheet, ItsCommandsAndOptionsAreThere) {
     ++count;
     EXPECT_THAT(commands, HasSubstr("\n  " + words[1].str() + " ")) << cell;
     const std::string help = gearsweep(folder_, words[1].str() + " --help").out;
-    for (const std::string& option : parts(words[2], "( --?[a-z-]+)")) {
+    for (const std::string& option : matches_in(words[2], "( --?[a-z-]+)")) {
       EXPECT_TRUE(std::regex_search(help, std::regex("[ ,]" + option.substr(1) + "[ ,]")))
           << cell << ": " << option;
     }

@@ -8,8 +8,6 @@
 #include "support/process.hpp"
 
 namespace gearsweep::testing {
-namespace {
-
 std::vector<std::string> matches_in(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   std::vector<std::string> found;
@@ -18,8 +16,6 @@ std::vector<std::string> matches_in(const std::string& text, const std::string& 
   }
   return found;
 }
-
-}  // namespace
 
 std::vector<std::string> Page::blocks_of(const std::string& language) const {
   std::vector<std::string> texts;

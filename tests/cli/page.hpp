@@ -33,6 +33,9 @@ struct Page {
   std::vector<std::string> anchors() const;
 };
 
+// The first group of each place where the pattern is found.
+std::vector<std::string> matches_in(const std::string& text, const std::string& pattern);
+
 Page read_page(const std::filesystem::path& path);
 
 // README.md and doc/*.md, in alphabetical order.
