@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 namespace gearsweep {
 namespace {
@@ -31,6 +32,26 @@ constexpr std::array kFunctions = {FunctionInfo{"sin", Operation::sine, 1},
                                    FunctionInfo{"if", Operation::select, 3}};
 
 constexpr unsigned kMaxWholePower = 16;  // that is multiplied out
+
+std::size_t hash_of(const Node& node) {
+  std::size_t hash = std::hash<std::string>()(node.symbol);
+  // As boost::hash_combine: the constant is 2^64 divided by the golden ratio.
+  const auto add = [&hash](std::size_t part) {
+    hash ^= part + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
+  };
+  add(static_cast<std::size_t>(node.operation));
+  add(std::bit_cast<std::uint64_t>(node.number));
+  add(std::hash<const void*>()(node.table.get()));
+  for (const NodeId argument : node.arguments) add(argument);
+  return hash;
+}
+
+// Numbers by their bits: one that is none is the same as itself.
+bool are_same(const Node& one, const Node& other) {
+  return one.operation == other.operation &&
+         std::bit_cast<std::uint64_t>(one.number) == std::bit_cast<std::uint64_t>(other.number) &&
+         one.table == other.table && one.arguments == other.arguments && one.symbol == other.symbol;
+}
 
 }  // namespace
 
@@ -69,11 +90,15 @@ NodeId ExpressionGraph::intern(Node node) {
   for (const NodeId argument : node.arguments) {
     node.depth = std::max(node.depth, nodes_[argument].depth + 1);
   }
-  Key key{node.operation, std::bit_cast<std::uint64_t>(node.number), node.symbol, node.table.get(),
-          node.arguments};
-  const auto [known, is_new] = ids_.try_emplace(std::move(key), static_cast<NodeId>(nodes_.size()));
-  if (is_new) nodes_.push_back(std::move(node));
-  return known->second;
+  const std::size_t hash = hash_of(node);
+  const auto [first, last] = ids_.equal_range(hash);
+  for (auto known = first; known != last; ++known) {
+    if (are_same(nodes_[known->second], node)) return known->second;
+  }
+  const auto id = static_cast<NodeId>(nodes_.size());
+  ids_.emplace(hash, id);
+  nodes_.push_back(std::move(node));
+  return id;
 }
 
 NodeId ExpressionGraph::number(double value) {

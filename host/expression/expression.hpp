@@ -24,7 +24,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -120,9 +119,6 @@ class ExpressionGraph {
   bool is_number(NodeId id) const { return nodes_[id].operation == Operation::number; }
 
  private:
-  using Key =
-      std::tuple<Operation, std::uint64_t, std::string, const PeriodicTable*, std::vector<NodeId>>;
-
   NodeId intern(Node node);
   // A choice of which a branch is 0. A factor goes into the other branch: it need not be finite
   // where that is not chosen.
@@ -136,7 +132,7 @@ class ExpressionGraph {
   NodeId make_negated(NodeId a);
 
   std::vector<Node> nodes_;
-  std::map<Key, NodeId> ids_;
+  std::unordered_multimap<std::size_t, NodeId> ids_;  // by hash_of() their nodes
 };
 
 // A graph's node made anew, simplified, where `replaced` gives some nodes another meaning. Each

@@ -1,11 +1,35 @@
 #include "study/builtin_models.hpp"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <memory>
 #include <mutex>
 #include <tuple>
 
+#include "model/names.hpp"
+
 namespace gearsweep {
+
+namespace {
+
+// The names of its constants, which take no reading of the equations.
+std::set<std::string> constants_of(const std::string& text) {
+  std::set<std::string> names;
+  const toml::table root = toml::parse(text);
+  const toml::table* constants = root["constants"].as_table();
+  if (constants == nullptr) return names;
+  for (const auto& [key, node] : *constants) {
+    const toml::array* list = node.as_array();
+    const std::size_t count = list == nullptr ? 1 : list->size();
+    for (std::size_t i = 0; i < count; ++i) {
+      names.insert(name_in_list(std::string(key.str()), i));
+    }
+  }
+  return names;
+}
+
+}  // namespace
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names;
@@ -46,10 +70,8 @@ std::shared_ptr<const Model> built_in_model(const std::string& name,
   const std::string* text = model_text(name);
   if (text == nullptr) return nullptr;
   // Other names change nothing, and would make many of what is one.
-  std::set<std::string> constants;
-  for (const ConstantInfo& constant : find_model(name)->constants) {
-    if (promoted.contains(constant.name)) constants.insert(constant.name);
-  }
+  std::set<std::string> constants = constants_of(*text);
+  std::erase_if(constants, [&](const std::string& one) { return !promoted.contains(one); });
   static std::mutex mutex;
   static std::map<std::tuple<std::string, std::set<std::string>, ModelKeys, std::set<std::string>,
                              std::vector<SectionDefinition>>,

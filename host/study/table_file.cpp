@@ -16,7 +16,7 @@ namespace gearsweep {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
+constexpr std::size_t kMaxTableBytes = std::size_t{8} << 20U;
 constexpr std::size_t kMinTablePoints = 2, kMaxTablePoints = 100'000;
 constexpr std::size_t kMaxJumps = 100;  // the phase grid has a segment for each
 // In rad. Points of different phases are not closer; a last phase that is rounded to five digits is
@@ -40,7 +40,7 @@ class TableFileReader {
  public:
   TableFileReader(std::string_view text, const std::string& source,
                   std::span<const ValueUnit> units)
-      : lines_(text, kMaxBytes, kTable, source), source_(source), units_(units) {}
+      : lines_(text, kMaxTableBytes, kTable, source), source_(source), units_(units) {}
 
   std::vector<TablePoint> run() {
     std::vector<std::string_view> fields;
@@ -196,7 +196,7 @@ std::string table_text(const std::vector<TablePoint>& points) {
 }
 
 std::vector<TablePoint> read_table(const std::string& path, std::span<const ValueUnit> units) {
-  return parse_table(number_file_text(path, kMaxBytes, kTable), path, units);
+  return parse_table(number_file_text(path, kMaxTableBytes, kTable), path, units);
 }
 
 TablePoints tables_beside(const std::string& model_file) {
